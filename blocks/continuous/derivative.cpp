@@ -1,11 +1,11 @@
 #include "blocks/continuous/derivative.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 
 namespace stepwire {
 
 void Derivative::configure(Configure& is) {
-  if (!settled) is.skip_update();
+  if (!configure_reset(*this, is) && !settled) is.skip_update();
 }
 
 void Derivative::declare(Declare<Derivative>& is) {
@@ -25,6 +25,7 @@ void Derivative::declare(Declare<Derivative>& is) {
   is.output<&Derivative::y>({.unit = "'u/s", .doc = "its derivative"});
   is.state<&Derivative::x>({.unit = "'u", .doc = "the input, filtered"});
   is.state<&Derivative::begun>({.doc = "0 before the first step, then 1", .settable = false});
+  declare_reset(is, "'u", "the filter");
 }
 
 }  // namespace stepwire

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "engine/model/block/block.hpp"
+#include "engine/model/block/resettable.hpp"
 
 namespace stepwire {
 
 /// Filtered derivative, s / (tau s + 1): tau dx/dt = u - x, y = (u - x) / tau.
-struct Derivative {
+struct Derivative : Resettable {
   PerElement tau = 1e-3;
   bool settled = false;
   Input<> u{};
@@ -14,28 +14,34 @@ struct Derivative {
   DiscreteState<1> begun{};
 
   void outputs() {
-    if (settled && begun == 0.0) {
+    const bool now = resetting();
+    if (settled && (now || begun == 0.0)) {
       y = 0.0;
     } else {
-      for (Index i = 0; i < y.size(); ++i) y[i] = rate(i);
+      for (Index i = 0; i < y.size(); ++i) y[i] = (u[i] - (now ? target(i) : x[i])) / tau[i];
     }
   }
 
   void derivatives() {
-    for (Index i = 0; i < x.size(); ++i) x.dot[i] = rate(i);
+    const bool still = held();
+    for (Index i = 0; i < x.size(); ++i) x.dot[i] = still ? 0.0 : (u[i] - x[i]) / tau[i];
   }
 
-  /// Runs only where the start is settled.
+  /// Runs only where the start is settled, or something resets.
   void update() {
-    if (begun == 0.0) x = u;
+    const bool now = resetting();
+    if (settled && (now || begun == 0.0)) {
+      x = u;
+    } else if (now) {
+      x = Targets{*this};
+    }
     begun = 1.0;
+    remember_reset();
   }
 
   void configure(Configure& is);
+  void start() { home = x; }
   static void declare(Declare<Derivative>& is);
-
- private:
-  double rate(Index i) const { return (u[i] - x[i]) / tau[i]; }
 };
 
 }  // namespace stepwire

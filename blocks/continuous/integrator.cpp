@@ -1,6 +1,6 @@
 #include "blocks/continuous/integrator.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 #include "engine/model/block/limits.hpp"
 
 namespace stepwire {
@@ -11,41 +11,36 @@ void Integrator::declare(Declare<Integrator>& is) {
       {.doc =
            "Integral of the input: dx/dt = u, y = x. At a limit the integration stops until u points inward, "
            "so nothing winds up. A reset acts at a step: the output shows it at once, and the integration "
-           "goes on from there.",
+           "goes on from there; `before` is the integral as it arrives at the step, so that what it is reset "
+           "to may follow from it: a ball is thrown back by {value: bounce} with bounce a Gain of -0.8 of "
+           "v.before.",
        .symbol = {.text = "1 / s"}});
   is.parameter<&Integrator::lower>({.unit = "'u s", .doc = "lowest value; none where left out"});
   is.parameter<&Integrator::upper>({.unit = "'u s", .doc = "highest value; none where left out"});
-  is.parameter<&Integrator::trigger>(
-      {.doc = "what of the reset signal resets: it becomes true (rising), false (falling), either, or it is "
-              "true "
-              "(level: held until it is false again). True is above 0; there is no edge at the first step",
-       .words = {"rising", "falling", "either", "level"}});
   is.input<&Integrator::u>({.unit = "'u", .doc = "rate of change", .feedthrough = false});
-  is.input<&Integrator::reset>({.unit = "*", .doc = "resets all elements", .optional = true});
-  is.input<&Integrator::value>({.unit = "'u s",
-                                .doc = "what a reset goes to; the initial value where nothing is wired",
-                                .optional = true});
   is.output<&Integrator::y, &Integrator::x>({.unit = "'u s", .doc = "the integral, within the limits"});
+  is.output<&Integrator::before, &Integrator::x>(
+      {.unit = "'u s", .doc = "the integral before a reset and before the limits of this step"});
   is.state<&Integrator::x>({.unit = "'u s", .doc = "the integral"});
-  is.state<&Integrator::home>({.unit = "'u s", .doc = "initial value", .settable = false});
   is.state<&Integrator::stop>(
       {.doc = "1 at the upper and -1 at the lower limit at the last tick, 0 between", .settable = false});
-  is.state<&Integrator::side>({.doc = "last reset signal: -1 false, 1 true, 0 none yet", .settable = false});
+  declare_reset(is, "'u s", "the integral");
+  is.crossing("the integral reaches its lower limit");
+  is.crossing("it reaches its upper limit");
+  is.crossing("the reset signal becomes true or false", "1");
   is.derived<&Integrator::slope_is_input, From::no_number>();
   is.derived<&Integrator::limited, From::no_number>();
-  is.derived<&Integrator::resets, From::no_number>();
 }
 
 void Integrator::configure(Configure& is) {
   require_order<&Integrator::lower, &Integrator::upper>(*this, is);
   limited = limits(lower, upper);
-  resets = is.connected<&Integrator::reset>();
-  if (!resets && is.connected<&Integrator::value>())
-    is.require<&Integrator::reset>("a value to reset to is wired");
+  configure_reset(*this, is);
   slope_is_input = !limited && !resets;
   if (!slope_is_input) return;
   is.skip_outputs();
   is.skip_update();
+  is.skip_crossings();
   is.slope_is_input<&Integrator::x, &Integrator::u>();
 }
 

@@ -1,6 +1,6 @@
 #include "blocks/continuous/lag.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 
 namespace stepwire {
 
@@ -12,7 +12,14 @@ void Lag::declare(Declare<Lag>& is) {
   is.input<&Lag::u>({.unit = "'u", .doc = "signal to smooth", .feedthrough = false});
   is.output<&Lag::y, &Lag::x>({.unit = "'k 'u", .doc = "smoothed signal"});
   is.state<&Lag::x>({.unit = "'k 'u", .doc = "filter state"});
+  declare_reset(is, "'k 'u");
   is.prepared<&Lag::decay>();
+}
+
+void Lag::configure(Configure& is) {
+  if (configure_reset(*this, is)) return;
+  is.skip_outputs();
+  is.skip_update();
 }
 
 }  // namespace stepwire

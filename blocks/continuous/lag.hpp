@@ -1,11 +1,11 @@
 #pragma once
 
-#include "engine/model/block/block.hpp"
+#include "engine/model/block/resettable.hpp"
 
 namespace stepwire {
 
 /// First-order lag: tau dx/dt = gain u - x, y = x.
-struct Lag {
+struct Lag : Resettable {
   PerElement tau = 1.0, gain = 1.0;
   Input<> u{};
   Output<> y{};
@@ -13,13 +13,31 @@ struct Lag {
 
   PerElement decay = 1.0;  // 1 / tau: every stage of every step waits for its slope, and a division is slow
 
-  void derivatives() {
-    x.dot.each([&](Index i) { return (gain[i] * u[i] - x[i]) * decay[i]; });
+  /// Runs only where something resets, as update() does.
+  void outputs() {
+    const bool now = resetting();
+    for (Index i = 0; i < y.size(); ++i) y[i] = now ? target(i) : x[i];
   }
 
+  void derivatives() {
+    if (resets && held()) {
+      x.dot = 0.0;
+    } else {
+      x.dot.each([&](Index i) { return (gain[i] * u[i] - x[i]) * decay[i]; });
+    }
+  }
+
+  void update() {
+    if (resetting())
+      for (Index i = 0; i < x.size(); ++i) x[i] = target(i);
+    remember_reset();
+  }
+
+  void configure(Configure& is);
   void prepare() {
     decay = tau.map([](double seconds) { return 1.0 / seconds; });
   }
+  void start() { home = x; }
   static void declare(Declare<Lag>& is);
 };
 

@@ -1,6 +1,6 @@
 #include "blocks/continuous/pid.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 #include "engine/model/block/limits.hpp"
 
 namespace stepwire {
@@ -21,7 +21,10 @@ void declare_parameters(Declare<PID>& is) {
                                           "further out (clamping), or follows the output, di/dt = ki e + (y "
                                           "- wanted) / tracking (back_calculation)",
                                    .words = {"none", "clamping", "back_calculation"}});
-  is.parameter<&PID::tracking>({.unit = "s", .doc = "time constant of back_calculation", .above = 0.0});
+  is.parameter<&PID::tracking>(
+      {.unit = "s",
+       .doc = "time constant of back_calculation, and with which the integral part follows `actual`",
+       .above = 0.0});
   is.parameter<&PID::weight_p>(
       {.doc = "share of the reference that the proportional part sees", .structural = true});
   is.parameter<&PID::weight_d>(
@@ -34,14 +37,26 @@ void declare_parameters(Declare<PID>& is) {
 void PID::declare(Declare<PID>& is) {
   is.block("PID",
            {.doc = "Continuous PID controller in parallel form: y = kp e + ki int(e) + kd de/dt filtered by "
-                   "1 / (tau s + 1), within limits. u is the error e, reference minus measurement.",
+                   "1 / (tau s + 1), within limits. u is the error e, reference minus measurement. Where "
+                   "`actual` is wired, what the actuator really does, the integral part follows it: di/dt = "
+                   "ki e + (actual - y) / tracking. By hand y is `manual`, and the integral part takes what "
+                   "makes the controller go on from there without a bump.",
             .source = "Åström, Hägglund, Advanced PID Control, 2006, sections 3.3 to 3.5"});
   declare_parameters(is);
   is.input<&PID::u>({.unit = "'u", .doc = "error, reference minus measurement"});
   is.input<&PID::reference>({.unit = "'u", .doc = "needed only for weights other than 1", .optional = true});
+  is.input<&PID::actual>({.unit = "'k 'u",
+                          .doc = "what becomes of the command behind the controller, as a saturated actuator",
+                          .feedthrough = false,
+                          .optional = true});
+  is.input<&PID::manual>({.unit = "'k 'u", .doc = "the command by hand", .optional = true});
+  is.input<&PID::automatic>(
+      {.unit = "*", .doc = "above 0 the controller acts; else y is `manual`", .optional = true});
   is.output<&PID::y>({.unit = "'k 'u", .doc = "command"});
   is.state<&PID::integral>({.unit = "'k 'u", .doc = "integral part"});
   is.state<&PID::filter>({.unit = "'u", .doc = "what the derivative part sees, filtered", .settable = false});
+  declare_reset(is, "'k 'u", "the integral part");
+  is.derived<&PID::plain, From::no_number>();
 }
 
 void PID::configure(Configure& is) {
@@ -49,7 +64,11 @@ void PID::configure(Configure& is) {
   require_order<&PID::integral_lower, &PID::integral_upper>(*this, is);
   if (!all_are(weight_p, 1.0) || !all_are(weight_d, 1.0))
     is.require<&PID::reference>("a weight other than 1 needs it");
-  if (!limits(integral_lower, integral_upper)) is.skip_update();
+  const bool by_hand = is.connected<&PID::manual>();
+  if (by_hand) is.require<&PID::automatic>("a command by hand is wired");
+  if (is.connected<&PID::automatic>()) is.require<&PID::manual>("it says when the command is given by hand");
+  plain = !configure_reset(*this, is) && !by_hand;
+  if (plain && !limits(integral_lower, integral_upper)) is.skip_update();
 }
 
 }  // namespace stepwire

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "engine/model/block/block.hpp"
+#include "engine/model/block/resettable.hpp"
 
 namespace stepwire {
 
 /// Continuous PID controller in parallel form: kp e + ki / s e + kd s / (tau s + 1) e, within limits.
-struct PID {
+struct PID : Resettable {
   enum class AntiWindup { none, clamping, back_calculation };
 
   PerElement kp = 1.0, ki = 0.0, kd = 0.0, tau = 0.01;
@@ -15,47 +15,73 @@ struct PID {
   PerElement integral_lower = -unlimited, integral_upper = unlimited;
   AntiWindup anti_windup = AntiWindup::clamping;
   PerElement tracking = 1.0, weight_p = 1.0, weight_d = 1.0;
-  Input<> u{}, reference{};
+  Input<> u{}, reference{}, actual{}, manual{};
+  Input<1> automatic{};
   Output<> y{};
   State<> integral{}, filter{};
 
+  bool plain = true;  // does nothing but u and reference act?
+
   void outputs() {
-    y.each([&](Index i) { return limited(wanted(i), i); });
+    y.each([&](Index i) { return by_hand() ? limited(manual[i], i) : limited(wanted(i), i); });
   }
 
   void derivatives() {
+    if (!plain && held()) {
+      integral.dot = 0.0;
+      filter.dot = 0.0;
+      return;
+    }
     for (Index i = 0; i < integral.size(); ++i) {
-      integral.dot[i] = integral_rate(i);
+      integral.dot[i] = by_hand() ? 0.0 : integral_rate(i);
       filter.dot[i] = kd[i] == 0.0 ? 0.0 : slope(i);
     }
   }
 
-  /// Runs only where the integral part has limits of its own.
+  /// Runs only where the integral part has limits of its own, or not all is plain.
   void update() {
+    if (!plain) take_over();
     for (Index i = 0; i < integral.size(); ++i)
       integral[i] = std::clamp(integral[i], integral_lower[i], integral_upper[i]);
   }
 
   void configure(Configure& is);
+  void start() { home = integral; }
   static void declare(Declare<PID>& is);
 
  private:
+  bool by_hand() const { return !plain && manual.connected() && !(automatic > 0.0); }
+  bool put_back() const { return !plain && resetting(); }
+  double integral_part(Index i) const { return put_back() ? target(i) : integral[i]; }
+  double filtered(Index i) const { return put_back() ? 0.0 : filter[i]; }
   /// The error with only a share of the reference in it.
   double weighted(const PerElement& weight, Index i) const {
     return reference.connected() ? u[i] - (1.0 - weight[i]) * reference[i] : u[i];
   }
-  double slope(Index i) const { return (weighted(weight_d, i) - filter[i]) / tau[i]; }
+  double slope(Index i) const { return (weighted(weight_d, i) - filtered(i)) / tau[i]; }
   double wanted(Index i) const {
-    const double sum = kp[i] * weighted(weight_p, i) + integral[i];
+    const double sum = kp[i] * weighted(weight_p, i) + integral_part(i);
     return kd[i] == 0.0 ? sum : sum + kd[i] * slope(i);
   }
   double limited(double number, Index i) const { return std::clamp(number, lower[i], upper[i]); }
 
+  /// A reset; and by hand the integral part takes whatever gives the same command once the controller acts.
+  STEPWIRE_RARE void take_over() {
+    for (Index i = 0; i < integral.size(); ++i) {
+      const double part = integral_part(i), past = filtered(i);
+      const double next = by_hand() ? limited(manual[i], i) - (wanted(i) - part) : part;
+      integral[i] = next;
+      filter[i] = past;
+    }
+    remember_reset();
+  }
+
   double integral_rate(Index i) const {
     double rate = ki[i] * u[i];
     const double want = wanted(i), give = limited(want, i);
-    if (anti_windup == AntiWindup::clamping && (want - give) * rate > 0.0) return 0.0;
+    if (anti_windup == AntiWindup::clamping && (want - give) * rate > 0.0) rate = 0.0;
     if (anti_windup == AntiWindup::back_calculation) rate += (give - want) / tracking[i];
+    if (actual.connected()) rate += (actual[i] - give) / tracking[i];
     const bool outward =
         (rate > 0.0 && integral[i] >= integral_upper[i]) || (rate < 0.0 && integral[i] <= integral_lower[i]);
     return outward ? 0.0 : rate;

@@ -3,7 +3,9 @@
 #include "blocks/continuous/derivative.hpp"
 #include "blocks/continuous/integrator.hpp"
 #include "blocks/continuous/lag.hpp"
+#include "blocks/continuous/luenberger_observer.hpp"
 #include "blocks/continuous/pid.hpp"
+#include "blocks/continuous/quaternion_integrator.hpp"
 #include "blocks/continuous/state_space.hpp"
 #include "blocks/continuous/transfer_function.hpp"
 
@@ -16,6 +18,8 @@ void register_continuous(Registry& registry) {
   registry.add<PID>("continuous");
   registry.add<StateSpace>("continuous");
   registry.add<TransferFunction>("continuous");
+  registry.add<LuenbergerObserver>("continuous");
+  registry.add<QuaternionIntegrator>("continuous");
 }
 
 }  // namespace stepwire

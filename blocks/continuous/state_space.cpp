@@ -1,6 +1,6 @@
 #include "blocks/continuous/state_space.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 
 namespace stepwire {
 
@@ -17,11 +17,13 @@ void StateSpace::declare(Declare<StateSpace>& is) {
   is.input<&StateSpace::u>({.unit = "*", .shape = "m", .doc = "inputs"});
   is.output<&StateSpace::y>({.unit = "*", .shape = "p", .doc = "outputs"});
   is.state<&StateSpace::x>({.unit = "*", .shape = "n", .doc = "states"});
+  declare_reset(is, "*", "the states", "n");
   is.derived<&StateSpace::direct, &StateSpace::D>();
 }
 
 void StateSpace::configure(Configure& is) {
   direct = std::any_of(D.elements().begin(), D.elements().end(), [](double d) { return d != 0.0; });
+  if (!configure_reset(*this, is)) is.skip_update();
   is.feedthrough<&StateSpace::u, &StateSpace::y>(direct);
 }
 

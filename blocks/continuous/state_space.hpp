@@ -1,11 +1,11 @@
 #pragma once
 
-#include "engine/model/block/block.hpp"
+#include "engine/model/block/resettable.hpp"
 
 namespace stepwire {
 
 /// Linear system: dx/dt = A x + B u, y = C x + D u.
-struct StateSpace {
+struct StateSpace : Resettable {
   Matrix A, B, C, D;
   Input<> u{};
   Output<> y{};
@@ -15,17 +15,29 @@ struct StateSpace {
 
   void outputs() {
     y = 0.0;
-    add(C, x, y);
+    if (resetting()) {
+      add(C, Targets{*this}, y);
+    } else {
+      add(C, x, y);
+    }
     if (direct) add(D, u, y);
   }
 
   void derivatives() {
     x.dot = 0.0;
+    if (held()) return;
     add(A, x, x.dot);
     add(B, u, x.dot);
   }
 
+  /// Runs only where something resets.
+  void update() {
+    if (resetting()) x = Targets{*this};
+    remember_reset();
+  }
+
   void configure(Configure& is);
+  void start() { home = x; }
   static void declare(Declare<StateSpace>& is);
 
  private:

@@ -1,6 +1,6 @@
 #include "blocks/continuous/transfer_function.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 
 namespace stepwire {
 
@@ -21,6 +21,7 @@ void TransferFunction::declare(Declare<TransferFunction>& is) {
   is.output<&TransferFunction::y>({.unit = "*", .doc = "output"});
   is.state<&TransferFunction::x>(
       {.unit = "*", .shape = "n", .doc = "states of the canonical form, highest derivative first"});
+  declare_reset(is, "*", "the states", "n");
   is.derived<&TransferFunction::form, &TransferFunction::numerator, &TransferFunction::denominator>();
 }
 
@@ -28,6 +29,7 @@ void TransferFunction::configure(Configure& is) {
   const std::string problem = Rational::problem_of(numerator, denominator);
   if (!problem.empty()) is.refuse<&TransferFunction::denominator>(problem);
   form = Rational::of(numerator, denominator);
+  if (!configure_reset(*this, is)) is.skip_update();
   is.size("n", form.order());
   is.feedthrough<&TransferFunction::u, &TransferFunction::y>(form.direct != 0.0);
 }

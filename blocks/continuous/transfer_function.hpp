@@ -1,12 +1,12 @@
 #pragma once
 
-#include "engine/model/block/block.hpp"
 #include "engine/model/block/rational.hpp"
+#include "engine/model/block/resettable.hpp"
 
 namespace stepwire {
 
 /// Y(s) / U(s) = numerator / denominator, proper, in controllable canonical form.
-struct TransferFunction {
+struct TransferFunction : Resettable {
   Numbers numerator{1.0}, denominator{1.0, 1.0};
   Input<1> u{};
   Output<1> y{};
@@ -14,14 +14,25 @@ struct TransferFunction {
 
   Rational form;
 
-  void outputs() { y = form.output(u, x); }
+  void outputs() { y = resetting() ? form.output(u, Targets{*this}) : form.output(u, x); }
 
   void derivatives() {
+    if (held()) {
+      x.dot = 0.0;
+      return;
+    }
     x.dot[0] = form.head(u, x);
     for (Index i = 1; i < x.size(); ++i) x.dot[i] = x[i - 1];
   }
 
+  /// Runs only where something resets.
+  void update() {
+    if (resetting()) x = Targets{*this};
+    remember_reset();
+  }
+
   void configure(Configure& is);
+  void start() { home = x; }
   static void declare(Declare<TransferFunction>& is);
 };
 

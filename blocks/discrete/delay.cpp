@@ -1,6 +1,6 @@
 #include "blocks/discrete/delay.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 
 #include "blocks/discrete/whole_periods.hpp"
 
@@ -20,10 +20,12 @@ void Delay::declare(Declare<Delay>& is) {
   is.state<&Delay::samples>(
       {.unit = "'u", .shape = "k x n", .doc = "samples on their way", .settable = false});
   is.state<&Delay::oldest>({.doc = "where the oldest sample stands", .settable = false});
+  declare_reset(is, "'u", "all samples on their way");
   is.derived<&Delay::periods, &Delay::delay>();
 }
 
 void Delay::configure(Configure& is) {
+  configure_reset(*this, is);
   periods = whole_periods<&Delay::delay>(is, delay);
   is.size("k", periods);
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "engine/model/block/block.hpp"
+#include "engine/model/block/resettable.hpp"
 
 namespace stepwire {
 
 /// Delay by a time of whole periods: y(t) = u(t - delay).
-struct Delay {
+struct Delay : Resettable {
   double delay = 0.0;
   PerElement initial = 0.0;
   Input<> u{};
@@ -16,11 +16,18 @@ struct Delay {
   Index periods = 1;
 
   void outputs() {
+    if (resetting()) {
+      y = Targets{*this};
+      return;
+    }
     const double* row = samples.data() + static_cast<Index>(oldest) * y.size();
     for (Index i = 0; i < y.size(); ++i) y[i] = row[i];
   }
 
   void update() {
+    if (resetting())
+      for (Index k = 0; k < samples.size(); ++k) samples[k] = target(k % u.size());
+    remember_reset();
     const Index row = static_cast<Index>(oldest);
     double* place = samples.data() + row * u.size();
     for (Index i = 0; i < u.size(); ++i) place[i] = u[i];
@@ -29,6 +36,7 @@ struct Delay {
 
   void start() {
     for (Index i = 0; i < samples.size(); ++i) samples[i] = initial[i % initial.size()];
+    for (Index i = 0; i < home.size(); ++i) home[i] = initial[i];
   }
 
   void configure(Configure& is);

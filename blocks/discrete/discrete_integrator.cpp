@@ -1,6 +1,6 @@
 #include "blocks/discrete/discrete_integrator.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 #include "engine/model/block/limits.hpp"
 
 namespace stepwire {
@@ -24,6 +24,7 @@ void DiscreteIntegrator::declare(Declare<DiscreteIntegrator>& is) {
   is.input<&DiscreteIntegrator::u>({.unit = "'u", .doc = "rate of change"});
   is.output<&DiscreteIntegrator::y>({.unit = "'k 'u s", .doc = "the sum, within the limits"});
   is.state<&DiscreteIntegrator::x>({.unit = "'k 'u s", .doc = "the sum so far"});
+  declare_reset(is, "'k 'u s", "the sum");
   is.clock<&DiscreteIntegrator::period>();
   is.derived<&DiscreteIntegrator::before, From::no_number>();
   is.derived<&DiscreteIntegrator::after, From::no_number>();
@@ -31,6 +32,7 @@ void DiscreteIntegrator::declare(Declare<DiscreteIntegrator>& is) {
 
 void DiscreteIntegrator::configure(Configure& is) {
   require_order<&DiscreteIntegrator::lower, &DiscreteIntegrator::upper>(*this, is);
+  configure_reset(*this, is);
   before = method == Method::forward_euler ? 0.0 : method == Method::backward_euler ? 1.0 : 0.5;
   after = 1.0 - before;
   is.feedthrough<&DiscreteIntegrator::u, &DiscreteIntegrator::y>(before > 0.0);

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "engine/model/block/block.hpp"
+#include "engine/model/block/resettable.hpp"
 
 namespace stepwire {
 
 /// Sum of its input over its ticks, as one of three approximations of an integral, within limits.
-struct DiscreteIntegrator {
+struct DiscreteIntegrator : Resettable {
   enum class Method { forward_euler, backward_euler, trapezoidal };
 
   PerElement gain = 1.0, lower = -unlimited, upper = unlimited;
@@ -25,16 +25,19 @@ struct DiscreteIntegrator {
 
   void update() {
     for (Index i = 0; i < x.size(); ++i) x[i] = sum(i) + after * increment(i);
+    remember_reset();
   }
 
   void configure(Configure& is);
+  void start() { home = x; }
   static void declare(Declare<DiscreteIntegrator>& is);
 
  private:
   double increment(Index i) const { return gain[i] * period * u[i]; }
   double sum(Index i) const {
     // The input is not read where it is not needed: it may come later in the order of evaluation.
-    const double all = before == 0.0 ? x[i] : x[i] + before * increment(i);
+    const double past = resetting() ? target(i) : x[i];
+    const double all = before == 0.0 ? past : past + before * increment(i);
     return std::clamp(all, lower[i], upper[i]);
   }
 };

@@ -1,6 +1,6 @@
 #include "blocks/discrete/discrete_pid.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 #include "engine/model/block/limits.hpp"
 
 namespace stepwire {
@@ -39,7 +39,9 @@ void declare_limits(Declare<DiscretePID>& is) {
            "further out (clamping), or follows the output, I += T / tracking (y - wanted) (back_calculation)",
        .words = {"none", "clamping", "back_calculation"}});
   is.parameter<&DiscretePID::tracking>(
-      {.unit = "s", .doc = "time constant of back_calculation", .above = 0.0});
+      {.unit = "s",
+       .doc = "time constant of back_calculation, and with which the integral part follows `actual`",
+       .above = 0.0});
 }
 
 }  // namespace
@@ -51,7 +53,11 @@ void DiscretePID::declare(Declare<DiscretePID>& is) {
            "Discrete PID controller in parallel form at its ticks: y = kp e + I + kd D within limits, with "
            "I += ki T e (forward Euler unless `method` says otherwise) and "
            "D[k] = (tau D[k-1] + e[k] - e[k-1]) / (tau + T). u is the error e, reference minus measurement; "
-           "e[-1] is 0, so an error at the start gives a derivative kick.",
+           "e[-1] is 0, so an error at the start gives a derivative kick. Where `actual` is wired, what the "
+           "actuator "
+           "really does, the integral part follows it: I += T / tracking (actual - y). By hand y is "
+           "`manual`, "
+           "and the integral part takes what makes the controller go on from there without a bump.",
        .source = "Åström, Hägglund, Advanced PID Control, 2006, sections 3.3 to 3.5 and 13.2",
        .symbol = {.text = "PID(z)"}});
   declare_gains(is);
@@ -59,13 +65,23 @@ void DiscretePID::declare(Declare<DiscretePID>& is) {
   is.input<&DiscretePID::u>({.unit = "'u", .doc = "error, reference minus measurement"});
   is.input<&DiscretePID::reference>(
       {.unit = "'u", .doc = "needed only for weights other than 1", .optional = true});
+  is.input<&DiscretePID::actual>(
+      {.unit = "'k 'u",
+       .doc = "what becomes of the command behind the controller, as a saturated actuator",
+       .feedthrough = false,
+       .optional = true});
+  is.input<&DiscretePID::manual>({.unit = "'k 'u", .doc = "the command by hand", .optional = true});
+  is.input<&DiscretePID::automatic>(
+      {.unit = "*", .doc = "above 0 the controller acts; else y is `manual`", .optional = true});
   is.output<&DiscretePID::y>({.unit = "'k 'u", .doc = "command"});
   is.state<&DiscretePID::integral>({.unit = "'k 'u", .doc = "integral part"});
   is.state<&DiscretePID::rate>({.unit = "'u/s", .doc = "D at the last tick", .settable = false});
   is.state<&DiscretePID::last>({.unit = "'u", .doc = "error in D at the last tick", .settable = false});
+  declare_reset(is, "'k 'u", "the integral part");
   is.clock<&DiscretePID::period>();
   is.derived<&DiscretePID::before, From::no_number>();
   is.derived<&DiscretePID::after, From::no_number>();
+  is.derived<&DiscretePID::plain, From::no_number>();
   is.prepared<&DiscretePID::per_time>();
 }
 
@@ -74,6 +90,11 @@ void DiscretePID::configure(Configure& is) {
   require_order<&DiscretePID::integral_lower, &DiscretePID::integral_upper>(*this, is);
   if (!all_are(weight_p, 1.0) || !all_are(weight_d, 1.0))
     is.require<&DiscretePID::reference>("a weight other than 1 needs it");
+  const bool by_hand = is.connected<&DiscretePID::manual>();
+  if (by_hand) is.require<&DiscretePID::automatic>("a command by hand is wired");
+  if (is.connected<&DiscretePID::automatic>())
+    is.require<&DiscretePID::manual>("it says when the command is given by hand");
+  plain = !configure_reset(*this, is) && !by_hand;
   before = method == Method::forward_euler ? 0.0 : method == Method::backward_euler ? 1.0 : 0.5;
   after = 1.0 - before;
 }

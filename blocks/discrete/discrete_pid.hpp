@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "engine/model/block/block.hpp"
+#include "engine/model/block/resettable.hpp"
 
 namespace stepwire {
 
 /// Discrete PID controller in parallel form: y = kp e + I + kd D at its ticks, within limits.
-struct DiscretePID {
+struct DiscretePID : Resettable {
   enum class Method { forward_euler, backward_euler, trapezoidal };
   enum class AntiWindup { none, clamping, back_calculation };
 
@@ -24,52 +24,73 @@ struct DiscretePID {
 
   double before = 0.0, after = 1.0;  // shares of ki T e that count before and after the output is given
   PerElement per_time = 1.0;         // 1 / (tau + T): what runs after the controller waits for it
+  bool plain = true;                 // does nothing but u and reference act?
+  Input<> actual{}, manual{};
+  Input<1> automatic{};
 
   void outputs() {
-    y.each([&](Index i) { return limited(wanted(i), i); });
+    y.each([&](Index i) { return by_hand() ? limited(manual[i], i) : limited(wanted(i), i); });
   }
 
   void update() {
+    const bool hand = by_hand();
     integral.each([&](Index i) {
-      const double next = next_integral(i);
-      rate[i] = slope(i);
+      const double change = slope(i), want = kp[i] * weighted(weight_p, i) + integral_now(i) + kd[i] * change;
+      const double next = hand ? taken_over(want, i) : next_integral(want, i);
+      rate[i] = change;
       last[i] = weighted(weight_d, i);
       return next;
     });
+    if (!plain) remember_reset();
   }
 
   void configure(Configure& is);
+  void start() { home = integral; }
   void prepare() {
     per_time = tau.map([this](double filter) { return 1.0 / (filter + period); });
   }
   static void declare(Declare<DiscretePID>& is);
 
  private:
+  bool by_hand() const { return !plain && manual.connected() && !(automatic > 0.0); }
+  bool put_back() const { return !plain && resetting(); }
+  double integral_before(Index i) const { return put_back() ? target(i) : integral[i]; }
   /// The error with only a share of the reference in it.
   double weighted(const PerElement& weight, Index i) const {
     return reference.connected() ? u[i] - (1.0 - weight[i]) * reference[i] : u[i];
   }
   double limited(double number, Index i) const { return std::clamp(number, lower[i], upper[i]); }
-  double held(double number, Index i) const {
+  double within(double number, Index i) const {
     return std::clamp(number, integral_lower[i], integral_upper[i]);
   }
   double increment(Index i) const { return ki[i] * period * u[i]; }
   double integral_now(Index i) const {
-    return before == 0.0 ? integral[i] : held(integral[i] + before * increment(i), i);
+    return before == 0.0 ? integral_before(i) : within(integral_before(i) + before * increment(i), i);
   }
   /// Backward difference of tau D' + D = e'; without a filter that is (e[k] - e[k-1]) / T.
   double slope(Index i) const {
+    if (put_back()) return weighted(weight_d, i) * per_time[i];
     const double change = weighted(weight_d, i) - last[i];
     return (tau[i] * rate[i] + change) * per_time[i];
   }
   double wanted(Index i) const { return kp[i] * weighted(weight_p, i) + integral_now(i) + kd[i] * slope(i); }
 
-  double next_integral(Index i) const {
-    const double want = wanted(i), give = limited(want, i), more = increment(i);
-    if (anti_windup == AntiWindup::clamping && (want - give) * more > 0.0) return integral[i];
-    double next = integral_now(i) + after * more;
+  /// By hand the integral part takes whatever gives the same command once the controller acts.
+  double taken_over(double want, Index i) const {
+    return within(limited(manual[i], i) - (want - integral_now(i)), i);
+  }
+
+  double next_integral(double want, Index i) const {
+    const double give = limited(want, i), more = increment(i);
+    const bool stops = anti_windup == AntiWindup::clamping && (want - give) * more > 0.0;
+    double next = stops ? integral_before(i) : integral_now(i) + after * more;
+    if (actual.connected()) {
+      next += period / tracking[i] * (actual[i] - give);
+    } else if (stops) {
+      return next;
+    }
     if (anti_windup == AntiWindup::back_calculation) next += period / tracking[i] * (give - want);
-    return held(next, i);
+    return within(next, i);
   }
 };
 

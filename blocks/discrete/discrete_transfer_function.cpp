@@ -1,6 +1,6 @@
 #include "blocks/discrete/discrete_transfer_function.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 
 namespace stepwire {
 
@@ -20,6 +20,7 @@ void DiscreteTransferFunction::declare(Declare<DiscreteTransferFunction>& is) {
   is.input<&Block::u>({.unit = "*", .doc = "input; felt at once only where both degrees are equal"});
   is.output<&Block::y>({.unit = "*", .doc = "output"});
   is.state<&Block::x>({.unit = "*", .shape = "n", .doc = "states of the canonical form, newest first"});
+  declare_reset(is, "*", "the states", "n");
   is.derived<&DiscreteTransferFunction::form, &DiscreteTransferFunction::numerator,
              &DiscreteTransferFunction::denominator>();
 }
@@ -29,6 +30,7 @@ void DiscreteTransferFunction::configure(Configure& is) {
   const std::string problem = Rational::problem_of(numerator, denominator);
   if (!problem.empty()) is.refuse<&Block::denominator>(problem);
   form = Rational::of(numerator, denominator);
+  configure_reset(*this, is);
   is.size("n", form.order());
   is.feedthrough<&Block::u, &Block::y>(form.direct != 0.0);
 }

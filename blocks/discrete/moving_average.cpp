@@ -1,6 +1,6 @@
 #include "blocks/discrete/moving_average.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 
 #include "blocks/discrete/whole_periods.hpp"
 
@@ -25,10 +25,12 @@ void MovingAverage::declare(Declare<MovingAverage>& is) {
       {.unit = "'u", .doc = "sum since the circle last closed", .settable = false});
   is.state<&MovingAverage::row>({.doc = "where the next sample goes", .settable = false});
   is.state<&MovingAverage::count>({.doc = "samples seen, up to a full window", .settable = false});
+  declare_reset_input(is, "the window");
   is.derived<&MovingAverage::length, &MovingAverage::window>();
 }
 
 void MovingAverage::configure(Configure& is) {
+  configure_reset_input(*this, is);
   length = whole_periods<&MovingAverage::window>(is, window);
   is.size("k", length);
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "engine/model/block/block.hpp"
+#include "engine/model/block/resettable.hpp"
 
 namespace stepwire {
 
 /// Mean of the samples of a window that ends now.
-struct MovingAverage {
+struct MovingAverage : ResetInput {
   double window = 0.0;
   Input<> u{};
   Output<> y{};
@@ -18,11 +18,17 @@ struct MovingAverage {
   Index length = 1;
 
   void outputs() {
+    if (resetting()) {
+      y = u;
+      return;
+    }
     const double seen = count < length ? count + 1.0 : count;
     for (Index i = 0; i < y.size(); ++i) y[i] = with_new(i) / seen;
   }
 
   void update() {
+    if (resetting()) forget();
+    remember_reset();
     const Index here = static_cast<Index>(row);
     const bool closes = here + 1 == length;
     for (Index i = 0; i < u.size(); ++i) {
@@ -40,6 +46,13 @@ struct MovingAverage {
   static void declare(Declare<MovingAverage>& is);
 
  private:
+  void forget() {
+    samples = 0.0;
+    sum = 0.0;
+    fresh = 0.0;
+    row = 0.0;
+    count = 0.0;
+  }
   /// The sum with this tick's sample in place of the one that leaves (0 while the window fills).
   double with_new(Index i) const { return sum[i] - samples[static_cast<Index>(row) * u.size() + i] + u[i]; }
 };

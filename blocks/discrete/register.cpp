@@ -2,9 +2,13 @@
 
 #include "blocks/discrete/delay.hpp"
 #include "blocks/discrete/discrete_integrator.hpp"
+#include "blocks/discrete/discrete_luenberger_observer.hpp"
 #include "blocks/discrete/discrete_pid.hpp"
+#include "blocks/discrete/discrete_state_space.hpp"
 #include "blocks/discrete/discrete_transfer_function.hpp"
+#include "blocks/discrete/kalman_filter.hpp"
 #include "blocks/discrete/moving_average.hpp"
+#include "blocks/discrete/sample_and_hold.hpp"
 #include "blocks/discrete/savitzky_golay.hpp"
 #include "blocks/discrete/unit_delay.hpp"
 #include "blocks/discrete/variable_delay.hpp"
@@ -22,6 +26,10 @@ void register_discrete(Registry& registry) {
   registry.add<UnitDelay>("discrete");
   registry.add<VariableDelay>("discrete");
   registry.add<ZeroOrderHold>("discrete");
+  registry.add<DiscreteStateSpace>("discrete");
+  registry.add<KalmanFilter>("discrete");
+  registry.add<DiscreteLuenbergerObserver>("discrete");
+  registry.add<SampleAndHold>("discrete");
 }
 
 }  // namespace stepwire

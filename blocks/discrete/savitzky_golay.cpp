@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 
 namespace stepwire {
 
@@ -45,6 +45,7 @@ void SavitzkyGolay::configure(Configure& is) {
         fmt::format("{} of a polynomial of order {} is 0; give at least that order", derivative, order));
   const std::array<const char*, 3> rates{"1", "1/s", "1/s^2"};
   is.unit("'r", rates[static_cast<std::size_t>(derivative)]);
+  configure_reset_input(*this, is);
   is.size("k", window - 1);
   coefficients = coefficients_of(window, order, derivative, is.period());
 }
@@ -76,6 +77,7 @@ void SavitzkyGolay::declare(Declare<SavitzkyGolay>& is) {
       {.unit = "'u", .shape = "k x n", .doc = "the window without this tick", .settable = false});
   is.state<&SavitzkyGolay::oldest>({.doc = "where the oldest sample is", .settable = false});
   is.state<&SavitzkyGolay::begun>({.doc = "0 before the first tick, then 1", .settable = false});
+  declare_reset_input(is, "the window");
   is.derived<&SavitzkyGolay::coefficients, &SavitzkyGolay::window, &SavitzkyGolay::order,
              &SavitzkyGolay::derivative>();
 }

@@ -2,13 +2,13 @@
 
 #include <cstdint>
 
-#include "engine/model/block/block.hpp"
+#include "engine/model/block/resettable.hpp"
 #include "engine/model/signal/numbers.hpp"
 
 namespace stepwire {
 
 /// Value or derivative of the polynomial that fits the samples of a window best, at the window's middle.
-struct SavitzkyGolay {
+struct SavitzkyGolay : ResetInput {
   std::int64_t window = 5, order = 2, derivative = 0;
   Input<> u{};
   Output<> y{};
@@ -21,10 +21,11 @@ struct SavitzkyGolay {
 
   void outputs() {
     const Index before = coefficients.size() - 1;
+    const bool filled = begun > 0.0 && !resetting();
     for (Index i = 0; i < y.size(); ++i) y[i] = coefficients[before] * u[i];
     Index row = static_cast<Index>(oldest);
     for (Index k = 0; k < before; ++k) {
-      const double* const sample = begun > 0.0 ? samples.data() + row * y.size() : u.data();
+      const double* const sample = filled ? samples.data() + row * y.size() : u.data();
       for (Index i = 0; i < y.size(); ++i) y[i] += coefficients[k] * sample[i];
       row = row + 1 < before ? row + 1 : 0;
     }
@@ -32,11 +33,13 @@ struct SavitzkyGolay {
 
   void update() {
     const Index before = coefficients.size() - 1, row = static_cast<Index>(oldest);
-    const Index first = begun > 0.0 ? row : 0, end = begun > 0.0 ? row + 1 : before;
+    const bool filled = begun > 0.0 && !resetting();
+    const Index first = filled ? row : 0, end = filled ? row + 1 : before;
     for (Index k = first; k < end; ++k)
       for (Index i = 0; i < u.size(); ++i) samples[k * u.size() + i] = u[i];
     oldest = row + 1 < before ? static_cast<double>(row + 1) : 0.0;
     begun = 1.0;
+    remember_reset();
   }
 
   void configure(Configure& is);

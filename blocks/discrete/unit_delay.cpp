@@ -1,6 +1,6 @@
 #include "blocks/discrete/unit_delay.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 
 namespace stepwire {
 
@@ -13,6 +13,11 @@ void UnitDelay::declare(Declare<UnitDelay>& is) {
   is.input<&UnitDelay::u>({.unit = "'u", .doc = "signal to delay", .feedthrough = false});
   is.output<&UnitDelay::y>({.unit = "'u", .doc = "the input one period ago"});
   is.state<&UnitDelay::x>({.unit = "'u", .doc = "the last input"});
+  declare_reset(is, "'u", "the output");
+}
+
+void UnitDelay::configure(Configure& is) {
+  configure_reset(*this, is);
 }
 
 }  // namespace stepwire

@@ -1,6 +1,6 @@
 #include "blocks/discrete/variable_delay.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "engine/model/block/declare_reset.hpp"
 
 #include "blocks/discrete/whole_periods.hpp"
 
@@ -24,11 +24,13 @@ void VariableDelay::declare(Declare<VariableDelay>& is) {
   is.state<&VariableDelay::samples>(
       {.unit = "'u", .shape = "k x n", .doc = "samples on their way", .settable = false});
   is.state<&VariableDelay::newest>({.doc = "where the newest sample stands", .settable = false});
+  declare_reset(is, "'u", "all samples on their way");
   is.clock<&VariableDelay::period>();
   is.derived<&VariableDelay::rows, &VariableDelay::longest>();
 }
 
 void VariableDelay::configure(Configure& is) {
+  configure_reset(*this, is);
   rows = whole_periods<&VariableDelay::longest>(is, longest) + 1;
   is.size("k", rows);
 }

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "engine/model/block/block.hpp"
+#include "engine/model/block/resettable.hpp"
 
 namespace stepwire {
 
 /// Delay by a time that may change: y(t) = u(t - delay), linear between the samples.
-struct VariableDelay {
+struct VariableDelay : Resettable {
   double longest = 0.0;
   PerElement initial = 0.0;
   Input<> u{};
@@ -20,6 +20,10 @@ struct VariableDelay {
   Period period{};
 
   void outputs() {
+    if (resetting()) {
+      y = Targets{*this};
+      return;
+    }
     const double back = std::clamp(delay / period, 1.0, static_cast<double>(rows - 1)) - 1.0;
     const auto whole = std::min(static_cast<Index>(back), rows - 2);
     const double part = back - static_cast<double>(whole);
@@ -28,6 +32,9 @@ struct VariableDelay {
   }
 
   void update() {
+    if (resetting())
+      for (Index k = 0; k < samples.size(); ++k) samples[k] = target(k % u.size());
+    remember_reset();
     const Index next = static_cast<Index>(newest) + 1 < rows ? static_cast<Index>(newest) + 1 : 0;
     double* place = samples.data() + next * u.size();
     for (Index i = 0; i < u.size(); ++i) place[i] = u[i];
@@ -36,6 +43,7 @@ struct VariableDelay {
 
   void start() {
     for (Index i = 0; i < samples.size(); ++i) samples[i] = initial[i % initial.size()];
+    for (Index i = 0; i < home.size(); ++i) home[i] = initial[i];
   }
 
   void configure(Configure& is);

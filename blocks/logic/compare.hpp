@@ -19,6 +19,10 @@ struct Compare {
     y.each([&](Index i) { return holds(u[i], to[i]) ? 1.0 : 0.0; });
   }
 
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < u.size(); ++i) zero.add(u[i] - to[i]);
+  }
+
   void prepare() { relation = static_cast<Relation>(static_cast<int>(operator_) % relations); }
   static void declare(Declare<Compare>& is);
 

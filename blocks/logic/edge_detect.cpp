@@ -9,9 +9,11 @@ void EdgeDetect::declare(Declare<EdgeDetect>& is) {
       "EdgeDetect",
       {.doc = "1 at the one tick at which the input becomes true (rising), false (falling), or either; 0 "
               "at all others. True is above 0. There is no edge at the first tick.",
-       .symbol = {.curve = "M-1 -.7H0V.7H1M-.3 -.1L0 .3L.3 -.1"}});
+       .symbol = {.curve = "M-1 -.7H0V.7H1M-.3 -.1L0 .3L.3 -.1"},
+       .steady = true});
   is.parameter<&EdgeDetect::edge>({.doc = "which edges", .words = {"rising", "falling", "either"}});
   is.input<&EdgeDetect::u>({.unit = "*", .doc = "signal"});
+  is.crossing("u becomes true or false");
   is.output<&EdgeDetect::y>({.doc = "1 or 0"});
   is.state<&EdgeDetect::side>(
       {.doc = "input at the last tick: -1 false, 1 true, 0 none yet", .settable = false});

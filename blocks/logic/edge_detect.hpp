@@ -21,6 +21,10 @@ struct EdgeDetect {
     for (Index i = 0; i < side.size(); ++i) side[i] = u[i] > 0.0 ? 1.0 : -1.0;
   }
 
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < u.size(); ++i) zero.add(u[i]);
+  }
+
   static void declare(Declare<EdgeDetect>& is);
 
  private:

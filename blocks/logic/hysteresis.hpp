@@ -19,6 +19,10 @@ struct Hysteresis {
     for (Index i = 0; i < last.size(); ++i) last[i] = holds(i) ? 1.0 : 0.0;
   }
 
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < u.size(); ++i) zero.add(u[i] - (last[i] > 0.0 ? lower[i] : upper[i]));
+  }
+
   void configure(Configure& is);
   static void declare(Declare<Hysteresis>& is);
 

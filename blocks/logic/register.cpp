@@ -1,6 +1,7 @@
 #include "blocks/logic/register.hpp"
 
 #include "blocks/logic/compare.hpp"
+#include "blocks/logic/counter.hpp"
 #include "blocks/logic/edge_detect.hpp"
 #include "blocks/logic/hysteresis.hpp"
 #include "blocks/logic/latch.hpp"
@@ -18,6 +19,7 @@ void register_logic(Registry& registry) {
   registry.add<Logic>("logic");
   registry.add<StateMachine>("logic");
   registry.add<Switch>("logic");
+  registry.add<Counter>("logic");
 }
 
 }  // namespace stepwire

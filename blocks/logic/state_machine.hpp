@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "engine/base/expression/language.hpp"  // for guards that are code
 #include "engine/base/math/function.hpp"
 #include "engine/model/block/block.hpp"
@@ -7,48 +10,151 @@
 
 namespace stepwire {
 
-/// A finite state machine: states with output values, and transitions where their guards hold.
+/// A finite state machine: states, which may hold others, with output values, counters that they set, and
+/// transitions where their guards hold.
 struct StateMachine {
-  static constexpr Index max_inputs = 64;
+  static constexpr Index max_inputs = 64, max_counters = 32, max_depth = 8, max_states = 256;
 
-  Tree states;
+  Tree states, counters;
+  std::vector<std::string> variables{};
   Text initial;
   Inputs u{};
   Output<1> state{};
-  Output<> y{};
-  DiscreteState<1> active{}, ticks{};  // index of the state; ticks since it was entered
-  Period period{};
+  Output<> y{}, counts{};
+  DiscreteState<1> active{}, begun{};  // index of the state; 0 before the first tick, then 1
+  DiscreteState<> ticks{};  // since the active state and those that hold it were entered, outermost first
+  DiscreteState<> kept{};   // the counters
+  DiscreteState<> past{};   // for each state the state in it that was active last, -1 for none
 
-  Function successor{};  ///< the state after a tick, of u1, u2, ..., the time in the state, and the state
-  Numbers values{};      ///< y of the first state, of the second, ...
-  Index first = 0;
+  Function guard{};    ///< of transition v[choice]: u1, u2, ..., counters, time in the state, choice
+  Function setting{};  ///< the value of setting v[choice]
+  Numbers values{};    ///< y of the first state, of the second, ...
+  Numbers parent{}, inner{}, history{};  ///< of each state: -1 for none; where it begins; is that remembered?
+  Numbers first_to{}, target{};          ///< where the transitions of each state begin; where they lead
+  Numbers first_setting{}, set_counter{};  ///< of enter, exit, each of each state, and of each transition
+  Numbers first_counts{};                  ///< the counters at the start
+  Index first = 0, levels = 1;
+  bool remembers = false, sets = false;
 
   void outputs() {
-    const double now = next();
-    state = now;
-    const double* const here = values.data() + static_cast<Index>(now) * y.size();
+    Now now = next();
+    state = static_cast<double>(now.leaf);
+    const double* const here = values.data() + now.leaf * y.size();
     y.each([&](Index i) { return here[i]; });
+    for (Index c = 0; c < counts.size(); ++c) counts[c] = first_counts.empty() ? 0.0 : now.v[u.count() + c];
   }
 
   void update() {
-    const double now = next();
-    ticks = now == active ? ticks + 1.0 : 1.0;
-    active = now;
+    const Now now = next();
+    active = static_cast<double>(now.leaf);
+    for (Index l = 0; l < ticks.size(); ++l) ticks[l] = l <= depth(now.leaf) ? now.ticks[l] + 1.0 : 0.0;
+    for (Index c = 0; c < first_counts.size(); ++c) kept[c] = now.v[u.count() + c];
+    if (remembers)
+      for (Index s = 0; s < past.size(); ++s) past[s] = now.past[s];
+    begun = 1.0;
   }
 
-  void start() { active = static_cast<double>(first); }
+  void start() {
+    active = static_cast<double>(first);
+    for (Index c = 0; c < first_counts.size(); ++c) kept[c] = first_counts[c];
+    past = -1.0;
+  }
   void configure(Configure& is);
   static void declare(Declare<StateMachine>& is);
 
  private:
-  /// The state after this tick's transition, if there is one.
-  double next() {
-    double known[max_inputs + 2];
-    for (Index i = 0; i < u.count(); ++i) known[i] = u.first(i);
-    known[u.count()] = ticks * period;
-    known[u.count() + 1] = active;
-    return successor(known);
+  /// A moment of the machine, which outputs() may change.
+  struct Now {
+    Index leaf;
+    double v[max_inputs + max_counters + 2];
+    double ticks[max_depth];
+    double past[max_states];
+  };
+  enum Kind { enter, exit, each };
+
+  static Index at(const Numbers& numbers, Index i) { return static_cast<Index>(numbers[i]); }
+  Index depth(Index s) const {
+    Index depth = 0;
+    for (s = at(parent, s); s >= 0; s = at(parent, s)) ++depth;
+    return depth;
   }
+  Index holder(Index s, Index level) const {
+    for (Index l = depth(s); l > level; --l) s = at(parent, s);
+    return s;
+  }
+  bool holds(Index s, Index other) const {
+    for (other = at(parent, other); other >= 0; other = at(parent, other))
+      if (other == s) return true;
+    return false;
+  }
+  Index place_of_time() const { return u.count() + first_counts.size(); }
+
+  /// The moment after this tick's transition, if there is one.
+  Now next() {
+    Now now;
+    now.leaf = static_cast<Index>(active);
+    for (Index i = 0; i < u.count(); ++i) now.v[i] = u.first(i);
+    for (Index c = 0; c < first_counts.size(); ++c) now.v[u.count() + c] = kept[c];
+    for (Index l = 0; l < ticks.size(); ++l) now.ticks[l] = ticks[l];
+    if (remembers)
+      for (Index s = 0; s < past.size(); ++s) now.past[s] = past[s];
+    if (sets && begun == 0.0)
+      for (Index l = 0; l <= depth(now.leaf); ++l) run(now, 3 * holder(now.leaf, l) + enter, 0.0);
+    if (!moves(now) && sets)
+      for (Index l = 0; l <= depth(now.leaf); ++l)
+        run(now, 3 * holder(now.leaf, l) + each, now.ticks[l] * period);
+    return now;
+  }
+
+  /// Transitions of the outermost state come first.
+  bool moves(Now& now) {
+    const Index time = place_of_time();
+    for (Index l = 0; l < levels; ++l) {
+      if (l > depth(now.leaf)) return false;
+      const Index s = holder(now.leaf, l);
+      now.v[time] = now.ticks[l] * period;
+      for (Index t = at(first_to, s); t < at(first_to, s + 1); ++t) {
+        now.v[time + 1] = static_cast<double>(t);
+        if (guard(now.v) == 0.0) continue;
+        take(now, s, t);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void take(Now& now, Index from, Index t) {
+    Index common = at(parent, from);  // stays active
+    Index to = at(target, t);
+    while (common >= 0 && !holds(common, to)) common = at(parent, common);
+    for (Index s = now.leaf; s != common; s = at(parent, s)) {
+      if (sets) run(now, 3 * s + exit, now.ticks[depth(s)] * period);
+      if (remembers && at(parent, s) >= 0) now.past[at(parent, s)] = static_cast<double>(s);
+    }
+    if (sets) run(now, 3 * parent.size() + t, 0.0);
+    while (at(inner, to) >= 0) {
+      const bool again = history[to] != 0.0 && now.past[to] >= 0.0;
+      to = again ? static_cast<Index>(now.past[to]) : at(inner, to);
+    }
+    now.leaf = to;
+    for (Index l = common < 0 ? 0 : depth(common) + 1; l <= depth(to); ++l) {
+      now.ticks[l] = 0.0;
+      if (sets) run(now, 3 * holder(to, l) + enter, 0.0);
+    }
+  }
+
+  /// The settings of one occasion, one after the other.
+  void run(Now& now, Index occasion, double after) {
+    const Index time = place_of_time();
+    now.v[time] = after;
+    for (Index a = at(first_setting, occasion); a < at(first_setting, occasion + 1); ++a) {
+      now.v[time + 1] = static_cast<double>(a);
+      now.v[u.count() + at(set_counter, a)] = setting(now.v);
+    }
+  }
+
+ public:
+  Period period{};
 };
 
 }  // namespace stepwire

@@ -22,6 +22,8 @@ struct Switch {
     }
   }
 
+  void crossings(Crossings& zero) const { zero.add(control - threshold); }
+
   static void declare(Declare<Switch>& is);
 
  private:

@@ -85,7 +85,9 @@ void ExpressionBlock::declare(Declare<ExpressionBlock>& is) {
   is.parameter<&ExpressionBlock::expression>(
       {.doc = "+ - * / ^ ( ), comparisons, && || !, cond ? a : b; sin cos tan asin acos atan atan2 sinh cosh "
               "tanh exp log "
-              "log10 log2 sqrt cbrt abs sign floor ceil round min max mod hypot lognormal; pi, e"});
+              "log10 log2 sqrt cbrt abs sign floor ceil round min max mod hypot lognormal; pi, e; names of "
+              "parameters",
+       .formulas = {""}});
   is.parameter<&ExpressionBlock::variables>(
       {.doc = "names of the inputs in the formula, in their order: [x, y]; u1, u2, ... where left out"});
   is.input<&ExpressionBlock::u>(

@@ -13,6 +13,10 @@ struct Sign {
     y.each([&](Index k) { return static_cast<double>((u[k] > 0.0) - (u[k] < 0.0)); });
   }
 
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < u.size(); ++i) zero.add(u[i]);
+  }
+
   static void declare(Declare<Sign>& is);
 };
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "engine/model/block/block.hpp"
+#include "engine/model/block/resettable.hpp"
 
 namespace stepwire {
 
 /// Play of a gear: the output moves only where the input pushes it at one end of the gap.
-struct Backlash {
+struct Backlash : Resettable {
   PerElement width = 1.0;
   Input<> u{};
   Output<> y{};
@@ -19,14 +19,27 @@ struct Backlash {
 
   void update() {
     for (Index i = 0; i < last.size(); ++i) last[i] = pushed(i);
+    remember_reset();
   }
+
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < u.size(); ++i) {
+      zero.add(beyond(u[i] - width[i] / 2.0 - last[i]));
+      zero.add(beyond(last[i] - u[i] - width[i] / 2.0));
+    }
+  }
+
+  void configure(Configure& is);
+  void start() { home = last; }
 
   static void declare(Declare<Backlash>& is);
 
  private:
+  /// As long as it is pushed it stands at 0, which counts as beyond.
+  static double beyond(double way) { return way + 1e-300; }
   double pushed(Index i) const {
     const double half = width[i] / 2.0;
-    return std::clamp(last[i], u[i] - half, u[i] + half);
+    return std::clamp(resetting() ? target(i) : last[i], u[i] - half, u[i] + half);
   }
 };
 

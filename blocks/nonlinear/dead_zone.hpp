@@ -11,13 +11,27 @@ struct DeadZone {
   PerElement lower = -0.5, upper = 0.5;
   Input<> u{};
   Output<> y{};
+  Input<> lower_{}, upper_{};  // in place of the numbers where they are wired
 
   void outputs() {
-    y.each([&](Index i) { return u[i] - std::clamp(u[i], lower[i], upper[i]); });
+    y.each([&](Index i) { return u[i] - limited(i); });
+  }
+
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < u.size(); ++i) {
+      zero.add(u[i] - low(i));
+      zero.add(u[i] - high(i));
+    }
   }
 
   void configure(Configure& is);
   static void declare(Declare<DeadZone>& is);
+
+ private:
+  double low(Index i) const { return lower_.connected() ? lower_[i] : lower[i]; }
+  double high(Index i) const { return upper_.connected() ? upper_[i] : upper[i]; }
+  /// Signals may cross: the upper one holds then.
+  double limited(Index i) const { return std::min(std::max(u[i], low(i)), high(i)); }
 };
 
 }  // namespace stepwire

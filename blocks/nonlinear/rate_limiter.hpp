@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "engine/model/block/block.hpp"
+#include "engine/model/block/resettable.hpp"
 
 namespace stepwire {
 
 /// Follows its input, but no faster than its rates allow.
-struct RateLimiter {
+struct RateLimiter : Resettable {
   PerElement rising = 1.0, falling = -1.0;
-  Input<> u{};
+  Input<> u{}, rising_{}, falling_{};
   Output<> y{};
   DiscreteState<> last{};
   DiscreteState<1> elapsed{};  // since the last tick: none at the first one
@@ -22,14 +22,23 @@ struct RateLimiter {
   void update() {
     for (Index i = 0; i < last.size(); ++i) last[i] = reached(i);
     elapsed = period;
+    remember_reset();
   }
 
+  void configure(Configure& is);
+  void start() { home = last; }
   static void declare(Declare<RateLimiter>& is);
 
  private:
+  /// A rate of the wrong sign is none: a signal that says so holds the output still.
+  double fastest_rise(Index i) const { return rising_.connected() ? std::max(rising_[i], 0.0) : rising[i]; }
+  double fastest_fall(Index i) const {
+    return falling_.connected() ? std::min(falling_[i], 0.0) : falling[i];
+  }
   double reached(Index i) const {
+    if (resetting()) return target(i);
     const double from = last[i];
-    return std::clamp(u[i], from + falling[i] * elapsed, from + rising[i] * elapsed);
+    return std::clamp(u[i], from + fastest_fall(i) * elapsed, from + fastest_rise(i) * elapsed);
   }
 };
 

@@ -19,6 +19,10 @@ struct Relay {
     for (Index i = 0; i < on.size(); ++i) on[i] = is_on(i) ? 1.0 : 0.0;
   }
 
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < u.size(); ++i) zero.add(u[i] - (on[i] > 0.0 ? switch_off[i] : switch_on[i]));
+  }
+
   void configure(Configure& is);
   static void declare(Declare<Relay>& is);
 

@@ -29,8 +29,11 @@ struct Made {
 /// A program for each way to use each block. A block that no program can have says so by having no header.
 std::vector<Made> all_made() {
   std::vector<Made> all;
-  for (const BlockType* type : library().types())
-    for (const Wiring& wiring : wirings_of(*type)) {
+  for (const BlockType* type : library().types()) {
+    std::vector<Wiring> wirings = wirings_of(*type);
+    wirings.push_back(guarded(wirings.front(), "gate"));
+    wirings.push_back(guarded(wirings.front(), "{when: gate, states: reset, outputs: reset}"));
+    for (const Wiring& wiring : wirings) {
       auto plan = plan_of(wiring);
       if (!plan) continue;
       try {
@@ -41,6 +44,7 @@ std::vector<Made> all_made() {
         CHECK(type->header.empty());
       }
     }
+  }
   return all;
 }
 

@@ -9,91 +9,11 @@
 
 #include "blocks/register.hpp"
 #include "engine/model/diagram/load.hpp"
+#include "tests/blocks/contract_tables.hpp"
 
 namespace stepwire {
 
 namespace {
-
-/// Values of parameters that their declaration alone does not give, or with whose defaults a block does
-/// nothing.
-const std::map<std::string, std::string> contract_values{
-    {"Delay.delay", "5 ms"},
-    {"Demux.sizes", "[1, 2]"},
-    {"DrivenLinkage.anchors", "[[2, 0], [0, 2], [-1, -1]]"},
-    {"DrivenLinkage.pin_mass", "1"},
-    {"DrivenLinkage.rod_mass", "0.5"},
-    {"DrivenLinkage.rod_centre", "0.1"},
-    {"DrivenLinkage.housing_inertia", "0.2"},
-    {"FromFile.column", "x"},
-    {"FromFile.file", "contract_record.csv"},
-    {"FromFile.prepare", "[{low_pass: 100 Hz, order: 2}, {differentiate: 1}]"},
-    {"Hysteresis.lower", "0.6"},
-    {"Linkage.anchors", "[[2, 0], [0, 2], [-1, -1]]"},
-    {"Linkage.pin_mass", "1"},
-    {"Linkage.rod_mass", "0.5"},
-    {"Linkage.rod_centre", "0.1"},
-    {"Linkage.housing_inertia", "0.2"},
-    {"InversePolynomial.range", "[0.4, 3]"},
-    {"LayerActivator.switches",
-     "[{from: 1, to: 2, when: [{enter: 1}, {after: 4 ms}]}, {from: 2, to: 1, when: {leave: 2}}, "
-     "{from: 1, to: 2, when: {pass: [0.9, 0.9], within: 0.1}}]"},
-    {"LayerActivator.blend", "5 ms"},
-    {"LoadCell.calibration",
-     "[[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], "
-     "[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]"},
-    {"LoadCellToWrench.calibration",
-     "[[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], "
-     "[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]"},
-    {"MatrixGain.gain", "[[1, 2], [3, 4]]"},
-    {"MovingAverage.window", "5 ms"},
-    {"GuidePath.trail", "2 mm"},
-    {"ReOrigin.margin", "1 mm"},
-    {"Select.indices", "[2, 1]"},
-    {"Interval.lower", "-1"},
-    {"Interval.upper", "0.5"},
-    {"Proportionality.maximum", "5"},
-    {"Proportionality.points", "[0, 1]"},
-    {"Proportionality.values", "[0, 4]"},
-    {"Pusher.points", "[[0, 0], [3 mm, 1 mm], [0, 2 mm]]"},
-    {"Proportionality.offset", "1"},
-    {"Proportionality.slope", "2"},
-    {"StraightMotion.direction", "[3, 4]"},
-    {"StraightMotion.from", "[1, 2]"},
-    {"Region.shape", "{union: [{center: [0.5, 0.7], radius: 0.1}, {polygon: [[2, 0], [4, 0], [4, 1]]}]}"},
-    {"StateMachine.states",
-     "{idle: {output: [1], to: {busy: \"after >= 3 ms\"}}, "
-     "busy: {output: [2], to: {idle: \"after >= 6 ms || u1 > 1.2\"}}}"},
-    {"StateSpace.A", "[[-1, 2], [0, -3]]"},
-    {"StateSpace.B", "[[1], [1]]"},
-    {"StateSpace.C", "[[1, 1]]"},
-    {"StuckDetector.time", "3 ms"},
-    {"StuckDetector.tolerance", "1"},
-};
-
-/// Sizes that an input needs where nothing else fixes them.
-const std::map<std::string, int> contract_sizes{{"Cross.u", 3},
-                                                {"Demux.u", 3},
-                                                {"DrivenLinkage.acceleration", 2},
-                                                {"DrivenLinkage.force", 3},
-                                                {"DrivenLinkage.position", 2},
-                                                {"DrivenLinkage.torque", 3},
-                                                {"DrivenLinkage.velocity", 2},
-                                                {"LayerActivator.position", 2},
-                                                {"Linkage.external", 2},
-                                                {"Linkage.force", 3},
-                                                {"Linkage.torque", 3},
-                                                {"LoadCell.force", 3},
-                                                {"LoadCell.torque", 3},
-                                                {"LoadCellToWrench.gauges", 6},
-                                                {"Rotate.u", 2},
-                                                {"Select.u", 3}};
-
-/// Where what feeds an input starts, on its way to 1; else at a half and more.
-const std::map<std::string, double> contract_starts{{"Interlock.faults", -1.9}};
-
-/// Optional inputs that the values above need.
-const std::set<std::string> contract_inputs{"Directionality.force", "LayerActivator.regions",
-                                            "StateMachine.u"};
 
 std::string value_given(const BlockType& type, const ParameterSpec& spec) {
   const std::string name = type.name + "." + spec.name;
@@ -184,6 +104,15 @@ std::vector<Wiring> wirings_of(const BlockType& type) {
   wirings.push_back({diagram_text(type, true, "")});
   add_choices(type, true, wirings);
   return wirings;
+}
+
+Wiring guarded(const Wiring& wiring, const std::string& enable) {
+  Wiring made = wiring;
+  const std::string tested = "  tested: {";
+  made.text.replace(
+      made.text.rfind(tested), tested.size(),
+      "  gate: {block: Pulse, period: 5 ms, width: 60 %}\n" + tested + "enable: " + enable + ", ");
+  return made;
 }
 
 std::optional<plan::Plan> plan_of(const Wiring& wiring) {

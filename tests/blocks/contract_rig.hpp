@@ -22,6 +22,10 @@ struct Wiring {
 /// from about a half to 1, required parameters have a value that is allowed.
 std::vector<Wiring> wirings_of(const BlockType& type);
 
+/// The same with the tested block on condition: `enable` holds what decides on it, "{when: gate, states:
+/// reset}", and `gate` is 1 at the ticks 0 to 2, 5 to 7, 10 to 12, ... and 0 at the others.
+Wiring guarded(const Wiring& wiring, const std::string& enable);
+
 /// Plans a wiring; nothing where it is refused and may be. Throws Error where it must not be.
 std::optional<plan::Plan> plan_of(const Wiring& wiring);
 

@@ -14,7 +14,26 @@
 namespace stepwire::claim {
 
 /// How a claim makes one number of a column.
-enum class Reduction { final, max, min, mean, rms, spread, fraction, count, at, quantile, rising, fit };
+enum class Reduction {
+  final,
+  max,
+  min,
+  mean,
+  rms,
+  spread,
+  fraction,
+  count,
+  at,
+  quantile,
+  rising,
+  fit,
+  overshoot,
+  rise_time,
+  settling_time,
+  peak_time,
+  iae,
+  steady_error
+};
 
 /// What the reduced value is held against. A percent sign on `within` makes it relative: |value - equals| <=
 /// 1 % of |equals|; any other `within` is absolute and in the unit of the value.
@@ -62,8 +81,10 @@ struct Verdict {
   double value = 0.0;  ///< reduced, in SI (percent for fit); nan where there is none
   std::string shown;   ///< the value with its unit, for people
   bool holds = false;
-  std::string disagrees;  ///< the reason given in the file, if any
-  std::string note;       ///< why it could not be judged: no row selected, nothing recorded, nan
+  std::string disagrees;             ///< the reason given in the file, if any
+  std::string note;                  ///< why it could not be judged: no row selected, nothing recorded, nan
+  std::optional<std::size_t> run{};  ///< which of several runs the value is of
+  std::string worst{};               ///< what that run sets: "kp=20"
 
   /// A claim that is said to disagree but holds after all: the file is wrong about it.
   bool surprises() const { return holds && !disagrees.empty(); }

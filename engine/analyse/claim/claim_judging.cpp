@@ -94,29 +94,34 @@ bool selects_any(const Rows& rows, std::size_t run) {
   return std::find(at(rows.starts[run]), at(rows.run_end(run)), true) != at(rows.run_end(run));
 }
 
+/// A run and its value.
+struct WorstRun {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::optional<std::size_t> run{};
+};
+
 /// The value of the run that comes off worst. Runs that `where` leaves out as a whole (by a swept parameter)
 /// are not judged.
-double worst_run(const Claim& claim, const Rows& rows) {
-  double worst = std::numeric_limits<double>::quiet_NaN(), margin = std::numeric_limits<double>::infinity();
-  bool judged = false;
+WorstRun worst_run(const Claim& claim, const Rows& rows) {
+  WorstRun worst;
+  double margin = std::numeric_limits<double>::infinity();
   for (std::size_t run = 0; run < rows.starts.size(); ++run) {
     if (claim.where && !selects_any(rows, run)) continue;
     const double value = value_of_run(claim, rows, run);
     const double found = claim.comparison.margin(value);
-    if (judged && found >= margin) continue;
-    judged = true;
-    worst = value;
+    if (worst.run && found >= margin) continue;
+    worst = {value, run};
     margin = found;
   }
   return worst;
 }
 
-double value_of(const Claim& claim, const Rows& rows) {
+WorstRun value_of(const Claim& claim, const Rows& rows) {
   if (rows.value.empty()) throw Unjudged("no row was recorded");
   if (std::find(rows.selected.begin(), rows.selected.end(), true) == rows.selected.end())
     throw Unjudged(fmt::format("'{}' selects no row", claim.where->text));
   if (claim.each_run) return worst_run(claim, rows);
-  return reduce(claim.reduction, rows);
+  return {reduce(claim.reduction, rows), {}};
 }
 
 /// How large the recorded quantities of the reduced one's kind are.
@@ -160,7 +165,9 @@ Verdict judge(const Claim& claim, std::span<const record::Recording> recordings)
   try {
     if (claim.recording >= recordings.size()) throw Unjudged("nothing was recorded");
     const Rows rows = rows_of(claim, recordings[claim.recording]);
-    verdict.value = value_of(claim, rows);
+    const WorstRun found = value_of(claim, rows);
+    verdict.value = found.value;
+    if (rows.starts.size() > 1) verdict.run = found.run;
     verdict.shown = shown_text(claim, verdict.value, rows, recordings[claim.recording]);
     verdict.holds = claim.comparison.margin(verdict.value) >= 0.0;
     if (std::isnan(verdict.value)) verdict.note = undefined_text(rows);

@@ -42,6 +42,12 @@ ReducedRange reduced_range(Reduction reduction) {
     case Reduction::count:
     case Reduction::rms:
     case Reduction::spread:
+    case Reduction::overshoot:
+    case Reduction::rise_time:
+    case Reduction::settling_time:
+    case Reduction::peak_time:
+    case Reduction::iae:
+    case Reduction::steady_error:
       return {0.0, infinity};
     case Reduction::fit:
       return {-infinity, 100.0};

@@ -6,6 +6,7 @@
 #include "engine/analyse/claim/claim.hpp"
 #include "engine/analyse/claim/claim_range.hpp"
 #include "engine/analyse/claim/claim_words.hpp"
+#include "engine/analyse/claim/step_reductions.hpp"
 #include "engine/analyse/query/number.hpp"
 
 namespace stepwire::claim {
@@ -167,6 +168,16 @@ std::vector<ClaimRow> claim_rows() {
       reduction(Reduction::fit, "fit",
                 "agreement of [MODEL, MEASURED] in percent: 100 (1 - |e| / |y - mean y|)",
                 form::pair(form::expression())),
+      reduction(
+          Reduction::overshoot, "overshoot",
+          "how far it goes beyond its last value, as a share of the way from its first to its last one"),
+      reduction(Reduction::rise_time, "rise_time", "the time from 10 % to 90 % of that way"),
+      reduction(Reduction::settling_time, "settling_time",
+                "the time after which it stays within 2 % of that way about its last value"),
+      reduction(Reduction::peak_time, "peak_time", "the time of its peak, since its first row"),
+      reduction(Reduction::iae, "iae", "the integral of its absolute value over time: reference - y"),
+      reduction(Reduction::steady_error, "steady_error",
+                "the absolute value of its last value: reference - y"),
       comparison(Comparison::Kind::equals, "equals", "=", "the reduced value is this; see within"),
       comparison(Comparison::Kind::at_most, "at_most", "<=", "the reduced value is this or less"),
       comparison(Comparison::Kind::at_least, "at_least", ">=", "the reduced value is this or more"),
@@ -179,7 +190,9 @@ std::vector<ClaimRow> claim_rows() {
                             }}),
       yaml::beside({"equals"}, ClaimRow{"within", "tolerance of `equals`: 0.1 N, or relative: 1 %",
                                         form::computed(), read_within}),
-      {"each_run", "true: judged for every run of a sweep, the worst is shown; always so for final and at",
+      {"each_run",
+       "true: judged for every run of a sweep, the worst is shown; always so for final, at, and what a step "
+       "does",
        form::truth(), &Claim::each_run},
       yaml::beside({"fit"},
                    ClaimRow{"offset", "beside fit: the mean difference is no error", form::word({"free"}),
@@ -202,7 +215,8 @@ Claim read_claim(const yaml::Node& node, Claim::Kind kind, const query::NamesRea
   const std::size_t faults = read.faults.size();
   if (!claim_table().read(node, claim, read)) return claim;
   if (read.faults.size() == faults) check_can_fail(node, claim, read);
-  claim.each_run = claim.each_run || claim.reduction == Reduction::final || claim.reduction == Reduction::at;
+  claim.each_run = claim.each_run || claim.reduction == Reduction::final ||
+                   claim.reduction == Reduction::at || is_of_step(claim.reduction);
   std::vector<const query::Formula*> all;
   for (const auto& value : claim.values) all.push_back(&value);
   if (claim.where) all.push_back(&*claim.where);

@@ -70,7 +70,15 @@ std::optional<unit::Dimension> reduced_dimension(const Claim& claim) {
     case Reduction::count:
     case Reduction::rising:
     case Reduction::fit:
+    case Reduction::overshoot:
       return unit::Dimension{};
+    case Reduction::rise_time:
+    case Reduction::settling_time:
+    case Reduction::peak_time:
+      return unit::parse_unit("s")->dimension;
+    case Reduction::iae:
+      if (claim.values.empty() || !claim.values.front().dimension) return std::nullopt;
+      return *claim.values.front().dimension * unit::parse_unit("s")->dimension;
     default:
       return claim.values.empty() ? std::nullopt : claim.values.front().dimension;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/analyse/claim/step_reductions.hpp"
 #include "engine/analyse/statistics/quartiles.hpp"
 #include "engine/analyse/statistics/rank.hpp"
 
@@ -111,6 +112,7 @@ Rows Rows::of_run(std::size_t run) const {
 }
 
 double reduce(Reduction reduction, const Rows& rows) {
+  if (is_of_step(reduction)) return reduce_step(reduction, rows);
   const std::vector<double> values = selected(rows.value, rows);
   switch (reduction) {
     case Reduction::max:
@@ -131,8 +133,7 @@ double reduce(Reduction reduction, const Rows& rows) {
       return statistics::rank_correlation(values, selected(rows.other, rows));
     case Reduction::fit:
       return fit_percent(values, selected(rows.other, rows), rows.free_offset);
-    case Reduction::final:
-    case Reduction::at:
+    default:
       break;
   }
   return query::nothing;

@@ -26,7 +26,7 @@ struct Rows {
 };
 
 /// The number that a reduction makes of all selected rows of all runs; at least one row is selected.
-/// Not for `final` and `at`, which belong to one run.
+/// Not for `final` and `at`, and those of steps only for the rows of one run.
 double reduce(Reduction reduction, const Rows& rows);
 
 }  // namespace stepwire::claim

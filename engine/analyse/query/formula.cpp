@@ -1,137 +1,16 @@
-// More than 300 lines with its header: one grammar for figures and claims, and places of faults in it.
 #include "engine/analyse/query/formula.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 
 #include "engine/analyse/query/formula_error.hpp"
 #include "engine/analyse/query/number.hpp"
+#include "engine/analyse/query/substituted.hpp"
 
 namespace stepwire::query {
 namespace {
-
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-/// The name that starts at a position, dots included.
-std::string name_at(std::string_view text, std::size_t position) {
-  std::size_t end = position;
-  while (end < text.size() && (is_word(text[end]) || text[end] == '.')) ++end;
-  if (end == position || std::isdigit(static_cast<unsigned char>(text[position])) != 0) return {};
-  return std::string(text.substr(position, end - position));
-}
-
-/// A text in which each $name and each "word" is replaced by its number and each name of something drawn by
-/// its expression, and for each character where it came from.
-struct Substituted {
-  std::string text;
-  std::vector<std::size_t> origin;
-
-  void append(std::string_view part, std::size_t from) {
-    text += part;
-    origin.insert(origin.end(), part.size(), from);
-  }
-  std::size_t origin_of(std::size_t position) const {
-    if (origin.empty()) return 0;
-    return position < origin.size() ? origin[position] : origin.back() + 1;
-  }
-};
-
-/// A parameter as a number, with its unit where that can stand in an expression.
-std::string number_text(const KnownParameter& parameter, const SymbolTable& names) {
-  std::string number = fmt::format("{}", parameter.value);
-  if (!parameter.dimension || *parameter.dimension == unit::Dimension{}) return number;
-  std::string unit = unit::si_name(*parameter.dimension);
-  std::replace(unit.begin(), unit.end(), ' ', '.');
-  const auto known = [&](std::string_view name) { return names.find(name) != nullptr; };
-  return unit::unit_prefix(unit, known) == unit.size() ? number + " " + unit : number;
-}
-
-/// The column of words before a comparison, whose sign ends at `end`; null where it is none.
-const RecordedName* compared_column(std::string_view text, std::size_t end, const SymbolTable& names) {
-  const auto last_of = [&](std::size_t behind) {
-    while (behind > 0 && text[behind - 1] == ' ') --behind;
-    return behind;
-  };
-  const std::size_t sign = last_of(end);
-  if (sign < 2 || text[sign - 1] != '=' || (text[sign - 2] != '=' && text[sign - 2] != '!')) return nullptr;
-  const std::size_t behind = last_of(sign - 2);
-  std::size_t begin = behind;
-  while (begin > 0 && (is_word(text[begin - 1]) || text[begin - 1] == '.')) --begin;
-  const RecordedName* found = names.find(text.substr(begin, behind - begin));
-  return found && !found->words.empty() ? found : nullptr;
-}
-
-/// Replaces the quoted word that starts at `begin` by its number; returns the position behind it.
-std::size_t append_word(std::string_view text, std::size_t begin, const SymbolTable& names,
-                        Substituted& result) {
-  const std::size_t end = text.find(text[begin], begin + 1);
-  if (end == std::string_view::npos)
-    throw expression::ExpressionError("the word that begins here has no end", begin);
-  const RecordedName* column = compared_column(text, begin, names);
-  if (!column)
-    throw expression::ExpressionError(
-        "a word stands behind == or != and the name of a column of words: condition == \"V\"", begin);
-  const std::string word(text.substr(begin + 1, end - begin - 1));
-  const auto found = std::find(column->words.begin(), column->words.end(), word);
-  if (found == column->words.end())
-    throw FormulaError(fmt::format("'{}' is never '{}'", column->name, word) +
-                           yaml::nearest_or_all(word, column->words, "there are"),
-                       begin + 1);
-  if (std::find(found + 1, column->words.end(), word) != column->words.end())
-    throw expression::ExpressionError(fmt::format("several values of '{}' are '{}'", column->name, word),
-                                      begin + 1);
-  result.append(std::to_string(found - column->words.begin()), begin);
-  return end + 1;
-}
-
-Substituted substitute(std::string_view text, const SymbolTable& names);
-
-/// Replaces the name of something drawn, or of a number of a block, that starts at `begin` by its expression;
-/// returns the position behind it, or `begin` where there is none. What is recorded under that name comes
-/// first.
-std::size_t append_drawn(std::string_view text, std::size_t begin, const SymbolTable& names,
-                         Substituted& result) {
-  if (names.drawn.empty() || (begin > 0 && (is_word(text[begin - 1]) || text[begin - 1] == '.')))
-    return begin;
-  const std::string name = name_at(text, begin);
-  const auto found = std::ranges::find(names.drawn, name, &NamedFormula::name);
-  if (found == names.drawn.end() || names.find(name)) return begin;
-  result.append("(" + substitute(found->text, names).text + ")", begin);
-  return begin + name.size();
-}
-
-Substituted substitute(std::string_view text, const SymbolTable& names) {
-  Substituted result;
-  for (std::size_t i = 0; i < text.size();) {
-    if (const std::size_t behind = append_drawn(text, i, names, result); behind > i) {
-      i = behind;
-      continue;
-    }
-    if (text[i] == '"' || text[i] == '\'') {
-      i = append_word(text, i, names, result);
-      continue;
-    }
-    if (text[i] != '$') {
-      result.append(text.substr(i, 1), i);
-      ++i;
-      continue;
-    }
-    std::size_t end = i + 1;
-    while (end < text.size() && is_word(text[end])) ++end;
-    const std::string name(text.substr(i + 1, end - i - 1));
-    const auto found = std::find_if(names.parameters.begin(), names.parameters.end(),
-                                    [&](const KnownParameter& known) { return known.name == name; });
-    if (found == names.parameters.end()) throw FormulaError(unknown_parameter(name, names), i);
-    result.append(fmt::format("({})", number_text(*found, names)), i);
-    i = end;
-  }
-  return result;
-}
 
 /// Where a name that is in a text stands first, not as a part of another.
 std::size_t place_of(const std::string& name, std::string_view text) {
@@ -142,7 +21,7 @@ std::size_t place_of(const std::string& name, std::string_view text) {
 }
 
 expression::Expression parse(std::string_view text, const SymbolTable& names) {
-  const Substituted substituted = substitute(text, names);
+  const Substituted substituted = with_parameters(substitute(text, names), names);
   try {
     // A signal called "e" that is not recorded is no constant either.
     expression::Expression expression(substituted.text, [&](std::string_view name) {
@@ -175,7 +54,8 @@ std::optional<unit::Dimension> find_dimension(const expression::Expression& expr
   try {
     return expression.measure(measures).dimension;
   } catch (const expression::ExpressionError& error) {
-    throw expression::ExpressionError(error.what(), substitute(text, names).origin_of(error.position));
+    throw expression::ExpressionError(
+        error.what(), with_parameters(substitute(text, names), names).origin_of(error.position));
   }
 }
 
@@ -226,6 +106,8 @@ std::optional<Formula> read_formula(const yaml::Node& node, const SymbolTable& n
 std::optional<Formula> read_formula(const yaml::Node& node, std::string_view text, std::size_t offset,
                                     const SymbolTable& names, const std::string& subject,
                                     yaml::Faults& faults) {
+  if (text.starts_with('=') && !text.starts_with("=="))
+    return read_formula(node, text.substr(1), offset + 1, names, subject, faults);
   try {
     expression::Expression expression = parse(text, names);
     const auto& variables = expression.variables();

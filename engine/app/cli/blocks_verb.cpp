@@ -1,13 +1,20 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "engine/app/cli/console.hpp"
+#include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/reference/block_json.hpp"
 #include "engine/app/reference/block_markdown.hpp"
 #include "engine/app/reference/block_page.hpp"
+#include "engine/app/reference/part_reference.hpp"
+#include "engine/base/io/file.hpp"
 #include "engine/base/text/characters.hpp"
+#include "engine/base/yaml/document.hpp"
 #include "engine/base/yaml/error.hpp"
+#include "engine/model/diagram/simulink_names.hpp"
 
 namespace stepwire::cli {
 
@@ -29,24 +36,60 @@ std::string all_of(const BlocksCall& call, const Registry& registry) {
   return call.markdown ? reference::blocks_markdown(registry) : reference::block_list(registry);
 }
 
+bool is_diagram(const std::filesystem::path& path) {
+  return path.extension() == ".yaml" || path.extension() == ".yml";
+}
+
+/// A part is explained as a block is, from what its file declares; of a folder all files are listed.
+ExitCode show_parts(const std::string& path) {
+  if (!std::filesystem::is_directory(path)) {
+    put_data(reference::page_text(reference::part_reference(yaml::read_document(path), io::read_file(path))));
+    return ExitCode::done;
+  }
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(path))
+    if (is_diagram(entry.path())) files.push_back(entry.path().string());
+  std::ranges::sort(files);
+  std::vector<yaml::Document> documents;
+  for (const std::string& file : files) documents.push_back(yaml::read_document(file));
+  put_data(reference::part_list(documents));
+  return ExitCode::done;
+}
+
+/// What there is about a word that is no block: blocks in whose pages it stands, or a name of Simulink.
+ExitCode search(const std::string& word, const Registry& registry) {
+  const std::string answer = diagram::answer_to_simulink(word),
+                    found = reference::blocks_about(registry, word);
+  if (!answer.empty()) {
+    say("there is no block '{}'; {}\n", text::visible(word), answer);
+    return ExitCode::done;
+  }
+  if (!found.empty()) {
+    put_data(found);
+    return ExitCode::done;
+  }
+  complain("there is no block '{}'{}\n", text::visible(word),
+           yaml::did_you_mean(word, registry.names(), "'stepwire blocks' lists them").text());
+  return ExitCode::wrong;
+}
+
 ExitCode show_blocks(const BlocksCall& call, const Registry& registry) {
   if (call.name.empty()) {
     put_data(all_of(call, registry));
     return ExitCode::done;
   }
   const BlockType* type = registry.find(call.name);
-  if (!type) {
-    complain("there is no block '{}'{}\n", text::visible(call.name),
-             yaml::did_you_mean(call.name, registry.names(), "'stepwire blocks' lists them").text());
-    return ExitCode::wrong;
-  }
+  if (!type && (is_diagram(call.name) || std::filesystem::is_directory(call.name)))
+    return guarded([&] { return show_parts(call.name); });
+  if (!type) return search(call.name, registry);
   put_data(one_block(call, *type));
   return ExitCode::done;
 }
 
 Action declare_blocks(CLI::App& verb) {
   const auto call = std::make_shared<BlocksCall>();
-  verb.add_option("NAME", call->name, "a block");
+  verb.add_option("NAME", call->name,
+                  "a block, a word of its page, or a part: its file, or a folder of them");
   verb.add_flag("--json", call->json, "as JSON");
   verb.add_flag("--markdown", call->markdown, "as Markdown");
   return [call](const Registry& registry) { return show_blocks(*call, registry); };
@@ -56,7 +99,9 @@ Action declare_blocks(CLI::App& verb) {
 
 Verb blocks_verb() {
   return {"blocks", "list the blocks, or explain one",
-          "Example:\n  stepwire blocks PID\n  stepwire blocks --markdown > blocks.md", declare_blocks};
+          "Example:\n  stepwire blocks PID\n  stepwire blocks filter\n  stepwire blocks "
+          "diagrams/parts/polar-rig.yaml\n  stepwire blocks --markdown > blocks.md",
+          declare_blocks};
 }
 
 }  // namespace stepwire::cli

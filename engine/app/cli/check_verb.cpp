@@ -25,7 +25,8 @@ ExitCode check(const session::LoadedModel& model, const ModelCall& call, Json& r
                      .set("figures", model.figures.size()));
     return ExitCode::done;
   }
-  if (call.units) put_text(report::units_text(diagram));
+  print_notes(model);
+  if (call.units) put_text(report::units_text(model.job.plan));
   say("{}: {} blocks, {} claims, {} figures: nothing wrong\n", model.file, diagram.blocks.size(),
       model.claims.size(), model.figures.size());
   return ExitCode::done;

@@ -6,6 +6,7 @@
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/session/fault_json.hpp"
+#include "engine/model/diagram/unread.hpp"
 
 namespace stepwire::cli {
 
@@ -45,6 +46,11 @@ ExitCode each_model(const ModelCall& call, const Registry& registry, const Model
   }
   if (call.json) say("{}\n", results.text());
   return interrupted() ? ExitCode::interrupted : code;
+}
+
+void print_notes(const session::LoadedModel& model) {
+  for (const yaml::Fault& note : diagram::unread_blocks(model.job.plan.diagram))
+    complain("note: {}\n", note.text());
 }
 
 }  // namespace stepwire::cli

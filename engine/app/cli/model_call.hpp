@@ -29,4 +29,7 @@ using ModelAction = std::function<ExitCode(session::LoadedModel& model, json::Js
 /// its own turn: it is printed, and with --json it stands in the results as {file, faults}.
 ExitCode each_model(const ModelCall& call, const Registry& registry, const ModelAction& action);
 
+/// What is no fault and may yet be none of what was meant, on the standard error.
+void print_notes(const session::LoadedModel& model);
+
 }  // namespace stepwire::cli

@@ -112,7 +112,7 @@ class FileRuns {
       results.push(std::move(result));
       return code_of(outcome);
     }
-    if (call_.models.units) put_text(report::units_text(model.job.plan.diagram));
+    if (call_.models.units) put_text(report::units_text(model.job.plan));
     put_text(report::outcome_text(model, outcome));
     if (profile) put_text(report::profile_text(model, *profile));
     if (!folder.empty()) say("  written to {}\n", folder);
@@ -181,6 +181,7 @@ ExitCode run_models(const RunCall& call, const Registry& registry) {
   if (!folders_differ(call)) return ExitCode::wrong;
   FileRuns runs(call, registry);
   return each_model(call.models, registry, [&](session::LoadedModel& model, Json& results) {
+    if (!call.models.json) print_notes(model);
     return runs.carry_out(model, results);
   });
 }

@@ -1,9 +1,8 @@
-// Keys of blocks, from their declarations.
-#include <fmt/format.h>
+// The forms of blocks and of parts.
+#include <algorithm>
 
 #include "engine/app/language/forms.hpp"
-#include "engine/app/reference/words.hpp"
-#include "engine/model/diagram/block_keys.hpp"
+#include "engine/app/language/type_keys.hpp"
 
 namespace stepwire::language {
 
@@ -12,58 +11,6 @@ using yaml::form;
 namespace {
 
 using Form = yaml::Key::Form;
-
-yaml::Key source_form(const InputSpec& input) {
-  const yaml::Key source = form::naming(yaml::Key::Names::signal, form::of(Form::source));
-  yaml::Key made = yaml::key(input.name, input.doc, input.list ? form::one_or_list(source) : source);
-  made.unit = input.unit == "*" ? "" : input.unit;
-  made.required = !input.optional;
-  return made;
-}
-
-yaml::Key words_form(const std::vector<std::string>& words) {
-  std::vector<yaml::Key::Word> all;
-  for (const std::string& word : words) all.push_back({word});
-  return form::words(std::move(all));
-}
-
-yaml::Key parameter_form_of(const BlockType& type, const ParameterSpec& parameter) {
-  const bool word = parameter.kind == ParameterKind::word;
-  const bool flag = parameter.kind == ParameterKind::flag;
-  const bool tree = parameter.kind == ParameterKind::tree;
-  yaml::Key made = yaml::key(parameter.name, parameter.doc,
-                             word   ? words_form(parameter.words)
-                             : flag ? form::truth()
-                             : tree ? form::tree()
-                                    : form::of(Form::value));
-  made.unit = reference::fixed_unit(parameter.unit);
-  made.required = parameter.required;
-  made.otherwise = parameter.required ? "" : reference::default_text(type, parameter);
-  made.refers = reference::allowed_text(parameter);
-  return made;
-}
-
-yaml::Key preset_form(const BlockType& type) {
-  std::vector<yaml::Key::Word> words;
-  for (const PresetSpec& preset : type.presets) words.push_back({preset.name, preset.doc});
-  return yaml::key("preset", "a named set of parameter values; keys beside it come on top",
-                   form::words(std::move(words)));
-}
-
-std::vector<yaml::Key> keys_of_type(const BlockType& type) {
-  std::vector<yaml::Key> keys{yaml::needed(yaml::key("block", type.doc, words_form({type.name})))};
-  for (const InputSpec& input : type.inputs) keys.push_back(source_form(input));
-  for (const ParameterSpec& parameter : type.parameters) keys.push_back(parameter_form_of(type, parameter));
-  for (const StateSpec& state : type.states)
-    if (state.settable)
-      keys.push_back(yaml::key(diagram::initial_key(type, state),
-                               "where the state " + state.name + " starts: " + state.doc,
-                               form::of(Form::value)));
-  if (!type.presets.empty()) keys.push_back(preset_form(type));
-  if (!type.has_continuous_state())
-    keys.push_back(yaml::key("every", "time between two runs of this block", form::number("s")));
-  return keys;
-}
 
 std::string doc_of(const yaml::Node& declared) {
   const yaml::Node* doc = declared.is_map() ? declared.find("doc") : nullptr;
@@ -88,9 +35,11 @@ const yaml::Key& Forms::any_block() {
   if (made) return *made;
   std::vector<yaml::Key::Word> types;
   for (const BlockType* type : registry_.types()) types.push_back({type->name, type->doc});
-  yaml::Key keys = form::keys("a block", "",
-                              {yaml::key("block", "kind of block", form::words(std::move(types))),
-                               yaml::key("diagram", "file of a part", form::string())});
+  yaml::Key keys = form::keys(
+      "a block", "",
+      {yaml::key("block", "kind of block", form::words(std::move(types))),
+       yaml::key("diagram", "file of a part", form::string()),
+       yaml::key("fields", "of a bus, signals under names: {force: f, torque: t}", form::of(Form::tree))});
   // Of what has no type yet anything may feed an input.
   keys.rest = {form::naming(yaml::Key::Names::signal, form::of(Form::source))};
   made = std::make_unique<const yaml::Key>(std::move(keys));
@@ -112,6 +61,11 @@ yaml::Key part_form(const yaml::Node& part) {
       keys.back().otherwise =
           parameter.value.is_scalar() ? parameter.value.text : text_under(parameter.value, "value");
     }
+  const bool has_every = std::ranges::any_of(keys, [](const yaml::Key& key) { return key.name == "every"; });
+  if (!has_every)
+    keys.push_back(yaml::key("every", "time between two runs of its blocks that have none of their own",
+                             form::number("s")));
+  add_guard_keys(keys);
   return form::keys("a part", "", std::move(keys));
 }
 

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <set>
 
+#include "engine/model/diagram/output_names.hpp"
+
 namespace stepwire::language {
 
 namespace fs = std::filesystem;
@@ -72,6 +74,12 @@ const yaml::Entry* DiagramFiles::block_at_start(const yaml::Document& document, 
     if (starts && (!longest || longest->key.size() < entry.key.size())) longest = &entry;
   }
   return longest;
+}
+
+bool DiagramFiles::has_one_output(const std::string& file, const yaml::Entry& block) {
+  const yaml::Node* kind = block.value.is_map() ? block.value.find("block") : nullptr;
+  const BlockType* type = kind ? registry_.find(kind->text) : nullptr;
+  return type ? diagram::has_one_output(*type) : outputs(file, block).size() == 1;
 }
 
 std::vector<std::string> DiagramFiles::outputs(const std::string& file, const yaml::Entry& block) {

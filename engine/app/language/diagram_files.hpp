@@ -74,6 +74,8 @@ class DiagramFiles {
   static const yaml::Entry* block_at_start(const yaml::Document& document, std::string_view reference);
   /// The outputs of a block or part; none where its kind is not known.
   std::vector<std::string> outputs(const std::string& file, const yaml::Entry& block);
+  /// Does the name of a block or part stand for its first output?
+  bool has_one_output(const std::string& file, const yaml::Entry& block);
 
  private:
   struct NamesOf {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "engine/base/yaml/document.hpp"
+#include "engine/model/diagram/output_names.hpp"
 
 namespace stepwire::language {
 
@@ -30,7 +31,7 @@ void add_block(const diagram::Diagram& diagram, std::size_t index, const std::st
   const BlockType& type = diagram.blocks[index].type();
   const int block = static_cast<int>(index);
   for (std::size_t i = 0; i < type.outputs.size(); ++i)
-    signals.push_back({type.outputs.size() == 1 ? name : name + "." + type.outputs[i].name,
+    signals.push_back({diagram::output_name(name, type, i),
                        at(diagram.output_dimensions, block, static_cast<int>(i)), type.name});
   for (std::size_t i = 0; states && i < type.states.size(); ++i)
     if (type.output(type.states[i].name) < 0)
@@ -42,6 +43,20 @@ std::optional<unit::Dimension> declared_unit(const yaml::Node& port) {
   const yaml::Node* unit = port.is_map() ? port.find("unit") : nullptr;
   const auto parsed = unit ? unit::parse_unit(unit->text) : std::nullopt;
   return parsed ? std::optional(parsed->dimension) : std::nullopt;
+}
+
+/// Buses of the file, and their fields; of those in parts where these are looked into.
+void add_buses(const Analysis& analysis, bool inside, std::vector<KnownSignal>& signals) {
+  const diagram::Diagram& diagram = analysis.draft->diagram;
+  for (const diagram::DiagramBus& bus : diagram.buses) {
+    const auto name = local(bus.name, analysis.prefix);
+    if (!name || (!inside && name->find('.') != std::string::npos)) continue;
+    signals.push_back({*name, std::nullopt, "bus"});
+    for (const auto& [field, signal] : bus.fields)
+      if (std::ranges::none_of(signals,
+                               [&](const KnownSignal& known) { return known.name == *name + "." + field; }))
+        signals.push_back({*name + "." + field, unit_of(diagram, signal), "field of a bus"});
+  }
 }
 
 /// Outputs of the parts of the file itself.
@@ -88,6 +103,7 @@ std::vector<KnownSignal> signals_of(const Analysis& analysis, DiagramFiles& file
   }
   add_parts(analysis, files, file, signals);
   add_inputs(files, file, signals);
+  add_buses(analysis, inside, signals);
   return signals;
 }
 

@@ -55,7 +55,7 @@ std::string source_text(DiagramFiles& files, const std::string& file, const yaml
   const std::string name = from.starts_with('.') ? from.substr(1) : from;
   if (const yaml::Entry* block = DiagramFiles::block_at_start(document, name)) {
     const auto outputs = files.outputs(file, *block);
-    const bool only = outputs.size() == 1 && name == block->key + "." + outputs.front();
+    const bool only = files.has_one_output(file, *block) && name == block->key + "." + outputs.front();
     return only ? block->key : name;
   }
   if (!DiagramFiles::entry(document, "inputs", name))

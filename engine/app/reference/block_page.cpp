@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <functional>
 
 #include "engine/app/reference/families.hpp"
 #include "engine/app/reference/sheet_text.hpp"
@@ -10,8 +12,50 @@
 
 namespace stepwire::reference {
 
+namespace {
+
+std::string in_small_letters(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// Does the word stand in the page, in its tables too? Keys that many blocks have do not count.
+bool is_about(const BlockType& type, const std::string& word) {
+  if (in_small_letters(type.name + " " + type.folder + " " + type.doc + " " + type.source).find(word) !=
+      std::string::npos)
+    return true;
+  for (const ParameterSpec& parameter : type.parameters)
+    if (in_small_letters(parameter.name + " " + parameter.doc).find(word) != std::string::npos) return true;
+  for (const StateSpec& state : type.states)
+    if (state.settable && in_small_letters(state.doc).find(word) != std::string::npos) return true;
+  for (const OutputSpec& output : type.outputs)
+    if (in_small_letters(output.name + " " + output.doc).find(word) != std::string::npos) return true;
+  return false;
+}
+
+std::string list_where(const Registry& registry, const std::function<bool(const BlockType&)>& shown) {
+  std::size_t widest = 0;
+  for (const std::string& name : registry.names()) widest = std::max(widest, width(name));
+  std::string list;
+  for (const auto& [folder, types] : families_of(registry)) {
+    std::string lines;
+    for (const BlockType* type : types)
+      if (shown(*type))
+        lines += "  " + padded(type->name, widest) + "  " +
+                 shortened(first_sentence(type->doc), page_width - widest - 4) + "\n";
+    if (!lines.empty()) list += (list.empty() ? "" : "\n") + folder + "\n" + lines;
+  }
+  return list;
+}
+
+}  // namespace
+
 std::string block_page(const BlockType& type) {
-  const BlockReference sheet = reference_of(type);
+  return page_text(reference_of(type));
+}
+
+std::string page_text(const BlockReference& sheet) {
   std::string page = fmt::format("{} ({})\n  {}\n\n", sheet.name, sheet.folder, wrapped(sheet.doc, 2));
   for (const auto& [label, text] : sheet.facts)
     page += fmt::format("  {:<11}  {}\n", label, wrapped(text, 15));
@@ -21,16 +65,12 @@ std::string block_page(const BlockType& type) {
 }
 
 std::string block_list(const Registry& registry) {
-  std::size_t widest = 0;
-  for (const std::string& name : registry.names()) widest = std::max(widest, width(name));
-  std::string list;
-  for (const auto& [folder, types] : families_of(registry)) {
-    list += (list.empty() ? "" : "\n") + folder + "\n";
-    for (const BlockType* type : types)
-      list += "  " + padded(type->name, widest) + "  " +
-              shortened(first_sentence(type->doc), page_width - widest - 4) + "\n";
-  }
-  return list;
+  return list_where(registry, [](const BlockType&) { return true; });
+}
+
+std::string blocks_about(const Registry& registry, const std::string& word) {
+  const std::string wanted = in_small_letters(word);
+  return list_where(registry, [&](const BlockType& type) { return is_about(type, wanted); });
 }
 
 }  // namespace stepwire::reference

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "engine/app/reference/key_schema.hpp"
 #include "engine/app/reference/schema_values.hpp"
 #include "engine/app/reference/words.hpp"
 #include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/guard_keys.hpp"
 
 namespace stepwire::reference {
 
@@ -14,6 +16,10 @@ namespace {
 
 std::string definition_of(const BlockType& type) {
   return "block." + type.name;
+}
+
+std::string definition_of(const yaml::Key& guard) {
+  return "guard." + guard.name;
 }
 
 Json preset_schema(const BlockType& type) {
@@ -41,6 +47,12 @@ Json initial_schema(const StateSpec& state) {
                                value_text(number, {state.initial})));
 }
 
+/// Of a key that takes a value, and a signal in its place where an input has its name.
+Json or_signal(const BlockType& type, const std::string& key, Json value) {
+  if (type.input(key) < 0) return value;
+  return Json::object().set("anyOf", Json::list({std::move(value), schema_ref("source")}));
+}
+
 Json type_schema(const BlockType& type) {
   Json properties = Json::object().set("block", Json::object().set("const", type.name));
   std::vector<std::string> required{"block"};
@@ -49,25 +61,43 @@ Json type_schema(const BlockType& type) {
     if (!input.optional) required.push_back(input.name);
   }
   for (const ParameterSpec& parameter : type.parameters) {
-    properties.set(parameter.name, parameter_schema(type, parameter));
+    properties.set(parameter.name, or_signal(type, parameter.name, parameter_schema(type, parameter)));
     if (parameter.required) required.push_back(parameter.name);
   }
   for (const StateSpec& state : type.states)
-    if (state.settable) properties.set(diagram::initial_key(type, state), initial_schema(state));
+    if (const std::string key = diagram::initial_key(type, state); state.settable)
+      properties.set(key, or_signal(type, key, initial_schema(state)));
   if (!type.presets.empty()) properties.set("preset", preset_schema(type));
   if (!type.has_continuous_state())
     properties.set("every", explained(schema_ref("time"),
                                       "time between two runs of this block; " + timing_text(type.timing)));
+  for (const yaml::Key& key : diagram::guard_keys())
+    if (key.name != "within" && type.input(key.name) < 0 && !type.parameter(key.name))
+      properties.set(key.name, schema_ref(definition_of(key)));
   return explained(closed_map(std::move(properties), required), type.doc);
 }
 
 /// The keys of a part are its inputs and parameters, which stand in its own file.
 Json part_schema() {
   Json properties = Json::object().set("diagram", schema_ref("file"));
+  properties.set("every",
+                 explained(schema_ref("time"), "time between two runs of its blocks that have no period"));
+  for (const yaml::Key& key : diagram::guard_keys())
+    if (key.name != "within") properties.set(key.name, schema_ref(definition_of(key)));
   return Json::object()
       .set("type", "object")
       .set("properties", std::move(properties))
       .set("required", Json::list({"diagram"}));
+}
+
+/// A bus: its fields are signals, or other buses, under names.
+Json bus_schema() {
+  Json fields = explained(Json::object().set("type", "object").set("minProperties", 1),
+                          "signals under names, read as wrench.force: {force: f, torque: t}; a field may be "
+                          "{signal: f, unit: N, shape: 3}, or another bus {fields: ..}");
+  Json properties = Json::object().set("fields", std::move(fields));
+  properties.set("doc", Json::object().set("type", "string").set("description", "what it is"));
+  return closed_map(std::move(properties), {"fields"});
 }
 
 /// The condition that picks a definition: {"properties": {"block": {"const": "Lag"}}, "required": ["block"]}.
@@ -86,7 +116,9 @@ void add_block_definitions(const Registry& registry, Json& definitions) {
     choices.push(
         Json::object().set("if", when_block_is(type->name)).set("then", schema_ref(definition_of(*type))));
   }
+  for (const yaml::Key& key : diagram::guard_keys()) definitions.set(definition_of(key), key_schema(key));
   definitions.set("part", part_schema());
+  definitions.set("bus", bus_schema());
   const Json kind = Json::object()
                         .set("anyOf", std::move(names))
                         .set("description", "kind of block; `stepwire blocks` lists them");
@@ -95,7 +127,8 @@ void add_block_definitions(const Registry& registry, Json& definitions) {
                 "a part: the file of another diagram; its inputs and parameters are the keys beside it");
   Json block = Json::object().set("type", "object");
   block.set("properties", Json::object().set("block", kind).set("diagram", file));
-  block.set("oneOf", Json::list({Json::object().set("required", Json::list({"block"})), schema_ref("part")}));
+  block.set("oneOf", Json::list({Json::object().set("required", Json::list({"block"})), schema_ref("part"),
+                                 schema_ref("bus")}));
   definitions.set("block", block.set("allOf", std::move(choices)));
 }
 

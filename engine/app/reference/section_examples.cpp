@@ -53,6 +53,9 @@ const char* const fit_example = R"yaml(fit:
   starts: 4
   global: {population: 8, generations: 2})yaml";
 
+const char* const linear_example = R"yaml(linear:
+  loop: {from: spring, to: spring, open: spring, at: 0.2 s})yaml";
+
 const char* const study_example = R"yaml(stepwire: 1
 title: People who draw a circle
 step: 10 ms
@@ -82,6 +85,10 @@ std::string figure(const std::string& rest) {
   return "figure: {plot: " + rest + "}";
 }
 
+std::string linear_figure(const std::string& plot) {
+  return std::string(linear_example) + "\n" + figure(plot + ", of: loop, title: The loop of the spring");
+}
+
 const std::map<std::string, std::string>& examples() {
   static const std::map<std::string, std::string> all{
       {"head", head_example},
@@ -93,6 +100,11 @@ const std::map<std::string, std::string>& examples() {
       {"claims", claims_example},
       {"scene", scene_example},
       {"fit", fit_example},
+      {"linear", linear_example},
+      {"trim",
+       "trim:\n  states: {body.velocity: {fixed: 0 m/s}, body.position: {start: 1 mm, bounds: [-1 m, 1 "
+       "m]}}\n  "
+       "outputs: {spring: free}"},
       {"study", study_example},
       {"figure",
        "figure:\n  panels:\n    - {plot: lines, x: time in s, y: body.position in mm}\n    - {plot: "
@@ -121,6 +133,11 @@ const std::map<std::string, std::string>& examples() {
       {"figure.table",
        "figure:\n  plot: table\n  headings: [what, value]\n  rows: {place: body.position in mm}\n  where: "
        "time > 0.5"},
+      {"figure.bode", linear_figure("bode")},
+      {"figure.nyquist", linear_figure("nyquist")},
+      {"figure.poles", linear_figure("poles")},
+      {"figure.root_locus", linear_figure("root_locus")},
+      {"figure.step_response", linear_figure("step_response")},
       {"figure.scene",
        std::string(scene_example) + "\nfigure: {plot: scene, at: [0 s, 0.5 s], words: [first, then]}"}};
   return all;

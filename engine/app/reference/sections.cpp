@@ -4,6 +4,8 @@
 
 #include "engine/analyse/claim/claim.hpp"
 #include "engine/analyse/estimation/fit_request.hpp"
+#include "engine/analyse/linear/section.hpp"
+#include "engine/analyse/linear/trim.hpp"
 #include "engine/analyse/study/study_request.hpp"
 #include "engine/app/reference/section_examples.hpp"
 #include "engine/model/diagram/head_keys.hpp"
@@ -46,6 +48,8 @@ std::vector<Section> all_sections() {
   add("scene", "scene", scene::scene_form());
   add("claims", "claim", claim::claim_form());
   add("fit", "fit", estimation::fit_form());
+  add("linear", "linear", linear::linear_form());
+  add("trim", "trim", linear::trim_form());
   add("study", "study", study::study_form());
   for (const yaml::Key& plot : plot::plot_forms(true))
     all.push_back({"figure." + plot.name, "", plot.doc, plot, example_of("figure." + plot.name)});

@@ -86,6 +86,13 @@ std::string notes_text(const session::LoopOutcome& outcome) {
   for (const run::RaisedDiagnostic& diagnostic : outcome.loop.simulation().diagnostics())
     text += fmt::format("  note {}: {} (first at {:.6g} s)\n", text::visible(diagnostic.block),
                         text::visible(diagnostic.text), diagnostic.time);
+  for (const run::LoopCost& loop : outcome.loop.simulation().loop_costs())
+    if (loop.unsolved > 0)
+      text += fmt::format(
+          "  note the algebraic loop {} is not solved within {} iterations at {} of {} instants (first at {:.6g} "
+          "s)\n",
+          text::visible(loop.path), diagram_of(outcome).algebraic_loops.max_iterations, loop.unsolved,
+          loop.instants, loop.first_unsolved);
   for (const std::string& line : outcome.served.refused) text += fmt::format("  note {}\n", line);
   if (diagram_of(outcome).stop < outcome.settings.duration)
     text += fmt::format("  note the file's stop of {:.6g} s does not end a loop\n", diagram_of(outcome).stop);

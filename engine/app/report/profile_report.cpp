@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "engine/app/session/run_files.hpp"
 #include "engine/view/plot/bar_chart.hpp"
 #include "engine/view/plot/plot_builder.hpp"
 
@@ -64,6 +65,14 @@ std::string head_text(std::size_t width) {
   return names + "\n" + units + "\n";
 }
 
+std::string loop_cost_text(const run::LoopCost& loop) {
+  return fmt::format(
+      "    algebraic loop {}: {} unknowns, {} iterations at {} instants, {:.3g} on the mean, {} at most\n",
+      loop.path, loop.unknowns, loop.iterations, loop.instants,
+      static_cast<double>(loop.iterations) / static_cast<double>(std::max<std::int64_t>(1, loop.instants)),
+      loop.most);
+}
+
 std::string csv_row(const profile::Profile& profile, const std::string& name, const std::string& type,
                     std::int64_t calls, double self, double total) {
   return fmt::format("{},{},{},{:.6g},{:.6g},{:.4g},{:.4g}", name, type, calls, self, total,
@@ -102,6 +111,7 @@ std::string profile_text(const session::LoadedModel& model, const profile::Profi
     text += fmt::format("    {:<{}} {:<18}{:>11}{:>7.1f}{:>7.1f}\n", other.name, width, "run",
                         other.cost.calls > 0 ? std::to_string(other.cost.calls) : "-",
                         percent(profile, other.cost.seconds), percent(profile, other.cost.seconds));
+  for (const run::LoopCost& loop : profile.loops) text += loop_cost_text(loop);
   return text;
 }
 
@@ -144,6 +154,7 @@ Json profile_json(const profile::Profile& profile) {
                     .set("seconds", other.cost.seconds));
   Json json = Json::object().set("ticks", profile.ticks).set("seconds", profile.seconds);
   json.set("blocks", std::move(blocks)).set("others", std::move(others));
+  json.set("algebraic_loops", session::algebraic_loops_json(profile.loops));
   return json.set("left", profile.left());
 }
 

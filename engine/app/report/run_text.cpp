@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "engine/base/text/characters.hpp"
+#include "engine/model/diagram/output_names.hpp"
+#include "engine/model/plan/element_slot.hpp"
 
 namespace stepwire::report {
 
@@ -47,16 +49,19 @@ std::string outcome_text(const session::LoadedModel& model, const session::Outco
   return text;
 }
 
-std::string units_text(const diagram::Diagram& diagram) {
+std::string units_text(const plan::Plan& plan) {
+  const diagram::Diagram& diagram = plan.diagram;
   std::string text;
   for (std::size_t b = 0; b < diagram.blocks.size(); ++b) {
     const diagram::DiagramBlock& block = diagram.blocks[b];
     for (std::size_t o = 0; o < block.type().outputs.size(); ++o) {
       const auto& dimension = diagram.output_dimensions[b][o];
-      const std::string port =
-          block.type().outputs.size() == 1 ? block.name : block.name + "." + block.type().outputs[o].name;
-      text += fmt::format("  {:<40} {}\n", text::visible(port),
-                          dimension ? unit::si_name(*dimension) : "not known");
+      const std::string port = diagram::output_name(block.name, block.type(), o);
+      const plan::SignalSlot& slot = plan.blocks[b].outputs[o];
+      const std::string shape =
+          slot.size == 1 ? "" : fmt::format(" ({})", plan::shape_text(slot.size, slot.columns));
+      text += fmt::format("  {:<40} {}{}\n", text::visible(port),
+                          dimension ? unit::si_name(*dimension) : "not known", shape);
     }
   }
   return text;

@@ -8,7 +8,7 @@ namespace stepwire::report {
 
 /// What a run has to tell, for people: title, claims with verdict and value, diagnostics.
 std::string outcome_text(const session::LoadedModel& model, const session::Outcome& outcome);
-/// The unit of every wire: "rig.carriage.position  m".
-std::string units_text(const diagram::Diagram& diagram);
+/// The unit of every wire, and its shape: "rig.carriage.position  m", "body.attitude  1 (3 x 3)".
+std::string units_text(const plan::Plan& plan);
 
 }  // namespace stepwire::report

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/app/session/fitting.hpp"
+#include "engine/app/session/matrix_json.hpp"
 #include "engine/base/text/characters.hpp"
 
 namespace stepwire::session {
@@ -64,16 +65,6 @@ Json curves_json(const estimation::FitResult& result) {
                   .set("high", Json::list_of(curve.high))
                   .set("data_range", Json::list_of(curve.data_range)));
   return list;
-}
-
-Json matrix_json(const Eigen::MatrixXd& matrix) {
-  Json rows = Json::list();
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    Json row = Json::list();
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.push(matrix(i, j));
-    rows.push(std::move(row));
-  }
-  return rows;
 }
 
 }  // namespace

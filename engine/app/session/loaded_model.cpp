@@ -8,10 +8,13 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "engine/analyse/linear/columns.hpp"
 #include "engine/analyse/study/study_columns.hpp"
 #include "engine/analyse/study/study_tables.hpp"
 #include "engine/app/session/pointer_names.hpp"
 #include "engine/model/diagram/flatten.hpp"
+#include "engine/model/diagram/output_names.hpp"
+#include "engine/model/diagram/signal_words.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/view/drawing/draw.hpp"
@@ -40,7 +43,7 @@ void add_swept_names(const run::Job& job, query::SymbolTable& names) {
 void add_signals(const diagram::Diagram& diagram, query::SymbolTable& names) {
   for (const diagram::DiagramBlock& block : diagram.blocks) {
     const auto& outputs = block.type().outputs;
-    if (outputs.size() == 1) names.signals.push_back(block.name);
+    if (diagram::has_one_output(block.type())) names.signals.push_back(block.name);
     for (const OutputSpec& output : outputs) names.signals.push_back(block.name + "." + output.name);
   }
 }
@@ -101,6 +104,9 @@ query::SymbolTable names_of(const run::Job& job) {
     const auto columns = record::recorded_columns(job.plan, diagram.records[r]);
     for (std::size_t i = 1; i < columns.size(); ++i)
       names.columns.push_back({columns[i].name, columns[i].dimension, r});
+    for (const diagram::RecordedSignal& signal : diagram.records[r].signals)
+      for (query::RecordedName& column : names.columns)
+        if (column.name == signal.name) column.words = diagram::signal_words(diagram, signal.signal);
   }
   for (const diagram::DiagramParameter& parameter : diagram.parameters)
     if (const double* number = std::get_if<double>(&parameter.value.content))
@@ -125,6 +131,23 @@ void add_study(diagram::Loader& loader, const LoadOptions& options, LoadedModel&
   faults.throw_if_any();
   study::add_study_names(*model.study, diagram, names);
   model.tables = names.tables = study::empty_study_tables(!model.job.points.empty());
+}
+
+/// Reads what the file asks of linear analysis, and adds the names that it makes.
+void add_linear(diagram::Loader& loader, LoadedModel& model, query::SymbolTable& names,
+                yaml::Faults& faults) {
+  const yaml::Node& root = loader.document(model.file).root;
+  if (const yaml::Node* section = root.find("trim"))
+    model.trim = linear::read_trim(*section, names, model.job.plan, faults);
+  const yaml::Node* section = root.find("linear");
+  if (!section) return;
+  if (model.study)
+    return faults.add(
+        {{model.file, section->mark}, "linear", "a file has a study or 'linear', not both", {}});
+  model.linear = linear::read_linear(*section, names, model.job.plan, faults);
+  std::size_t recording = model.job.plan.diagram.records.size();
+  for (const linear::NamedAnalysis& analysis : model.linear)
+    std::ranges::move(linear::analysis_names(analysis, recording++), std::back_inserter(names.columns));
 }
 
 /// Reads the scene ahead of figures and claims, which may name what it shows.
@@ -168,6 +191,7 @@ LoadedModel load_model(diagram::Loader& loader, const std::string& file, const L
   LoadedModel model;
   model.file = file;
   model.options = options;
+  model.registry = &loader.registry();
   model.blocksets = loader.registry().blocksets();
   model.job = run::make_job(loader, file, options.settings, options.stop, options.of_points);
   query::SymbolTable names = names_of(model.job);
@@ -176,6 +200,7 @@ LoadedModel load_model(diagram::Loader& loader, const std::string& file, const L
   const drawing::DiagramView view(diagram, loader);
   names.diagram = &view;
   add_study(loader, options, model, names, faults);
+  add_linear(loader, model, names, faults);
   names.scene = model.scene = read_scene_of(diagram, names, faults);
   if (diagram.figure.kind != yaml::Node::Kind::empty)
     model.figures = plot::read_figures(diagram.figure, names, faults);

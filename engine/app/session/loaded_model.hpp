@@ -7,6 +7,8 @@
 
 #include "engine/analyse/claim/claim.hpp"
 #include "engine/analyse/estimation/fit_request.hpp"
+#include "engine/analyse/linear/section.hpp"
+#include "engine/analyse/linear/trim.hpp"
 #include "engine/analyse/study/study_request.hpp"
 #include "engine/model/diagram/load.hpp"
 #include "engine/simulate/run/run.hpp"
@@ -36,6 +38,9 @@ struct LoadedModel {
   std::shared_ptr<const scene::Scene> scene{};  ///< null where the file shows none
   std::optional<study::StudyRequest> study{};   ///< whose trials are the runs of the file
   std::vector<query::NamedTable> tables{};      ///< that the study will make, for figures
+  std::vector<linear::NamedAnalysis> linear{};  ///< that figures and claims read behind the recordings
+  std::optional<linear::TrimRequest> trim{};   ///< the operating point that is looked for
+  const Registry* registry = nullptr;           ///< by which it was loaded
   std::vector<std::string> blocksets{};         ///< folders of the blocks from outside that were known
 };
 

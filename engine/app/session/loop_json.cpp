@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "engine/app/session/run_files.hpp"
 #include "engine/app/session/loop_files.hpp"
 #include "engine/app/session/version.hpp"
 #include "engine/model/diagram/flatten.hpp"
@@ -149,6 +150,7 @@ Json loop_json(const LoopOutcome& outcome) {
       .set("steps", loop.steps())
       .set("ticks", loop.simulation().tick())
       .set("deadlines", deadlines_json(outcome))
+      .set("algebraic_loops", algebraic_loops_json(loop.simulation().loop_costs()))
       .set("resolution", realtime::Histogram::resolution)
       .set("wake_up", times_json(loop.measurements().wake_up()))
       .set("response", times_json(loop.measurements().response()))

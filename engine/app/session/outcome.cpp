@@ -1,8 +1,14 @@
 #include "engine/app/session/outcome.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <limits>
 
+#include "engine/app/session/linearizing.hpp"
+#include "engine/simulate/run/pooling.hpp"
 #include "engine/view/scene/scene_states.hpp"
 
 namespace stepwire::session {
@@ -21,17 +27,30 @@ claim::Verdict not_judged(const claim::Claim& claim, const std::string& why) {
   return verdict;
 }
 
+/// Says which of several runs came off worst.
+void name_run(const run::Job& job, claim::Verdict& verdict) {
+  if (!verdict.run || *verdict.run >= job.points.size()) return;
+  verdict.worst = run::settings_text(job.settings_of(*verdict.run));
+  verdict.shown += fmt::format(" ({})", verdict.worst);
+}
+
 }  // namespace
+
+void add_shown(const LoadedModel& model, Outcome& outcome) {
+  if (!model.scene && model.linear.empty()) return;
+  outcome.shown = outcome.result.recordings;
+  if (model.scene) scene::add_scene_states(*model.scene, outcome.shown);
+  std::ranges::move(linear_recordings(model), std::back_inserter(outcome.shown));
+}
 
 void judge_claims(const LoadedModel& model, Outcome& outcome) {
   const bool early = outcome.early();
-  if (model.scene && !early) {
-    outcome.shown = outcome.result.recordings;
-    scene::add_scene_states(*model.scene, outcome.shown);
-  }
-  for (const claim::Claim& claim : model.claims)
+  if (!early) add_shown(model, outcome);
+  for (const claim::Claim& claim : model.claims) {
     outcome.verdicts.push_back(early ? not_judged(claim, "the run ended early")
                                      : claim::judge(claim, outcome.recordings()));
+    name_run(model.job, outcome.verdicts.back());
+  }
 }
 
 Outcome run_model(const LoadedModel& model, const run::RunOptions& options) {

@@ -12,7 +12,7 @@ namespace stepwire::session {
 struct Outcome {
   run::RunResult result;
   std::vector<record::Recording>
-      shown;  ///< the recordings with what the scene shows; empty where there is none
+      shown;  ///< the recordings with what the scene shows and linear analyses; empty without either
   std::vector<claim::Verdict> verdicts;
   double seconds = 0.0;  ///< of the run itself, without loading and drawing
 
@@ -21,6 +21,9 @@ struct Outcome {
   /// Did it end before its time, by a fault or an interruption?
   bool early() const { return !result.faults.empty() || result.interrupted; }
 };
+
+/// Adds what the scene shows and linear analyses to what figures and claims read.
+void add_shown(const LoadedModel& model, Outcome& outcome);
 
 /// Judges all claims on what was recorded; those about a run that ended early do not hold.
 void judge_claims(const LoadedModel& model, Outcome& outcome);

@@ -97,6 +97,7 @@ Json claims_json(const LoadedModel& model, const Outcome& outcome) {
     claim.set("check", verdict.check).set("value", verdict.value).set("holds", verdict.holds);
     if (verdict.kind == claim::Claim::Kind::invariant) claim.set("invariant", true);
     if (!verdict.disagrees.empty()) claim.set("disagrees", verdict.disagrees);
+    if (!verdict.worst.empty()) claim.set("worst", verdict.worst);
     if (!verdict.note.empty()) claim.set("note", verdict.note);
     list.push(std::move(claim));
   }
@@ -109,6 +110,20 @@ Json diagnostics_json(const Outcome& outcome) {
     diagnostics.push(
         Json::object().set("block", raised.block).set("time", raised.time).set("text", raised.text));
   return diagnostics;
+}
+
+Json algebraic_loops_json(const std::vector<run::LoopCost>& loops) {
+  Json list = Json::list();
+  for (const run::LoopCost& loop : loops)
+    list.push(Json::object()
+                  .set("loop", loop.path)
+                  .set("unknowns", loop.unknowns)
+                  .set("instants", loop.instants)
+                  .set("iterations", loop.iterations)
+                  .set("max_iterations", loop.most)
+                  .set("unsolved", loop.unsolved)
+                  .set("first_unsolved", loop.unsolved > 0 ? Json(loop.first_unsolved) : Json()));
+  return list;
 }
 
 Json run_json(const LoadedModel& model, const Outcome& outcome) {
@@ -127,6 +142,7 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
       .set("compiled_ticks", outcome.result.compiled_ticks)
       .set("blocks", diagram.blocks.size())
       .set("block_folders", Json::list_of(model.blocksets))
+      .set("algebraic_loops", algebraic_loops_json(outcome.result.loops))
       .set("notices", diagnostics_json(outcome))
       .set("faults", fault_texts(outcome))
       .set("interrupted", outcome.result.interrupted)

@@ -16,6 +16,9 @@ std::vector<std::string> write_outputs(const std::string& folder, const LoadedMo
 
 /// The verdicts as a list of {file, figure, that, check, value, holds, disagrees?, note?}.
 json::Json claims_json(const LoadedModel& model, const Outcome& outcome);
+/// What algebraic loops have cost, as a list of {loop, unknowns, instants, iterations, max_iterations,
+/// unsolved, first_unsolved}.
+json::Json algebraic_loops_json(const std::vector<run::LoopCost>& loops);
 /// What was run: hash of the flattened diagram, parameters, step, solver, version, compiler, duration.
 json::Json run_json(const LoadedModel& model, const Outcome& outcome);
 

@@ -39,7 +39,7 @@ class MakeDrawn {
       if (one.value) known.push_back(*one.value);
     }
     if (operation.draws() && !result.wrong) result.wrong = complaint(operation.name, values, place);
-    if (known.size() == values.size())
+    if (known.size() == values.size() && operation.value)
       result.value = operation.value(known.data(), static_cast<int>(known.size()));
     return result;
   }

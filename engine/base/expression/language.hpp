@@ -68,11 +68,17 @@ inline double uniform(double seed, double stream) {
   return even_sample(static_cast<std::int64_t>(seed), static_cast<std::ptrdiff_t>(stream), before_all);
 }
 
+/// A number drawn by `seed` and `stream` as `uniform` draws them: over all seeds its mean is 0 and its
+/// standard deviation 1.
+inline double normal(double seed, double stream) {
+  return normal_quantile(uniform(seed, stream));
+}
+
 /// What makes a value that holds for people in general that of one person: a number above 0 drawn by `seed`
 /// and `stream` as `uniform` draws them. Over all seeds its logarithm is normal, its median 1, and its
 /// standard deviation `variation` times its mean.
 inline double lognormal(double seed, double stream, double variation) {
-  return std::exp(std::sqrt(std::log1p(variation * variation)) * normal_quantile(uniform(seed, stream)));
+  return std::exp(std::sqrt(std::log1p(variation * variation)) * normal(seed, stream));
 }
 
 }  // namespace stepwire::language

@@ -24,6 +24,7 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
 }
 
 std::optional<double> folded(const Operation& operation, const std::vector<Piece>& values) {
+  if (!operation.value) return std::nullopt;
   std::vector<double> numbers;
   for (const Piece& value : values) {
     if (!value.number) return std::nullopt;
@@ -44,6 +45,7 @@ class MakeMeasure {
 
   Piece operation(const Operation& operation, const std::vector<Piece>& values, std::size_t place) const {
     const Binding binding = operation.binding;
+    if (!operation.value) return of_matrices(operation.name, values);
     if (binding == Binding::atom) return call(operation.name, values, place);
     if (binding == Binding::either || binding == Binding::both || &operation == &negation) return truth;
     Piece result = unit_of(operation, values, place);
@@ -67,6 +69,27 @@ class MakeMeasure {
     return join(a, values[1], operation.name, place);
   }
 
+  /// A matrix has one unit, or none that is known.
+  static Piece of_matrices(std::string_view function, const std::vector<Piece>& values) {
+    if (is_one_of(function, {"transpose", "norm", "trace"})) return {values[0].measure, values[0].bare};
+    if (is_one_of(function, {"rank", "size"})) return truth;
+    if (function == "inv") return to_the(values[0], {{}, true, -1.0});
+    if (is_one_of(function, {"eye", "zeros", "ones"})) return {{}, true};
+    return is_one_of(function, {"[]", "diag"}) ? common(values) : Piece{};
+  }
+
+  /// The unit that all have which are no bare numbers; not known where two have others.
+  static Piece common(const std::vector<Piece>& values) {
+    Piece all = values[0];
+    for (const Piece& one : values) {
+      if (all.bare) all = one;
+      if (one.bare) continue;
+      if (one.measure.dimension != all.measure.dimension) return {};
+      all.measure.sure = all.measure.sure && one.measure.sure;
+    }
+    return {all.measure, all.bare};
+  }
+
   static Piece call(std::string_view function, const std::vector<Piece>& values, std::size_t place) {
     const Piece& first = values.front();
     if (is_one_of(function, {"min", "max", "mod", "hypot", "atan2"})) {
@@ -74,7 +97,7 @@ class MakeMeasure {
       for (std::size_t i = 1; i < values.size(); ++i) all = join(all, values[i], function, place);
       return function == "atan2" ? truth : all;
     }
-    if (is_one_of(function, {"sign", "uniform", "lognormal"})) return truth;
+    if (is_one_of(function, {"sign", "uniform", "normal", "lognormal"})) return truth;
     if (function == "abs") return {first.measure, first.bare};
     if (function == "sqrt") return to_the(first, {{}, true, 0.5});
     if (function == "cbrt") return to_the(first, {{}, true, 1.0 / 3.0});

@@ -74,9 +74,24 @@ constexpr std::array functions{one<std::sin>("sin"),
                                two<language::mod>("mod"),
                                two<std::hypot>("hypot"),
                                two<language::uniform>("uniform"),
+                               two<language::normal>("normal"),
                                Operation{"min", Binding::atom, 2, any_number, language::smallest},
                                Operation{"max", Binding::atom, 2, any_number, language::largest},
                                Operation{"lognormal", Binding::atom, 3, 3, lognormal}};
+
+constexpr Operation of_matrices(std::string_view name, int least, int most) {
+  return {name, Binding::atom, least, most, nullptr};
+}
+
+constexpr std::array matrix_functions{
+    of_matrices("transpose", 1, 1), of_matrices("inv", 1, 1),    of_matrices("expm", 1, 1),
+    of_matrices("det", 1, 1),       of_matrices("trace", 1, 1),  of_matrices("norm", 1, 1),
+    of_matrices("rank", 1, 1),      of_matrices("size", 2, 2),   of_matrices("eye", 1, 1),
+    of_matrices("zeros", 1, 2),     of_matrices("ones", 1, 2),   of_matrices("diag", 1, any_number),
+    of_matrices("ctrb", 2, 2),      of_matrices("obsv", 2, 2),   of_matrices("c2d", 2, 3),
+    of_matrices("care", 4, 4),      of_matrices("dare", 4, 4),   of_matrices("lqr", 4, 4),
+    of_matrices("dlqr", 4, 4),      of_matrices("kalman", 4, 4), of_matrices("dkalman", 4, 4),
+    of_matrices("place", 3, 3)};
 
 template <class Operations>
 const Operation* find(const Operations& among, std::string_view name) {
@@ -97,5 +112,11 @@ const Operation* find_operator(std::string_view sign) {
 const Operation* find_function(std::string_view name) {
   return find(functions, name);
 }
+
+const Operation* find_matrix_function(std::string_view name) {
+  return find(matrix_functions, name);
+}
+
+constexpr Operation brackets{"[]", Binding::atom, 1, any_number, nullptr};
 
 }  // namespace stepwire::expression

@@ -11,11 +11,11 @@ enum class Binding { open, condition, either, both, comparison, sum, product, pr
 struct Operation {
   std::string_view name;
   Binding binding;
-  int least, most;  ///< how many values it takes
-  double (*value)(const double* values, int count);
+  int least, most;                                   ///< how many values it takes
+  double (*value)(const double* values, int count);  ///< null of what only matrices have
 
   /// Whether it draws a number by a seed and a stream, its first two values.
-  bool draws() const { return name == "uniform" || name == "lognormal"; }
+  bool draws() const { return name == "uniform" || name == "normal" || name == "lognormal"; }
 };
 
 extern const Operation minus, negation;  ///< the signs before a value
@@ -23,5 +23,8 @@ extern const Operation minus, negation;  ///< the signs before a value
 /// The operator between two values, or the function, of that name; nullptr if there is none.
 const Operation* find_operator(std::string_view sign);
 const Operation* find_function(std::string_view name);
+/// The function of matrices of that name; nullptr if there is none.
+const Operation* find_matrix_function(std::string_view name);
+extern const Operation brackets;  ///< [a, b, ..]
 
 }  // namespace stepwire::expression

@@ -39,7 +39,8 @@ Instruction::Kind kind_of(const Operation& operation) {
 /// can exhaust the real one.
 class Translator {
  public:
-  Translator(std::string_view text, const Known& known) : tokens_(tokens(text, known)), known_(known) {
+  Translator(std::string_view text, const Known& known, Values values)
+      : tokens_(tokens(text, known)), known_(known), values_(values) {
     program_.text = text;
   }
 
@@ -66,6 +67,7 @@ class Translator {
     if (token.kind == Token::Kind::number) return number({token.value, token.dimension});
     if (token.kind == Token::Kind::name) return name(token);
     if (token.is("(")) return open(token, nullptr);
+    if (token.is("[")) return open_brackets(token);
     if (token.is("-") || token.is("!")) return prefix(token.is("-"));
     if (!token.is("+")) missing_value(token);
   }
@@ -106,11 +108,25 @@ class Translator {
   }
 
   void call(const Token& token, bool exists) {
-    const Operation* const function = find_function(token.text);
+    const Operation* function = find_function(token.text);
+    const Operation* const of_matrices = function ? nullptr : find_matrix_function(token.text);
+    if (of_matrices && values_ == Values::numbers && !exists)
+      fail(token,
+           fmt::format("'{}' is a function of matrices, which only parameters are; define a parameter by "
+                       "it, '= {}(...)'",
+                       token.text, token.text));
+    if (!function && values_ == Values::matrices) function = of_matrices;
     if (!function)
       fail(token, exists ? fmt::format("'{}' is a value, not a function", token.text)
                          : fmt::format("unknown function '{}'", token.text));
     open(tokens_[++at_], function);
+  }
+
+  void open_brackets(const Token& token) {
+    if (values_ == Values::numbers)
+      fail(token,
+           "a list or a matrix in brackets stands in parameters only; an expression is of single numbers");
+    open(token, &brackets);
   }
 
   void open(const Token& token, const Operation* function) {
@@ -134,7 +150,7 @@ class Translator {
   }
 
   void sign(const Token& token) {
-    if (token.is(")")) return close(token);
+    if (token.is(")") || token.is("]")) return close(token);
     value_comes_ = true;
     if (token.is(",")) return next_value(token);
     if (token.is("?")) return question(token);
@@ -162,7 +178,7 @@ class Translator {
 
   void next_value(const Token& token) {
     if (open_.empty() || !waiting_[open_.back()].operation)
-      fail(token, "',' only separates the values of a function");
+      fail(token, "',' only separates the values of a function or a list");
     settle(Binding::condition);
     ++waiting_.back().values;
   }
@@ -192,11 +208,14 @@ class Translator {
   }
 
   void close(const Token& token) {
-    if (open_.empty()) fail(token, "')' without '('");
+    const char* const opening = token.is(")") ? "(" : "[";
+    if (open_.empty() || !waiting_[open_.back()].token->is(opening))
+      fail(token, fmt::format("'{}' without '{}'", token.text, opening));
     settle(Binding::condition);
     const Waiting opened = take_waiting();
     open_.pop_back();
     if (!opened.operation) return;
+    if (opened.operation == &brackets) return add_operation(brackets, opened.values, *opened.token);
     const Token& name = *(opened.token - 1);
     check_arity(*opened.operation, opened.values, name);
     add_operation(*opened.operation, opened.values, name);
@@ -237,12 +256,16 @@ class Translator {
 
   void finish(const Token& end) {
     if (value_comes_) fail(end, "a value is missing at the end");
-    if (!open_.empty()) fail(*waiting_[open_.back()].token, "'(' without ')'");
+    if (!open_.empty()) {
+      const Token& opened = *waiting_[open_.back()].token;
+      fail(opened, fmt::format("'{}' without '{}'", opened.text, opened.is("(") ? ")" : "]"));
+    }
     settle(Binding::condition);
   }
 
   const std::vector<Token> tokens_;
   const Known& known_;
+  const Values values_;
   Program program_;
   std::vector<Waiting> waiting_;
   std::vector<std::size_t> open_;  ///< parentheses among them
@@ -255,11 +278,11 @@ class Translator {
 
 }  // namespace
 
-Program translate(std::string_view text, const Known& known) {
+Program translate(std::string_view text, const Known& known, Values values) {
   if (text.size() > longest_text) {
     throw ExpressionError(fmt::format("an expression has at most {} characters", longest_text), longest_text);
   }
-  Program program = Translator(text, known).run();
+  Program program = Translator(text, known, values).run();
   check_draws(program, std::vector<std::optional<double>>(program.variables.size()));
   return program;
 }

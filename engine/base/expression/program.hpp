@@ -43,7 +43,11 @@ struct Program {
   std::vector<Use> uses;  ///< in the order of the text
 };
 
+/// May a text have brackets and functions of matrices?
+enum class Values { numbers, matrices };
+
 /// Checks a text. Throws ExpressionError.
-Program translate(std::string_view text, const std::function<bool(std::string_view)>& known);
+Program translate(std::string_view text, const std::function<bool(std::string_view)>& known,
+                  Values values = Values::numbers);
 
 }  // namespace stepwire::expression

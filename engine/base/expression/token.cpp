@@ -16,8 +16,8 @@ namespace {
 
 using Known = std::function<bool(std::string_view)>;
 
-constexpr std::array<std::string_view, 19> signs{"<=", ">=", "==", "!=", "&&", "||", "+", "-", "*", "/",
-                                                 "^",  "(",  ")",  "<",  ">",  "!",  "?", ":", ","};
+constexpr std::array<std::string_view, 21> signs{"<=", ">=", "==", "!=", "&&", "||", "+", "-", "*", "/", "^",
+                                                 "(",  ")",  "<",  ">",  "!",  "?",  ":", ",", "[", "]"};
 
 /// What people write out of habit from other languages, and what it is called here.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> habits{{
@@ -28,6 +28,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> habits{{
     {"\"", "an expression has no text"},
     {"'", "an expression has no text"},
 }};
+
+constexpr const char* letters_and_digits = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -89,13 +91,26 @@ class Lexer {
     skip_blanks();
     const std::string_view rest = text_.substr(at_);
     const bool apart = at_ > before || peek() != '1';
-    const std::size_t length = apart ? unit::unit_prefix(rest, known_) : 0;
+    std::size_t length = apart ? unit::unit_prefix(rest, known_) : 0;
     if (length == 0) {
       at_ = before;
       return std::nullopt;
     }
+    // A blank multiplies units, as in "0.4 N s/m"; between values it would be an error.
+    for (std::size_t more = next_unit(rest, length); more > length; more = next_unit(rest, length))
+      length = more;
     at_ += length;
     return unit::parse_unit(rest.substr(0, length));
+  }
+
+  /// Where a unit ends that stands behind blanks; `end` where there is none.
+  std::size_t next_unit(std::string_view rest, std::size_t end) const {
+    const std::size_t next = rest.find_first_not_of(' ', end);
+    if (next == std::string_view::npos || next == end || !is_letter(rest[next])) return end;
+    const std::size_t length = unit::unit_prefix(rest.substr(next), known_);
+    const bool called = next + length < rest.size() && rest[next + length] == '(';
+    if (length == 0 || called || !unit::parse_unit(rest.substr(0, next + length))) return end;
+    return next + length;
   }
 
   Token name() {

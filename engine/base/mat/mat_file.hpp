@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/base/table/table.hpp"
 
@@ -14,5 +15,20 @@ table::Table read_mat(const std::string& path);
 /// Variables are named as the columns with what MATLAB does not allow replaced by '_' (made unique), doubles,
 /// one column vector each; beside them the cell arrays "names" and "units" in the same order.
 void write_mat(const std::string& path, const table::Table& table);
+
+/// A matrix, column by column as Eigen has it, or a list of texts.
+struct NamedMatrix {
+  std::string name;
+  std::size_t rows = 0, columns = 0;
+  std::vector<double> values;
+};
+struct NamedTextList {
+  std::string name;
+  std::vector<std::string> texts;
+};
+
+/// Writes matrices as doubles and texts as cell arrays, by their names, which MATLAB must allow.
+void write_mat(const std::string& path, const std::vector<NamedMatrix>& matrices,
+               const std::vector<NamedTextList>& texts);
 
 }  // namespace stepwire::mat

@@ -105,6 +105,20 @@ std::string header_text() {
 
 }  // namespace
 
+void write_mat(const std::string& path, const std::vector<NamedMatrix>& matrices,
+               const std::vector<NamedTextList>& texts) {
+  std::string content = header_text();
+  for (const NamedMatrix& one : matrices)
+    content += matrix(Class::float64, one.rows, one.columns, one.name,
+                      element(Element::float64, bytes(one.values.data(), one.values.size())));
+  for (const NamedTextList& list : texts) {
+    std::string cells;
+    for (const std::string& text : list.texts) cells += text_matrix(text);
+    content += matrix(Class::cell, list.texts.size(), 1, list.name, cells);
+  }
+  io::write_file(path, content);
+}
+
 void write_mat(const std::string& path, const table::Table& table) {
   // What MATLAB would not take back as the name of a variable, and our own two.
   std::set<std::string> used{"names",  "units",     "break",  "case",       "catch",    "continue",

@@ -11,6 +11,7 @@
 
 #include "engine/base/table/csv_cell.hpp"
 #include "engine/base/table/csv_problems.hpp"
+#include "engine/base/table/csv_title.hpp"
 #include "engine/base/table/record_table.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/text/characters.hpp"
@@ -19,25 +20,6 @@ namespace stepwire::table {
 namespace {
 
 constexpr std::size_t longest_field = 100'000;
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-/// "name [unit]" apart. "x[2]" without a blank is a name with its index.
-Column column(const std::string& title) {
-  const std::size_t open = title.rfind('[');
-  if (title.empty() || title.back() != ']' || open == std::string::npos || open == 0) return {title, "", {}};
-  const std::string unit = title.substr(open + 1, title.size() - open - 2);
-  const bool digits = !unit.empty() && unit.find_first_not_of("0123456789") == std::string::npos;
-  if (digits && !is_blank(title[open - 1])) return {title, "", {}};
-  return {trimmed(title.substr(0, open)), trimmed(unit), {}};
-}
 
 /// The words of one column, each with its number.
 struct Numbering {
@@ -57,12 +39,13 @@ class Csv {
   Csv(const std::string& path, std::string_view text, ColumnWords& words, bool tolerant = false)
       : path_(path), at_(text.data()), end_(at_ + text.size()), words_(words), tolerant_(tolerant) {
     if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
+    if (tolerant_) begin_behind_comments();
     separator_ = separator();
   }
 
   Table read() {
     header();
-    for (; !only_blanks_left(); ++rows_) row();
+    for (skip_comments(); !only_blanks_left(); ++rows_, skip_comments()) row();
     return std::move(table_);
   }
 
@@ -89,7 +72,35 @@ class Csv {
   bool at_line_end() const { return at_ == end_ || *at_ == '\n' || *at_ == '\r'; }
 
   bool only_blanks_left() const {
-    return std::all_of(at_, end_, [](char c) { return is_blank(c) || c == '\n' || c == '\r'; });
+    return std::all_of(at_, end_, [](char c) { return is_csv_blank(c) || c == '\n' || c == '\r'; });
+  }
+
+  /// Lines that begin with '#'.
+  void skip_comments() {
+    while (tolerant_ && at_ != end_ && *at_ == '#') {
+      while (!at_line_end()) ++at_;
+      skip_line_end();
+    }
+  }
+
+  /// Where only numbers follow, the last comment names the columns: "# time, force".
+  void begin_behind_comments() {
+    const char* last = nullptr;
+    std::size_t last_line = line_;
+    while (at_ != end_ && *at_ == '#') {
+      last = at_ + 1;
+      last_line = line_;
+      while (!at_line_end()) ++at_;
+      skip_line_end();
+    }
+    if (!last || at_ == end_) return;
+    const char* const here = at_;
+    const std::size_t line = line_;
+    separator_ = separator();
+    const std::vector<std::string> titles = fields();
+    const bool numbers = std::ranges::all_of(titles, [](const auto& t) { return csv_number(t).has_value(); });
+    at_ = numbers ? last : here;
+    line_ = numbers ? last_line : line;
   }
 
   /// Tab, semicolon or comma: the first of these that the header has outside of quotes.
@@ -107,7 +118,7 @@ class Csv {
   }
 
   void skip_blanks() {
-    while (at_ != end_ && is_blank(*at_) && *at_ != separator_) ++at_;
+    while (at_ != end_ && is_csv_blank(*at_) && *at_ != separator_) ++at_;
   }
 
   void skip_line_end() {
@@ -123,7 +134,7 @@ class Csv {
     const char* const first = at_;
     while (!at_line_end() && *at_ != separator_) ++at_;
     if (static_cast<std::size_t>(at_ - first) > longest_field) refuse_length();
-    return trimmed({first, at_});
+    return csv_trimmed({first, at_});
   }
 
   std::string quoted_field() {
@@ -160,7 +171,7 @@ class Csv {
     }
     std::unordered_set<std::string> names;
     for (const std::string& title : titles) {
-      table_.columns.push_back(column(csv_word(title)));
+      table_.columns.push_back(csv_column(csv_word(title)));
       const std::string& name = table_.columns.back().name;
       if (name.empty() && !tolerant_) fail(fmt::format("column {} has no name", table_.columns.size()));
       if (!name.empty() && !names.insert(name).second)

@@ -51,12 +51,13 @@ System read_system() {
   return system;
 }
 
-/// Adds `power` of one base unit; the radian is 1.
+/// Adds `power` of one base unit; the radian is 1 and counts as an angle.
 void raise(Dimension& dimension, const ut_unit* base, int power) {
   constexpr std::array<std::string_view, 7> symbols{"m", "kg", "s", "A", "K", "mol", "cd"};
   const char* symbol = ut_get_symbol(base, UT_ASCII);
   const auto at = std::find(symbols.begin(), symbols.end(), symbol ? symbol : "");
   if (at != symbols.end()) dimension.exponents.at(static_cast<std::size_t>(at - symbols.begin())) += power;
+  if (symbol && std::string_view(symbol) == "rad") dimension.angle += power;
 }
 
 ut_status visit_basic(const ut_unit* base, void* unit) {

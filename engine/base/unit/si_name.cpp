@@ -55,9 +55,20 @@ std::pair<std::string, int> base_units(const Exponents& exponents, double sign) 
   return {text, count};
 }
 
+/// An angle, its rate, or a rate of that; a torque per angle is a torque to an engineer.
+bool is_angular(const Dimension& dimension) {
+  Exponents others = dimension.exponents;
+  const double time = std::exchange(others[2], 0.0);
+  return dimension.angle == 1.0 && others == Exponents{} && (time == 0.0 || time == -1.0 || time == -2.0);
+}
+
 }  // namespace
 
 std::string si_name(const Dimension& dimension) {
+  if (is_angular(dimension)) {
+    const double time = -dimension.exponents[2];
+    return time == 0.0 ? "rad" : time == 1.0 ? "rad/s" : "rad/s^2";
+  }
   for (const auto& [name, exponents] : usual) {
     if (exponents == dimension.exponents) return std::string(name);
   }

@@ -14,6 +14,7 @@ Dimension combine(const Dimension& a, const Dimension& b, Combine&& with) {
   for (std::size_t i = 0; i < result.exponents.size(); ++i) {
     result.exponents[i] = with(a.exponents[i], b.exponents[i]);
   }
+  result.angle = with(a.angle, b.angle);
   return result;
 }
 

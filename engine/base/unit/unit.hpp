@@ -9,10 +9,12 @@
 
 namespace stepwire::unit {
 
-/// Exponents of m, kg, s, A, K, mol, cd. Angles have none: a radian is 1. Halves occur (square roots).
+/// Exponents of m, kg, s, A, K, mol, cd. Halves occur (square roots). Angles have none: a radian is 1, and
+/// `angle` only says that a number is shown as one.
 struct Dimension {
   std::array<double, 7> exponents{};
-  bool operator==(const Dimension&) const = default;
+  double angle = 0.0;  ///< exponent of rad; two dimensions that differ in it alone are equal
+  bool operator==(const Dimension& other) const { return exponents == other.exponents; }
 };
 
 Dimension operator*(const Dimension& a, const Dimension& b);

@@ -16,7 +16,9 @@ constexpr std::array wordings{
     Wording{"end of map not found",
             "expected 'key: value' here; check the indentation, and quote text that holds ': ' or starts "
             "with a sign"},
-    Wording{"end of map flow not found", "expected ',' or '}' here; a ',', a bracket or a quote is missing"},
+    Wording{"end of map flow not found",
+            "expected ',' or '}' here; a ',', a bracket or a quote is missing (text that holds ': ' or ', ' "
+            "needs quotes)"},
     Wording{"end of sequence not found", "expected '- ' here; check the indentation"},
     Wording{"end of sequence flow not found",
             "expected ',' or ']' here; a ',', a bracket or a quote is missing"},

@@ -2,6 +2,7 @@
 
 // What the header of a block needs. How blocks are declared and configured is for their .cpp files: see
 // declare.hpp.
+#include "engine/model/block/crossings.hpp"
 #include "engine/model/signal/clock.hpp"
 #include "engine/model/signal/diagnostic.hpp"
 #include "engine/model/signal/input.hpp"

@@ -42,11 +42,16 @@ struct BlockType {
   std::vector<OutputSpec> outputs;
   std::vector<StateSpec> states;
   std::vector<DiagnosticSpec> diagnostics;
+  std::vector<CrossingSpec> crossings;
+  bool steady = false;  ///< are its outputs constant between crossings?
   std::vector<PresetSpec> presets;
   std::vector<MemberSpec> members;  ///< that a run reads and never changes
   std::vector<ClockSpec> clocks;
+  std::vector<SizeSpec> sizes;
 
   Kernels run_outputs, run_derivatives, run_update;
+  /// Writes the numbers of all crossings; null where there are none.
+  void (*run_crossings)(const void* block, double* numbers) = nullptr;
   void (*configure)(void* block, Configure& is) = nullptr;
   void (*prepare)(void* block) = nullptr;
   void (*start)(void* block) = nullptr;

@@ -30,7 +30,7 @@ struct Configuration {
   std::vector<std::pair<std::string, std::string>> required;  ///< inputs, and why
   /// State and input, where one is the other's derivative; both empty where there are none.
   std::pair<std::string, std::string> slope_source;
-  bool skips_outputs = false, skips_update = false;
+  bool skips_outputs = false, skips_update = false, skips_crossings = false;
 
   bool operator==(const Configuration&) const = default;
 };
@@ -80,6 +80,8 @@ class Configure {
   void skip_outputs() { answers_.skips_outputs = true; }
   /// This instance has nothing to do in update().
   void skip_update() { answers_.skips_update = true; }
+  /// This instance crosses nothing.
+  void skip_crossings() { answers_.skips_crossings = true; }
   /// The slope of this state is this input as it stands, and derivatives() does nothing else: where the plan
   /// lets the input's source write into the slope's place, nothing needs to be called.
   template <auto state, auto input>

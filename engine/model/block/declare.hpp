@@ -12,6 +12,7 @@
 #include "engine/model/block/literal.hpp"
 #include "engine/model/block/member_name.hpp"
 #include "engine/model/block/parameter_access.hpp"
+#include "engine/model/block/port_traits.hpp"
 #include "engine/model/block/prepared_parts.hpp"
 
 namespace stepwire {
@@ -21,39 +22,8 @@ enum class From { no_number };
 
 namespace detail {
 
-template <class T>
-struct PortSize;
-template <int n>
-struct PortSize<Input<n>> : std::integral_constant<int, n> {};
-template <>
-struct PortSize<Inputs> : std::integral_constant<int, any_size> {};
-template <int n>
-struct PortSize<Output<n>> : std::integral_constant<int, n> {};
-template <int n>
-struct PortSize<State<n>> : std::integral_constant<int, n> {};
-template <int n>
-struct PortSize<DiscreteState<n>> : std::integral_constant<int, n> {};
-
-/// A fixed size is known from the type; a free one is called n unless the declaration names it.
-template <class Port>
-std::string shape_of(const std::string& given) {
-  if constexpr (PortSize<Port>::value == any_size) {
-    return given.empty() ? "n" : given;
-  } else {
-    return std::to_string(PortSize<Port>::value);
-  }
-}
-
 /// BlockType::header of a struct that a source declares, which may name the header.
 std::string header_of(std::string_view source, const std::string& named, std::string_view struct_name);
-
-template <class Port>
-inline constexpr int unbound_size = PortSize<Port>::value == any_size ? 0 : PortSize<Port>::value;
-
-template <class T>
-struct IsContinuous : std::false_type {};
-template <int n>
-struct IsContinuous<State<n>> : std::true_type {};
 
 template <auto... from>
 std::optional<std::vector<std::string>> names_of() {
@@ -72,8 +42,10 @@ std::optional<std::vector<std::string>> names_of() {
 ///
 /// Units: a unit ("N", "mm/s"; numbers inside are SI all the same), "1" for none, "*" for anything, or with
 /// unit variables, which are what is wired to the block: "'u" (a name after a quote), "'u s", "'k 'u",
-/// "'a/'b", "'u^0.5". Shapes: a number, a letter that stands for the same size in the whole block, or "n x m"
-/// for matrices.
+/// "'a/'b", "'u^0.5". Shapes: a number, a letter that stands for the same size in the whole block, or "m x n"
+/// for matrices of m rows; numbers of a port lie column by column. A port with one letter passes matrices as
+/// their elements, and what has the same letter has the same rows and columns. A list has elements of one
+/// shape; where its shape is "+n", their elements together are n, and where it is "m x +n", their columns.
 template <class Block>
 class Declare {
  public:
@@ -99,6 +71,7 @@ class Declare {
     type_.source = std::move(options.source);
     type_.not_real_time = std::move(options.not_real_time);
     type_.symbol = std::move(options.symbol);
+    type_.steady = options.steady;
     if (options.timing != Timing::inherited) type_.timing = options.timing;
   }
 
@@ -113,7 +86,8 @@ class Declare {
                        {is.above, is.below, is.at_least, is.at_most},
                        is.words,
                        is.required,
-                       is.structural};
+                       is.structural,
+                       is.formulas};
     if (Access::kind == ParameterKind::per_element && spec.shape.empty()) spec.shape.assign(1, 'n');
     spec.set = [](void* block, const Value& value) { Access::set(of<member>(block), value); };
     spec.get = [](const void* block) { return Access::get(static_cast<const Block*>(block)->*member); };
@@ -136,6 +110,15 @@ class Declare {
                              },
                              {},
                              detail::names_of<from...>()});
+  }
+
+  /// A member of type Index that holds a size, by its letter in the declared shapes: the rows m of a port
+  /// "m x n", whose numbers lie column by column. It is set before prepare().
+  template <auto member>
+  void size(std::string symbol) {
+    derived<member, From::no_number>();
+    type_.sizes.push_back(
+        {std::move(symbol), [](void* block, Eigen::Index elements) { of<member>(block) = elements; }});
   }
 
   /// A derived member that prepare() computes inline, in the header: so generated code computes it again
@@ -231,6 +214,12 @@ class Declare {
       };
   }
 
+  /// A function that passes through zero where the block begins to do something else from one instant to the
+  /// next, with as many elements as `shape` has: crossings() adds its numbers, row by row.
+  void crossing(std::string doc, std::string shape = "n") {
+    type_.crossings.push_back({std::move(doc), std::move(shape)});
+  }
+
   /// Gives the block the time, or the time between its updates.
   template <auto member>
   void clock() {
@@ -270,6 +259,11 @@ class Declare {
       type_.run_derivatives = detail::kernels_of<Block, &Block::derivatives>();
     if constexpr (requires(Block b) { b.update(); })
       type_.run_update = detail::kernels_of<Block, &Block::update>();
+    if constexpr (requires(const Block b, Crossings& zero) { b.crossings(zero); })
+      type_.run_crossings = [](const void* block, double* numbers) {
+        Crossings zero(numbers);
+        static_cast<const Block*>(block)->crossings(zero);
+      };
     if constexpr (requires(Block b, Configure & is) { b.configure(is); })
       type_.configure = [](void* block, Configure& is) { static_cast<Block*>(block)->configure(is); };
     if constexpr (requires(Block b) { b.prepare(); })

@@ -18,6 +18,8 @@ struct BlockOptions {
   /// locks, calls the system, or takes a time that nothing bounds.
   std::string not_real_time = "";
   Symbol symbol{};
+  /// Are the outputs constant between crossings?
+  bool steady = false;
   /// The header that declares the struct, from the folder of the source that declares the block; needed where
   /// it has another name, or lies in another folder.
   std::string header = "";
@@ -33,6 +35,10 @@ struct ParameterOptions {
   /// Do sizes or connections of the block follow from the number? Another one takes another plan then, and a
   /// generated program keeps it.
   bool structural = false;
+  /// Keys of a tree whose texts are expressions; {""} where the text itself is one. Names of parameters in
+  /// them are the parameters' numbers, but for those that the block gives a meaning: its inputs, what
+  /// `variables` lists, u1, u2, .. and time.
+  std::vector<std::string> formulas{};
 };
 
 struct InputOptions {

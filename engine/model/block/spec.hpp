@@ -42,8 +42,9 @@ struct ParameterSpec {
   Range range;
   std::vector<std::string> words;
   bool required = false;
-  bool structural = false;  ///< another number takes another plan
-  int member = -1;          ///< index in BlockType::members; -1 where no run reads it
+  bool structural = false;            ///< another number takes another plan
+  std::vector<std::string> formulas;  ///< see ParameterOptions
+  int member = -1;                    ///< index in BlockType::members; -1 where no run reads it
   void (*set)(void* block, const Value& value) = nullptr;
   Value (*get)(const void* block) = nullptr;
 };
@@ -108,11 +109,22 @@ struct DiagnosticSpec {
   std::string (*detail)(const void* block) = nullptr;  ///< names and numbers of the case, once it is raised
 };
 
+/// How a function is declared that passes through zero where the block begins to do something else.
+struct CrossingSpec {
+  std::string doc, shape;
+};
+
 /// How a member that tells the time, or the time between updates, is bound.
 struct ClockSpec {
   std::string member;                                            ///< its name in C++
   void (*bind_time)(void* block, const double* time) = nullptr;  ///< null for a period
   void (*bind_period)(void* block, double period) = nullptr;     ///< null for the time
+};
+
+/// A member that holds a size of the block, by its letter in the declared shapes.
+struct SizeSpec {
+  std::string symbol;
+  void (*set)(void* block, Eigen::Index elements) = nullptr;
 };
 
 /// A named set of parameter values that a file chooses by `preset:`.

@@ -39,12 +39,16 @@ std::optional<Eigen::VectorXd> as_vector(const Value& value) {
   if (const double* number = std::get_if<double>(&value.content))
     return Eigen::VectorXd::Constant(1, *number);
   if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content)) return *vector;
+  if (const auto* matrix = std::get_if<Eigen::MatrixXd>(&value.content))
+    return Eigen::VectorXd(matrix->reshaped());
   return std::nullopt;
 }
 
 std::optional<Value> as_matrix(const Value& value) {
   if (const double* number = std::get_if<double>(&value.content))
     return Value{Eigen::MatrixXd(Eigen::MatrixXd::Constant(1, 1, *number))};
+  if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content))
+    return Value{Eigen::MatrixXd(*vector)};
   if (std::holds_alternative<Eigen::MatrixXd>(value.content)) return value;
   return std::nullopt;
 }
@@ -113,7 +117,7 @@ std::optional<WrittenValue> ValueReader::read_for(const ParameterSpec& spec,
                                                   const std::optional<unit::Dimension>& demanded,
                                                   const yaml::Node& node, const std::string& subject) const {
   if (is_text(spec.kind)) return read_words(spec, node, subject);
-  auto written = read(node, subject);
+  auto written = read(with_formulas(node, spec.kind != ParameterKind::flag), subject);
   if (!written) return std::nullopt;
   const std::string complaint = unit_complaint(written->dimension, demanded);
   if (!complaint.empty()) return refuse(node, subject, fmt::format("{} {}", written->text, complaint));
@@ -121,6 +125,9 @@ std::optional<WrittenValue> ValueReader::read_for(const ParameterSpec& spec,
     return refuse(node, subject, yaml::fault_text("{} {}; write it in {}", written->text, mixed, spec.unit));
   auto value = convert(spec, *written, node, subject);
   if (!value) return std::nullopt;
+  if (const auto* matrix = std::get_if<Eigen::MatrixXd>(&written->value.content);
+      matrix && spec.kind == ParameterKind::per_element)
+    written->columns = matrix->cols();
   written->value = std::move(*value);
   if (!in_range(spec, *written, node, subject)) return std::nullopt;
   return written;
@@ -135,7 +142,9 @@ std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const Writt
       std::abs(*number) < 9e15)
     return value;
   if (spec.kind == ParameterKind::flag && std::holds_alternative<bool>(value.content)) return value;
-  if (spec.kind == ParameterKind::per_element || spec.kind == ParameterKind::vector)
+  const auto* matrix_value = std::get_if<Eigen::MatrixXd>(&value.content);
+  const bool is_matrix = matrix_value && matrix_value->rows() > 1 && matrix_value->cols() > 1;
+  if (spec.kind == ParameterKind::per_element || (spec.kind == ParameterKind::vector && !is_matrix))
     if (auto vector = as_vector(value); vector && vector->size() > 0) return Value{std::move(*vector)};
   if (spec.kind == ParameterKind::matrix)
     if (auto matrix = as_matrix(value)) return matrix;

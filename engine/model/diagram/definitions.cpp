@@ -75,11 +75,11 @@ class Definitions {
   }
 
   /// Every name of this file that occurs in the text as a word; that is more than is needed at worst.
-  void define_what_it_uses(const yaml::Node& node) {
-    for (const yaml::Node& item : node.items) define_what_it_uses(item);
+  void define_what_it_uses(const yaml::Node& node, bool in_matrix = false) {
+    for (const yaml::Node& item : node.items) define_what_it_uses(item, in_matrix || has_number(node));
     for (const yaml::Entry& entry : node.entries)
-      if (entry.key != "doc") define_what_it_uses(entry.value);
-    if (!node.is_scalar() || (!node.text.starts_with('=') && !node.text.starts_with('$'))) return;
+      if (entry.key != "doc") define_what_it_uses(entry.value, is_bound(entry.key));
+    if (!node.is_scalar() || !may_use_others(node, in_matrix)) return;
     std::string word;
     for (char c : node.text + " ") {
       if (std::isalnum(static_cast<unsigned char>(c)) || c == '_') {
@@ -91,19 +91,37 @@ class Definitions {
     }
   }
 
+  /// Of words and texts no name is one of a parameter.
+  static bool may_use_others(const yaml::Node& node, bool only_numbers) {
+    return only_numbers || node.text.starts_with('=') || node.text.starts_with('$');
+  }
+
+  static bool has_number(const yaml::Node& list) {
+    return std::ranges::any_of(list.items, [](const yaml::Node& item) {
+      return item.is_list() || unit::parse_quantity(item.text).has_value();
+    });
+  }
+
+  static bool is_bound(const std::string& key) { return std::ranges::count(bound_keys, key) > 0; }
+
+  /// Checks the keys of a parameter that is a map; false where none of them is its value.
+  bool holds_value(const yaml::Entry& entry, const std::string& full) {
+    if (!entry.value.is_map()) return true;
+    HeadReading(full, scope_, report_).check(entry.value, parameter_form().of.back());
+    return entry.value.find("value") != nullptr;
+  }
+
   std::optional<WrittenValue> evaluate(const yaml::Entry& entry) {
     const std::string full = scope_.prefix + entry.key;
-    if (entry.value.is_map()) {
-      HeadReading(full, scope_, report_).check(entry.value, parameter_form().of.back());
-      if (!entry.value.find("value")) {
-        settings_.offer(full);
-        return std::nullopt;
-      }
+    if (!holds_value(entry, full)) {
+      settings_.offer(full);
+      return std::nullopt;
     }
     ParameterUses own;
     ValueReader reader(scope_.parameters, report_, scope_.index, &own);
     Definition made{entry.key, scope_.index, {stripped(entry.value), scope_.index, scope_.index},
                     {},        {},           own};
+    made.text.node = reader.with_formulas(made.text.node, false);
     auto written = reader.read(made.text.node, full);
     made.uses = std::move(own);
     settings_.offer(full);
@@ -111,6 +129,7 @@ class Definitions {
     const bool set = replace(entry, full, made, written);
     if (!written) return std::nullopt;
     made.bounds = bounds_of(entry.value);
+    for (yaml::Entry& bound : made.bounds) bound.value = reader.with_formulas(bound.value, true);
     if (!accepts(made, scope_.parameters, *written, value_origin_, full, made.uses, report_))
       return std::nullopt;
     list(full, entry, *written, set);
@@ -142,9 +161,10 @@ class Definitions {
     value_origin_ = scope_.at(definition(entry).mark);
     const auto read = [&](const yaml::Node& node, const Scope& names, const Origin& origin) {
       value_origin_ = origin;
-      made.text = {node, names.index, origin.scope};
       made.uses.clear();
-      written = ValueReader(names.parameters, report_, origin.scope, &made.uses).read(node, full);
+      const ValueReader reader(names.parameters, report_, origin.scope, &made.uses);
+      made.text = {reader.with_formulas(node, false), names.index, origin.scope};
+      written = reader.read(made.text.node, full);
       if (written) written->given = given_by(made, full, origin);
     };
     if (const auto given = overrides_.values.find(entry.key); given != overrides_.values.end())

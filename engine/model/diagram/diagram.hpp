@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,7 +33,16 @@ struct ScopeInfo {
   Origin used_at;      ///< the block that uses it; unused for scope 0
 };
 
-/// What feeds an input: an output of a block, or constant numbers.
+/// One element of a signal as it is written, "v.2" or "R.2.3", from 1; row 0: the whole signal.
+struct ElementIndex {
+  Eigen::Index row = 0;
+  Eigen::Index column = 0;  ///< 0: of a vector
+
+  bool is_whole() const { return row == 0; }
+  bool operator==(const ElementIndex&) const = default;
+};
+
+/// What feeds an input: an output of a block or an element of one, or constant numbers.
 struct Source {
   int block = -1;  ///< -1: the constant
   int output = -1;
@@ -40,6 +50,8 @@ struct Source {
   std::optional<unit::Dimension> dimension;  ///< of the constant, if it was written with a unit
   Origin origin;
   std::shared_ptr<const Binding> text;  ///< of a constant that follows from parameters
+  ElementIndex element{};
+  Eigen::Index columns = 1;  ///< of a constant that is a matrix, column by column
 };
 
 /// An initial value that the file gives to a state.
@@ -48,6 +60,7 @@ struct InitialValue {
   Eigen::VectorXd value;
   std::optional<unit::Dimension> dimension;
   Origin origin;
+  Eigen::Index columns = 1;  ///< of a matrix, column by column
 };
 
 /// One block after parts are opened.
@@ -61,22 +74,28 @@ struct DiagramBlock {
   std::vector<yaml::Mark> input_marks;
   std::vector<yaml::Mark> parameter_marks;
   std::vector<std::optional<unit::Dimension>>
-      parameter_dimensions;         ///< of each parameter, where written with a unit
+      parameter_dimensions;  ///< of each parameter, where written with a unit
+  std::vector<std::pair<std::size_t, Eigen::Index>>
+      matrices;                     ///< numbers for each element that are a matrix: parameter, columns
   std::vector<std::size_t> spread;  ///< parameters whose one number the plan repeats for every element
   std::vector<InitialValue> initial;
   std::vector<std::pair<std::string, unit::Dimension>>
       known_units;              ///< unit variables that the block itself fixes: ("'u", mm)
   std::optional<double> every;  ///< period [s]
-  yaml::Mark every_mark;
+  Origin every_origin;
+  bool every_of_part = false;  ///< is the period that of the part around it?
+  int guard = -1;              ///< the block that decides whether this one is active; -1: it always is
+  std::string copy_of;  ///< the block of the file, full, of which this is the copy for one field of a bus
 
   const BlockType& type() const { return block.type(); }
 };
 
-/// An output of a block, or one of its states.
+/// An output of a block, or one of its states, or an element of these.
 struct SignalRef {
   int block = -1;
   int output = -1;
   int state = -1;  ///< where output is -1
+  ElementIndex element{};
 
   bool operator==(const SignalRef&) const = default;
 };
@@ -85,6 +104,12 @@ struct SignalRef {
 struct PartPort {
   std::string name;  ///< full: "rig.force"
   SignalRef signal;
+};
+
+/// A bus: signals with names. Those of buses inside are dotted, "pose.position". The plan knows none.
+struct DiagramBus {
+  std::string name;  ///< full: "rig.wrench"
+  std::vector<std::pair<std::string, SignalRef>> fields;
 };
 
 struct RecordedSignal {
@@ -125,6 +150,14 @@ struct UnitDemand {
   Origin origin;
 };
 
+/// A port or a field of a bus with a declared shape: what passes must have it.
+struct ShapeDemand {
+  Source source;
+  Eigen::Index rows = 1, columns = 1;
+  std::string port;  ///< "rig.wrench.force"
+  Origin origin;
+};
+
 /// A parameter of the diagram or of one of its parts, after expressions and settings.
 struct DiagramParameter {
   std::string name;  ///< full: "rig.mass"
@@ -156,15 +189,22 @@ inline constexpr const char *differs_label = "differs", *differs_to_label = "dif
 
 /// `stop_when`, with what its expression reads, in the order of its variables.
 struct StopCondition {
-  struct Variable {
-    SignalRef signal{};        ///< "time" has block -1
-    Eigen::Index element = 0;  ///< as it is written, from 1; 0: all there is of a signal of one element
-    std::size_t offset() const { return element > 0 ? static_cast<std::size_t>(element - 1) : 0; }
-  };
-
   expression::Expression expression;
-  std::vector<Variable> variables;
+  std::vector<SignalRef> variables;  ///< "time" has block -1
   Origin origin;
+};
+
+/// What becomes of outputs that depend on themselves at the same instant.
+struct AlgebraicLoops {
+  bool solve = false;                 ///< else they are refused
+  double tolerance = 1e-9;            ///< largest correction that is none, in sizes of its signal
+  std::int64_t max_iterations = 500;  ///< passes through a loop at one instant
+};
+
+/// What becomes of crossings between two ticks.
+struct Events {
+  bool locate = false;             ///< else blocks find them at the next tick
+  std::int64_t max_per_step = 50;  ///< beyond, the run ends
 };
 
 /// What of the thesis a diagram shows.
@@ -185,14 +225,18 @@ struct Diagram {
   std::string solver;  ///< empty if the file names none
   Origin solver_origin;
   double tolerance = 1.0;  ///< largest error of a step of an implicit solver, in sizes of its state
+  AlgebraicLoops algebraic_loops;
+  Events events;
   ThesisReference thesis;
 
   std::vector<ScopeInfo> scopes;
   std::vector<DiagramBlock> blocks;
   std::vector<UnitDemand> unit_demands;
+  std::vector<ShapeDemand> shape_demands;
   std::vector<DiagramInput> inputs;
   std::vector<DiagramOutput> outputs;
   std::vector<PartPort> part_ports;  ///< but for those that are fed by constants
+  std::vector<DiagramBus> buses;     ///< but for fields that are fed by constants
   std::vector<RecordRequest> records;
   std::vector<DiagramParameter> parameters;
   std::shared_ptr<const Bindings> bindings;  ///< how its values follow from the parameters

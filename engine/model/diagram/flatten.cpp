@@ -1,3 +1,4 @@
+// More than 300 lines with its header: a flattened file has one form for all that a diagram keeps.
 #include "engine/model/diagram/flatten.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,9 @@
 #include "engine/base/io/file.hpp"
 #include "engine/base/yaml/yaml_text.hpp"
 #include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/element_index.hpp"
 #include "engine/model/diagram/external_input.hpp"
+#include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/written.hpp"
 
 namespace stepwire::diagram {
@@ -36,7 +39,8 @@ class Flattener {
     if (target.kind == Target::Kind::constant)
       return source(of.inputs[index][static_cast<std::size_t>(target.element)]);
     for (const InitialValue& initial : of.initial)
-      if (initial.state == target.index) return written_numbers(initial.value, initial.dimension);
+      if (initial.state == target.index)
+        return written_numbers(initial.value, initial.dimension, initial.columns);
     return std::nullopt;
   }
 
@@ -62,7 +66,26 @@ class Flattener {
     if (!diagram_.solver.empty()) add_key(root, "solver", written_text(diagram_.solver));
     if (diagram_.tolerance != Diagram{}.tolerance)
       add_key(root, "tolerance", written_numbers(one(diagram_.tolerance), std::nullopt));
+    if (diagram_.algebraic_loops.solve) add_key(root, "algebraic_loops", algebraic_loops());
+    if (diagram_.events.locate) add_key(root, "events", events());
     if (diagram_.stop_when) add_key(root, "stop_when", stop_condition(*diagram_.stop_when));
+  }
+
+  yaml::Node algebraic_loops() const {
+    const AlgebraicLoops& loops = diagram_.algebraic_loops;
+    yaml::Node keys;
+    if (loops.tolerance != AlgebraicLoops{}.tolerance)
+      add_key(keys, "tolerance", written_numbers(one(loops.tolerance), std::nullopt));
+    if (loops.max_iterations != AlgebraicLoops{}.max_iterations)
+      add_key(keys, "max_iterations", written_text(std::to_string(loops.max_iterations)));
+    return keys.entries.empty() ? written_text("solve") : keys;
+  }
+
+  yaml::Node events() const {
+    if (diagram_.events.max_per_step == Events{}.max_per_step) return written_text("locate");
+    yaml::Node keys;
+    add_key(keys, "max_per_step", written_text(std::to_string(diagram_.events.max_per_step)));
+    return keys;
   }
 
   static void add_if_any(yaml::Node& map, const char* key, yaml::Node value) {
@@ -77,20 +100,19 @@ class Flattener {
 
   const DiagramBlock& block(int index) const { return diagram_.blocks[static_cast<std::size_t>(index)]; }
 
-  std::string name(const SignalRef& signal) const {
+  std::string name(const SignalRef& signal) const { return whole(signal) + element_text(signal.element); }
+
+  std::string whole(const SignalRef& signal) const {
     const DiagramBlock& owner = block(signal.block);
     const BlockType& type = owner.type();
     if (signal.output < 0) return owner.name + "." + type.states[static_cast<std::size_t>(signal.state)].name;
-    if (type.outputs.size() == 1) return owner.name;
-    return owner.name + "." + type.outputs[static_cast<std::size_t>(signal.output)].name;
+    return output_name(owner.name, type, static_cast<std::size_t>(signal.output));
   }
 
   yaml::Node stop_condition(const StopCondition& condition) const {
     std::vector<std::string> names;
-    for (const auto& [signal, element] : condition.variables)
-      names.push_back(signal.block < 0 ? "time"
-                      : element > 0    ? fmt::format("{}.{}", name(signal), element)
-                                       : name(signal));
+    for (const SignalRef& signal : condition.variables)
+      names.push_back(signal.block < 0 ? "time" : name(signal));
     return written_text(condition.expression.renamed(names));
   }
 
@@ -150,14 +172,16 @@ class Flattener {
     yaml::Node map;
     add_key(map, "block", written_text(type.name));
     if (block.every) add_key(map, "every", written_numbers(one(*block.every), unit(time_dimension)));
+    if (block.guard >= 0) add_key(map, "within", written_text(this->block(block.guard).name));
     for (std::size_t i = 0; i < block.inputs.size(); ++i)
       if (!block.inputs[i].empty()) add_key(map, type.inputs[i].name, input(type.inputs[i], block.inputs[i]));
     for (std::size_t i = 0; i < type.parameters.size(); ++i)
-      if (auto value = parameter(block, i, unit(block.parameter_dimensions[i])))
+      if (auto value = parameter(block, i, unit(block.parameter_dimensions[i]));
+          value && !map.find(type.parameters[i].name))  // a signal stands in its place
         add_key(map, type.parameters[i].name, std::move(*value));
     for (const InitialValue& initial : block.initial)
       add_key(map, initial_key(type, type.states[static_cast<std::size_t>(initial.state)]),
-              written_numbers(initial.value, unit(initial.dimension)));
+              written_numbers(initial.value, unit(initial.dimension), initial.columns));
     return map;
   }
 
@@ -170,8 +194,17 @@ class Flattener {
   }
 
   yaml::Node source(const Source& source) const {
-    if (source.block < 0) return written_numbers(source.constant, unit(source.dimension));
-    return written_signal(name({source.block, source.output}));
+    if (source.block < 0) return constant(source);
+    return written_signal(name({source.block, source.output, -1, source.element}));
+  }
+
+  yaml::Node constant(const Source& source) const {
+    const auto dimension = unit(source.dimension);
+    if (source.element.is_whole()) return written_numbers(source.constant, dimension, source.columns);
+    const Eigen::Index rows = source.constant.size() / source.columns;
+    const Eigen::Index place =
+        std::max<Eigen::Index>(source.element.column - 1, 0) * rows + source.element.row - 1;
+    return written_numbers(one(source.constant[place]), dimension);
   }
 
   std::optional<yaml::Node> parameter(const DiagramBlock& block, std::size_t index,
@@ -181,6 +214,9 @@ class Flattener {
     if (spec.kind == ParameterKind::file) return written_filled_in(file_name_(*value.text()));
     if (std::find(block.spread.begin(), block.spread.end(), index) != block.spread.end())
       value.content = one(std::get<Eigen::VectorXd>(value.content)[0]);
+    for (const auto& [matrix, columns] : block.matrices)
+      if (matrix == index)
+        return written_numbers(std::get<Eigen::VectorXd>(value.content), dimension, columns);
     return written_value(spec, value, dimension);
   }
 

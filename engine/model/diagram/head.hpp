@@ -24,5 +24,7 @@ void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& r
 
 /// Refuses a `stop_when` whose units do not fit each other, once those of the signals are known.
 void check_stop_condition(Report& report);
+/// The same of the formulas of `enable` and `trigger`.
+void check_conditions(Report& report);
 
 }  // namespace stepwire::diagram

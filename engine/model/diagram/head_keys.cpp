@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/model/diagram/head_solving.hpp"
+
 namespace stepwire::diagram {
 
 using yaml::form;
@@ -59,6 +61,8 @@ std::vector<HeadRow> run_rows() {
        }},
       {"tolerance", "error of a step, in sizes of its state, beyond which rosenbrock and sdirk end the run",
        form::above_zero(form::number()), &Diagram::tolerance},
+      loops_row(),
+      events_row(),
       {"stop_when", "ends the run early where this is true: rig.x > 5 mm, rig.position.1 > 5 mm",
        form::expression()},
       {"record", "signals that figures and claims read", form::one_or_list(form::section("record"))},
@@ -73,6 +77,15 @@ std::vector<HeadRow> run_rows() {
        form::list(form::section("claim"))},
       {"fit", "finds parameters so that the model agrees with records: the runs of the sweep, or the one run",
        form::section("fit")},
+      {"linear",
+       "linear analyses of the diagram near a point of its run, by name: poles, margins, responses, which "
+       "figures and claims read",
+       form::section("linear")},
+      {"trim",
+       "the operating point that `trim` and `linearize --trim` look for: where states stand still and "
+       "signals "
+       "have given values",
+       form::section("trim")},
       {"study",
        "runs the file once for each person and condition, and scores and analyses these trials; beside a "
        "sweep, all of that at each of its points",
@@ -151,13 +164,16 @@ const yaml::Key& parameter_form() {
 }
 
 const yaml::Key& input_form() {
-  static const yaml::Key form =
-      form::either({form::of(yaml::Key::Form::nothing),
-                    form::keys("an input", "{unit: N, default: 0 N}",
-                               {yaml::key("unit", "unit of what must be wired here", form::unit()),
-                                yaml::key("doc", "what it is"),
-                                yaml::key("default", "feeds the port where the user gives nothing",
-                                          form::of(yaml::Key::Form::source))})});
+  static const yaml::Key form = form::either(
+      {form::of(yaml::Key::Form::nothing),
+       form::keys("an input", "{unit: N, default: 0 N}",
+                  {yaml::key("unit", "unit of what must be wired here", form::unit()),
+                   yaml::key("shape", "elements of what must be wired here: 3, or 3 x 2", form::text()),
+                   yaml::key("fields", "of a bus, with the unit of each: {force: N, torque: N m}",
+                             form::of(yaml::Key::Form::tree)),
+                   yaml::key("doc", "what it is"),
+                   yaml::key("default", "feeds the port where the user gives nothing",
+                             form::of(yaml::Key::Form::source))})});
   return form;
 }
 
@@ -168,6 +184,9 @@ const yaml::Key& output_form() {
            "an output", "{signal: lag.y, unit: N}",
            {yaml::needed(yaml::key("signal", "a block or its output: carriage.position", form::signal())),
             yaml::key("unit", "unit that it must have", form::unit()), yaml::key("doc", "what it is"),
+            yaml::key("shape", "elements that it must have: 3, or 3 x 2", form::text()),
+            yaml::key("fields", "of a bus, with the unit of each: {force: N, torque: N m}",
+                      form::of(yaml::Key::Form::tree)),
             yaml::key("safe", "what the output holds once a real-time loop has stopped: 0 A",
                       form::of(yaml::Key::Form::source))})});
   return form;

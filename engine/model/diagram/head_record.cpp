@@ -1,14 +1,37 @@
 // What a file asks to be recorded, and the condition that ends its run.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/base/yaml/message.hpp"
+#include "engine/model/diagram/condition.hpp"
+#include "engine/model/diagram/element_index.hpp"
+#include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/keys.hpp"
+#include "engine/model/diagram/named_parameters.hpp"
+#include "engine/model/diagram/output_names.hpp"
+#include "engine/model/diagram/record_parameter.hpp"
 
 namespace stepwire::diagram {
 
 namespace {
+
+/// The fields of a bus, or the signal of a name that is none.
+void record_named(const std::string& name, const yaml::Node& node, const Scope& scope,
+                  const Resolver& resolver, RecordRequest& request, Report& report) {
+  if (node.text.starts_with('$'))
+    return record_parameter(node, name.starts_with('$') ? name.substr(1) : name, scope, request, report);
+  const Origin origin = scope.at(node.mark);
+  const auto fields = resolver.fields(node, scope);
+  for (const std::string& field : fields)
+    if (const auto signal = resolver.signal(node.text + "." + field, scope, origin, "record"))
+      request.signals.push_back({name + "." + field, *signal, origin});
+  if (!fields.empty()) return;
+  if (const auto signal = resolver.signal(node.text, scope, origin, "record"))
+    request.signals.push_back({name, *signal, origin});
+}
 
 void record_all(const Scope& scope, const std::string& prefix, const Origin& origin, RecordRequest& request,
                 const Diagram& diagram) {
@@ -17,12 +40,15 @@ void record_all(const Scope& scope, const std::string& prefix, const Origin& ori
       record_all(*named.part, prefix + name + ".", origin, request, diagram);
       continue;
     }
+    for (const BusField& field : named.bus)
+      if (field.block >= 0)
+        request.signals.push_back({prefix + name + "." + field.name, {field.block, 0, -1}, origin});
+    if (named.block < 0) continue;  // fields of a bus are signals of others
     const BlockType& type = diagram.blocks[static_cast<std::size_t>(named.block)].type();
     for (std::size_t i = 0; i < type.outputs.size(); ++i)
-      request.signals.push_back(
-          {type.outputs.size() == 1 ? prefix + name : prefix + name + "." + type.outputs[i].name,
-           {named.block, static_cast<int>(i), -1},
-           origin});
+      if (!is_bare_state(type, i))
+        request.signals.push_back(
+            {output_name(prefix + name, type, i), {named.block, static_cast<int>(i), -1}, origin});
   }
 }
 
@@ -39,8 +65,8 @@ void read_named(const yaml::Node& map, const Scope& scope, const Resolver& resol
                            entry.key));
     } else if (!entry.value.is_scalar()) {
       report.add(origin, "record", "a name is given to one signal, as {position: rig.x}");
-    } else if (const auto signal = resolver.signal(entry.value.text, scope, origin, "record")) {
-      request.signals.push_back({entry.key, *signal, origin});
+    } else {
+      record_named(entry.key, entry.value, scope, resolver, request, report);
     }
   }
 }
@@ -51,8 +77,7 @@ void read_signal(const yaml::Node& node, const Scope& scope, const Resolver& res
   if (node.is_map()) return read_named(node, scope, resolver, request, report);
   if (!node.is_scalar()) return report.add(origin, "record", "names signals, as [rig.x, limit]");
   if (node.text == "all") return record_all(scope, "", origin, request, report.diagram());
-  if (const auto signal = resolver.signal(node.text, scope, origin, "record"))
-    request.signals.push_back({node.text, *signal, origin});
+  record_named(node.text, node, scope, resolver, request, report);
 }
 
 /// Signals of the same period belong to one recording.
@@ -78,9 +103,21 @@ void read_entry(const yaml::Node& node, const Scope& scope, const Resolver& reso
   for (const yaml::Node& item : signals->as_list()) read_signal(item, scope, resolver, request, report);
 }
 
+/// Is the signal an element of one that is recorded under the same name, whose column it would be?
+bool comes_with_whole(const RecordedSignal& signal, const RecordRequest& request) {
+  if (signal.signal.element.is_whole()) return false;
+  SignalRef whole = signal.signal;
+  whole.element = {};
+  return std::ranges::any_of(request.signals, [&](const RecordedSignal& other) {
+    return other.signal == whole && signal.name == other.name + element_text(signal.signal.element);
+  });
+}
+
 /// Keeps a signal once in a recording, however often it is named; two signals cannot have one name.
 void drop_repeated(RecordRequest& request, Report& report) {
   std::map<std::string, SignalRef> seen;
+  std::erase_if(request.signals,
+                [&](const RecordedSignal& signal) { return comes_with_whole(signal, request); });
   std::erase_if(request.signals, [&](const RecordedSignal& signal) {
     const auto [first, is_new] = seen.emplace(signal.name, signal.signal);
     if (first->second != signal.signal)
@@ -103,17 +140,6 @@ void refuse_swept_names(Report& report) {
                                  signal.name));
 }
 
-/// Takes the number of an element off the end of a name, "rig.position.1"; 0 where there is none.
-Eigen::Index take_element(std::string& name) {
-  const std::size_t dot = name.rfind('.');
-  const std::string digits = dot == std::string::npos ? "" : name.substr(dot + 1);
-  const bool is_number = !digits.empty() && digits.size() < 10 && digits[0] != '0' &&
-                         digits.find_first_not_of("0123456789") == std::string::npos;
-  if (!is_number) return 0;
-  name.resize(dot);
-  return std::stol(digits);
-}
-
 }  // namespace
 
 void read_record(const Scope& scope, const Resolver& resolver, Report& report) {
@@ -128,16 +154,21 @@ void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& r
   const yaml::Node* node = scope.document->root.find("stop_when");
   if (!node) return;
   const ValueReader reader(scope.parameters, report, scope.index);
-  const auto text = reader.fill_in(*node, "stop_when");
+  yaml::Node written = *node;
+  if (written.text.starts_with('=')) written.text[0] = ' ';
+  const auto is_signal = [&](const std::string& name) {
+    return name == "time" || !scope.start_of(name).empty() || !scope.input_of(name).empty();
+  };
+  written.text = name_parameters(written.text, scope.parameters, is_signal);
+  const auto text = reader.fill_in(written, "stop_when");
   if (!text) return;
   try {
     StopCondition condition{expression::Expression(*text), {}, scope.at(node->mark)};
-    for (std::string name : condition.expression.variables()) {
-      const Eigen::Index element = take_element(name);
+    for (const std::string& name : condition.expression.variables()) {
       if (name == "time") {
         condition.variables.push_back({});
       } else if (const auto signal = resolver.signal(name, scope, scope.at(node->mark), "stop_when")) {
-        condition.variables.push_back({*signal, element});
+        condition.variables.push_back(*signal);
       }
     }
     const bool is_whole = condition.variables.size() == condition.expression.variables().size();
@@ -151,7 +182,7 @@ void check_stop_condition(Report& report) {
   const Diagram& diagram = report.diagram();
   if (!diagram.stop_when) return;
   std::vector<expression::Measure> measures;
-  for (const auto& [signal, element] : diagram.stop_when->variables) {
+  for (const SignalRef& signal : diagram.stop_when->variables) {
     std::optional<unit::Dimension> dimension = unit::parse_unit("s")->dimension;
     const auto block = static_cast<std::size_t>(signal.block);
     if (signal.block >= 0 && signal.output >= 0)
@@ -164,6 +195,40 @@ void check_stop_condition(Report& report) {
     static_cast<void>(diagram.stop_when->expression.measure(measures));
   } catch (const expression::ExpressionError& error) {
     report.add(diagram.stop_when->origin, "stop_when", error.what());
+  }
+}
+
+namespace {
+
+/// Of what a condition calls by this name.
+std::optional<unit::Dimension> dimension_of(const std::string& name, const DiagramBlock& block,
+                                            const Diagram& diagram) {
+  const auto& variables = static_cast<const Condition*>(block.block.get())->variables;
+  const auto index = static_cast<std::size_t>(std::ranges::find(variables, name) - variables.begin());
+  if (index >= block.inputs.front().size()) return unit::parse_unit("s")->dimension;  // the time
+  const Source& source = block.inputs.front()[index];
+  return source.block < 0 ? source.dimension
+                          : diagram.output_dimensions[static_cast<std::size_t>(source.block)]
+                                                     [static_cast<std::size_t>(source.output)];
+}
+
+}  // namespace
+
+void check_conditions(Report& report) {
+  for (const DiagramBlock& block : report.diagram().blocks) {
+    if (&block.type() != &condition_type()) continue;
+    try {
+      const expression::Expression formula(
+          static_cast<const Condition*>(block.block.get())->expression.view());
+      std::vector<expression::Measure> measures;
+      for (const std::string& name : formula.variables()) {
+        const auto dimension = dimension_of(name, block, report.diagram());
+        measures.push_back({dimension, dimension.has_value()});
+      }
+      static_cast<void>(formula.measure(measures));
+    } catch (const expression::ExpressionError& error) {
+      report.add(block.origin, block.name, error.what());
+    }
   }
 }
 

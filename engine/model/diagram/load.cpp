@@ -1,10 +1,10 @@
-// More than 300 lines with its header: what one pass over a file and its parts finds, for programs and for editors.
 #include "engine/model/diagram/load.hpp"
 
 #include <fmt/format.h>
 
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/open.hpp"
+#include "engine/model/diagram/ports.hpp"
 #include "engine/model/diagram/resolve.hpp"
 #include "engine/model/diagram/units.hpp"
 #include "engine/model/diagram/unused.hpp"
@@ -49,77 +49,6 @@ void require_inputs(Report& report) {
     }
 }
 
-/// Units that a file says its signals have.
-void demand_named_units(const Scope& scope, const Resolver& resolver, Report& report) {
-  const yaml::Node* units = scope.document->root.find("units");
-  if (!units) return;
-  if (!units->is_map())
-    return report.add(scope.at(units->mark), scope.prefix + "units", "must be a map of signal: unit");
-  for (const yaml::Entry& entry : units->entries) {
-    const std::string subject = scope.prefix + "units." + entry.key;
-    const auto unit = unit::parse_unit(entry.value.text);
-    if (!unit || !entry.value.is_scalar()) {
-      report.add(scope.at(entry.value.mark), subject, fmt::format("'{}' is no unit", entry.value.text));
-    } else if (auto source = resolver.source(entry.key, scope, scope.at(entry.mark), subject)) {
-      report.diagram().unit_demands.push_back(
-          {std::move(*source), unit->dimension, subject, scope.at(entry.value.mark)});
-    }
-  }
-}
-
-/// Units that parts declare for their ports and files for their signals, in every file.
-void demand_units(const Scope& scope, const Resolver& resolver, Report& report) {
-  demand_named_units(scope, resolver, report);
-  auto& demands = report.diagram().unit_demands;
-  for (const auto& [name, port] : scope.inputs) {
-    if (!port.dimension || !port.fed_by || !scope.parent || port.fed_by->is_list()) continue;
-    if (auto source = resolver.source(*port.fed_by, *scope.parent, scope.prefix + name))
-      demands.push_back(
-          {std::move(*source), *port.dimension, scope.prefix + name, scope.parent->at(port.fed_by->mark)});
-  }
-  for (const auto& [name, out] : scope.outputs) {
-    if (!out.dimension || !out.signal) continue;
-    if (auto source = resolver.source(*out.signal, scope, scope.prefix + name))
-      demands.push_back(
-          {std::move(*source), *out.dimension, scope.prefix + name, scope.at(out.signal->mark)});
-  }
-  for (const auto& [name, named] : scope.names)
-    if (named.part) demand_units(*named.part, resolver, report);
-}
-
-/// The outputs of the diagram itself, with what each is while the diagram does not run.
-void read_outputs(const Scope& root, const Resolver& resolver, Report& report) {
-  for (const auto* port : in_order_of_file(root.outputs)) {
-    const auto& [name, out] = *port;
-    const auto signal =
-        out.signal ? resolver.signal(out.signal->text, root, root.at(out.signal->mark), name) : std::nullopt;
-    if (!signal) continue;
-    DiagramOutput output{name, *signal, {}, out.dimension, out.doc, root.at(out.mark)};
-    if (out.safe) {
-      const auto safe = ValueReader(root.parameters, report, root.index)
-                            .read_for(numbers_of_any_unit(), {}, *out.safe, name);
-      if (safe) output.safe = std::get<Eigen::VectorXd>(safe->value.content);
-      if (safe && safe->dimension) output.safe_dimension = safe->dimension;
-    }
-    report.diagram().outputs.push_back(std::move(output));
-  }
-}
-
-/// Which signals the ports of parts are. What is wrong with a port that nothing uses stays unsaid.
-void name_ports(const Scope& scope, const Resolver& resolver, Diagram& diagram) {
-  const auto name = [&](const std::string& port, const std::string& reference) {
-    if (const auto signal = resolver.signal(reference, scope, {}, port))
-      diagram.part_ports.push_back({scope.prefix + port, *signal});
-  };
-  if (scope.parent) {
-    for (const auto& [port, in] : scope.inputs) name(port, port);
-    for (const auto& [port, out] : scope.outputs)
-      if (out.signal) name(port, out.signal->text);
-  }
-  for (const auto& [part, named] : scope.names)
-    if (named.part) name_ports(*named.part, resolver, diagram);
-}
-
 /// Takes what the parameters of a file and its parts are, by the index of their scopes.
 void take_parameters(Scope& scope, Bindings& bindings) {
   bindings.scopes[static_cast<std::size_t>(scope.index)] = std::move(scope.parameters);
@@ -132,15 +61,17 @@ enum class Extent { whole_file, one_run };
 /// Reads the blocks of a file and of its parts, and all that refers to them.
 void read_sections(Scope& root, Opener& opener, Settings& settings, Report& report, Extent extent) {
   opener.open(root, {});
+  opener.join_guards();
   read_head(root, settings, report);
   if (extent == Extent::whole_file) read_head_of_file(root, report);
   const Resolver resolver(report);
+  opener.copy_for_buses(root);
   for (const PendingInput& pending : opener.pending()) connect(pending, resolver, report);
   require_inputs(report);
   read_record(root, resolver, report);
   read_outputs(root, resolver, report);
   read_stop_condition(root, resolver, report);
-  demand_units(root, resolver, report);
+  demand_units_and_shapes(root, resolver, report);
   settings.report_unused(report);
   if (report.faults().empty()) refuse_unused_parameters(root, report);  // else it may follow from a fault
 }

@@ -9,9 +9,44 @@
 
 #include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/guard_keys.hpp"
+#include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/diagram/keys.hpp"
+#include "engine/model/diagram/named_parameters.hpp"
+#include "engine/model/diagram/resolve.hpp"
+#include "engine/model/diagram/simulink_names.hpp"
 
 namespace stepwire::diagram {
+
+namespace {
+
+yaml::Message no_block_type(const std::string& name, const Registry& registry) {
+  const std::string message = fmt::format("there is no block '{}'", name);
+  if (const std::string answer = answer_to_simulink(name); !answer.empty()) return message + "; " + answer;
+  return message + yaml::did_you_mean(name, registry.names(), "'stepwire blocks' lists them");
+}
+
+/// What lists of words of a block hold: names that its formulas may use.
+std::vector<std::string> words_given_to(const BlockType& type, const yaml::Node& keys) {
+  std::vector<std::string> words;
+  for (const ParameterSpec& spec : type.parameters)
+    if (const yaml::Node* list = spec.kind == ParameterKind::texts ? keys.find(spec.name) : nullptr)
+      for (const yaml::Node& word : list->as_list()) words.push_back(word.text);
+  return words;
+}
+
+/// The text with a '$' before names of parameters, and a '=' before formulas, where only these can stand.
+yaml::Node with_named_parameters(const ParameterSpec& spec, const BlockType& type,
+                                 const std::vector<std::string>& words, const yaml::Node& text,
+                                 const ValueReader& reader, const ParameterScope& parameters) {
+  if (!spec.formulas.empty()) return name_parameters(text, spec.formulas, type, words, parameters);
+  const bool is_number = spec.kind == ParameterKind::number || spec.kind == ParameterKind::integer ||
+                         spec.kind == ParameterKind::per_element || spec.kind == ParameterKind::vector ||
+                         spec.kind == ParameterKind::matrix;
+  return is_number ? reader.with_formulas(text, true) : text;
+}
+
+}  // namespace
 
 void Opener::open(Scope& scope, const Overrides& overrides) {
   const yaml::Node& root = scope.document->root;
@@ -41,42 +76,60 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
     return fail(
         scope, entry, entry.mark,
         "is no name for a block; use letters, digits and '_' ('time' and 'all' have a meaning of their own)");
-  if (const std::string rival = scope.rival_of(entry.key); !rival.empty())
+  const yaml::Node *kind = map.find("block"), *part = map.find("diagram");
+  const bool is_hidden = kind && find_guard_type(kind->text);  // in a flattened file beside what it guards
+  if (const std::string rival = scope.rival_of(entry.key);
+      !rival.empty() && !is_hidden && !hidden(scope, rival))
     return fail(scope, entry, entry.mark,
                 fmt::format("and '{}' cannot stand side by side: one would be a signal of the other", rival));
   if (!map.is_map())
     return fail(scope, entry, map.mark, "must be a map such as {block: Gain, gain: 2, u: source}");
   if (scope.inputs.contains(entry.key))
     return fail(scope, entry, entry.mark, "is also the name of an input of this part; choose another");
-  const yaml::Node* kind = map.find("block");
-  const yaml::Node* part = map.find("diagram");
+  if (map.find("fields") && !kind && !part) return make_bus(scope, entry);
   if (part && !kind) return open_part(scope, entry, *part);
   if (!kind || part)
-    return fail(scope, entry, map.mark, "needs either 'block:' (a type) or 'diagram:' (a file)");
+    return fail(scope, entry, map.mark,
+                "needs either 'block:' (a type), 'diagram:' (a file) or 'fields:' (of a bus)");
   if (!kind->is_scalar()) return fail(scope, entry, kind->mark, "'block:' names one type, as Gain");
   const BlockType* type = loader_.registry().find(kind->text);
-  if (!type)
-    return fail(
-        scope, entry, kind->mark,
-        fmt::format("there is no block '{}'", kind->text) +
-            yaml::did_you_mean(kind->text, loader_.registry().names(), "'stepwire blocks' lists them"));
+  if (!type && !(type = find_guard_type(kind->text)))
+    return fail(scope, entry, kind->mark, no_block_type(kind->text, loader_.registry()));
   make_block(scope, entry, *type);
+}
+
+/// Is this a block that other files have for an `enable` or `trigger`?
+bool Opener::hidden(const Scope& scope, const std::string& name) const {
+  const auto found = scope.names.find(name);
+  return found != scope.names.end() && found->second.block >= 0 &&
+         find_guard_type(report_.about().blocks[static_cast<std::size_t>(found->second.block)].type().name);
 }
 
 void Opener::make_block(Scope& scope, const yaml::Entry& entry, const BlockType& type) {
   Diagram& diagram = report_.diagram();
+  const Guarding guarding = open_guard(
+      scope, entry,
+      [&](const char* key) {
+        return type.input(key) >= 0 || type.parameter(key) || find_guard_type(type.name) == &type;
+      },
+      "active");
   const int index = static_cast<int>(diagram.blocks.size());
   scope.names[entry.key] = {index, nullptr, entry.mark};
   DiagramBlock& block = diagram.blocks.emplace_back(scope.prefix + entry.key, type);
   block.origin = scope.at(entry.value.mark);
-  block.inputs.resize(type.inputs.size());
-  block.input_marks.resize(type.inputs.size());
-  block.parameter_marks.resize(type.parameters.size());
-  block.parameter_dimensions.resize(type.parameters.size());
+  make_room(block);
+  block.guard = guarding.guard >= 0 ? guarding.guard : scope.guard;
+  block_words_ = words_given_to(type, entry.value);
   apply_preset(scope, entry.value, block);
   for (const yaml::Entry& key : entry.value.entries) read_key(scope, key, block, index);
   read_settings(scope, block, block.name);
   require_parameters(scope, entry.value, block);
+  take_period_of_part(scope, block);
+  if (guarding.guard < 0) return;
+  DiagramBlock& guard = diagram.blocks[static_cast<std::size_t>(guarding.guard)];
+  guard.every = block.every;
+  guard.every_origin = block.every_origin;
+  show_outputs(scope, entry, guarding, index);
 }
 
 void Opener::apply_preset(Scope& scope, const yaml::Node& map, DiagramBlock& block) {
@@ -97,18 +150,26 @@ void Opener::apply_preset(Scope& scope, const yaml::Node& map, DiagramBlock& blo
           yaml::did_you_mean(*wanted, names, fmt::format("{} has: {}", type.name, fmt::join(names, ", "))));
 }
 
-int Opener::state_of_key(const BlockType& type, const std::string& key) const {
-  if (!key.starts_with("initial")) return -1;
-  for (std::size_t i = 0; i < type.states.size(); ++i)
-    if (type.states[i].settable && initial_key(type, type.states[i]) == key) return static_cast<int>(i);
-  return -1;
+/// A key that may have a value or a signal, as `lower: -1` and `lower: floor`, feeds an input where it names
+/// a signal.
+bool Opener::is_fed(const Scope& scope, const yaml::Entry& key, const BlockType& type) const {
+  if (!has_value(type, key.key)) return true;
+  if (!names_signal(key.value)) return false;
+  const yaml::Node* blocks = scope.document->root.find("blocks");
+  for (std::string name = key.value.text; !name.empty();
+       name.resize(name.find('.') == std::string::npos ? 0 : name.rfind('.')))
+    if (scope.inputs.contains(name) || (blocks && blocks->is_map() && blocks->find(name))) return true;
+  // A name that stands for nothing is more likely a signal that is not there than a number.
+  const std::string& text = key.value.text;
+  const bool constant = text == "pi" || text == "e";
+  return is_dotted_name(text) && !constant && !scope.parameters.defined(text.substr(0, text.find('.')));
 }
 
 void Opener::read_key(Scope& scope, const yaml::Entry& key, DiagramBlock& block, int index) {
   const BlockType& type = block.type();
   if (key.key == "block" || (key.key == "preset" && !type.presets.empty())) return;
   if (key.key == "every") return read_period(scope, key.value, block);
-  if (const int input = type.input(key.key); input >= 0) {
+  if (const int input = type.input(key.key); input >= 0 && is_fed(scope, key, type)) {
     block.input_marks[static_cast<std::size_t>(input)] = key.value.mark;
     pending_.push_back({index, input, &key.value, &scope});
     return;
@@ -118,6 +179,8 @@ void Opener::read_key(Scope& scope, const yaml::Entry& key, DiagramBlock& block,
                           static_cast<std::size_t>(parameter - type.parameters.data()));
   if (const int state = state_of_key(type, key.key); state >= 0)
     return read_initial(scope, key.value, block, state);
+  if (key.key == "within") return within_.push_back({index, &key.value, &scope});
+  if (is_guard_key(key.key)) return;
   const auto known = keys_of(type);
   const std::string all = fmt::format("It has: {}", fmt::join(known, ", "));
   report_.add(
@@ -148,14 +211,22 @@ void Opener::read_settings(Scope& scope, DiagramBlock& block, const std::string&
   }
 }
 
-void Opener::read_parameter(const Scope& scope, int reader_scope, const yaml::Node& node, DiagramBlock& block,
+void Opener::read_parameter(const Scope& scope, int reader_scope, const yaml::Node& text, DiagramBlock& block,
                             std::size_t parameter) {
   const ParameterSpec& spec = block.type().parameters[parameter];
   ParameterUses uses;
   const ValueReader reader(scope.parameters, report_, reader_scope, &uses);
+  const yaml::Node node =
+      with_named_parameters(spec, block.type(), block_words_, text, reader, scope.parameters);
   const auto written = reader.read_for(spec, demanded_dimension(spec), node, block.name + "." + spec.name);
   block.parameter_marks[parameter] = node.mark;
   if (!written) return;
+  std::erase_if(block.matrices, [&](const auto& matrix) { return matrix.first == parameter; });
+  if (written->columns > 1) block.matrices.emplace_back(parameter, written->columns);
+  if (written->columns > 1 && !block.type().inputs.empty())
+    report_.add({reader_scope, node.mark}, block.name + "." + spec.name,
+                "is a matrix, and stands for numbers of single elements; for a product with a matrix see "
+                "MatrixGain");
   block.parameter_dimensions[parameter] = written->dimension;
   spec.set(block.block.get(), written->value);
   bind({Target::Kind::parameter, index_of(block), static_cast<int>(parameter)},
@@ -182,20 +253,24 @@ void Opener::read_initial(const Scope& scope, const yaml::Node& node, DiagramBlo
                                        block.name + "." + initial_key(block.type(), declared));
   if (!written) return;
   std::erase_if(block.initial, [&](const InitialValue& value) { return value.state == state; });
-  block.initial.push_back(
-      {state, std::get<Eigen::VectorXd>(written->value.content), written->dimension, scope.at(node.mark)});
+  block.initial.push_back({state, std::get<Eigen::VectorXd>(written->value.content), written->dimension,
+                           scope.at(node.mark), written->columns});
   bind({Target::Kind::initial, index_of(block), state}, {node, scope.index, scope.index}, std::move(uses));
 }
 
 void Opener::read_period(const Scope& scope, const yaml::Node& node, DiagramBlock& block) {
+  block.every_origin = scope.at(node.mark);
+  block.every = read_time(scope, node, block.name + ".every");
+}
+
+std::optional<double> Opener::read_time(const Scope& scope, const yaml::Node& node,
+                                        const std::string& subject) {
   const ValueReader reader(scope.parameters, report_, scope.index);
-  const auto period = reader.read_number(node, unit::parse_unit("s")->dimension, block.name + ".every");
-  block.every_mark = node.mark;
-  if (!period) return;
-  if (*period <= 0.0)
-    return report_.add(scope.at(node.mark), block.name + ".every",
-                       yaml::fault_text("{} is not allowed; it must be above 0", node.text));
-  block.every = *period;
+  const auto time = reader.read_number(node, unit::parse_unit("s")->dimension, subject);
+  if (!time || *time > 0.0) return time;
+  report_.add(scope.at(node.mark), subject,
+              yaml::fault_text("{} is not allowed; it must be above 0", node.text));
+  return std::nullopt;
 }
 
 void Opener::require_parameters(const Scope& scope, const yaml::Node& map, const DiagramBlock& block) {

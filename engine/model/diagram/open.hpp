@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -29,9 +30,21 @@ class Opener {
       : loader_(loader), settings_(settings), report_(report) {}
 
   void open(Scope& scope, const Overrides& overrides);
+  /// Copies blocks that are fed buses for every field; before inputs are resolved.
+  void copy_for_buses(Scope& root);
   const std::deque<PendingInput>& pending() const { return pending_; }
+  /// Gives each block that names its Guard the block that this is, once all names are known.
+  void join_guards();
 
  private:
+  /// What `enable` and `trigger` of a part or block say.
+  struct Guarding {
+    int guard = -1;  ///< the block that they make; -1: there is none of them
+    int edge = 0, states = 0;
+    const yaml::Node* outputs = nullptr;  ///< see GuardOptions
+  };
+  /// Is a key one of the part's or block's own?
+  using KeyTaken = std::function<bool(const char* key)>;
   void declare_ports(Scope& scope);
   /// Reports what is wrong with a block or part that cannot be made, and keeps silent about what is wired to
   /// it.
@@ -41,7 +54,10 @@ class Opener {
   void declare_output(Scope& scope, const yaml::Entry& port);
   /// Makes a block for each input of the diagram itself whose `default` is a value.
   void make_inputs(Scope& scope);
+  void split_inputs(Scope& scope);
   std::optional<unit::Dimension> declared_unit(const Scope& scope, const yaml::Entry& port);
+  std::optional<std::pair<Eigen::Index, Eigen::Index>> declared_shape(const Scope& scope,
+                                                                      const yaml::Entry& port);
   void open_part(Scope& scope, const yaml::Entry& entry, const yaml::Node& path);
   bool refuse_nesting(Scope& scope, const yaml::Entry& entry, const yaml::Node& path,
                       const std::string& file);
@@ -50,6 +66,7 @@ class Opener {
   /// Hands the keys of the using file to the part's inputs, and returns those for its parameters.
   Overrides feed(const Scope& scope, const yaml::Entry& entry, const yaml::Node& path, Scope& part);
   void make_block(Scope& scope, const yaml::Entry& entry, const BlockType& type);
+  void make_bus(Scope& scope, const yaml::Entry& entry);
   void apply_preset(Scope& scope, const yaml::Node& map, DiagramBlock& block);
   void read_key(Scope& scope, const yaml::Entry& key, DiagramBlock& block, int index);
   void read_settings(Scope& scope, DiagramBlock& block, const std::string& full);
@@ -61,13 +78,42 @@ class Opener {
   void bind(const Target& target, ValueText text, ParameterUses uses);
   void read_period(const Scope& scope, const yaml::Node& node, DiagramBlock& block);
   void require_parameters(const Scope& scope, const yaml::Node& map, const DiagramBlock& block);
-  int state_of_key(const BlockType& type, const std::string& key) const;
+  bool is_fed(const Scope& scope, const yaml::Entry& key, const BlockType& type) const;
+
+  bool hidden(const Scope& scope, const std::string& name) const;
+  /// A block that no file names.
+  int add_hidden(const Scope& scope, const std::string& name, const BlockType& type, const yaml::Mark& mark);
+  static void make_room(DiagramBlock& block);
+  void feed_hidden(int block, int input, int from, const Origin& origin);
+  /// `active` is what the guard is called behind the name of its part or block.
+  Guarding open_guard(Scope& scope, const yaml::Entry& entry, const KeyTaken& is_own, const char* active);
+  void feed_guard(Scope& scope, const std::string& owner, const char* key, const yaml::Node& node, int guard);
+  int add_condition(Scope& scope, const std::string& name, const yaml::Node& node);
+  yaml::Node source_of_variable(const Scope& scope, const std::string& variable, const yaml::Mark& mark);
+  int show_output(Scope& scope, const std::string& owner, const std::string& output, const Guarding& guarding,
+                  const yaml::Mark& mark);
+  void show_outputs(Scope& scope, const yaml::Entry& entry, const Guarding& guarding, int block);
+  void show_outputs(Scope& scope, const yaml::Entry& entry, const Guarding& guarding, Scope& part);
+  /// `every` of a part, which its blocks without one have.
+  void read_period_of_part(const Scope& scope, const yaml::Entry& entry, const KeyTaken& is_own, Scope& part);
+  void take_period_of_part(const Scope& scope, DiagramBlock& block);
+  void require_multiple(double every, const Scope& scope, const Origin& origin, const std::string& subject);
+  std::optional<double> read_time(const Scope& scope, const yaml::Node& node, const std::string& subject);
 
   Loader& loader_;
   Settings& settings_;
   Report& report_;
   std::deque<PendingInput> pending_;
+  struct Within {
+    int block;
+    const yaml::Node* node;
+    const Scope* scope;
+  };
+  std::vector<Within> within_;
+  std::deque<yaml::Node> made_;  ///< what is wired to hidden blocks
+  std::deque<yaml::Node> written_;  ///< what stands for the fields of buses that blocks are fed
   std::vector<std::string> open_files_;
+  std::vector<std::string> block_words_;  ///< lists of names that the block being made is given
 };
 
 }  // namespace stepwire::diagram

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/base/yaml/message.hpp"
+#include "engine/model/diagram/bus_fields.hpp"
 #include "engine/model/diagram/external_input.hpp"
+#include "engine/model/diagram/guard_keys.hpp"
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/open.hpp"
@@ -33,8 +36,36 @@ std::string doc_of(const yaml::Entry& port) {
   return doc ? doc->text : "";
 }
 
+/// Is a default the map of a bus, not a number with its unit?
+bool is_bus(const yaml::Node& node) {
+  return node.is_map() && !node.find("value");
+}
+
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Is a key of a part an input or a parameter of its file?
+bool is_port_or_parameter(const yaml::Node& root, const std::string& key) {
+  return contains(keys_of_map(root, "inputs"), key) || contains(keys_of_map(root, "parameters"), key);
+}
+
+/// A scope for a part, which is listed in the diagram.
+std::unique_ptr<Scope> scope_of_part(Scope& user, const yaml::Entry& entry, const Origin& origin,
+                                     const std::string& file, Diagram& diagram) {
+  auto part = std::make_unique<Scope>();
+  part->index = static_cast<int>(diagram.scopes.size());
+  part->parent = &user;
+  part->prefix = user.prefix + entry.key + ".";
+  diagram.scopes.push_back({file, part->prefix, origin});
+  return part;
+}
+
+void report_missing_inputs(const Scope& user, const yaml::Entry& entry, const Scope& part, Report& report) {
+  for (const auto& [name, port] : part.inputs)
+    if (!port.fed_by && !port.fallback)
+      report.add(user.at(entry.value.mark), user.prefix + entry.key,
+                 fmt::format("the input '{}' is missing", name));
 }
 
 }  // namespace
@@ -59,6 +90,17 @@ std::optional<unit::Dimension> Opener::declared_unit(const Scope& scope, const y
   return std::nullopt;
 }
 
+std::optional<std::pair<Eigen::Index, Eigen::Index>> Opener::declared_shape(const Scope& scope,
+                                                                            const yaml::Entry& port) {
+  const yaml::Node* shape = port.value.is_map() ? port.value.find("shape") : nullptr;
+  if (!shape) return std::nullopt;
+  const auto parsed = parse_shape(shape->text);
+  if (!parsed)
+    report_.add(scope.at(shape->mark), scope.prefix + port.key,
+                yaml::fault_text("'{}' is no shape; write 3, or 3 x 2 for a matrix of 3 rows", shape->text));
+  return parsed;
+}
+
 void Opener::declare_input(Scope& scope, const yaml::Entry& port) {
   if (port.value.is_map())
     HeadReading(scope.prefix + port.key, scope, report_).check(port.value, input_form().of.back());
@@ -67,6 +109,9 @@ void Opener::declare_input(Scope& scope, const yaml::Entry& port) {
   declared.fallback = port.value.is_map() ? port.value.find("default") : nullptr;
   declared.doc = doc_of(port);
   declared.mark = port.mark;
+  if (const yaml::Node* fields = port.value.is_map() ? port.value.find("fields") : nullptr)
+    declared.fields = declared_fields(*fields);
+  declared.shape = declared_shape(scope, port);
 }
 
 void Opener::declare_output(Scope& scope, const yaml::Entry& port) {
@@ -79,13 +124,34 @@ void Opener::declare_output(Scope& scope, const yaml::Entry& port) {
     signal = nullptr;
   }
   const yaml::Node* safe = port.value.is_map() ? port.value.find("safe") : nullptr;
-  scope.outputs[port.key] = {signal, safe, declared_unit(scope, port), doc_of(port), port.mark};
+  scope.outputs[port.key] = {signal,    safe, declared_unit(scope, port), doc_of(port),
+                             port.mark, {},   declared_shape(scope, port)};
+  if (const yaml::Node* fields = port.value.is_map() ? port.value.find("fields") : nullptr)
+    scope.outputs[port.key].fields = declared_fields(*fields);
+}
+
+/// An input of the diagram itself that is a bus has an input for each field.
+void Opener::split_inputs(Scope& scope) {
+  std::map<std::string, Scope::Port, std::less<>> fields;
+  for (const auto& [name, port] : scope.inputs) {
+    if (!port.fallback || !is_bus(*port.fallback)) continue;
+    for (const BusField& field : written_fields(*port.fallback)) {
+      Scope::Port& own = fields[name + "." + field.name];
+      own.fallback = field.signal;
+      own.doc = port.doc;
+      own.mark = field.mark;
+      for (const BusField& declared : port.fields)
+        if (declared.name == field.name) own.dimension = declared.dimension, own.shape = declared.shape;
+    }
+  }
+  scope.inputs.merge(fields);
 }
 
 void Opener::make_inputs(Scope& scope) {
+  split_inputs(scope);
   for (auto* entry : in_order_of_file(scope.inputs)) {
     auto& [name, port] = *entry;
-    if (!port.fallback || names_signal(*port.fallback)) continue;
+    if (!port.fallback || names_signal(*port.fallback) || is_bus(*port.fallback)) continue;
     const BlockType& type = external_input_type();
     Diagram& diagram = report_.diagram();
     port.block = static_cast<int>(diagram.blocks.size());
@@ -95,6 +161,7 @@ void Opener::make_inputs(Scope& scope) {
     block.parameter_marks.resize(1);
     block.parameter_dimensions.resize(1);
     read_parameter(scope, scope.index, *port.fallback, block, 0);
+    read_settings(scope, block, scope.prefix + name);
     if (!port.dimension) continue;
     const std::string complaint = unit_complaint(block.parameter_dimensions[0], port.dimension);
     if (!complaint.empty()) report_.add(scope.at(port.fallback->mark), name, complaint);
@@ -128,21 +195,25 @@ void Opener::open_part(Scope& scope, const yaml::Entry& entry, const yaml::Node&
   if (!path.is_scalar()) return fail(scope, entry, path.mark, "'diagram:' names a file, as parts/rig.yaml");
   const std::string file = part_path(scope.document->file, path.text);
   if (refuse_nesting(scope, entry, path, file)) return;
-  auto named = std::make_unique<Scope>();
+  auto named = scope_of_part(scope, entry, scope.at(path.mark), file, report_.diagram());
   Scope& part = *named;
-  Diagram& diagram = report_.diagram();
-  part.index = static_cast<int>(diagram.scopes.size());
-  part.parent = &scope;
-  part.prefix = scope.prefix + entry.key + ".";
-  diagram.scopes.push_back({file, part.prefix, scope.at(path.mark)});
   if (!read_part(scope, entry, path, part)) return;
   scope.names[entry.key] = {-1, std::move(named), entry.mark};
+  const yaml::Node& root = part.document->root;
+  const auto is_own = [&](const char* key) { return is_port_or_parameter(root, key); };
+  const bool is_taken = contains(keys_of_map(root, "blocks"), "active");
+  const Guarding guarding = open_guard(scope, entry, is_own, is_taken ? "active_guard" : "active");
+  part.guard = guarding.guard >= 0 ? guarding.guard : scope.guard;
+  read_period_of_part(scope, entry, is_own, part);
+  if (guarding.guard >= 0) {
+    DiagramBlock& guard = report_.diagram().blocks[static_cast<std::size_t>(guarding.guard)];
+    guard.every = part.every;
+    guard.every_origin = part.every_origin;
+  }
   const Overrides overrides = feed(scope, entry, path, part);
   open(part, overrides);
-  for (const auto& [name, port] : part.inputs)
-    if (!port.fed_by && !port.fallback)
-      report_.add(scope.at(entry.value.mark), scope.prefix + entry.key,
-                  fmt::format("the input '{}' is missing", name));
+  show_outputs(scope, entry, guarding, part);
+  report_missing_inputs(scope, entry, part, report_);
 }
 
 bool Opener::read_part(Scope& scope, const yaml::Entry& entry, const yaml::Node& path, Scope& part) {
@@ -173,7 +244,7 @@ Overrides Opener::feed(const Scope& scope, const yaml::Entry& entry, const yaml:
       part.inputs[key.key].fed_by = &key.value;
     } else if (contains(parameters, key.key)) {
       overrides.values[key.key] = &key.value;
-    } else {
+    } else if (key.key != "every" && (!is_guard_key(key.key) || key.key == "within")) {
       std::vector<std::string> all = parameters;
       all.insert(all.end(), inputs.begin(), inputs.end());
       report_.add(scope.at(key.mark), scope.prefix + entry.key,

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -21,10 +22,6 @@ yaml::Message no_parameter(const std::string& name, const ParameterScope& parame
   return fmt::format("there is no parameter '{}'", name) + yaml::did_you_mean(name, parameters.names());
 }
 
-std::string no_single_number(const std::string& name) {
-  return fmt::format("'{}' is no single number", name);
-}
-
 /// The letters, digits and underscores from here on.
 std::string word_at(const std::string& text, std::size_t begin) {
   std::size_t end = begin;
@@ -32,6 +29,21 @@ std::string word_at(const std::string& text, std::size_t begin) {
     ++end;
   return text.substr(begin, end - begin);
 }
+
+/// The unit of the elements of a matrix; none where two have others, as the rows of a system may.
+class MatrixUnit {
+ public:
+  void add(const std::optional<unit::Dimension>& dimension) {
+    if (!dimension) return;
+    differs_ = differs_ || (unit_ && *unit_ != *dimension);
+    unit_ = dimension;
+  }
+  std::optional<unit::Dimension> common() const { return differs_ ? std::nullopt : unit_; }
+
+ private:
+  std::optional<unit::Dimension> unit_;
+  bool differs_ = false;
+};
 
 /// A number or a word as it stands inside of a text; nothing for any other value.
 std::optional<std::string> inserted_text(const Value& value) {
@@ -41,59 +53,6 @@ std::optional<std::string> inserted_text(const Value& value) {
 }
 
 }  // namespace
-
-const WrittenValue* ParameterScope::find(const std::string& name, ParameterUses* uses) const {
-  const auto found = values_.find(name);
-  if (found == values_.end()) return nullptr;
-  const Entry& entry = found->second;
-  entry.used = true;
-  if (uses && entry.index >= 0)
-    uses->push_back(entry.index);
-  else
-    entry.structural = true;
-  return &entry.value;
-}
-
-void ParameterScope::define(const std::string& name, WrittenValue value, int index) {
-  values_[name] = {std::move(value), index};
-}
-
-WrittenValue ParameterScope::replace(const std::string& name, WrittenValue value) {
-  return std::exchange(values_.at(name).value, std::move(value));
-}
-
-const Value* ParameterScope::value(const std::string& name) const {
-  const auto found = values_.find(name);
-  return found == values_.end() ? nullptr : &found->second.value.value;
-}
-
-bool ParameterScope::failed(const std::string& name) const {
-  const auto found = values_.find(name);
-  return found != values_.end() && found->second.value.failed;
-}
-
-bool ParameterScope::used(const std::string& name) const {
-  const auto found = values_.find(name);
-  return found != values_.end() && found->second.used;
-}
-
-bool ParameterScope::is_structural(const std::string& name) const {
-  const auto found = values_.find(name);
-  return found != values_.end() && found->second.structural;
-}
-
-std::vector<std::string> ParameterScope::names() const {
-  std::vector<std::string> result;
-  for (const auto& [name, entry] : values_) result.push_back(name);
-  return result;
-}
-
-const expression::Expression& ParameterScope::expression(const std::string& text) const {
-  const auto found = expressions_.find(text);
-  if (found != expressions_.end()) return found->second;
-  const auto known = [this](std::string_view name) { return defined(std::string(name)); };
-  return expressions_.emplace(text, expression::Expression(text, known)).first->second;
-}
 
 std::string unit_complaint(const std::optional<unit::Dimension>& written,
                            const std::optional<unit::Dimension>& demanded) {
@@ -129,7 +88,8 @@ bool ValueReader::refuse_given(const WrittenValue& written) const {
   return true;
 }
 
-std::optional<WrittenValue> ValueReader::read(const yaml::Node& node, const std::string& subject) const {
+std::optional<WrittenValue> ValueReader::read(const yaml::Node& written, const std::string& subject) const {
+  const yaml::Node node = with_formulas(written, false);
   if (node.is_map()) return read_with_unit(node, subject);
   if (node.is_list()) return read_list(node, subject);
   if (node.is_scalar()) return read_scalar(node, subject);
@@ -155,35 +115,6 @@ std::optional<WrittenValue> ValueReader::read_scalar(const yaml::Node& node,
   if (text == "true" || text == "false") return WrittenValue{{text == "true"}, {}, text};
   const auto filled = fill_in(node, subject);  // a path such as data/$name.csv
   return filled ? std::optional(WrittenValue{{*filled}, {}, *filled}) : std::nullopt;
-}
-
-std::optional<WrittenValue> ValueReader::read_expression(const yaml::Node& node,
-                                                         const std::string& subject) const {
-  try {
-    const expression::Expression& expression = parameters_.expression(node.text.substr(1));
-    std::vector<double> values;
-    std::vector<expression::Measure> measures;
-    for (const std::string& name : expression.variables()) {
-      if (parameters_.failed(name)) return std::nullopt;
-      const WrittenValue& parameter = *parameters_.find(name, uses_);
-      const double* number = std::get_if<double>(&parameter.value.content);
-      if (!number)
-        return refuse_given(parameter) ? std::nullopt : refuse(node, subject, no_single_number(name));
-      values.push_back(*number);
-      measures.push_back({parameter.dimension, parameter.dimension.has_value()});
-    }
-    const expression::Measure measure = expression.measure(measures);
-    expression.check_draws(std::vector<std::optional<double>>(values.begin(), values.end()));
-    const double result = expression(values);
-    if (!std::isfinite(result))
-      return refuse(node, subject, fmt::format("'{}' is {}, not a finite number", node.text, result));
-    return WrittenValue{{result}, measure.sure ? measure.dimension : std::nullopt, node.text};
-  } catch (const expression::ExpressionError& error) {
-    yaml::Mark mark = node.mark;  // of a setting there is none
-    if (mark.line > 0) mark.column += 1 + (node.quoted ? 1 : 0) + static_cast<int>(error.position);
-    report_.add(at(mark), subject, error.what());
-    return std::nullopt;
-  }
 }
 
 std::optional<WrittenValue> ValueReader::read_list(const yaml::Node& node, const std::string& subject) const {
@@ -212,21 +143,27 @@ std::optional<WrittenValue> ValueReader::read_list(const yaml::Node& node, const
 }
 
 std::optional<WrittenValue> ValueReader::read_rows(const yaml::Node& node, const std::string& subject) const {
-  WrittenValue result{{Eigen::MatrixXd()}, {}, "the matrix"};
-  auto& matrix = std::get<Eigen::MatrixXd>(result.value.content);
-  for (std::size_t row = 0; row < node.items.size(); ++row) {
-    const yaml::Node& item = node.items[row];
-    const auto written = item.is_list() ? read_list(item, subject) : std::nullopt;
-    const auto* numbers = written ? std::get_if<Eigen::VectorXd>(&written->value.content) : nullptr;
-    if (!numbers) return refuse(item, subject, "a matrix is a list of rows of numbers, as [[1, 2], [3, 4]]");
-    if (row == 0) matrix.resize(static_cast<Eigen::Index>(node.items.size()), numbers->size());
-    if (numbers->size() != matrix.cols())
+  const char* const no_matrix = "a matrix is a list of rows of numbers, as [[1, 2], [3, 4]]";
+  const auto columns = static_cast<Eigen::Index>(node.items.front().items.size());
+  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(node.items.size()), columns);
+  MatrixUnit unit;
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+    const yaml::Node& item = node.items[static_cast<std::size_t>(row)];
+    if (!item.is_list() || item.items.empty()) return refuse(item, subject, no_matrix);
+    if (static_cast<Eigen::Index>(item.items.size()) != columns)
       return refuse(item, subject,
-                    fmt::format("this row has {} numbers, the first has {}", numbers->size(), matrix.cols()));
-    matrix.row(static_cast<Eigen::Index>(row)) = numbers->transpose();
-    if (written->dimension) result.dimension = written->dimension;
+                    fmt::format("this row has {} numbers, the first has {}", item.items.size(), columns));
+    for (Eigen::Index column = 0; column < columns; ++column) {
+      const yaml::Node& element = item.items[static_cast<std::size_t>(column)];
+      const auto written = element.is_scalar() ? read_scalar(element, subject) : std::nullopt;
+      if (element.is_scalar() && !written) return std::nullopt;
+      const double* number = written ? std::get_if<double>(&written->value.content) : nullptr;
+      if (!number) return refuse(item, subject, no_matrix);
+      matrix(row, column) = *number;
+      unit.add(written->dimension);
+    }
   }
-  return result;
+  return WrittenValue{{std::move(matrix)}, unit.common(), "the matrix"};
 }
 
 std::optional<WrittenValue> ValueReader::read_with_unit(const yaml::Node& node,
@@ -252,7 +189,7 @@ std::optional<WrittenValue> ValueReader::read_with_unit(const yaml::Node& node,
 
 std::optional<double> ValueReader::read_number(const yaml::Node& node, const unit::Dimension& demanded,
                                                const std::string& subject) const {
-  const auto written = read(node, subject);
+  const auto written = read(with_formulas(node, true), subject);
   if (!written) return std::nullopt;
   const double* number = std::get_if<double>(&written->value.content);
   if (!number && refuse_given(*written)) return std::nullopt;

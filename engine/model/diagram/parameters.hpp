@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/expression/matrix_expression.hpp"
 #include "engine/model/block/spec.hpp"
 #include "engine/model/diagram/diagram.hpp"
 
@@ -26,6 +27,7 @@ struct WrittenValue {
   std::string text;     ///< as written, for messages
   bool failed = false;  ///< stands for a definition that was refused; what uses it stays silent
   std::optional<GivenBy> given{};
+  Eigen::Index columns = 1;  ///< of a matrix that is read as its elements, column by column
 };
 
 /// Parameters that a value was read from, by their index in Diagram::parameters.
@@ -50,8 +52,12 @@ class ParameterScope {
   bool used(const std::string& name) const;
   /// Does anything use it that is not evaluated again: a file's times, records, words of presets?
   bool is_structural(const std::string& name) const;
-  /// The expression of a text that follows its '='; each text is parsed once. Throws ExpressionError.
-  const expression::Expression& expression(const std::string& text) const;
+  /// Does an expression of this file know the name: a parameter, or an element of one, "K.1.2"?
+  bool knows(const std::string& name) const;
+  /// The expression of a text that follows its '='; each text is parsed once. Null where it has brackets or
+  /// functions of matrices. Throws ExpressionError.
+  const expression::Expression* expression(const std::string& text) const;
+  const expression::MatrixExpression& matrix_expression(const std::string& text) const;
 
  private:
   struct Entry {
@@ -60,8 +66,9 @@ class ParameterScope {
     mutable bool used = false, structural = false;
   };
   std::map<std::string, Entry> values_;
-  mutable std::map<std::string, expression::Expression>
-      expressions_;  // no value depends on what is parsed already
+  // No value depends on what is parsed already.
+  mutable std::map<std::string, std::optional<expression::Expression>> expressions_;
+  mutable std::map<std::string, expression::MatrixExpression> matrix_expressions_;
 };
 
 /// Reads values of one file: numbers with units, `$name`, `= expression`, vectors, matrices, text.
@@ -86,8 +93,16 @@ class ValueReader {
   std::optional<std::string> fill_in(const yaml::Node& node, const std::string& subject) const;
 
   Origin at(const yaml::Mark& mark) const { return {scope_, mark}; }
+  /// The value with a '=' before what can only be a formula of parameters: 2*k, and in rows of a matrix and
+  /// where only numbers stand also k.
+  yaml::Node with_formulas(const yaml::Node& node, bool only_numbers) const;
 
  private:
+  bool is_bare_formula(const yaml::Node& node, bool only_number) const;
+  std::optional<WrittenValue> read_variable(const std::string& name, const yaml::Node& node,
+                                            const std::string& subject) const;
+  std::optional<WrittenValue> read_matrices(const std::vector<WrittenValue>& values, const yaml::Node& node,
+                                            const std::string& subject) const;
   std::optional<WrittenValue> read_scalar(const yaml::Node& node, const std::string& subject) const;
   std::optional<WrittenValue> read_list(const yaml::Node& node, const std::string& subject) const;
   std::optional<WrittenValue> read_rows(const yaml::Node& node, const std::string& subject) const;

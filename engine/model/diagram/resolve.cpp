@@ -1,17 +1,19 @@
+// More than 300 lines with its header: a name leads through ports, parts, buses and elements to other names,
+// by one recursion that carries whom to blame.
 #include "engine/model/diagram/resolve.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
+
+#include "engine/model/diagram/element_index.hpp"
+#include "engine/model/diagram/output_names.hpp"
+#include "engine/model/diagram/report.hpp"
 
 namespace stepwire::diagram {
 
 namespace {
-
-// More ports than this cannot lie one behind the other: parts are nested at most 32 deep.
-constexpr int max_hops = 256;
 
 std::vector<std::string> output_names(const BlockType& type) {
   std::vector<std::string> names;
@@ -42,15 +44,26 @@ std::string no_single_output(const DiagramBlock& block) {
                      fmt::join(output_names(block.type()), fmt::format(", {}.", block.name)));
 }
 
-yaml::Message no_such_output(const DiagramBlock& block, const std::string& name, bool recorded) {
+yaml::Message no_such_output(const DiagramBlock& block, const std::string& name) {
   const auto names = output_names(block.type());
   if (names.empty()) return without_outputs(block);
-  if (!std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c); }))
-    return fmt::format("{} has no output '{}'", block.type().name, name) +
-           yaml::did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", ")));
-  return fmt::format("'{0}.{1}' is no signal of its own; {2}", block.name, name,
-                     recorded ? fmt::format("'{0}' brings all its elements, {0}.1, ...", block.name)
-                              : "pick an element with Select");
+  return fmt::format("{} has no output '{}'", block.type().name, name) +
+         yaml::did_you_mean(name, names, fmt::format("It has: {}", fmt::join(names, ", ")));
+}
+
+yaml::Message no_output_of_part(const std::string& part, const std::string& rest,
+                                const std::vector<std::string>& names) {
+  if (names.empty())
+    return fmt::format("'{}' is a part without outputs; its file names them under 'outputs:'", part);
+  if (rest.empty())
+    return fmt::format("'{}' has several outputs; say which: {}.{}", part, part,
+                       fmt::join(names, fmt::format(", {}.", part)));
+  return fmt::format("'{}' has no output '{}'", part, rest) +
+         yaml::did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", ")));
+}
+
+std::string wired_to_itself(const std::string& text) {
+  return fmt::format("'{}' is wired to itself through ports only, with no block in between", text);
 }
 
 // A state is carried in a Source as an output number below -1.
@@ -88,8 +101,8 @@ std::optional<SignalRef> Resolver::signal(const std::string& text, const Scope& 
     report_.add(origin, subject, fmt::format("'{}' is a constant number here, not a signal", text));
     return std::nullopt;
   }
-  if (found->output >= 0) return SignalRef{found->block, found->output, -1};
-  return SignalRef{found->block, -1, -2 - found->output};
+  if (found->output >= 0) return SignalRef{found->block, found->output, -1, found->element};
+  return SignalRef{found->block, -1, -2 - found->output, found->element};
 }
 
 std::optional<Source> Resolver::element(const yaml::Node& node, const Scope& scope, Query query) const {
@@ -98,6 +111,8 @@ std::optional<Source> Resolver::element(const yaml::Node& node, const Scope& sco
   if (names_signal(node)) return reference(node.text, scope, std::move(query));
   if (std::any_of(node.items.begin(), node.items.end(), names_signal))
     return refuse(query, "takes one signal, not a list; join signals with a Mux");
+  if (node.is_map() && !node.find("value"))
+    return refuse(query, "takes one signal, and this is a bus; name a field of it");
   ParameterUses uses;
   const ValueReader reader(scope.parameters, report_, scope.index, &uses);
   const auto written = reader.read_for(numbers_of_any_unit(), {}, node, query.subject);
@@ -105,6 +120,7 @@ std::optional<Source> Resolver::element(const yaml::Node& node, const Scope& sco
   Source source{
       -1,     -1, std::get<Eigen::VectorXd>(written->value.content), written->dimension, scope.at(node.mark),
       nullptr};
+  source.columns = written->columns;
   if (!uses.empty())
     source.text =
         std::make_shared<const Binding>(Binding{{}, {node, scope.index, scope.index}, std::move(uses)});
@@ -112,17 +128,65 @@ std::optional<Source> Resolver::element(const yaml::Node& node, const Scope& sco
 }
 
 std::optional<Source> Resolver::reference(const std::string& text, const Scope& scope, Query query) const {
-  if (++query.hops > max_hops)
-    return refuse(query,
-                  fmt::format("'{}' is wired to itself through ports only, with no block in between", text));
+  if (++query.hops > max_hops) return refuse(query, wired_to_itself(text));
   if (scope.inputs.contains(text)) return port(scope, text, std::move(query));
-  const std::string_view name = scope.start_of(text);
+  std::string whole = text;
+  if (const ElementIndex index = take_element(whole); !index.is_whole())
+    return picked(reference(whole, scope, query), index, text, query);
+  if (const std::string_view port = scope.input_of(text); !port.empty())
+    return field_of_port(scope, std::string(port), text.substr(port.size() + 1), std::move(query));
+  // In a flattened file what is hidden elsewhere stands beside what it guards: ctrl, ctrl.active.
+  const std::string_view name = scope.names.contains(text) ? std::string_view(text) : scope.start_of(text);
   if (name.empty()) return refuse(query, no_block(text, scope));
   const auto found = scope.names.find(name);
   if (found == scope.names.end()) return std::nullopt;  // it could not be made, which has been told
   const std::string rest = name.size() == text.size() ? "" : text.substr(name.size() + 1);
-  if (found->second.part) return of_part(rest, *found->second.part, std::move(query));
-  return of_block(rest, found->second.block, query);
+  const auto of_named = [&]() -> std::optional<Source> {
+    if (found->second.part) return of_part(rest, *found->second.part, std::move(query));
+    if (!found->second.bus.empty()) return of_bus(found->second.bus, scope, rest, std::move(query));
+    return of_block(rest, found->second.block, query);
+  };
+  const auto guarded = scope.guarded.find(name);
+  if (guarded == scope.guarded.end()) return of_named();
+  const std::string output = output_of(rest, found->second);
+  if (output.empty() && rest == "active") return output_source(guarded->second.guard, query);
+  const auto shown = guarded->second.outputs.find(output);
+  return shown == guarded->second.outputs.end() ? of_named() : output_source(shown->second, query);
+}
+
+std::string Resolver::output_of(const std::string& rest, const Scope::Named& named) const {
+  if (!named.bus.empty()) return "";
+  std::vector<std::string> outputs;
+  bool has_one = false;
+  if (named.part) {
+    for (const auto& [name, out] : named.part->outputs) outputs.push_back(name);
+    has_one = outputs.size() == 1;
+  } else {
+    const BlockType& type = report_.diagram().blocks[static_cast<std::size_t>(named.block)].type();
+    outputs = output_names(type);
+    has_one = has_one_output(type);
+  }
+  if (rest.empty()) return has_one ? outputs.front() : "";
+  return std::ranges::find(outputs, rest) == outputs.end() ? "" : rest;
+}
+
+std::optional<Source> Resolver::output_source(int block, const Query& query) {
+  Source source;
+  source.block = block;
+  source.output = 0;
+  source.origin = query.wire;
+  return source;
+}
+
+std::optional<Source> Resolver::picked(std::optional<Source> source, const ElementIndex& element,
+                                       const std::string& text, const Query& query) const {
+  if (!source) return std::nullopt;
+  // An element is a signal of one element, whose first it is.
+  const bool is_single = source->block >= 0 && !source->element.is_whole();
+  if (is_single && element != ElementIndex{1, 0})
+    return refuse(query, fmt::format("there is no '{}'; it is an element of one element", text));
+  if (!is_single) source->element = element;
+  return source;
 }
 
 std::optional<Source> Resolver::port(const Scope& scope, const std::string& name, Query query) const {
@@ -155,14 +219,14 @@ std::optional<Source> Resolver::of_block(const std::string& rest, int block, con
   source.block = block;
   source.origin = query.wire;
   if (rest.empty()) {
-    if (type.outputs.size() != 1) return refuse(query, no_single_output(found));
+    if (!has_one_output(type)) return refuse(query, no_single_output(found));
     source.output = 0;
     return source;
   }
   source.output = type.output(rest);
   if (source.output >= 0) return source;
   const int state = type.state(rest);
-  if (state < 0) return refuse(query, no_such_output(found, rest, query.look_inside));
+  if (state < 0) return refuse(query, no_such_output(found, rest));
   if (!query.look_inside)
     return refuse(query,
                   fmt::format("'{}' is a state inside of {}, not an output; it can be recorded but not wired",
@@ -174,7 +238,6 @@ std::optional<Source> Resolver::of_block(const std::string& rest, int block, con
 std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& part, Query query) const {
   std::vector<std::string> names;
   for (const auto& [name, out] : part.outputs) names.push_back(name);
-  const std::string part_name = part.prefix.substr(0, part.prefix.size() - 1);
   const auto out = rest.empty() && names.size() == 1 ? part.outputs.begin() : part.outputs.find(rest);
   if (out != part.outputs.end()) {
     if (!out->second.signal) return std::nullopt;
@@ -183,17 +246,15 @@ std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& pa
     query.subject = part.prefix + out->first;
     return reference(out->second.signal->text, part, std::move(query));
   }
+  for (const auto& [name, port] : part.outputs)
+    if (rest.starts_with(name + ".") && port.signal) {
+      query.origin = part.at(port.signal->mark);
+      query.subject = part.prefix + name;
+      return field(*port.signal, part, rest.substr(name.size() + 1), std::move(query));
+    }
   const bool inside = query.look_inside && (!part.start_of(rest).empty() || part.inputs.contains(rest));
   if (inside) return reference(rest, part, std::move(query));
-  if (names.empty())
-    return refuse(query, fmt::format("'{}' is a part without outputs; its file names them under 'outputs:'",
-                                     part_name));
-  if (rest.empty())
-    return refuse(query, fmt::format("'{}' has several outputs; say which: {}.{}", part_name, part_name,
-                                     fmt::join(names, fmt::format(", {}.", part_name))));
-  return refuse(query,
-                fmt::format("'{}' has no output '{}'", part_name, rest) +
-                    yaml::did_you_mean(rest, names, fmt::format("It has: {}", fmt::join(names, ", "))));
+  return refuse(query, no_output_of_part(part.prefix.substr(0, part.prefix.size() - 1), rest, names));
 }
 
 }  // namespace stepwire::diagram

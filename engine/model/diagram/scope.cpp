@@ -28,6 +28,10 @@ std::string_view Scope::start_of(std::string_view reference) const {
       reference, [this](std::string_view start) { return names.contains(start) || failed.contains(start); });
 }
 
+std::string_view Scope::input_of(std::string_view reference) const {
+  return first_start(reference, [this](std::string_view start) { return inputs.contains(start); });
+}
+
 std::string Scope::rival_of(const std::string& name) const {
   const std::string_view start = first_start(name, [&](std::string_view start) {
     return start != name && (names.contains(start) || inputs.contains(start));

@@ -7,11 +7,23 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "engine/model/diagram/parameters.hpp"
 
 namespace stepwire::diagram {
+
+/// A field of a bus, or of a port that is one; those of buses inside have dotted names.
+struct BusField {
+  std::string name;
+  const yaml::Node* signal = nullptr;  ///< what the file writes for it: a signal, a number, or another bus
+  int block = -1;                      ///< the copy of a block for this field, where there is no signal
+  std::optional<unit::Dimension> dimension;
+  std::optional<std::pair<Eigen::Index, Eigen::Index>> shape;  ///< rows and columns
+  yaml::Mark mark;
+};
+using BusFields = std::vector<BusField>;
 
 /// One file at one place of the diagram while it is built: what its names mean.
 struct Scope {
@@ -21,11 +33,12 @@ struct Scope {
   ParameterScope parameters;
   std::string prefix;
 
-  /// What a name stands for: a block of the diagram, or a part.
+  /// What a name stands for: a block of the diagram, a part, or a bus.
   struct Named {
     int block = -1;
     std::unique_ptr<Scope> part;
     yaml::Mark mark;
+    BusFields bus;  ///< of a bus, or of a block with a copy for each field; empty otherwise
   };
   std::map<std::string, Named, std::less<>> names;
   /// Names whose block or part could not be made: reported once, so what is wired to them stays silent.
@@ -39,8 +52,20 @@ struct Scope {
     std::string doc;
     int block = -1;  ///< that stands for it in the diagram itself, which nobody uses
     yaml::Mark mark;
+    BusFields fields;  ///< of a bus, where they are declared
+    std::optional<std::pair<Eigen::Index, Eigen::Index>> shape;
   };
   std::map<std::string, Port, std::less<>> inputs;
+
+  int guard = -1;               ///< the block by which the blocks of this part are active; -1: always
+  std::optional<double> every;  ///< period of this part's blocks [s]
+  Origin every_origin;
+  /// What `enable` and `trigger` add to a block or part of this file.
+  struct Guarded {
+    int guard = -1;                                   ///< the block whose output is `NAME.active`
+    std::map<std::string, int, std::less<>> outputs;  ///< blocks that others read in the place of an output
+  };
+  std::map<std::string, Guarded, std::less<>> guarded;  ///< by the name of the block or part
 
   /// An output of this part: the signal that it is, written in this part's file.
   struct Out {
@@ -49,6 +74,8 @@ struct Scope {
     std::optional<unit::Dimension> dimension;
     std::string doc;
     yaml::Mark mark;
+    BusFields fields;  ///< of a bus, where they are declared
+    std::optional<std::pair<Eigen::Index, Eigen::Index>> shape;
   };
   std::map<std::string, Out, std::less<>> outputs;
 
@@ -59,6 +86,8 @@ struct Scope {
   /// The block, part or input of which `name` would be a signal, or whose name would be a signal of `name`;
   /// empty where there is none.
   std::string rival_of(const std::string& name) const;
+  /// The input with which a reference begins: "wrench" of "wrench.force"; empty where there is none.
+  std::string_view input_of(std::string_view reference) const;
   std::vector<std::string> block_names() const;
 };
 

@@ -38,6 +38,37 @@ void UnitEquations::solve(std::size_t variables, const Complain& complain) {
       queue.push_back(user);
     }
   }
+  find_angles();
+}
+
+/// Lets numbers that are a pure ratio or a rate be angles where their equations hold only so: rad is 1, so
+/// that no equation is wrong without. Each becomes one once.
+void UnitEquations::find_angles() {
+  const std::vector<std::vector<int>> users = this->users();
+  std::deque<int> queue;
+  for (std::size_t i = 0; i < equations_.size(); ++i) queue.push_back(static_cast<int>(i));
+  while (!queue.empty()) {
+    const int turned = turn_to_angle(equations_[static_cast<std::size_t>(queue.front())]);
+    queue.pop_front();
+    if (turned < 0) continue;
+    for (const int user : users[static_cast<std::size_t>(turned)]) queue.push_back(user);
+  }
+}
+
+/// The variable that is an angle now; -1 where none is.
+int UnitEquations::turn_to_angle(const UnitEquation& equation) {
+  const auto sum = dimension_of(equation);
+  if (!sum || sum->angle == 0.0) return -1;
+  for (const auto& [variable, exponent] : equation.terms) {
+    auto& value = values_[static_cast<std::size_t>(variable)];
+    if (value->angle != 0.0 || sum->angle + exponent != 0.0) continue;
+    unit::Dimension rate = *value;
+    rate.exponents[2] = 0.0;
+    if (rate != unit::Dimension{} || value->exponents[2] > 0.0) continue;
+    value->angle = 1.0;
+    return variable;
+  }
+  return -1;
 }
 
 /// Solves for the only unknown variable and returns it; checks where none is unknown; -1 where nothing is

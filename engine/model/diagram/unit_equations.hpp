@@ -38,6 +38,8 @@ class UnitEquations {
   std::vector<std::vector<int>> users() const;
   int step(const UnitEquation& equation, const Complain& complain);
   bool follows_from_another(const UnitEquation& equation);
+  void find_angles();
+  int turn_to_angle(const UnitEquation& equation);
 
   std::vector<UnitEquation> equations_;
   std::vector<std::optional<unit::Dimension>> values_;  ///< of the variables

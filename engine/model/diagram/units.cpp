@@ -7,6 +7,7 @@
 
 #include "engine/model/diagram/block_keys.hpp"
 #include "engine/model/diagram/head.hpp"
+#include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/type_units.hpp"
 #include "engine/model/diagram/unit_equations.hpp"
 
@@ -154,9 +155,7 @@ class Inference {
   std::string name_of(const Source& source) const {
     if (source.block < 0) return "the number";
     const DiagramBlock& block = diagram_.blocks[static_cast<std::size_t>(source.block)];
-    const auto& outputs = block.type().outputs;
-    return outputs.size() == 1 ? block.name
-                               : block.name + "." + outputs[static_cast<std::size_t>(source.output)].name;
+    return output_name(block.name, block.type(), static_cast<std::size_t>(source.output));
   }
 
   void complain(const UnitEquation& equation, const unit::Dimension& wrong) {
@@ -230,12 +229,14 @@ class Inference {
 void infer_units(Report& report) {
   Inference(report).run();
   check_stop_condition(report);
+  check_conditions(report);
 }
 
 PortUnits infer_input_units(Report& report) {
   Inference inference(report);
   inference.run();
   check_stop_condition(report);
+  check_conditions(report);
   return inference.inputs();
 }
 

@@ -14,19 +14,27 @@ bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-/// Does "$name" stand in the text?
+/// Does the name stand in the text as a word of its own, with or without a '$'?
 bool mentions(const std::string& text, const std::string& name) {
-  const std::string wanted = "$" + name;
-  for (std::size_t at = text.find(wanted); at != std::string::npos; at = text.find(wanted, at + 1))
-    if (at + wanted.size() == text.size() || !is_word(text[at + wanted.size()])) return true;
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+    const bool begins = at == 0 || (!is_word(text[at - 1]) && text[at - 1] != '.');
+    if (begins && (at + name.size() == text.size() || !is_word(text[at + name.size()]))) return true;
+  }
   return false;
+}
+
+/// Keys whose texts are for people.
+bool is_prose(const std::string& key) {
+  return key == "that" || key == "title" || key == "label" || key == "caption" || key == "doc" ||
+         key == "text";
 }
 
 bool mentions(const yaml::Node& node, const std::string& name) {
   const auto in = [&](const yaml::Node& child) { return mentions(child, name); };
   return mentions(node.text, name) || std::any_of(node.items.begin(), node.items.end(), in) ||
-         std::any_of(node.entries.begin(), node.entries.end(),
-                     [&](const yaml::Entry& entry) { return in(entry.value); });
+         std::any_of(node.entries.begin(), node.entries.end(), [&](const yaml::Entry& entry) {
+           return is_prose(entry.key) ? mentions(entry.value.text, "$" + name) : in(entry.value);
+         });
 }
 
 /// Figures, scenes, claims, fits and studies read parameters only after the diagram is built.

@@ -33,9 +33,8 @@ std::optional<Target> target_of(const DiagramBlock& block, int index, const std:
   const BlockType& type = block.type();
   if (const ParameterSpec* spec = type.parameter(key))
     return Target{Target::Kind::parameter, index, static_cast<int>(spec - type.parameters.data()), 0};
-  for (std::size_t s = 0; s < type.states.size(); ++s)
-    if (type.states[s].settable && initial_key(type, type.states[s]) == key)
-      return Target{Target::Kind::initial, index, static_cast<int>(s), 0};
+  if (const int state = state_of_key(type, key); state >= 0)
+    return Target{Target::Kind::initial, index, state, 0};
   for (std::size_t i = 0; i < block.inputs.size(); ++i)
     for (std::size_t k = 0; k < block.inputs[i].size(); ++k)
       if (block.inputs[i][k].block < 0 && input_name(type.inputs[i], k) == key)

@@ -23,6 +23,13 @@ yaml::Node list_of_numbers(const Range& values) {
   return list;
 }
 
+yaml::Node list_of_rows(const Eigen::MatrixXd& matrix) {
+  yaml::Node rows;
+  rows.kind = yaml::Node::Kind::list;
+  for (const auto& row : matrix.rowwise()) rows.items.push_back(list_of_numbers(row));
+  return rows;
+}
+
 /// A pure number that was written with a unit (deg, %) has one as well, so that it fits where one must be.
 yaml::Node with_unit(yaml::Node value, const std::optional<unit::Dimension>& dimension) {
   if (!dimension) return value;
@@ -53,10 +60,7 @@ struct Writer {
   }
   std::optional<yaml::Node> operator()(const Eigen::MatrixXd& matrix) const {
     if (matrix.size() == 0 || !matrix.allFinite()) return std::nullopt;
-    yaml::Node rows;
-    rows.kind = yaml::Node::Kind::list;
-    for (const auto& row : matrix.rowwise()) rows.items.push_back(list_of_numbers(row));
-    return with_unit(std::move(rows), dimension);
+    return with_unit(list_of_rows(matrix), dimension);
   }
   std::optional<yaml::Node> operator()(const Value::List& list) const {
     yaml::Node node;
@@ -95,7 +99,10 @@ yaml::Node written_signal(std::string name) {
   return node;
 }
 
-yaml::Node written_numbers(const Eigen::VectorXd& numbers, const std::optional<unit::Dimension>& dimension) {
+yaml::Node written_numbers(const Eigen::VectorXd& numbers, const std::optional<unit::Dimension>& dimension,
+                           Eigen::Index columns) {
+  if (columns > 1)
+    return with_unit(list_of_rows(numbers.reshaped(numbers.size() / columns, columns)), dimension);
   return with_unit(numbers.size() == 1 ? number(numbers[0]) : list_of_numbers(numbers), dimension);
 }
 

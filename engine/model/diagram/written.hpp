@@ -17,8 +17,9 @@ yaml::Node written_filled_in(const std::string& text);
 yaml::Node written_signal(std::string name);
 /// Numbers in SI, in the shortest digits that read back to the same bits, with the name of the unit where
 /// there is a dimension: `5`, `5 N`, `[1, 2]`, `{value: [1, 2], unit: N}`. One number of several elements
-/// stands alone.
-yaml::Node written_numbers(const Eigen::VectorXd& numbers, const std::optional<unit::Dimension>& dimension);
+/// stands alone; a matrix, whose numbers are column by column, is a list of rows.
+yaml::Node written_numbers(const Eigen::VectorXd& numbers, const std::optional<unit::Dimension>& dimension,
+                           Eigen::Index columns = 1);
 /// The value of a parameter as a file gives it; nothing for what no file can give, which only defaults are:
 /// numbers that are not finite, and lists of numbers that are empty.
 std::optional<yaml::Node> written_value(const ParameterSpec& spec, const Value& value,

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/plan/configuring.hpp"
+#include "engine/model/plan/element_slot.hpp"
 #include "engine/model/plan/member_items.hpp"
 
 namespace stepwire::plan {
@@ -85,6 +87,8 @@ class Changing {
     const diagram::DiagramBlock& known = block_of(value.target);
     const ParameterSpec& spec = known.type().parameters[index];
     if (!diagram::demanded_dimension(spec)) check_unit(value, known.parameter_dimensions[index], spec.name);
+    if (&known.type() == &diagram::guard_type() && spec.structural)
+      refuse_structure(block, spec.name, "the plan has other states that are reset");
     if (known.type().file_output) refuse_structure(block, spec.name, "the block writes a file");
     spec.set(written(block).get(), value.value.value);
   }
@@ -111,10 +115,12 @@ class Changing {
     const diagram::Source& known = block_of(value.target).inputs[input][element];
     const auto& numbers = std::get<Eigen::VectorXd>(value.value.value.content);
     const std::string& name = block_of(value.target).type().inputs[input].name;
-    if (numbers.size() != known.constant.size())
-      refuse_structure(block, name, "the value has another number of elements");
     check_unit(value, known.dimension, name);
-    change_.constants.emplace_back(plan_.blocks[block].inputs[input][element], numbers);
+    if (numbers.size() != known.constant.size() || value.value.columns != known.columns)
+      return refuse_structure(block, name, "the value has another number of elements");
+    const SignalSlot meant = constant_slot(known);
+    change_.constants.emplace_back(plan_.blocks[block].inputs[input][element],
+                                   numbers.segment(static_cast<Eigen::Index>(meant.offset), meant.size));
   }
 
   void rebuild(std::size_t block, AnyBlock written) {
@@ -161,6 +167,8 @@ class Changing {
       else if (was_spread || own != size)
         refuse_structure(block, spec.name, "the value has another number of elements");
     }
+    for (std::size_t s = 0; s < known.type().sizes.size(); ++s)
+      known.type().sizes[s].set(made.get(), plan_.blocks[block].sizes[s]);
   }
 
   const Plan& plan_;

@@ -10,15 +10,32 @@
 
 namespace stepwire::plan {
 
+/// Blocks in the order of their calls.
+struct CallOrder {
+  /// A part of it that is a loop.
+  struct Loop {
+    std::size_t first, end;
+    std::vector<diagram::SignalRef> tears;
+    std::string path;
+  };
+
+  std::vector<int> blocks;  ///< one whose outputs cannot be ordered as one stands twice
+  std::vector<Loop> loops;
+};
+
 /// A plan while it is made: the plan itself and what is known of each block in between.
 struct Draft {
   struct Block {
     Configuration says;     ///< what configure() answered
     bool computes = false;  ///< has outputs() to call
     bool updates = false;
-    bool in_stages = false;  ///< do derivatives depend on its outputs?
-    bool timed = false;      ///< do its outputs follow from the time and constants alone?
+    bool in_stages = false;      ///< do derivatives depend on its outputs?
+    bool timed = false;          ///< do its outputs follow from the time and constants alone?
+    Eigen::Index crossings = 0;  ///< numbers that may cross zero
+    bool for_crossings = false;  ///< do crossings depend on its outputs between ticks?
+    bool at_events = false;      ///< does it act where an event is located?
     std::vector<Eigen::Index> output_sizes, state_sizes, input_sizes;
+    std::vector<Eigen::Index> output_columns, state_columns;  ///< of matrices; 1 of vectors
   };
 
   explicit Draft(Plan& plan) : plan(plan), report(plan.diagram), blocks(plan.diagram.blocks.size()) {}
@@ -45,14 +62,15 @@ void plan_shapes(Draft& draft);
 void prepare_blocks(Draft& draft);
 /// Finds the blocks whose outputs follow from the time and constants alone.
 void find_timed(Draft& draft);
-/// Order of outputs, refusing algebraic loops; blocks in the order of their first call, with which of them
-/// are called in that position (a block whose outputs cannot be ordered as one stands twice).
-std::vector<int> plan_order(Draft& draft);
-/// Memory of blocks and numbers.
-void plan_layout(Draft& draft, const std::vector<int>& order);
+/// Order of outputs; refuses algebraic loops, or tears them.
+CallOrder plan_order(Draft& draft);
+/// What crosses, and what acts where it does.
+void find_events(Draft& draft);
+/// Memory of blocks, numbers and loops.
+void plan_layout(Draft& draft, const CallOrder& order);
 /// Refuses conditions over signals of several elements, and safe values that do not fit their outputs.
 void check_stop_and_safe_values(Draft& draft);
 /// The tables of calls.
-void make_schedule(Draft& draft, const std::vector<int>& order);
+void make_schedule(Draft& draft, const CallOrder& order);
 
 }  // namespace stepwire::plan

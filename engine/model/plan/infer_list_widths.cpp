@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "engine/model/plan/port_shape.hpp"
 #include "engine/model/plan/worklist.hpp"
 
 namespace stepwire::plan {
@@ -16,14 +17,16 @@ class ListWidthInference {
   ListWidthInference(Draft& draft, PortSizes& sizes) : draft_(draft), sizes_(sizes) {
     for (std::size_t block = 0; block < draft.blocks.size(); ++block)
       for (std::size_t input = 0; input < draft.type(block).inputs.size(); ++input)
-        if (draft.type(block).inputs[input].list) add_list(block, input);
+        if (draft.type(block).inputs[input].list &&
+            !PortShape(draft.type(block).inputs[input].shape).is_matrix)
+          add_list(block, input);
   }
 
   std::set<std::pair<std::size_t, std::size_t>> run() {
-    take_turns();
+    settle_columns();
     settle_scalars();
-    take_turns();
-    while (settle_one_scalar()) take_turns();
+    settle_columns();
+    while (settle_one_scalar()) settle_columns();
     return std::move(refused_);
   }
 
@@ -38,7 +41,8 @@ class ListWidthInference {
     lists_.push_back({block, input});
     turns_.call(list);
     for (const diagram::Source& source : draft_.diagram().blocks[block].inputs[input])
-      if (source.block >= 0) watchers_.emplace(sizes_.root(sizes_.of_output(source)), list);
+      if (source.block >= 0 && source.element.is_whole())
+        watchers_.emplace(sizes_.root(sizes_.of_output(source)), list);
   }
 
   /// Sets a size that was open: news for the lists that have it for an element.
@@ -49,6 +53,20 @@ class ListWidthInference {
   }
 
   void take_turns() {
+    take_list_turns();
+    while (sizes_.multiply()) {  // what is a product now may be news for any list
+      for (std::size_t list = 0; list < lists_.size(); ++list)
+        if (!lists_[list].settled) turns_.call(static_cast<int>(list));
+      take_list_turns();
+    }
+  }
+
+  void settle_columns() {
+    do take_turns();
+    while (sizes_.settle_columns());
+  }
+
+  void take_list_turns() {
     while (const auto turn = turns_.next()) {
       List& list = lists_[static_cast<std::size_t>(*turn)];
       list.settled = list.settled || settle(list.block, list.input);
@@ -73,7 +91,17 @@ class ListWidthInference {
     const Eigen::Index size = total ? sum : std::max(most, known.value_or(1));
     if (!known) learn(own, size);
     if (known && *known != size) refuse(index, input, size, *known);
+    if (!total && size > 1) take_shape(own, size, block.inputs[input]);
     return true;
+  }
+
+  /// The elements of a list are matrices of one shape, if they are any.
+  void take_shape(int own, Eigen::Index size, const std::vector<diagram::Source>& elements) {
+    for (const diagram::Source& element : elements) {
+      if (sizes_.value_of(element) != size) continue;
+      const int given = sizes_.of_source(element);
+      if (const auto matrix = sizes_.factors(given)) sizes_.set_factors(own, matrix->first, matrix->second);
+    }
   }
 
   void refuse(std::size_t index, std::size_t input, Eigen::Index size, Eigen::Index fitting) {
@@ -89,13 +117,20 @@ class ListWidthInference {
     for (const List& list : lists_)
       if (!list.settled) waiting.push_back(sizes_.of_list(list.block, list.input));
     std::vector<bool> waits(static_cast<std::size_t>(sizes_.count()), false);
-    for (int size : waiting) waits[static_cast<std::size_t>(sizes_.root(size))] = true;
+    const auto wait = [&](int size) { waits[static_cast<std::size_t>(sizes_.root(size))] = true; };
+    for (int size : waiting) {
+      wait(size);
+      if (const auto matrix = sizes_.factors(size)) wait(matrix->first), wait(matrix->second);
+    }
     for (int size = 0; size < sizes_.count(); ++size)
-      if (!sizes_.value(size) && !waits[static_cast<std::size_t>(sizes_.root(size))]) learn(size, 1);
+      if (is_open(size) && !waits[static_cast<std::size_t>(sizes_.root(size))]) learn(size, 1);
   }
 
+  /// The size of a matrix follows from its rows and columns.
+  bool is_open(int size) { return !sizes_.value(size) && !sizes_.factors(size); }
+
   bool settle_one_scalar() {
-    while (next_open_ < sizes_.count() && sizes_.value(next_open_)) ++next_open_;
+    while (next_open_ < sizes_.count() && !is_open(next_open_)) ++next_open_;
     if (next_open_ == sizes_.count()) return false;
     learn(next_open_, 1);
     return true;

@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <set>
 
 #include "engine/model/plan/draft.hpp"
+#include "engine/model/plan/element_slot.hpp"
+#include "engine/model/plan/guards.hpp"
 
 namespace stepwire::plan {
 
@@ -19,7 +22,11 @@ std::vector<int> memory_order(const Draft& draft, const std::vector<int>& order)
   for (std::size_t b = 0; b < draft.blocks.size(); ++b)
     if (!placed[b]) result.push_back(static_cast<int>(b));
   std::stable_sort(result.begin() + called, result.end(), [&](int a, int b) {
-    return draft.type(static_cast<std::size_t>(a)).name < draft.type(static_cast<std::size_t>(b)).name;
+    const auto key = [&](int block) {
+      return std::pair(draft.plan.diagram.blocks[static_cast<std::size_t>(block)].guard,
+                       std::string_view(draft.type(static_cast<std::size_t>(block)).name));
+    };
+    return key(a) < key(b);
   });
   return result;
 }
@@ -45,15 +52,14 @@ class LayoutMaker {
     each([&](std::size_t b) { place_states(b, false); });
     layout.discrete_count = end_ - layout.discrete;
     layout.diagnostics = end_;
-    each([&](std::size_t b) {
-      for (std::size_t n = 0; n < draft_.type(b).diagnostics.size(); ++n)
-        plan_.blocks[b].diagnostics.push_back(take(1));
-    });
+    each([&](std::size_t b) { place_diagnostics(b); });
     layout.diagnostic_count = end_ - layout.diagnostics;
+    each([&](std::size_t b) { place_kept(b); });
     layout.constants = end_;
     each([&](std::size_t b) { place_inputs(b); });
+    each([&](std::size_t b) { place_initial(b); });
     layout.report = end_;
-    layout.size = layout.report + Layout::report_count;
+    layout.size = layout.events = layout.loops = layout.report + Layout::report_count;
   }
 
  private:
@@ -70,18 +76,24 @@ class LayoutMaker {
     const auto state = static_cast<std::size_t>(type.state(state_name));
     const diagram::Source& source =
         draft_.diagram().blocks[b].inputs[static_cast<std::size_t>(type.input(input_name))].front();
-    if (source.block < 0) return;
+    if (source.block < 0 || !source.element.is_whole()) return;
     const auto from = static_cast<std::size_t>(source.block),
                output = static_cast<std::size_t>(source.output);
     const Draft::Block& feeding = draft_.blocks[from];
-    if (!feeding.computes || feeding.timed ||
+    const auto guard_of = [&](std::size_t block) { return draft_.diagram().blocks[block].guard; };
+    if (!feeding.computes || feeding.timed || guard_of(from) >= 0 || guard_of(b) >= 0 ||
         feeding.output_sizes[output] != draft_.blocks[b].state_sizes[state])
       return;
     plan_.blocks[b].slope_is_input = slopes_.try_emplace({from, output}, std::pair{b, state}).second;
   }
 
-  SignalSlot take(Eigen::Index size) {
-    const SignalSlot slot{end_, size};
+  void place_diagnostics(std::size_t b) {
+    for (std::size_t n = 0; n < draft_.type(b).diagnostics.size(); ++n)
+      plan_.blocks[b].diagnostics.push_back(take(1));
+  }
+
+  SignalSlot take(Eigen::Index size, Eigen::Index columns = 1) {
+    const SignalSlot slot{end_, size, columns};
     end_ += static_cast<std::size_t>(size);
     return slot;
   }
@@ -93,14 +105,14 @@ class LayoutMaker {
     block.derivatives.resize(draft_.type(b).states.size());
     for (std::size_t o = 0; o < block.outputs.size(); ++o)
       if (!draft_.is_state(b, o) && !slopes_.contains({b, o}))
-        block.outputs[o] = take(draft_.blocks[b].output_sizes[o]);
+        block.outputs[o] = take(draft_.blocks[b].output_sizes[o], draft_.blocks[b].output_columns[o]);
   }
 
   void place_states(std::size_t b, bool continuous) {
     const BlockType& type = draft_.type(b);
     for (std::size_t s = 0; s < type.states.size(); ++s)
       if (type.states[s].continuous == continuous)
-        plan_.blocks[b].states[s] = take(draft_.blocks[b].state_sizes[s]);
+        plan_.blocks[b].states[s] = take(draft_.blocks[b].state_sizes[s], draft_.blocks[b].state_columns[s]);
     if (!continuous) return;
     for (std::size_t o = 0; o < type.outputs.size(); ++o)
       if (draft_.is_state(b, o))
@@ -113,7 +125,7 @@ class LayoutMaker {
     for (std::size_t s = 0; s < block.states.size(); ++s)
       if (draft_.type(b).states[s].continuous)
         block.derivatives[s] = {plan_.layout.derivatives + (block.states[s].offset - plan_.layout.states),
-                                block.states[s].size};
+                                block.states[s].size, block.states[s].columns};
   }
 
   void place_inputs(std::size_t b) {
@@ -124,14 +136,37 @@ class LayoutMaker {
         plan_.blocks[b].inputs[i].push_back(slot_of(b, i, source));
   }
 
+  /// Outputs that solver stages write, where they can be off.
+  void place_kept(std::size_t b) {
+    if (draft_.diagram().blocks[b].guard < 0 || !draft_.blocks[b].in_stages) return;
+    for (const Eigen::Index size : draft_.blocks[b].output_sizes) plan_.blocks[b].kept.push_back(take(size));
+  }
+
+  void place_initial(std::size_t b) {
+    if (!is_reset(draft_.diagram(), b)) return;
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[b];
+    for (std::size_t s = 0; s < block.type().states.size(); ++s) {
+      const SignalSlot slot = take(plan_.blocks[b].states[s].size);
+      plan_.blocks[b].initial.push_back(slot);
+      const auto given = std::ranges::find(block.initial, static_cast<int>(s), &diagram::InitialValue::state);
+      for (Eigen::Index k = 0; k < slot.size; ++k)
+        plan_.constants.push_back(given == block.initial.end()
+                                      ? block.type().states[s].initial
+                                      : given->value[given->value.size() == 1 ? 0 : k]);
+    }
+  }
+
   SignalSlot slot_of(std::size_t b, std::size_t input, const diagram::Source& source) {
     if (source.block >= 0)
-      return plan_.blocks[static_cast<std::size_t>(source.block)]
-          .outputs[static_cast<std::size_t>(source.output)];
+      return element_slot(plan_.blocks[static_cast<std::size_t>(source.block)]
+                              .outputs[static_cast<std::size_t>(source.output)],
+                          source.element);
+    const SignalSlot meant = constant_slot(source);
     const bool list = draft_.type(b).inputs[input].list;
-    const Eigen::Index size = list ? source.constant.size() : draft_.blocks[b].input_sizes[input];
+    const Eigen::Index size = list ? meant.size : draft_.blocks[b].input_sizes[input];
     for (Eigen::Index k = 0; k < size; ++k)
-      plan_.constants.push_back(source.constant[source.constant.size() == 1 ? 0 : k]);
+      plan_.constants.push_back(
+          source.constant[static_cast<Eigen::Index>(meant.offset) + (meant.size == 1 ? 0 : k)]);
     return take(size);
   }
 
@@ -142,11 +177,26 @@ class LayoutMaker {
   std::size_t end_ = Layout::first;
 };
 
+/// Behind all else: what is known of each loop in a run, and room for what its blocks have to report.
+void place_loops(Plan& plan, const CallOrder& order) {
+  for (const CallOrder::Loop& from : order.loops) {
+    SolvedLoop loop{from.path, from.tears, {}, plan.layout.size};
+    std::set<int> blocks(order.blocks.begin() + static_cast<std::ptrdiff_t>(from.first),
+                         order.blocks.begin() + static_cast<std::ptrdiff_t>(from.end));
+    for (const int block : blocks)
+      for (const SignalSlot& slot : plan.blocks[static_cast<std::size_t>(block)].diagnostics)
+        loop.diagnostics.push_back(slot.offset);
+    plan.layout.size += Layout::loop_count + loop.diagnostics.size();
+    plan.loops.push_back(std::move(loop));
+  }
+  plan.layout.events = plan.layout.size;
+}
+
 }  // namespace
 
-void plan_layout(Draft& draft, const std::vector<int>& order) {
+void plan_layout(Draft& draft, const CallOrder& order) {
   Plan& plan = draft.plan;
-  plan.memory_order = memory_order(draft, order);
+  plan.memory_order = memory_order(draft, order.blocks);
   for (int b : plan.memory_order) {
     const BlockType& type = draft.type(static_cast<std::size_t>(b));
     plan.block_bytes = (plan.block_bytes + type.alignment - 1) / type.alignment * type.alignment;
@@ -154,6 +204,8 @@ void plan_layout(Draft& draft, const std::vector<int>& order) {
     plan.block_bytes += type.bytes;
   }
   LayoutMaker(draft).run();
+  place_loops(plan, order);
+  if (plan.crossing_count > 0) plan.layout.size += Layout::event_count;
 }
 
 }  // namespace stepwire::plan

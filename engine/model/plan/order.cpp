@@ -1,54 +1,55 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/strong_components.hpp>
 #include <deque>
 #include <map>
+#include <optional>
 
-#include "engine/model/plan/draft.hpp"
+#include "engine/model/diagram/guard_types.hpp"
+#include "engine/model/plan/algebraic_loops.hpp"
+#include "engine/model/plan/guards.hpp"
 
 namespace stepwire::plan {
 
 namespace {
 
-using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
-
-/// The graph of what must be known before what: its nodes are outputs that are computed, and an edge leads
-/// from an output to each output that depends on it at the same instant.
+/// Makes the graph of what must be known before what, and orders blocks by it.
 class Order {
  public:
   explicit Order(Draft& draft) : draft_(draft) {
     for (std::size_t b = 0; b < draft.blocks.size(); ++b) {
-      first_node_.push_back(owners_.size());
+      graph_.first.push_back(graph_.owners.size());
       for (std::size_t o = 0; o < draft.type(b).outputs.size(); ++o)
-        if (draft.blocks[b].computes) owners_.emplace_back(b, o);
+        if (draft.blocks[b].computes) graph_.owners.emplace_back(b, o);
     }
-    first_node_.push_back(owners_.size());
-    for (std::size_t n = 0; n < owners_.size(); ++n) boost::add_vertex(graph_);
-    waiting_.assign(owners_.size(), 0);
+    graph_.first.push_back(graph_.owners.size());
+    graph_.edges.resize(graph_.owners.size());
+    waiting_.assign(graph_.owners.size(), 0);
+    loop_of_.assign(graph_.owners.size(), -1);
     for (std::size_t b = 0; b < draft.blocks.size(); ++b) add_edges(b);
+    for (std::size_t b = 0; b < draft.blocks.size(); ++b) add_guard_edges(b);
   }
 
-  std::vector<int> run() {
-    if (refuse_loops()) return {};
+  CallOrder run() {
+    take_loops();
+    if (!draft_.report.faults().empty()) return {};
     mark_stages();
     return schedule();
   }
 
  private:
-  std::size_t node_count(std::size_t block) const { return first_node_[block + 1] - first_node_[block]; }
-
-  /// What depends on a node at the same instant.
-  auto readers(std::size_t node) const {
-    return boost::make_iterator_range(boost::adjacent_vertices(node, graph_));
-  }
+  struct Loop {
+    LoopNodes nodes;
+    LoopOrder order;
+    std::string path;
+    int waiting = 0;  ///< how many nodes outside it still waits for; -1: it is emitted
+  };
 
   /// The node that computes a source, or nothing for states and constants.
   std::optional<std::size_t> node_of(const diagram::Source& source) const {
-    if (source.block < 0 || !draft_.blocks[static_cast<std::size_t>(source.block)].computes)
-      return std::nullopt;
-    return first_node_[static_cast<std::size_t>(source.block)] + static_cast<std::size_t>(source.output);
+    if (source.block < 0) return std::nullopt;
+    const auto block = static_cast<std::size_t>(source.block),
+               output = static_cast<std::size_t>(source.output);
+    if (!draft_.blocks[block].computes || draft_.is_state(block, output)) return std::nullopt;
+    return graph_.first[block] + output;
   }
 
   /// Is a block called before another in any case, from a table of its own?
@@ -63,74 +64,50 @@ class Order {
     const auto& inputs = draft_.diagram().blocks[block].inputs;
     for (std::size_t i = 0; i < inputs.size(); ++i)
       for (const diagram::Source& source : inputs[i])
-        if (const auto from = node_of(source); from && !comes_first(owners_[*from].first, block))
-          for (std::size_t o = 0; o < node_count(block); ++o)
-            if (draft_.depends(block, i, o)) add_edge(*from, first_node_[block] + o);
+        if (const auto from = node_of(source); from && !comes_first(graph_.owners[*from].first, block))
+          for (std::size_t o = 0; o < graph_.count(block); ++o)
+            if (draft_.depends(block, i, o)) add_edge(*from, graph_.first[block] + o);
+  }
+
+  /// A guard comes before what it guards, and before what reads states that it resets.
+  void add_guard_edges(std::size_t block) {
+    if (draft_.plan.blocks[block].rate.kind == Rate::Kind::constant) return;
+    const auto wait_for = [&](int guard) {
+      for (std::size_t n = graph_.first[block]; n < graph_.first[block + 1]; ++n)
+        add_edge(graph_.first[static_cast<std::size_t>(guard)], n);
+    };
+    if (const int guard = draft_.diagram().blocks[block].guard; guard >= 0) wait_for(guard);
+    for (const auto& sources : draft_.diagram().blocks[block].inputs)
+      for (const diagram::Source& source : sources)
+        if (source.block >= 0 && !node_of(source))
+          for (const int guard : guards_of(draft_.diagram(), static_cast<std::size_t>(source.block)))
+            if (resets(draft_.diagram(), guard)) wait_for(guard);
   }
 
   void add_edge(std::size_t from, std::size_t to) {
-    boost::add_edge(from, to, graph_);
+    graph_.edges[from].push_back(to);
     ++waiting_[to];
   }
 
-  bool refuse_loops() {
-    std::vector<int> component(owners_.size());
-    const int count = boost::strong_components(graph_, component.data());
-    std::vector<std::vector<std::size_t>> members(static_cast<std::size_t>(count));
-    for (std::size_t n = 0; n < owners_.size(); ++n)
-      members[static_cast<std::size_t>(component[n])].push_back(n);
-    bool refused = false;
-    for (const auto& nodes : members) {
-      if (nodes.size() == 1 && !boost::edge(nodes[0], nodes[0], graph_).second) continue;
-      refuse(cycle(*std::min_element(nodes.begin(), nodes.end()), component));
-      refused = true;
-    }
-    return refused;
-  }
-
-  /// A shortest way from a node back to itself inside of its component.
-  std::vector<std::size_t> cycle(std::size_t start, const std::vector<int>& component) const {
-    std::map<std::size_t, std::size_t> came_from;
-    std::deque<std::size_t> queue{start};
-    while (!queue.empty()) {
-      const std::size_t node = queue.front();
-      queue.pop_front();
-      for (const std::size_t next : readers(node)) {
-        if (component[next] != component[start] || came_from.contains(next)) continue;
-        came_from[next] = node;
-        queue.push_back(next);
+  void take_loops() {
+    for (const LoopNodes& nodes : find_loops(graph_)) {
+      const bool decides = std::ranges::any_of(nodes, [&](std::size_t node) {
+        return &draft_.type(graph_.owners[node].first) == &diagram::guard_type();
+      });
+      if (!draft_.diagram().algebraic_loops.solve || decides) {
+        refuse_loop(draft_, graph_, nodes);
+        continue;
       }
-      if (came_from.contains(start)) break;
+      const int loop = static_cast<int>(loops_.size());
+      loops_.push_back({nodes, order_loop(draft_, graph_, nodes), loop_path(draft_, graph_, nodes)});
+      for (const std::size_t node : nodes) loop_of_[node] = loop;
     }
-    std::vector<std::size_t> path{start};
-    for (std::size_t node = came_from[start]; node != start; node = came_from[node]) path.push_back(node);
-    std::reverse(path.begin() + 1, path.end());
-    return path;
-  }
-
-  void refuse(const std::vector<std::size_t>& path) {
-    std::string hops;
-    const auto hop = [&](std::size_t node) {
-      const diagram::DiagramBlock& block = draft_.diagram().blocks[owners_[node].first];
-      const yaml::Place place = draft_.diagram().place(block.origin);
-      return fmt::format("{} ({}:{})", name(node), place.file, place.mark.line);
-    };
-    for (std::size_t node : path) hops += hop(node) + " -> ";
-    hops += name(path.front());
-    const diagram::DiagramBlock& block = draft_.diagram().blocks[owners_[path.front()].first];
-    draft_.report.add(
-        block.origin, block.name,
-        fmt::format("algebraic loop: each of these feeds the next at the same instant: {}; break it with a "
-                    "block whose "
-                    "output does not follow its input at once (a Lag, an Integrator, a UnitDelay)",
-                    hops));
-  }
-
-  std::string name(std::size_t node) const {
-    const auto& [block, output] = owners_[node];
-    const auto& outputs = draft_.type(block).outputs;
-    const std::string& block_name = draft_.plan.diagram.blocks[block].name;
-    return outputs.size() == 1 ? block_name : block_name + "." + outputs[output].name;
+    for (Loop& loop : loops_)
+      for (const std::size_t node : loop.nodes) loop.waiting += waiting_[node];
+    for (std::size_t node = 0; node < graph_.owners.size(); ++node)
+      for (const std::size_t reader : graph_.readers(node))
+        if (loop_of_[node] >= 0 && loop_of_[node] == loop_of_[reader])
+          --loops_[static_cast<std::size_t>(loop_of_[node])].waiting;
   }
 
   /// Marks what derivatives need between ticks, and what that needs in turn.
@@ -139,9 +116,11 @@ class Order {
     const auto need = [&](const diagram::Source& source) {
       const auto node = node_of(source);
       if (!node) return;
-      const std::size_t block = owners_[*node].first;
+      const std::size_t block = graph_.owners[*node].first;
       if (draft_.blocks[block].in_stages || draft_.plan.blocks[block].rate.kind != Rate::Kind::continuous)
         return;
+      // Between events it is constant; what it would be beyond the next one must not count.
+      if (draft_.type(block).steady && draft_.diagram().events.locate) return;
       draft_.blocks[block].in_stages = true;
       stack.push_back(block);
     };
@@ -159,13 +138,14 @@ class Order {
   }
 
   /// Blocks that can share one call: same type, same ticks, both or neither between ticks, both or neither by
-  /// the time alone.
-  using Group = std::tuple<const BlockType*, int, std::int64_t, bool, bool>;
+  /// the time alone, and one guard.
+  using Group = std::tuple<const BlockType*, int, std::int64_t, bool, bool, int>;
 
   Group group(std::size_t block) const {
     const Rate& rate = draft_.plan.blocks[block].rate;
     const Draft::Block& known = draft_.blocks[block];
-    return {&draft_.type(block), static_cast<int>(rate.kind), rate.ticks, known.in_stages, known.timed};
+    return {&draft_.type(block), static_cast<int>(rate.kind),         rate.ticks, known.in_stages,
+            known.timed,         draft_.diagram().blocks[block].guard};
   }
 
   /// How many calls, one waiting for the other, each block begins.
@@ -175,26 +155,27 @@ class Order {
     for (std::size_t n = 0; n < waiting.size(); ++n)
       if (waiting[n] == 0) order.push_back(n);
     for (std::size_t k = 0; k < order.size(); ++k)
-      for (const std::size_t next : readers(order[k]))
+      for (const std::size_t next : graph_.readers(order[k]))
         if (--waiting[next] == 0) order.push_back(next);
     std::vector<int> heights(draft_.blocks.size(), 0);
     for (auto n = order.rbegin(); n != order.rend(); ++n)
-      for (const std::size_t next : readers(*n))
-        heights[owners_[*n].first] = std::max(heights[owners_[*n].first], heights[owners_[next].first] + 1);
+      for (const std::size_t next : graph_.readers(*n))
+        heights[graph_.owners[*n].first] =
+            std::max(heights[graph_.owners[*n].first], heights[graph_.owners[next].first] + 1);
     return heights;
   }
 
   /// Lists blocks so that each comes after what it depends on, as many of one group in a row as can be, and
   /// those first for which the most others wait: a processor works on several calls at once. A block of which
   /// only some outputs can be computed, while nothing else can go on, is listed there and once more later.
-  std::vector<int> schedule() {
+  CallOrder schedule() {
     heights_ = heights();
     open_nodes_.resize(draft_.blocks.size());
-    emitted_.assign(owners_.size(), false);
+    emitted_.assign(graph_.owners.size(), false);
     for (std::size_t b = 0; b < draft_.blocks.size(); ++b) {
-      open_nodes_[b] = node_count(b);
-      for (std::size_t n = first_node_[b]; n < first_node_[b + 1]; ++n)
-        if (waiting_[n] == 0) node_ready(n);
+      open_nodes_[b] = graph_.count(b);
+      for (std::size_t n = graph_.first[b]; n < graph_.first[b + 1]; ++n)
+        if (waiting_[n] == 0 && loop_of_[n] < 0) node_ready(n);
     }
     while (Bucket* bucket = next_bucket()) {
       while (!bucket->blocks.empty()) {
@@ -218,21 +199,29 @@ class Order {
   /// The bucket to go on with; where no block is ready as a whole, one that is in part.
   Bucket* next_bucket() {
     Bucket* best = nullptr;
+    const auto rank = [&](const Bucket& bucket) {
+      return std::pair(draft_.diagram().blocks[bucket.blocks.front()].guard == guard_, bucket.rank());
+    };
     for (auto& bucket : buckets_)
-      if (!bucket.blocks.empty() && (!best || bucket.rank() > best->rank())) best = &bucket;
+      if (!bucket.blocks.empty() && (!best || rank(bucket) > rank(*best))) best = &bucket;
     if (best) return best;
+    for (Loop& loop : loops_)
+      if (loop.waiting == 0) {
+        emit_loop(loop);
+        return next_bucket();
+      }
     while (!partly_ready_.empty()) {
       const std::size_t node = partly_ready_.front();
       partly_ready_.pop_front();
       if (emitted_[node]) continue;
-      emit(owners_[node].first);
+      emit(graph_.owners[node].first);
       return next_bucket();
     }
     return nullptr;
   }
 
   void node_ready(std::size_t node) {
-    const std::size_t block = owners_[node].first;
+    const std::size_t block = graph_.owners[node].first;
     if (--open_nodes_[block] > 0) {
       partly_ready_.push_back(node);
       return;
@@ -244,25 +233,52 @@ class Order {
     bucket.height = std::max(bucket.height, heights_[block]);
   }
 
+  /// One waits no more for this node.
+  void release(std::size_t node) {
+    const int loop = loop_of_[node];
+    --waiting_[node];
+    if (loop >= 0)
+      --loops_[static_cast<std::size_t>(loop)].waiting;
+    else if (waiting_[node] == 0)
+      node_ready(node);
+  }
+
+  void emit_loop(Loop& loop) {
+    loop.waiting = -1;
+    const std::size_t first = order_.blocks.size();
+    order_.blocks.insert(order_.blocks.end(), loop.order.blocks.begin(), loop.order.blocks.end());
+    order_.loops.push_back({first, order_.blocks.size(), {}, loop.path});
+    for (const std::size_t node : loop.order.tears)
+      order_.loops.back().tears.push_back(
+          {static_cast<int>(graph_.owners[node].first), static_cast<int>(graph_.owners[node].second), -1});
+    for (const std::size_t node : loop.nodes) emitted_[node] = true;
+    for (const std::size_t node : loop.nodes) {
+      --open_nodes_[graph_.owners[node].first];
+      for (const std::size_t next : graph_.readers(node))
+        if (loop_of_[next] != loop_of_[node]) release(next);
+    }
+  }
+
   void emit(std::size_t block) {
-    order_.push_back(static_cast<int>(block));
-    for (std::size_t n = first_node_[block]; n < first_node_[block + 1]; ++n) {
-      if (emitted_[n] || waiting_[n] > 0) continue;
+    order_.blocks.push_back(static_cast<int>(block));
+    guard_ = draft_.diagram().blocks[block].guard;
+    for (std::size_t n = graph_.first[block]; n < graph_.first[block + 1]; ++n) {
+      if (emitted_[n] || waiting_[n] > 0 || loop_of_[n] >= 0) continue;
       emitted_[n] = true;
-      for (const std::size_t next : readers(n))
-        if (--waiting_[next] == 0) node_ready(next);
+      for (const std::size_t next : graph_.readers(n)) release(next);
     }
   }
 
   Draft& draft_;
-  std::vector<std::size_t> first_node_;
-  std::vector<std::pair<std::size_t, std::size_t>> owners_;  ///< block and output of each node
-  Graph graph_;
+  OrderGraph graph_;
   std::vector<int> waiting_;  ///< for each node, how many it still waits for
+  std::vector<int> loop_of_;  ///< for each node, its loop; -1: none
+  std::vector<Loop> loops_;
   std::vector<std::size_t> open_nodes_;
   std::vector<int> heights_;  ///< of blocks
   std::vector<bool> emitted_;
-  std::vector<int> order_;
+  CallOrder order_;
+  int guard_ = -1;  ///< of the block that was listed last: what is off is passed over in one go
   std::map<Group, std::size_t> bucket_of_;
   std::deque<Bucket> buckets_;  // a deque: growing keeps references valid
   std::deque<std::size_t> partly_ready_;
@@ -270,7 +286,7 @@ class Order {
 
 }  // namespace
 
-std::vector<int> plan_order(Draft& draft) {
+CallOrder plan_order(Draft& draft) {
   return Order(draft).run();
 }
 

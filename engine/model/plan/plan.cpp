@@ -1,20 +1,38 @@
 #include "engine/model/plan/plan.hpp"
 
+#include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/units.hpp"
 #include "engine/model/plan/draft.hpp"
+#include "engine/model/plan/element_slot.hpp"
+#include "engine/model/plan/guards.hpp"
 
 namespace stepwire::plan {
 
 SignalSlot Plan::slot(const diagram::SignalRef& signal) const {
   const PlannedBlock& block = blocks[static_cast<std::size_t>(signal.block)];
-  return signal.output >= 0 ? block.outputs[static_cast<std::size_t>(signal.output)]
-                            : block.states[static_cast<std::size_t>(signal.state)];
+  return element_slot(signal.output >= 0 ? block.outputs[static_cast<std::size_t>(signal.output)]
+                                         : block.states[static_cast<std::size_t>(signal.state)],
+                      signal.element);
 }
 
 std::optional<unit::Dimension> Plan::dimension(const diagram::SignalRef& signal) const {
   const auto block = static_cast<std::size_t>(signal.block);
   return signal.output >= 0 ? diagram.output_dimensions[block][static_cast<std::size_t>(signal.output)]
                             : diagram.state_dimensions[block][static_cast<std::size_t>(signal.state)];
+}
+
+const std::vector<LoopCall>& Plan::loops_of(const std::vector<KernelCall>& table) const {
+  static const std::vector<LoopCall> none;
+  const std::pair<const std::vector<KernelCall>*, const std::vector<LoopCall>*> all[] = {
+      {&once, &once_loops},
+      {&timed, &timed_loops},
+      {&outputs, &output_loops},
+      {&stage, &stage_loops},
+      {&crossing_outputs, &crossing_loops},
+      {&event_outputs, &event_loops}};
+  for (const auto& [calls, loops] : all)
+    if (calls == &table) return *loops;
+  return none;
 }
 
 bool Draft::depends(std::size_t block, std::size_t input, std::size_t output) const {
@@ -25,7 +43,8 @@ bool Draft::depends(std::size_t block, std::size_t input, std::size_t output) co
 }
 
 bool Draft::is_state(std::size_t block, std::size_t output) const {
-  return !blocks[block].computes && !type(block).outputs[output].state.empty();
+  return diagram::is_bare_state(type(block), output) ||
+         (!blocks[block].computes && !type(block).outputs[output].state.empty());
 }
 
 Plan make_plan(diagram::Diagram diagram) {
@@ -41,11 +60,13 @@ Plan make_plan(diagram::Diagram diagram) {
   draft.report.faults().throw_if_any();
   prepare_blocks(draft);
   find_timed(draft);
-  const std::vector<int> order = plan_order(draft);
+  const CallOrder order = plan_order(draft);
   draft.report.faults().throw_if_any();
+  find_events(draft);
   plan_layout(draft, order);
   check_stop_and_safe_values(draft);
   draft.report.faults().throw_if_any();
+  plan_guards(draft);
   make_schedule(draft, order);
   return plan;
 }

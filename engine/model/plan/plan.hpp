@@ -25,6 +25,59 @@ struct KernelCall {
   std::size_t first, end;  ///< offsets of the first block and behind the last in the memory of blocks [bytes]
   std::size_t count;
   int period;  ///< index in Plan::periods
+  std::ptrdiff_t active =
+      -1;          ///< place of what its blocks are active by, which is 0 while they are not; -1: always
+  int guard = -1;  ///< index in Plan::guards of the guard that it runs; -1: none
+};
+
+/// Where a signal lies, for recording and for messages.
+struct SignalSlot {
+  std::size_t offset = 0;
+  Eigen::Index size = 1;
+  Eigen::Index columns = 1;  ///< of a matrix, whose numbers lie column by column
+
+  Eigen::Index rows() const { return size / columns; }
+};
+
+/// Numbers that are copied from one place of the workspace to another.
+struct Copied {
+  std::size_t from, to, size;
+};
+
+/// What happens as a guard changes (see engine/model/diagram/guard.hpp). While it is off, nothing that it
+/// guards is called, and slopes are 0.
+struct PlannedGuard {
+  std::size_t block = 0;
+  std::size_t active = 0;      ///< place of its output
+  bool once_per_edge = false;  ///< is it active at single ticks, each of which is a beginning of its own?
+  std::vector<int> inside;     ///< guards that it guards, by their index in Plan::guards
+  std::vector<Copied> keep;    ///< outputs that solver stages write, at a tick, for what reads them while off
+  std::vector<SignalSlot> slopes;  ///< of states that it guards
+  std::vector<Copied> reset;       ///< initial values of all states inside; none where these are held
+  std::vector<std::size_t> start;  ///< blocks inside that have start(), where states are reset
+};
+
+/// A loop of outputs that feed each other at the same instant, torn so that its blocks can be called in a row.
+struct SolvedLoop {
+  std::string path;                      ///< "error -> half -> twice -> error"
+  std::vector<diagram::SignalRef> tears;
+  std::vector<std::size_t> diagnostics;  ///< of its blocks, where they lie in the workspace
+  std::size_t report = 0;                ///< where what is known of it in a run lies (solve::LoopReport)
+};
+
+/// Calls of a table that are made again and again until their loop is solved.
+struct LoopCall {
+  std::size_t first, end;  ///< calls of the table
+  std::size_t loop;        ///< index in Plan::loops
+  /// Of the signals that these calls compute those at which the loop is torn: guesses stand in their places.
+  std::vector<SignalSlot> tears;
+};
+
+/// The crossings of one block.
+struct CrossingCall {
+  std::size_t block;   ///< index in Plan::blocks
+  std::size_t first;   ///< index of its first number
+  std::size_t count;
 };
 
 /// Where the numbers of a run lie in its workspace; offsets in doubles. Signals and continuous states lie
@@ -33,7 +86,7 @@ struct Layout {
   static constexpr std::size_t time = 0;
   static constexpr std::size_t timed = 1;  ///< for which time Plan::timed was computed last
   static constexpr std::size_t first = 2;  ///< of what blocks have
-  static constexpr std::size_t report_count = 3;
+  static constexpr std::size_t report_count = 3, loop_count = 7, event_count = 4;
   static constexpr double never = -1.0;  ///< stands at `timed` before the start
   std::size_t signals = first;
   std::size_t states = first;
@@ -44,14 +97,10 @@ struct Layout {
   std::size_t diagnostics = first;
   std::size_t diagnostic_count = 0;
   std::size_t constants = first;
-  std::size_t report = first;  ///< of an implicit solver; lies behind all else
+  std::size_t report = first;  ///< of an implicit solver
+  std::size_t loops = first;   ///< what is known of loops in a run
+  std::size_t events = first;  ///< and of located events; lies behind all else
   std::size_t size = first;
-};
-
-/// Where a signal lies, for recording and for messages.
-struct SignalSlot {
-  std::size_t offset = 0;
-  Eigen::Index size = 1;
 };
 
 /// One block as it is run.
@@ -63,6 +112,9 @@ struct PlannedBlock {
   std::vector<SignalSlot> derivatives;  ///< parallel to states; unused for discrete ones
   std::vector<SignalSlot> diagnostics;
   std::vector<std::vector<SignalSlot>> inputs;
+  std::vector<SignalSlot> initial;  ///< values of states, where a guard resets these; else empty
+  std::vector<SignalSlot> kept;     ///< outputs as they were at the tick, see PlannedGuard; else empty
+  std::vector<Eigen::Index> sizes;  ///< parallel to BlockType::sizes
   bool slope_is_input = false;      ///< its input lies in the place of its slope: derivatives() is not called
   std::optional<AnyBlock> written;  ///< as its file gives it, where configure() or prepare() change it
   std::shared_ptr<const Configuration> configuration;  ///< what configure() answered, where it has one
@@ -86,13 +138,28 @@ struct Plan {
       stage;  ///< outputs on which derivatives depend, at the solver's stages between ticks
   std::vector<KernelCall> derivatives;
   std::vector<KernelCall> updates;
-  bool updates_continuous = false;  ///< may an update change a continuous state?
+  std::vector<PlannedGuard> guards;  ///< each behind the one that guards it
+  bool updates_continuous = false;   ///< may an update change a continuous state?
+
+  std::vector<SolvedLoop> loops;
+  std::vector<LoopCall> once_loops, timed_loops, output_loops, stage_loops;  ///< of the tables above
+
+  /// The loops in one of the tables above.
+  const std::vector<LoopCall>& loops_of(const std::vector<KernelCall>& table) const;
+
+  // Where events are located; empty otherwise.
+  std::vector<CrossingCall> crossings;
+  std::size_t crossing_count = 0;
+  std::vector<KernelCall> crossing_outputs;  ///< what crossings depend on, of the stage
+  std::vector<KernelCall> event_outputs;     ///< of what follows at every instant
+  std::vector<KernelCall> event_updates;
+  std::vector<LoopCall> crossing_loops, event_loops;
 
   SignalSlot slot(const diagram::SignalRef& signal) const;
   std::optional<unit::Dimension> dimension(const diagram::SignalRef& signal) const;
   /// Where what a stop condition reads lies in the workspace.
-  std::size_t offset(const diagram::StopCondition::Variable& variable) const {
-    return variable.signal.block < 0 ? Layout::time : slot(variable.signal).offset + variable.offset();
+  std::size_t offset(const diagram::SignalRef& variable) const {
+    return variable.block < 0 ? Layout::time : slot(variable).offset;
   }
   double time_of(std::int64_t tick) const { return static_cast<double>(tick) * diagram.step; }
 };

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "engine/base/io/environment_error.hpp"
+#include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/plan/draft.hpp"
 
 namespace stepwire::plan {
@@ -69,8 +71,11 @@ class Rates {
     for (const auto& sources : block.inputs)
       for (const diagram::Source& source : sources)
         if (source.block >= 0) users_[static_cast<std::size_t>(source.block)].push_back(index);
-    if (block.every) {
+    if (is_triggered(index)) refuse_what_needs_periods(block);
+    if (block.every && !waits_for_inputs(block)) {
       give_period(index, block);
+    } else if (runs_each_tick(index)) {
+      rate(index) = {Rate::Kind::discrete, 1};
     } else if (block.type().timing == Timing::continuous) {
       rate(index) = {Rate::Kind::continuous, 1};
     }
@@ -79,25 +84,70 @@ class Rates {
 
   void give_period(std::size_t index, const diagram::DiagramBlock& block) {
     rate(index) = {Rate::Kind::discrete, 1};
-    const diagram::Origin origin{block.origin.scope, block.every_mark};
     if (block.type().has_continuous_state())
-      return draft_.report.add(
-          origin, block.name + ".every",
-          fmt::format(
-              "{} has a continuous state and follows the solver; leave 'every' out, or use its discrete kind",
-              block.type().name));
-    require_whole(draft_, *block.every, origin, block.name + ".every", rate(index).ticks);
+      return draft_.report.add(block.every_origin, block.name + ".every",
+                               fmt::format("{} has a continuous state and follows the solver; leave 'every' "
+                                           "out{}, or use its discrete kind",
+                                           block.type().name, block.every_of_part ? " of its part" : ""));
+    require_whole(draft_, *block.every, block.every_origin, block.name + ".every", rate(index).ticks);
+  }
+
+  /// Is this one computed once in spite of a period, unless what feeds it changes?
+  static bool waits_for_inputs(const diagram::DiagramBlock& block) {
+    return (block.every_of_part || block.guard >= 0) && block.type().timing == Timing::inherited &&
+           !acts(block.type());
+  }
+
+  /// Is it run at single ticks, between which it stands still?
+  bool is_triggered(std::size_t index) const {
+    const auto& blocks = draft_.plan.diagram.blocks;
+    const int trigger = diagram::guard_type().input("trigger");
+    for (int guard = blocks[index].guard; guard >= 0; guard = blocks[static_cast<std::size_t>(guard)].guard)
+      if (!blocks[static_cast<std::size_t>(guard)].inputs[static_cast<std::size_t>(trigger)].empty())
+        return true;
+    return false;
+  }
+
+  /// Guards see every change, and what is triggered holds its outputs between ticks.
+  bool runs_each_tick(std::size_t index) const {
+    const diagram::DiagramBlock& block = draft_.plan.diagram.blocks[index];
+    return &block.type() == &diagram::guard_type() || (is_triggered(index) && !waits_for_inputs(block));
+  }
+
+  void refuse_what_needs_periods(const diagram::DiagramBlock& block) {
+    const BlockType& type = block.type();
+    if (type.has_continuous_state())
+      return draft_.report.add(block.origin, block.name,
+                               fmt::format("{} has a continuous state, which would stand still between the "
+                                           "edges of its trigger; use its discrete kind, or 'enable'",
+                                           type.name));
+    const bool has_period =
+        std::ranges::any_of(type.clocks, [](const ClockSpec& clock) { return clock.bind_period != nullptr; });
+    if (!has_period || block.every) return;
+    draft_.report.add(
+        block.origin, block.name,
+        fmt::format("{} computes with the time between its ticks, which a trigger leaves open; give what is "
+                    "triggered an 'every': edges are looked for at that period, and each counts for one",
+                    type.name));
   }
 
   void raise(std::size_t index) {
     const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
-    if (block.every || block.type().timing == Timing::continuous) return;
+    if (runs_each_tick(index)) return;
+    const bool waits = waits_for_inputs(block);
+    if ((block.every && !waits) || block.type().timing == Timing::continuous) return;
     Rate joined = rate(index);
     for (const auto& sources : block.inputs)
       for (const diagram::Source& source : sources)
         if (source.block >= 0) joined = join(joined, rate(static_cast<std::size_t>(source.block)));
     if (block.type().timing == Timing::discrete && joined.kind == Rate::Kind::continuous)
       joined = {Rate::Kind::discrete, 1};
+    if (waits && joined.kind != Rate::Kind::constant && (block.every || is_triggered(index))) {
+      if (rate(index).kind != Rate::Kind::constant) return;
+      rate(index) = {Rate::Kind::discrete, 1};
+      if (block.every) give_period(index, block);
+      return queue_.push_back(index);
+    }
     if (joined == rate(index)) return;
     rate(index) = joined;
     queue_.push_back(index);

@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include "engine/model/diagram/guard_types.hpp"
+#include "engine/model/plan/active.hpp"
 #include "engine/model/plan/draft.hpp"
 
 namespace stepwire::plan {
@@ -45,31 +47,107 @@ Kernel kernel_of(const Draft& draft, std::size_t block, const Kernels& kernels) 
              : kernels[Specialization::one_element];
 }
 
-/// Appends a call, or lengthens the last one where the block lies right behind.
-void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t block, const Kernels& kernels) {
+/// The index of a guard in Plan::guards; -1 for other blocks.
+int guard_of(const Plan& plan, std::size_t block) {
+  if (&plan.diagram.blocks[block].type() != &diagram::guard_type()) return -1;
+  const auto found = std::ranges::find(plan.guards, block, &PlannedGuard::block);
+  return found == plan.guards.end() ? -1 : static_cast<int>(found - plan.guards.begin());
+}
+
+/// Appends a call, or lengthens the last one where the block lies right behind; none before `closed`.
+void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t block, const Kernels& kernels,
+            std::size_t closed = 0) {
   Plan& plan = draft.plan;
   const Kernel kernel = kernel_of(draft, block, kernels);
   const std::size_t bytes = draft.type(block).bytes, memory = plan.blocks[block].memory;
   const int period = period_index(plan, plan.blocks[block].rate.ticks);
-  if (!batches.empty()) {
+  const std::ptrdiff_t active = active_of(plan, block);
+  const bool evaluates_guard = &batches == &plan.outputs && guard_of(plan, block) >= 0;
+  if (batches.size() > closed) {
     KernelCall& last = batches.back();
-    if (last.run == kernel && last.period == period && last.end == memory) {
+    if (last.run == kernel && last.period == period && last.end == memory && last.active == active &&
+        last.guard < 0 && !evaluates_guard) {
       ++last.count;
       last.end += bytes;
       return;
     }
   }
-  batches.push_back({kernel, memory, memory + bytes, 1, period});
+  batches.push_back(
+      {kernel, memory, memory + bytes, 1, period, active, evaluates_guard ? guard_of(plan, block) : -1});
 }
 
-void append_outputs(Draft& draft, std::size_t block) {
-  Plan& plan = draft.plan;
-  const Kernels& kernels = draft.type(block).run_outputs;
-  if (plan.blocks[block].rate.kind == Rate::Kind::constant) return append(plan.once, draft, block, kernels);
-  if (draft.blocks[block].timed) return append(plan.timed, draft, block, kernels);
-  append(plan.outputs, draft, block, kernels);
-  if (draft.blocks[block].in_stages) append(plan.stage, draft, block, kernels);
-}
+/// A table of outputs while it is made.
+struct OutputTable {
+  std::vector<KernelCall>& calls;
+  std::vector<LoopCall>& loops;
+  bool (*has)(const Draft::Block& block);  ///< does it call this block, which is neither constant nor timed?
+  std::size_t closed = 0;                  ///< calls that no block may join
+
+  void close() { closed = calls.size(); }
+};
+
+/// Puts the outputs of blocks into the tables, and loops around them.
+class OutputTables {
+ public:
+  explicit OutputTables(Draft& draft) : draft_(draft) {}
+
+  void run(const CallOrder& order) {
+    auto loop = order.loops.begin();
+    for (std::size_t i = 0; i < order.blocks.size(); ++i) {
+      if (loop != order.loops.end() && i == loop->first) close();
+      append(static_cast<std::size_t>(order.blocks[i]));
+      if (loop == order.loops.end() || i + 1 < loop->end) continue;
+      end_loop(static_cast<std::size_t>(loop - order.loops.begin()));
+      ++loop;
+    }
+  }
+
+ private:
+  void close() {
+    for (OutputTable& table : tables_) table.close();
+  }
+
+  void append(std::size_t block) {
+    const Rate& rate = draft_.plan.blocks[block].rate;
+    if (rate.kind == Rate::Kind::constant) return append(once_, block);
+    if (draft_.blocks[block].timed) return append(timed_, block);
+    for (OutputTable& table : tables_)
+      if (table.has(draft_.blocks[block])) append(table, block);
+  }
+  void append(OutputTable& table, std::size_t block) {
+    plan::append(table.calls, draft_, block, draft_.type(block).run_outputs, table.closed);
+  }
+
+  /// The calls since the loop began are its own.
+  void end_loop(std::size_t loop) {
+    for (OutputTable& table : tables_) {
+      LoopCall call{table.closed, table.calls.size(), loop, {}};
+      table.close();
+      if (call.first == call.end) continue;
+      for (const diagram::SignalRef& tear : draft_.plan.loops[loop].tears)
+        if (&table == &once_ || &table == &timed_ ||
+            table.has(draft_.blocks[static_cast<std::size_t>(tear.block)]))
+          call.tears.push_back(draft_.plan.slot(tear));
+      if (!call.tears.empty()) table.loops.push_back(std::move(call));
+    }
+  }
+
+  static bool never(const Draft::Block&) { return false; }
+  static bool always(const Draft::Block&) { return true; }
+  static bool in_stages(const Draft::Block& block) { return block.in_stages; }
+  static bool for_crossings(const Draft::Block& block) { return block.for_crossings; }
+  static bool at_events(const Draft::Block& block) { return block.at_events; }
+
+  Draft& draft_;
+  Plan& plan_ = draft_.plan;
+  OutputTable tables_[6] = {{plan_.once, plan_.once_loops, never},
+                            {plan_.timed, plan_.timed_loops, never},
+                            {plan_.outputs, plan_.output_loops, always},
+                            {plan_.stage, plan_.stage_loops, in_stages},
+                            {plan_.crossing_outputs, plan_.crossing_loops, for_crossings},
+                            {plan_.event_outputs, plan_.event_loops, at_events}};
+  OutputTable &once_ = tables_[0], &timed_ = tables_[1];
+};
 
 void append_derivatives(Draft& draft, std::size_t block) {
   const BlockType& type = draft.type(block);
@@ -81,14 +159,16 @@ void append_updates(Draft& draft, std::size_t block) {
   if (!draft.blocks[block].updates) return;
   const BlockType& type = draft.type(block);
   append(draft.plan.updates, draft, block, type.run_update);
+  if (draft.blocks[block].at_events && (draft.blocks[block].crossings > 0 || type.has_continuous_state()))
+    append(draft.plan.event_updates, draft, block, type.run_update);
   draft.plan.updates_continuous = draft.plan.updates_continuous || type.has_continuous_state();
 }
 
 }  // namespace
 
-void make_schedule(Draft& draft, const std::vector<int>& order) {
+void make_schedule(Draft& draft, const CallOrder& order) {
   draft.plan.periods = {1};
-  for (int block : order) append_outputs(draft, static_cast<std::size_t>(block));
+  OutputTables(draft).run(order);
   // Updates of continuous states come last: a discrete block that reads such a state still sees its value at
   // the tick.
   for (const bool continuous : {false, true})

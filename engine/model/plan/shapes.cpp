@@ -4,17 +4,14 @@
 #include <set>
 
 #include "engine/model/plan/configuring.hpp"
+#include "engine/model/plan/element_slot.hpp"
 #include "engine/model/plan/infer_list_widths.hpp"
+#include "engine/model/plan/port_shape.hpp"
+#include "engine/model/plan/shape_checks.hpp"
 
 namespace stepwire::plan {
 
 namespace {
-
-/// a b, but no more than what is refused anyway.
-Eigen::Index bounded_product(Eigen::Index a, Eigen::Index b) {
-  const double product = static_cast<double>(a) * static_cast<double>(b);
-  return product > static_cast<double>(max_numbers) ? max_numbers + 1 : a * b;
-}
 
 /// Finds the size of every port and state: from declarations and parameters, along wires, then from lists.
 class Shapes {
@@ -24,11 +21,10 @@ class Shapes {
   void run() {
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) declare(i);
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) connect(i);
+    for (const diagram::ShapeDemand& demand : draft_.diagram().shape_demands) demand_shape(demand);
     refused_ = infer_list_widths(draft_, sizes_);
-    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) {
-      check_elements(i);
-      refuse_small(i);
-    }
+    join_matrices();
+    check_shapes(draft_, sizes_, refused_);
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) store(i);
   }
 
@@ -37,13 +33,37 @@ class Shapes {
     const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     for (const auto& [name, elements] : draft_.blocks[index].says.sizes)
       sizes_.set(sizes_.symbol(index, name), elements);
+    declare_matrices(index, block.type());
     for (std::size_t p = 0; p < block.type().parameters.size(); ++p) declare_parameter(index, block, p);
     for (const diagram::InitialValue& initial : block.initial) {
       const StateSpec& spec = block.type().states[static_cast<std::size_t>(initial.state)];
       if (initial.value.size() > 1)
         require(index, spec.shape, initial.value.size(), initial.origin, initial.value.size(),
                 "the initial value");
+      take_columns(index, spec.shape, initial.value.size(), initial.columns);
     }
+    for (const auto& [p, columns] : block.matrices) {
+      const ParameterSpec& spec = block.type().parameters[p];
+      const Value value = spec.get(block.block.get());
+      if (const auto* vector = std::get_if<Eigen::VectorXd>(&value.content))
+        take_columns(index, spec.shape, vector->size(), columns);
+    }
+  }
+
+  /// Makes the rows and columns of matrix ports known.
+  void declare_matrices(std::size_t index, const BlockType& type) {
+    for (const OutputSpec& output : type.outputs) sizes_.declare_matrix(index, output.shape);
+    for (const InputSpec& input : type.inputs)
+      if (!input.list) sizes_.declare_matrix(index, input.shape);
+  }
+
+  /// A matrix of numbers in a file makes what it stands for a matrix.
+  void take_columns(std::size_t index, const std::string& shape, Eigen::Index size, Eigen::Index columns) {
+    if (columns == 1) return;
+    const int rows = sizes_.add(), wide = sizes_.add();
+    sizes_.set(rows, size / columns);
+    sizes_.set(wide, columns);
+    sizes_.set_factors(sizes_.symbol(index, shape), rows, wide);
   }
 
   void declare_parameter(std::size_t index, const diagram::DiagramBlock& block, std::size_t p) {
@@ -77,85 +97,131 @@ class Shapes {
     const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     for (std::size_t i = 0; i < block.inputs.size(); ++i) {
       const InputSpec& spec = block.type().inputs[i];
+      if (spec.list && PortShape(spec.shape).is_matrix) connect_matrices(index, spec, block.inputs[i]);
       if (spec.list) continue;
-      for (const diagram::Source& source : block.inputs[i]) connect_one(index, spec, source);
-    }
-  }
-
-  void connect_one(std::size_t index, const InputSpec& spec, const diagram::Source& source) {
-    const int wanted = sizes_.symbol(index, spec.shape);
-    const std::string subject = draft_.diagram().blocks[index].name + "." + spec.name;
-    if (source.block < 0) {
-      if (source.constant.size() > 1 && !sizes_.set(wanted, source.constant.size()))
-        draft_.report.add(
-            source.origin, subject,
-            fmt::format("has {} numbers; {} would fit", source.constant.size(), *sizes_.value(wanted)));
-    } else if (const int given = sizes_.of_output(source); !sizes_.join(given, wanted)) {
-      draft_.report.add(
-          source.origin, subject,
-          fmt::format("'{}' has {} elements, but {} takes {}; join or pick elements with Mux or Select",
-                      name_of(source), *sizes_.value(given), subject, *sizes_.value(wanted)));
-    }
-  }
-
-  std::string name_of(const diagram::Source& source) const {
-    const diagram::DiagramBlock& block = draft_.plan.diagram.blocks[static_cast<std::size_t>(source.block)];
-    const auto& outputs = block.type().outputs;
-    return outputs.size() == 1 ? block.name
-                               : block.name + "." + outputs[static_cast<std::size_t>(source.output)].name;
-  }
-
-  /// At the end, since an element's own size may come to be known only after that of its list.
-  void check_elements(std::size_t index) {
-    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
-    for (std::size_t i = 0; i < block.inputs.size(); ++i) {
-      const InputSpec& spec = block.type().inputs[i];
-      if (!spec.list || spec.shape.starts_with('+') || refused_.contains({index, i})) continue;
-      const Eigen::Index size = sizes_.value(sizes_.of_list(index, i)).value_or(1);
       for (const diagram::Source& source : block.inputs[i])
-        check_element(source, size, block.name + "." + spec.name);
+        connect_one(sizes_.symbol(index, spec.shape), subject_of(index, spec), source);
     }
   }
 
-  void check_element(const diagram::Source& source, Eigen::Index size, const std::string& subject) {
-    const auto given = sizes_.value_of(source);
-    if (!given || *given == 1 || *given == size) return;
-    draft_.report.add(
-        source.origin, subject,
-        fmt::format("{} has {} elements, but others in this list have {}; all must have the same, or one",
-                    source.block < 0 ? "this" : "'" + name_of(source) + "'", *given, size));
+  std::string subject_of(std::size_t index, const InputSpec& spec) {
+    return draft_.diagram().blocks[index].name + "." + spec.name;
   }
 
-  void refuse_small(std::size_t index) {
-    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
-    for (const auto& [name, least] : draft_.blocks[index].says.min_sizes) {
-      const Eigen::Index size = sizes_.value(sizes_.symbol(index, name)).value_or(1);
-      if (size < least)
-        draft_.report.add(block.origin, block.name,
-                          fmt::format("is fed {} elements; it needs at least {}", size, least));
+  void connect_one(int wanted, const std::string& subject, const diagram::Source& source) {
+    if (source.block < 0 && source.constant.size() == 1) return;
+    const int given = sizes_.of_source(source);
+    const std::string shown = sizes_.shown(given);
+    if (sizes_.join(given, wanted)) return;
+    if (source.block < 0)
+      draft_.report.add(source.origin, subject,
+                        fmt::format("has {} numbers; {} would fit",
+                                    shape_text(source.constant.size(), source.columns), fitting(wanted)));
+    else
+      draft_.report.add(source.origin, subject,
+                        fmt::format("'{}' has {}, but {} takes {}; join or pick elements with Mux or Select",
+                                    source_name(draft_, source), shown, subject, fitting(wanted)));
+  }
+
+  void demand_shape(const diagram::ShapeDemand& demand) {
+    const int size = sizes_.add(), rows = sizes_.add(), columns = sizes_.add();
+    sizes_.set(size, bounded_product(demand.rows, demand.columns));
+    sizes_.set(rows, demand.rows);
+    sizes_.set(columns, demand.columns);
+    const int given = sizes_.of_source(demand.source);
+    const std::string shown = sizes_.shown(given);
+    if ((demand.columns > 1 && !sizes_.set_factors(size, rows, columns)) || !sizes_.join(given, size))
+      draft_.report.add(
+          demand.origin, demand.port,
+          fmt::format("'{}' has {}, but {} is declared as {}", source_name(draft_, demand.source), shown,
+                      demand.port, shape_text(demand.rows * demand.columns, demand.columns)));
+  }
+
+  /// "3", or "3 x 2" of a matrix
+  std::string fitting(int size) {
+    const std::string text = sizes_.shown(size);
+    return text.substr(0, text.rfind(' '));
+  }
+
+  /// A list of matrices side by side, or one above the other.
+  void connect_matrices(std::size_t index, const InputSpec& spec,
+                        const std::vector<diagram::Source>& sources) {
+    const PortShape shape(spec.shape);
+    Stack stack{index, &spec, sizes_.symbol(index, shape.adds_rows ? shape.rows : shape.columns), {}};
+    const int shared = sizes_.symbol(index, shape.adds_rows ? shape.columns : shape.rows);
+    for (const diagram::Source& source : sources) {
+      const int own = sizes_.add(), element = sizes_.add();
+      if (shape.adds_rows)
+        sizes_.set_factors(element, own, shared);
+      else
+        sizes_.set_factors(element, shared, own);
+      const int given = sizes_.of_source(source);
+      const std::string shown = sizes_.shown(given);
+      if (!sizes_.join(given, element))
+        draft_.report.add(source.origin, subject_of(index, spec),
+                          fmt::format("'{}' has {}, but {} would fit", source_name(draft_, source), shown,
+                                      fitting(element)));
+      stack.parts.push_back(own);
+    }
+    stacks_.push_back(std::move(stack));
+  }
+
+  /// What matrices of a list have together.
+  void join_matrices() {
+    for (const Stack& stack : stacks_) {
+      Eigen::Index sum = 0;
+      for (const int part : stack.parts)
+        sum = std::min(sum + sizes_.value(part).value_or(1), max_numbers + 1);
+      if (!sizes_.set(stack.total, sum))
+        draft_.report.add(draft_.diagram().blocks[stack.block].origin, subject_of(stack.block, *stack.input),
+                          fmt::format("has {} {} together; {} would fit", sum,
+                                      PortShape(stack.input->shape).adds_rows ? "rows" : "columns",
+                                      *sizes_.value(stack.total)));
+    }
+    sizes_.multiply();
+  }
+
+  Eigen::Index factor(std::size_t index, const std::string& letter) {
+    return sizes_.value(sizes_.symbol(index, letter)).value_or(1);
+  }
+
+  /// Of "k x n" k rows of n elements, one behind the other.
+  Eigen::Index size_of(std::size_t index, const std::string& text) {
+    const PortShape shape(text);
+    return shape.is_matrix ? bounded_product(factor(index, shape.rows), factor(index, shape.columns))
+                           : factor(index, shape.rows);
+  }
+
+  void store_sizes(std::size_t index, Draft::Block& made) {
+    diagram::DiagramBlock& block = draft_.diagram().blocks[index];
+    const auto size = [&](const std::string& shape) { return size_of(index, shape); };
+    const auto columns = [&](const std::string& shape) {
+      return sizes_.columns(sizes_.symbol(index, shape));
+    };
+    for (const OutputSpec& spec : block.type().outputs) {
+      made.output_sizes.push_back(size(spec.shape));
+      made.output_columns.push_back(columns(spec.shape));
+    }
+    for (const StateSpec& spec : block.type().states) {
+      made.state_sizes.push_back(size(spec.shape));
+      made.state_columns.push_back(columns(spec.shape));
+    }
+    if (!made.says.skips_crossings)
+      for (const CrossingSpec& spec : block.type().crossings) made.crossings += size(spec.shape);
+    for (const InputSpec& spec : block.type().inputs) made.input_sizes.push_back(size(spec.shape));
+    for (const SizeSpec& spec : block.type().sizes) {
+      draft_.plan.blocks[index].sizes.push_back(factor(index, spec.symbol));
+      spec.set(block.block.get(), factor(index, spec.symbol));
     }
   }
 
   void store(std::size_t index) {
     diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     Draft::Block& made = draft_.blocks[index];
-    const auto factor = [&](const std::string& name) {
-      return sizes_.value(sizes_.symbol(index, name)).value_or(1);
-    };
-    const auto size = [&](const std::string& shape) {  // "k x n": k rows of n elements, one behind the other
-      const std::size_t times = shape.find(" x ");
-      return times == std::string::npos
-                 ? factor(shape)
-                 : bounded_product(factor(shape.substr(0, times)), factor(shape.substr(times + 3)));
-    };
-    for (const OutputSpec& spec : block.type().outputs) made.output_sizes.push_back(size(spec.shape));
-    for (const StateSpec& spec : block.type().states) made.state_sizes.push_back(size(spec.shape));
-    for (const InputSpec& spec : block.type().inputs)
-      made.input_sizes.push_back(
-          size(spec.list && spec.shape.starts_with('+') ? spec.shape.substr(1) : spec.shape));
+    store_sizes(index, made);
     if (!fits(block, made)) return;
     for (const ParameterSpec& spec : block.type().parameters)
-      if (spec.kind == ParameterKind::per_element) expand(block, spec, size(spec.shape));
+      if (spec.kind == ParameterKind::per_element) expand(block, spec, size_of(index, spec.shape));
   }
 
   /// Refuses the block with which it becomes too much.
@@ -180,8 +246,17 @@ class Shapes {
     block.spread.push_back(static_cast<std::size_t>(&spec - block.type().parameters.data()));
   }
 
+  /// A list of matrices, and the size that is the sum of their rows or columns.
+  struct Stack {
+    std::size_t block;
+    const InputSpec* input;
+    int total;
+    std::vector<int> parts;
+  };
+
   Draft& draft_;
   PortSizes sizes_;
+  std::vector<Stack> stacks_;
   std::set<std::pair<std::size_t, std::size_t>> refused_;  ///< lists of which enough has been said
   Eigen::Index total_ = 0;
 };

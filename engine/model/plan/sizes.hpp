@@ -2,57 +2,51 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace stepwire::plan {
 
-/// Sizes that are known or found to be equal to others (union-find).
+/// Sizes that are known or found to be equal to others (union-find). A size may be that of a matrix: the
+/// product of two others, its rows and its columns, and sizes that are equal have the same of these.
 class Sizes {
  public:
-  int add() {
-    parents_.push_back(static_cast<int>(parents_.size()));
-    values_.emplace_back();
-    return parents_.back();
-  }
+  int add();
   int count() const { return static_cast<int>(parents_.size()); }
 
   std::optional<Eigen::Index> value(int size) { return values_[static_cast<std::size_t>(root(size))]; }
   /// False if it is known to be another.
   bool set(int size, Eigen::Index value);
-  /// False if both are known and differ.
+  /// False if both are known and differ, or their rows or columns do.
   bool join(int a, int b);
+  /// Makes it the size of a matrix; false if its rows or columns are others.
+  bool set_factors(int size, int rows, int columns);
+  /// Rows and columns, where it is the size of a matrix.
+  const std::optional<std::pair<int, int>>& factors(int size) {
+    return factors_[static_cast<std::size_t>(root(size))];
+  }
+  /// Columns; 1 of a vector and where they are not known.
+  Eigen::Index columns(int size);
+  /// Finds products, rows and columns that follow by now. True where anything is new; what does not divide
+  /// is left.
+  bool multiply();
+  /// Takes what has a size and neither rows nor columns for one column.
+  bool settle_columns();
+  bool has_matrices() const { return matrices_; }
+  /// "3 x 2", "6 elements", or "a x 2" with what is not known yet
+  std::string shown(int size);
   /// One of all sizes that are equal to this one, the same for each of them.
   int root(int size);
 
  private:
+  bool set_if_open(int size, Eigen::Index value);
+  bool multiply(int size);
+
   std::vector<int> parents_;
   std::vector<std::optional<Eigen::Index>> values_;
+  std::vector<std::optional<std::pair<int, int>>> factors_;
+  bool matrices_ = false;
 };
-
-inline int Sizes::root(int size) {
-  while (parents_[static_cast<std::size_t>(size)] != size) {
-    int& parent = parents_[static_cast<std::size_t>(size)];
-    parent = parents_[static_cast<std::size_t>(parent)];
-    size = parent;
-  }
-  return size;
-}
-
-inline bool Sizes::set(int size, Eigen::Index value) {
-  auto& known = values_[static_cast<std::size_t>(root(size))];
-  if (known) return *known == value;
-  known = value;
-  return true;
-}
-
-inline bool Sizes::join(int a, int b) {
-  const int first = root(a), second = root(b);
-  const auto value_a = values_[static_cast<std::size_t>(first)],
-             value_b = values_[static_cast<std::size_t>(second)];
-  if (value_a && value_b && *value_a != *value_b) return false;
-  parents_[static_cast<std::size_t>(first)] = second;
-  if (value_a) values_[static_cast<std::size_t>(second)] = value_a;
-  return true;
-}
 
 }  // namespace stepwire::plan

@@ -1,23 +1,32 @@
 // What a run keeps and watches, checked once sizes are known.
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "engine/model/diagram/parameters.hpp"
 #include "engine/model/plan/draft.hpp"
+#include "engine/model/plan/element_slot.hpp"
 
 namespace stepwire::plan {
 
 namespace {
 
+/// Refuses an element that a signal has not.
+bool check_element(Draft& draft, diagram::SignalRef signal, const std::string& name,
+                   const diagram::Origin& origin, const std::string& subject) {
+  const diagram::ElementIndex element = std::exchange(signal.element, {});
+  const std::string missing = missing_element(element, draft.plan.slot(signal), name);
+  if (!missing.empty()) draft.report.add(origin, subject, missing);
+  return missing.empty();
+}
+
 void check_stop_condition(Draft& draft, const diagram::StopCondition& condition) {
   for (std::size_t i = 0; i < condition.variables.size(); ++i) {
-    const auto& [signal, element] = condition.variables[i];
-    if (signal.block < 0) continue;
-    const Eigen::Index size = draft.plan.slot(signal).size;
+    const diagram::SignalRef& signal = condition.variables[i];
     const std::string& name = condition.expression.variables()[i];
-    if (element > size)
-      draft.report.add(condition.origin, "stop_when",
-                       fmt::format("there is no '{}'; the signal has {} elements", name, size));
-    if (element == 0 && size > 1)
+    if (signal.block < 0 || !check_element(draft, signal, name, condition.origin, "stop_when")) continue;
+    const Eigen::Index size = draft.plan.slot(signal).size;
+    if (size > 1)
       draft.report.add(condition.origin, "stop_when",
                        fmt::format("'{0}' has {1} elements; a condition takes single numbers, so name one, "
                                    "'{0}.1', or take the Norm",
@@ -43,8 +52,12 @@ void check_safe_value(Draft& draft, diagram::DiagramOutput& output) {
 
 void check_stop_and_safe_values(Draft& draft) {
   if (draft.diagram().stop_when) check_stop_condition(draft, *draft.diagram().stop_when);
+  for (const diagram::RecordRequest& request : draft.diagram().records)
+    for (const diagram::RecordedSignal& signal : request.signals)
+      check_element(draft, signal.signal, signal.name, signal.origin, "record");
   for (diagram::DiagramOutput& output : draft.diagram().outputs)
-    if (output.safe) check_safe_value(draft, output);
+    if (check_element(draft, output.signal, output.name, output.origin, output.name) && output.safe)
+      check_safe_value(draft, output);
 }
 
 }  // namespace stepwire::plan

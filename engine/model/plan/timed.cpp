@@ -34,7 +34,9 @@ class TimedBlocks {
 
   bool may_be_timed(std::size_t block) const {
     return draft_.blocks[block].computes && draft_.type(block).states.empty() &&
-           draft_.plan.blocks[block].rate.kind == Rate::Kind::continuous;
+           draft_.diagram().blocks[block].guard < 0 &&
+           draft_.plan.blocks[block].rate.kind == Rate::Kind::continuous &&
+           !(draft_.type(block).steady && draft_.diagram().events.locate);
   }
 
   bool is_timed(const diagram::Source& source) const {

@@ -9,6 +9,8 @@
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/names.hpp"
 #include "engine/simulate/codegen/tuning_text.hpp"
+#include "engine/simulate/solve/event_locator.hpp"
+#include "engine/simulate/solve/loop_task.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire::codegen {
@@ -33,7 +35,12 @@ const char* const parameter_members =
     "they hold. Until\n  /// they are right the former ones hold.\n"
     "  const char* parameter_fault() const { return parameter_fault_; }\n\n";
 
-/// Of the constructor, the step, the count of numbers, members of a program with parameters, the name.
+const char* const unsolved_member =
+    "  /// Which algebraic loop has had no solution; null while all have.\n"
+    "  const char* unsolved() const;\n";
+
+/// Of the constructor, the step, the count of numbers, members of a program with parameters, the name, a
+/// member of one with algebraic loops.
 constexpr char struct_members[] =
     "  /// All that moves in a run: plain numbers, to be kept anywhere.\n  struct State {{\n"
     "    std::uint64_t layout = 0;  ///< of the diagram that it belongs to\n"
@@ -51,6 +58,7 @@ constexpr char struct_members[] =
     "  /// Of this tick [s].\n  double time() const {{ return static_cast<double>(tick) * {1}; }}\n"
     "  /// Is every signal and state a finite number?\n  bool finite() const;\n"
     "  /// Why a block has ended the run; null while none has.\n  const char* fault() const;\n"
+    "{5}"
     "  /// Is the diagram's `stop_when` true?\n  bool stops() const;\n\n"
     " private:\n{3}  double w_[{2}];  // where each number lies is told in the source\n}};\n\n"
     "}}  // namespace {4}\n";
@@ -128,8 +136,17 @@ std::string copies(const Group& group, bool from_workspace) {
   return copies(group.name, group, from_workspace);
 }
 
+std::string unsolved_text(const plan::Plan& plan) {
+  if (plan.loops.empty()) return "";
+  std::string text = "const char* Diagram::unsolved() const {\n";
+  for (const plan::SolvedLoop& loop : plan.loops)
+    text += fmt::format("  if (w_[{}] != 0.0) return {};\n", loop.report + solve::LoopReport::unsolved,
+                        cpp_string("the algebraic loop " + loop.path + " is not solved"));
+  return text + "  return nullptr;\n}\n\n";
+}
+
 std::string fault_text(const plan::Plan& plan) {
-  std::string text;
+  std::string text = plan.loops.empty() ? "" : "  if (const char* reason = unsolved()) return reason;\n";
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
     const diagram::DiagramBlock& block = plan.diagram.blocks[b];
     for (std::size_t n = 0; n < block.type().diagnostics.size(); ++n)
@@ -138,6 +155,9 @@ std::string fault_text(const plan::Plan& plan) {
                             plan.blocks[b].diagnostics[n].offset,
                             cpp_string(comment_of(plan, b) + ": " + block.type().diagnostics[n].doc));
   }
+  if (plan.crossing_count > 0)
+    text += fmt::format("  if (w_[{}] != 0.0) return \"too many events in a step\";\n",
+                        plan.layout.events + solve::EventReport::end);
   if (plan.layout.state_count > 0 && solve::find_implicit(plan.diagram.solver))
     text += fmt::format("  if (w_[{}] != 0.0) return \"the step is too large for the solver\";\n",
                         plan.layout.report);
@@ -206,7 +226,8 @@ std::string struct_text(const plan::Plan& plan, const Tuning& tuning, const Grou
          group_text(groups.parameters) + fixed_text(tuning) + (tunes ? parameter_members : "") +
          states_text(groups.states) +
          fmt::format(struct_members, tunes ? ";" : " { reset(); }", number_text(plan.diagram.step),
-                     plan.layout.size, tuned(plan, tuning).members, name);
+                     plan.layout.size, tuned(plan, tuning).members, name,
+                     plan.loops.empty() ? "" : unsolved_member);
 }
 
 std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
@@ -226,7 +247,7 @@ std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, con
              "bool Diagram::restore(const State& state) {{\n  if (state.layout != {0}) return false;\n"
              "  tick = state.tick;\n  std::memcpy(w_, state.numbers, sizeof w_);\n{1}  return true;\n}}\n\n",
              layout_key(plan), tuned.restore) +
-         states_definitions(groups.states) +
+         states_definitions(groups.states) + unsolved_text(plan) +
          fmt::format(
              "bool Diagram::finite() const {{\n"
              "  std::uint64_t bits = 0;  // a product with 0 is 0 for what is finite and nan for the rest\n"

@@ -68,7 +68,7 @@ std::string FixedValues::reason_of(const diagram::Target& target) const {
 std::string FixedValues::reason_of(const diagram::ValueText& text) const {
   const ValueTexts all_vary(plan_.diagram, [](std::size_t) { return "x"; });
   if (all_vary.numbers(text.node, text.names)) return "";
-  return fmt::format("{} has a unit of its own, or is no number",
+  return fmt::format("{} has a unit of its own, is no number, or is computed of matrices",
                      text.node.is_scalar() ? "'" + text.node.text + "'" : "what follows from it");
 }
 

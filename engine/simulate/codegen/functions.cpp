@@ -10,21 +10,6 @@ namespace {
 
 constexpr std::size_t longest = 60;  // pieces of code in a function
 
-/// Code of the same period stands behind one condition.
-std::string with_conditions(const std::vector<Code>& code, std::size_t first, std::size_t last) {
-  std::string text;
-  std::int64_t period = 1;
-  for (std::size_t i = first; i < last; ++i) {
-    if (code[i].period != period) {
-      if (period > 1) text += "  }\n";
-      period = code[i].period;
-      if (period > 1) text += fmt::format("  if (tick % {} == 0) {{\n", period);
-    }
-    text += code[i].text;
-  }
-  return period > 1 ? text + "  }\n" : text;
-}
-
 }  // namespace
 
 std::string Functions::attribute() const {

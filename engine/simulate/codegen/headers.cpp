@@ -155,6 +155,8 @@ std::vector<std::string> headers_of(const plan::Plan& plan) {
   for (const diagram::DiagramBlock& block : plan.diagram.blocks)
     if (!block.type().header.empty()) headers.insert(block.type().header);
   if (const auto method = solve::find_implicit(plan.diagram.solver)) headers.insert(method->header);
+  if (!plan.loops.empty()) headers.insert("engine/simulate/solve/loop_solver.hpp");
+  if (plan.crossing_count > 0) headers.insert("engine/simulate/solve/event_locator.hpp");
   if (plan.diagram.stop_when) headers.insert(language_header);
   headers.insert("engine/model/block/block.hpp");
   return {headers.begin(), headers.end()};

@@ -78,8 +78,13 @@ void PlaceNames::add_constants(const plan::Plan& plan, std::size_t block) {
 }
 
 std::string PlaceNames::at(std::size_t offset) const {
-  const auto found = by_offset_.find(offset);
-  return found == by_offset_.end() ? fmt::format("{}", offset) : "at::" + places_[found->second].name;
+  const auto behind = by_offset_.upper_bound(offset);
+  if (behind == by_offset_.begin()) return fmt::format("{}", offset);
+  const NamedPlace& place = places_[std::prev(behind)->second];
+  if (place.offset == offset) return "at::" + place.name;
+  const std::size_t element = offset - place.offset;  // of a signal of which one element is meant
+  const bool inside = element < static_cast<std::size_t>(place.size);
+  return inside ? fmt::format("at::{} + {}", place.name, element) : fmt::format("{}", offset);
 }
 
 }  // namespace stepwire::codegen

@@ -6,10 +6,13 @@
 #include <algorithm>
 
 #include "engine/model/diagram/external_input.hpp"
+#include "engine/simulate/codegen/event_text.hpp"
 #include "engine/simulate/codegen/functions.hpp"
+#include "engine/simulate/codegen/guard_text.hpp"
 #include "engine/simulate/codegen/headers.hpp"
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
+#include "engine/simulate/codegen/stage_places.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire::codegen {
@@ -35,15 +38,20 @@ class Maker {
         names_(plan),
         statements_(plan, names_, variable, literals_),
         small_(calls(plan.stage) + calls(plan.derivatives) <= max_inlined &&
-               !solve::find_implicit(plan.diagram.solver)),
+               !solve::find_implicit(plan.diagram.solver) && plan.loops.empty() && plan.crossing_count == 0),
         functions_(small_) {}
 
   void add_steps() {
     if (!plan_.timed.empty()) add_timed();
+    for (std::size_t guard = plan_.guards.size(); guard-- > 0;) add_guard(guard);  // inner ones are called
     add_outputs();
     add_updates();
     if (plan_.layout.state_count > 0) add_slopes();
-    add_advance();
+    if (plan_.crossing_count > 0) {
+      add_events();
+    } else {
+      add_advance();
+    }
   }
 
   void add_reset() {
@@ -52,7 +60,7 @@ class Maker {
       const auto b = static_cast<std::size_t>(block);
       add_initial(b, code);
     }
-    append(code, starts_of(plan_, statements_, at_tick()));
+    append(code, starts_of(plan_, statements_, at_tick(), plan_.memory_order));
     const std::string parameters = "[[maybe_unused]] double* w, [[maybe_unused]] const double* numbers";
     functions_.add("start", parameters, "w, numbers", code);
     functions_.add("once", parameters, "w, numbers",
@@ -116,6 +124,17 @@ class Maker {
                     functions_.attribute(), parameters));
   }
 
+  /// What happens as a guard goes off, and on.
+  void add_guard(std::size_t guard) {
+    const plan::PlannedGuard& of = plan_.guards[guard];
+    functions_.add_text(fmt::format("inline void off_{}([[maybe_unused]] double* w) {{\n{}}}\n\n", guard,
+                                    off_text(names_, plan_, guard)));
+    std::vector<Code> code{{reset_text(of)}};
+    append(code, starts_of(plan_, statements_, at_tick(), {of.start.begin(), of.start.end()}));
+    functions_.add(fmt::format("reset_{}", guard),
+                   "[[maybe_unused]] double* w, [[maybe_unused]] const double* numbers", "w, numbers", code);
+  }
+
   void add_outputs() {
     std::vector<Code> code{{"  w[at::time] = static_cast<double>(tick) * step;\n"}};
     if (!plan_.timed.empty()) code.front().text += "  follow_time(w, numbers);\n";
@@ -135,28 +154,6 @@ class Maker {
     return places;
   }
 
-  /// Signals that a stage computes anew, and the time and the states.
-  Places stage_places() const {
-    Places places = at_tick();
-    if (!small_) return places;
-    places.fresh = "s";
-    places.is_fresh.assign(plan_.layout.derivatives + plan_.layout.state_count, false);
-    places.is_fresh[plan::Layout::time] = true;
-    for (std::size_t i = plan_.layout.states; i < plan_.layout.derivatives; ++i) places.is_fresh[i] = true;
-    for (const plan::KernelCall& batch : plan_.stage)
-      for (const plan::PlannedBlock& block : plan_.blocks)
-        if (block.memory >= batch.first && in(batch, block))
-          for (const plan::SignalSlot& slot : block.outputs)
-            std::fill_n(places.is_fresh.begin() + static_cast<std::ptrdiff_t>(slot.offset), slot.size, true);
-    return places;
-  }
-
-  bool in(const plan::KernelCall& batch, const plan::PlannedBlock& block) const {
-    const auto index = static_cast<std::size_t>(&block - plan_.blocks.data());
-    const Kernels& kernels = plan_.diagram.blocks[index].type().run_outputs;
-    return block.memory < batch.end && kernels.contains(batch.run);
-  }
-
   void add_slopes() {
     const std::string own = "[[maybe_unused]] double* s, ";
     const std::string before = "[[maybe_unused]] double* w, ",
@@ -164,9 +161,10 @@ class Maker {
     Places tick = at_tick();
     tick.dot = "dot";
     std::vector<Code> at_start = given_slopes();
+    if (small_ && !plan_.guards.empty()) at_start.push_back({zero_slopes_text(plan_)});
     append(at_start, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, tick));
     functions_.add("derivatives", before + after, "w, numbers, dot", at_start);
-    Places at_stage = stage_places();
+    Places at_stage = small_ ? stage_places(plan_, at_tick()) : at_tick();
     at_stage.dot = "dot";
     std::vector<Code> code = calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_stage);
     append(code, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, at_stage));
@@ -193,13 +191,30 @@ class Maker {
       body +=
           "  const double now = static_cast<double>(tick) * step;\n"
           "  const double end = static_cast<double>(tick + 1) * step;\n";
-      if (plan_.updates_continuous)
-        for (const Code& code : calls_of(plan_, statements_, plan_.stage, Phase::outputs, {}))
-          body += code.text;
+      body += keep_text(names_, plan_);
+      if (plan_.updates_continuous) {
+        const std::vector<Code> stage = calls_of(plan_, statements_, plan_.stage, Phase::outputs, {});
+        body += with_conditions(stage, 0, stage.size());
+      }
       body += solver_text(plan_, small_);
     }
     functions_.add_text(
         fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters, body));
+  }
+
+  /// What happens at events, and what is looked at for them.
+  void add_events() {
+    const auto add = [&](const char* name, const std::vector<plan::KernelCall>& table, Phase phase) {
+      functions_.add(name, state_parameters, state_arguments,
+                     calls_of(plan_, statements_, table, phase, at_tick()));
+    };
+    add("crossing_outputs", plan_.crossing_outputs, Phase::outputs);
+    add("event_outputs", plan_.event_outputs, Phase::outputs);
+    add("event_updates", plan_.event_updates, Phase::update);
+    functions_.add_text(fmt::format("inline void look({}, double* z) {{\n{}}}\n\n", state_parameters,
+                                    look_text(plan_, statements_, at_tick())));
+    functions_.add_text(fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters,
+                                    located_advance_text(plan_, names_)));
   }
 
   std::string constants_text() {

@@ -28,7 +28,7 @@ const char* const open_function =
     "  if (!file) {\n    std::perror((folder + \"/\" + name).c_str());\n    std::exit(3);\n  }\n"
     "  std::fputs(titles, file);\n  return file;\n}\n\n";
 
-/// Of what opens the files, the rows of a tick, the last tick, what closes the files.
+/// Of what opens the files, the rows of a tick, the last tick, what closes the files, a check of loops.
 constexpr char main_form[] =
     "}}  // namespace\n\n"
     "/// Runs the diagram to its stop; what it records goes into the folder that is named, "
@@ -42,7 +42,7 @@ constexpr char main_form[] =
     "  [[maybe_unused]] const std::string folder = argc > 1 ? argv[1] : \".\";\n{0}"
     "  static Diagram d;\n  const char* fault = nullptr;\n"
     "  while (true) {{\n    d.evaluate();\n"
-    "    if (!d.finite()) fault = \"a signal is no longer a finite number\";\n    if (fault) "
+    "    if (!d.finite()) fault = \"a signal is no longer a finite number\";\n{4}    if (fault) "
     "break;\n    const bool last = d.tick >= {2} || d.stops();\n{1}"
     "    if (last) break;\n    d.advance();\n"
     "    fault = d.fault();\n    if (fault) break;\n  }}\n{3}"
@@ -97,7 +97,8 @@ std::string main_text(const plan::Plan& plan, const std::string& header, const s
                 : fmt::format("    if (d.tick % {1} == 0 || last) write_row_{0}(file_{0}, d);\n", i, every);
     closing += fmt::format("  if (std::fclose(file_{0}) != 0) return 3;\n", i);
   }
-  return text + fmt::format(main_form, opening, rows, plan.steps, closing);
+  return text + fmt::format(main_form, opening, rows, plan.steps, closing,
+                            plan.loops.empty() ? "" : "    if (!fault) fault = d.unsolved();\n");
 }
 
 }  // namespace stepwire::codegen

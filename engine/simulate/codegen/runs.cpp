@@ -1,12 +1,18 @@
+// More than 300 lines with its header: rows of blocks, calls and loops are written from one set-up of a
+// block.
 #include "engine/simulate/codegen/runs.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "engine/model/diagram/external_input.hpp"
+#include "engine/simulate/codegen/cpp_words.hpp"
+#include "engine/simulate/codegen/guard_text.hpp"
 
 namespace stepwire::codegen {
 
@@ -136,13 +142,13 @@ std::size_t even_row(const SetUps& set_ups, std::size_t from) {
 class BatchCode {
  public:
   BatchCode(const plan::Plan& plan, const Statements& statements, const std::vector<std::size_t>& blocks,
-            Phase phase, const Places& places, std::int64_t period)
+            Phase phase, const Places& places, Code made)
       : plan_(plan),
         statements_(statements),
         blocks_(blocks),
         phase_(phase),
         places_(places),
-        period_(period) {}
+        made_(std::move(made)) {}
 
   void append_to(std::vector<Code>& code) {
     if (blocks_.size() < places_.min_in_loop) return add(0, blocks_.size(), code);
@@ -168,10 +174,14 @@ class BatchCode {
     };
     if (last - first >= places_.min_in_loop) {
       Loop loop(plan_, part(blocks_), part(set_ups_));
-      if (loop.possible()) return code.push_back({loop.text(phase_), period_});
+      if (loop.possible()) return push(loop.text(phase_), code);
     }
-    for (std::size_t i = first; i < last; ++i)
-      code.push_back({statements_.call(blocks_[i], phase_, places_), period_});
+    for (std::size_t i = first; i < last; ++i) push(statements_.call(blocks_[i], phase_, places_), code);
+  }
+
+  void push(std::string text, std::vector<Code>& code) const {
+    code.push_back(made_);
+    code.back().text = std::move(text);
   }
 
   const plan::Plan& plan_;
@@ -179,14 +189,15 @@ class BatchCode {
   const std::vector<std::size_t>& blocks_;
   Phase phase_;
   const Places& places_;
-  std::int64_t period_;
+  Code made_;  ///< when it is called
   SetUps set_ups_;
 };
 
-}  // namespace
-
-std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
-                           const std::vector<plan::KernelCall>& batches, Phase phase, const Places& places) {
+/// The calls from `first` to `end - 1` of a table, as if there were no loops.
+std::vector<Code> calls_between(const plan::Plan& plan, const Statements& statements,
+                                std::span<const plan::KernelCall> batches, Phase phase,
+                                const Places& places) {
+  const PlaceNames& names = statements.names();
   std::map<std::size_t, std::size_t> at_memory;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) at_memory[plan.blocks[b].memory] = b;
   std::vector<Code> code;
@@ -194,21 +205,87 @@ std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
     std::vector<std::size_t> blocks;
     const std::size_t bytes = plan.diagram.blocks[at_memory.at(batch.first)].type().bytes;
     for (std::size_t i = 0; i < batch.count; ++i) blocks.push_back(at_memory.at(batch.first + i * bytes));
-    BatchCode(plan, statements, blocks, phase, places, plan.periods[static_cast<std::size_t>(batch.period)])
-        .append_to(code);
+    const Code when{"", plan.periods[static_cast<std::size_t>(batch.period)],
+                    active_text(names, batch.active)};
+    BatchCode(plan, statements, blocks, phase, places, when).append_to(code);
+    if (batch.guard >= 0)
+      code.back().text = guard_call(names, plan, static_cast<std::size_t>(batch.guard), code.back().text);
   }
   return code;
 }
 
-std::vector<Code> starts_of(const plan::Plan& plan, const Statements& statements, const Places& places) {
+/// "tick % 4 == 0 && w[at::pump_active] != 0.0"; empty for what is called at every tick.
+std::string condition_of(const Code& code) {
+  std::string text = code.period > 1 ? fmt::format("tick % {} == 0", code.period) : "";
+  if (!code.active.empty()) text += fmt::format("{}{} != 0.0", text.empty() ? "" : " && ", code.active);
+  return text;
+}
+
+/// Calls that are made until they agree.
+Code loop_code(const plan::Plan& plan, const plan::LoopCall& call, const std::vector<Code>& calls) {
+  const plan::SolvedLoop& loop = plan.loops[call.loop];
+  const diagram::AlgebraicLoops& options = plan.diagram.algebraic_loops;
+  std::string tears, diagnostics;
+  Eigen::Index unknowns = 0;
+  for (const plan::SignalSlot& tear : call.tears) {
+    tears += fmt::format("{{{}, {}}}, ", tear.offset, tear.size);
+    unknowns += tear.size;
+  }
+  for (const std::size_t place : loop.diagnostics) diagnostics += fmt::format("{}, ", place);
+  return {fmt::format(
+      "  {{  // {0}\n    static constexpr solve::Tear tears[] = {{{1}}};\n"
+      "    static constexpr std::size_t diagnostics[] = {{{2}0}};\n"
+      "    static constexpr solve::LoopTask task{{tears, {3}, diagnostics, {4}, {5}, at::time, {6}, {7}}};\n"
+      "    solve::LoopSolver<{8}>({8}).solve(task, w, [&] {{\n{9}    }});\n  }}\n",
+      cpp_comment(loop.path), tears, diagnostics, call.tears.size(), loop.diagnostics.size(), loop.report,
+      number_text(options.tolerance), options.max_iterations, unknowns,
+      with_conditions(calls, 0, calls.size()))};
+}
+
+}  // namespace
+
+std::string with_conditions(const std::vector<Code>& code, std::size_t first, std::size_t last) {
+  std::string text, condition;
+  for (std::size_t i = first; i < last; ++i) {
+    if (std::string own = condition_of(code[i]); own != condition) {
+      if (!condition.empty()) text += "  }\n";
+      condition = std::move(own);
+      if (!condition.empty()) text += fmt::format("  if ({}) {{\n", condition);
+    }
+    text += code[i].text;
+  }
+  return condition.empty() ? text : text + "  }\n";
+}
+
+std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
+                           const std::vector<plan::KernelCall>& batches, Phase phase, const Places& places) {
+  std::vector<Code> code;
+  const auto between = [&](std::size_t first, std::size_t end) {
+    return calls_between(plan, statements, std::span(batches).subspan(first, end - first), phase, places);
+  };
+  const auto append = [&](std::vector<Code> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(code));
+  };
+  std::size_t next = 0;
+  for (const plan::LoopCall& loop : plan.loops_of(batches)) {
+    append(between(next, loop.first));
+    code.push_back(loop_code(plan, loop, between(loop.first, loop.end)));
+    next = loop.end;
+  }
+  append(between(next, batches.size()));
+  return code;
+}
+
+std::vector<Code> starts_of(const plan::Plan& plan, const Statements& statements, const Places& places,
+                            const std::vector<int>& of) {
   std::vector<Code> code;
   std::vector<std::size_t> blocks;
   const auto type_of = [&](std::size_t block) { return &plan.diagram.blocks[block].type(); };
   const auto flush = [&] {
-    if (!blocks.empty()) BatchCode(plan, statements, blocks, Phase::start, places, 1).append_to(code);
+    if (!blocks.empty()) BatchCode(plan, statements, blocks, Phase::start, places, {}).append_to(code);
     blocks.clear();
   };
-  for (int index : plan.memory_order) {
+  for (const int index : of) {
     const auto b = static_cast<std::size_t>(index);
     if (!blocks.empty() && type_of(blocks.front()) != type_of(b)) flush();
     if (type_of(b)->start && type_of(b) != &diagram::external_input_type()) blocks.push_back(b);

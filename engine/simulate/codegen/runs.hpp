@@ -11,14 +11,19 @@ namespace stepwire::codegen {
 struct Code {
   std::string text;
   std::int64_t period = 1;  ///< [ticks] between two calls
+  std::string active{};     ///< the number that is 0 while it is not called; empty: it always is
 };
 
-/// The calls of a table of a plan, in its order. Blocks of one type that lie one behind the other are called
+/// Some of these pieces, in which code of the same period stands behind one condition.
+std::string with_conditions(const std::vector<Code>& code, std::size_t first, std::size_t last);
+
+/// The calls of a table of a plan, in its order; calls of an algebraic loop with what solves it. Blocks of one type that lie one behind the other are called
 /// in a loop where they are many and differ in nothing but numbers and places.
 std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
                            const std::vector<plan::KernelCall>& batches, Phase phase, const Places& places);
 
-/// The same for start(), of all blocks that have it, in the order in which they lie in memory.
-std::vector<Code> starts_of(const plan::Plan& plan, const Statements& statements, const Places& places);
+/// The same for start(), of all of these blocks that have it, in their order.
+std::vector<Code> starts_of(const plan::Plan& plan, const Statements& statements, const Places& places,
+                            const std::vector<int>& blocks);
 
 }  // namespace stepwire::codegen

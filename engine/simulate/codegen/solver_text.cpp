@@ -14,8 +14,12 @@ constexpr std::size_t few = 16;  // states that are written out one by one
 
 class ExplicitText {
  public:
-  ExplicitText(const std::vector<solve::SolverStage>& stages, const plan::Plan& plan, bool small)
-      : stages_(stages), states_(plan.layout.state_count), small_(small), timed_(!plan.timed.empty()) {}
+  ExplicitText(const std::vector<solve::SolverStage>& stages, const plan::Plan& plan, bool small, bool begins)
+      : stages_(stages),
+        states_(plan.layout.state_count),
+        small_(small),
+        begins_(begins),
+        timed_(!plan.timed.empty()) {}
 
   std::string text() const {
     std::string text = small_ ? fmt::format("  double s[first_derivative], dot[{}];\n", states_)
@@ -23,7 +27,7 @@ class ExplicitText {
     for (int place = 0; place < solve::places_of(stages_); ++place)
       text += fmt::format("  double {}[{}];\n", name(place), states_);
     text += each([](const std::string& i) { return fmt::format("start[{0}] = w[states + {0}];", i); });
-    text += "  derivatives(w, numbers, dot);\n";
+    if (begins_) text += "  derivatives(w, numbers, dot);\n";
     for (std::size_t stage = 0; stage < stages_.size(); ++stage) {
       if (stage > 0) text += evaluation_text(stages_[stage - 1].next);
       text += additions_text(stages_[stage], stage + 1 == stages_.size());
@@ -72,27 +76,27 @@ class ExplicitText {
 
   const std::vector<solve::SolverStage>& stages_;
   std::size_t states_;
-  bool small_, timed_;
+  bool small_, begins_, timed_;
 };
 
-std::string implicit_text(const solve::ImplicitMethod& method, const plan::Plan& plan) {
+std::string implicit_text(const solve::ImplicitMethod& method, const plan::Plan& plan, bool begins) {
   return fmt::format(
-      "  double* const dot = w + first_derivative;\n"
-      "  derivatives(w, numbers, dot);\n"
+      "  double* const dot = w + first_derivative;\n{5}"
       "  {0}<{1}> method({1});\n"
       "  method.advance(w + states, dot, w + at::time, now, end, step, {{w + {2}, {3}}}, [&] {{{4} slopes(w, "
       "w, "
       "numbers, dot); }});\n",
       method.type, plan.layout.state_count, plan.layout.report, number_text(plan.diagram.tolerance),
-      plan.timed.empty() ? "" : " follow_time(w, numbers);");
+      plan.timed.empty() ? "" : " follow_time(w, numbers);",
+      begins ? "  derivatives(w, numbers, dot);\n" : "");
 }
 
 }  // namespace
 
-std::string solver_text(const plan::Plan& plan, bool small) {
+std::string solver_text(const plan::Plan& plan, bool small, bool begins) {
   if (const auto tableau = solve::find_tableau(plan.diagram.solver))
-    return ExplicitText(solve::stages_of(*tableau), plan, small).text();
-  return implicit_text(*solve::find_implicit(plan.diagram.solver), plan);
+    return ExplicitText(solve::stages_of(*tableau), plan, small, begins).text();
+  return implicit_text(*solve::find_implicit(plan.diagram.solver), plan, begins);
 }
 
 }  // namespace stepwire::codegen

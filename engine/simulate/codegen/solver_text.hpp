@@ -11,6 +11,7 @@ namespace stepwire::codegen {
 /// the tick and `slopes(w, s, numbers, dot)` for those at a stage, whose time and states stand in `s`.
 /// With `small` the stages have numbers of their own, which a compiler can keep in registers; else they work
 /// in `w`.
-std::string solver_text(const plan::Plan& plan, bool small);
+/// Without `begins` the slopes at the start are in the workspace.
+std::string solver_text(const plan::Plan& plan, bool small, bool begins = true);
 
 }  // namespace stepwire::codegen

@@ -14,6 +14,8 @@ const char* function_of(Phase phase) {
       return "derivatives";
     case Phase::update:
       return "update";
+    case Phase::crossings:
+      return "crossings";
     default:
       return "start";
   }
@@ -143,7 +145,8 @@ std::string Statements::call(std::size_t block, Phase phase, const Places& place
   std::string text =
       fmt::format("  {{  // {}\n    {} b;\n", comment_of(plan_, block), struct_of(plan_, block));
   for (const Piece& piece : set_up(block, places, false)) text += piece.before + piece.hole + piece.after;
-  return text + fmt::format("    b.{}();\n  }}\n", function_of(phase));
+  return text +
+         fmt::format("    b.{}({});\n  }}\n", function_of(phase), phase == Phase::crossings ? "zero" : "");
 }
 
 }  // namespace stepwire::codegen

@@ -20,7 +20,7 @@ struct Places {
 };
 
 /// A function of a block that a plan calls.
-enum class Phase { outputs, derivatives, update, start };
+enum class Phase { outputs, derivatives, update, start, crossings };
 
 /// Writes calls of blocks as C++: each block is an object of its own, set up and called on the spot, which
 /// the compiler sees through.
@@ -30,6 +30,7 @@ class Statements {
   Statements(const plan::Plan& plan, const PlaceNames& names,
              const std::vector<plan::VariableBlock>& variable, Literals& literals);
 
+  const PlaceNames& names() const { return names_; }
   /// The call of one block.
   std::string call(std::size_t block, Phase phase, const Places& places) const;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/model/plan/element_slot.hpp"
 #include "engine/model/plan/member_items.hpp"
 #include "engine/simulate/codegen/cpp_words.hpp"
 #include "engine/simulate/codegen/fixed_values.hpp"
@@ -172,12 +173,23 @@ class Tuner {
     const bool is_state = target.kind == diagram::Target::Kind::initial;
     const plan::SignalSlot& slot =
         is_state ? planned.states[index] : planned.inputs[index][static_cast<std::size_t>(target.element)];
+    const std::size_t first = is_state ? 0 : first_meant(target);
     for (std::size_t k = 0; k < static_cast<std::size_t>(slot.size); ++k) {
       tuning_.places[slot.offset + k] = tuning_.numbers.size();
-      tuning_.copies.push_back({tuning_.numbers.size(), i, k});
+      if (is_state && !planned.initial.empty())  // a guard puts it back
+        tuning_.places[planned.initial[index].offset + k] = tuning_.numbers.size();
+      tuning_.copies.push_back({tuning_.numbers.size(), i, first + k});
       tuning_.numbers.push_back(is_state ? initial(target, k)
                                          : plan_.constants[slot.offset - plan_.layout.constants + k]);
     }
+  }
+
+  /// Which number of a constant on a wire is the first that is meant.
+  std::size_t first_meant(const diagram::Target& target) const {
+    return plan::constant_slot(
+               plan_.diagram.blocks[static_cast<std::size_t>(target.block)]
+                   .inputs[static_cast<std::size_t>(target.index)][static_cast<std::size_t>(target.element)])
+        .offset;
   }
 
   double initial(const diagram::Target& target, std::size_t k) const {

@@ -83,11 +83,15 @@ class TuningText {
            "double* numbers) {\n";
   }
 
+  /// A formula that only the loader computes follows from no parameter that may be written.
+  bool follows(const diagram::Definition& definition) const {
+    const auto numbers = values_.numbers(definition.text.node, definition.text.names);
+    return !definition.uses.empty() && numbers && varies(*numbers);
+  }
+
   void add_dependents() {
     for (const int d : tuning_.parameters)
-      if (!definition(static_cast<std::size_t>(d)).uses.empty() &&
-          varies(numbers(definition(static_cast<std::size_t>(d)).text)))
-        dependents_.push_back(d);
+      if (follows(definition(static_cast<std::size_t>(d)))) dependents_.push_back(d);
     if (dependents_.empty()) return;
     body_ += fmt::format("  bool is_own[{}];\n", dependents_.size());
     for (std::size_t i = 0; i < dependents_.size(); ++i) {

@@ -115,8 +115,9 @@ ValueTexts::Numbers ValueTexts::named(const std::string& name, int scope) const 
 
 ValueTexts::Numbers ValueTexts::expression(const std::string& text, int scope) const {
   const diagram::ParameterScope& of_file = diagram_.bindings->scopes[static_cast<std::size_t>(scope)];
-  const expression::Expression expression(
-      text, [&](std::string_view name) { return of_file.defined(std::string(name)); });
+  const expression::Expression* known = of_file.expression(text);
+  if (!known) return std::nullopt;  // of matrices, which only the loader computes
+  const expression::Expression& expression = *known;
   std::vector<std::string> variables;
   std::vector<double> constants;
   for (const std::string& name : expression.variables()) {

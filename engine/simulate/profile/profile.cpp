@@ -161,7 +161,7 @@ class Profiler {
   }
 
   Profile profile() {
-    Profile profile{simulation_.tick(), seconds_, {}, others()};
+    Profile profile{simulation_.tick(), seconds_, {}, others(), simulation_.loop_costs()};
     for (const diagram::DiagramBlock& block : plan_.diagram.blocks)
       profile.blocks.push_back({block.name, block.type().name});
     count_evaluations();

@@ -7,6 +7,7 @@
 
 #include "engine/model/plan/plan.hpp"
 #include "engine/simulate/profile/stopwatch.hpp"
+#include "engine/simulate/run/loop_cost.hpp"
 
 namespace stepwire::profile {
 
@@ -48,6 +49,7 @@ struct Profile {
   double seconds = 0.0;  ///< of all its steps; taking memory for what is recorded, and keeping it, is extra
   std::vector<BlockCost> blocks;  ///< and parts; the most expensive first
   std::vector<RunCost> others;
+  std::vector<run::LoopCost> loops;  ///< algebraic ones: their blocks are called more often than counted here
 
   double share(double part) const { return seconds > 0.0 ? part / seconds : 0.0; }
   /// What is in none of the other numbers [s]: going through the tables of calls, waiting of one table for

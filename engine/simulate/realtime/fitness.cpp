@@ -27,6 +27,10 @@ void require_fit_for_loop(const plan::Plan& plan) {
           plan.diagram.fault(block.origin, block.name,
                              fmt::format("{} is not fit for a real-time loop: {}; 'stepwire run' takes it",
                                          block.type().name, block.type().not_real_time)));
+  if (plan.diagram.events.locate)
+    faults.add(plan.diagram.fault(plan.diagram.step_origin, "events",
+                                  "a step that is split at events takes a time that nothing bounds, so a "
+                                  "real-time loop takes none; leave 'events: locate' out"));
   faults.throw_if_any();
 }
 

@@ -28,6 +28,8 @@ Loop::Loop(const plan::Plan& plan, const LoopOptions& options, Device& device, L
       measurements_(options.deadlines),
       groups_(plan, clock) {
   require_fit_for_loop(plan);
+  simulation_->go_on_unsolved();
+  if (options.values) options.values->change_both([](run::Executor& run) { run.go_on_unsolved(); });
   if (options.code) simulation_->use(*options.code);
   warm_up();
   prepare_inputs();

@@ -1,9 +1,9 @@
 #include "engine/simulate/record/recorder.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <utility>
+
+#include "engine/model/plan/element_slot.hpp"
 
 namespace stepwire::record {
 
@@ -14,8 +14,8 @@ std::vector<RecordedColumn> recorded_columns(const plan::Plan& plan, const diagr
     const plan::SignalSlot slot = plan.slot(signal.signal);
     const auto dimension = plan.dimension(signal.signal);
     for (Eigen::Index k = 0; k < slot.size; ++k)
-      columns.push_back({slot.size == 1 ? signal.name : fmt::format("{}.{}", signal.name, k + 1), dimension,
-                         slot.offset + static_cast<std::size_t>(k)});
+      columns.push_back(
+          {plan::element_name(signal.name, slot, k), dimension, slot.offset + static_cast<std::size_t>(k)});
   }
   return columns;
 }

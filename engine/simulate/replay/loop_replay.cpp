@@ -90,6 +90,7 @@ class LoopReplay {
  public:
   LoopReplay(const plan::Plan& plan, const std::vector<Recorded>& tables, const std::string& inputs_file)
       : simulation_(plan), tables_(tables), inputs_(plan, inputs_file) {
+    simulation_.go_on_unsolved();
     for (std::size_t i = 0; i < tables.size(); ++i) {
       cursors_.push_back({ticks_of(tables[i].file, tables[i].table)});
       columns_.push_back(record::recorded_columns(plan, plan.diagram.records[i]));

@@ -92,6 +92,9 @@ std::optional<RunFault> Executor::fault() const {
                           fmt::format("{} (at {:.12g} s); the run ends here", diagnostic_text(b, n), first));
     }
   }
+  if (!loops_solved())
+    if (auto unsolved = unsolved_loop()) return unsolved;
+  if (auto many = too_many_events()) return many;
   if (auto wrong = wrong_step()) return wrong;
   return not_finite();
 }

@@ -84,11 +84,16 @@ Executor::Executor(const plan::Plan& plan)
     : plan_(plan),
       solver_(solver_of(plan)),
       blocks_(static_cast<std::byte*>(::operator new(plan.block_bytes + 1, block_alignment))),
-      timed_(plan.timed, blocks_.get()),
-      outputs_(plan.outputs, blocks_.get()),
-      stage_(plan.stage, blocks_.get()),
-      derivatives_(plan.derivatives, blocks_.get()),
-      updates_(plan.updates, blocks_.get()) {
+      once_(plan, plan.once, blocks_.get()),
+      timed_(plan, plan.timed, blocks_.get()),
+      outputs_(plan, plan.outputs, blocks_.get()),
+      stage_(plan, plan.stage, blocks_.get()),
+      derivatives_(plan, plan.derivatives, blocks_.get()),
+      updates_(plan, plan.updates, blocks_.get()),
+      crossing_outputs_(plan, plan.crossing_outputs, blocks_.get()),
+      event_outputs_(plan, plan.event_outputs, blocks_.get()),
+      event_updates_(plan, plan.event_updates, blocks_.get()),
+      event_scratch_(solve::EventTask::scratch_size(plan.layout.state_count, plan.crossing_count)) {
   workspace_.values.assign(plan.layout.size, 0.0);
   constants_ = plan.constants;
   due_.assign(plan.periods.size(), 1);
@@ -98,6 +103,13 @@ Executor::Executor(const plan::Plan& plan)
     from.type().copy(memory(index), from.block.get());
   }
   equations_ = std::make_unique<Equations>(*this);
+  if (!plan.guards.empty()) {
+    guards_.emplace(plan, workspace_.values.data(),
+                    [this](std::size_t block) { plan_.diagram.blocks[block].type().start(memory(block)); });
+    for (Table* table : {&timed_, &outputs_, &stage_, &derivatives_, &updates_, &crossing_outputs_,
+                         &event_outputs_, &event_updates_})
+      table->add_gates(workspace_.values.data());
+  }
   bind();
   reset();
 }
@@ -175,7 +187,7 @@ void Executor::write_constants() {
 }
 
 void Executor::compute_once() {
-  for (const plan::KernelCall& batch : plan_.once) call(batch);
+  run_range(once_, 0, once_.calls.size());
 }
 
 void Executor::restore(const Workspace& workspace) {
@@ -192,53 +204,6 @@ void Executor::write_input(std::size_t input, const double* numbers) {
   std::copy_n(numbers, slot.size, workspace_.values.begin() + static_cast<std::ptrdiff_t>(slot.offset));
 }
 
-Executor::Table::Table(const std::vector<plan::KernelCall>& batches, std::byte* blocks) : batches(batches) {
-  for (const plan::KernelCall& batch : batches)
-    calls.push_back({batch.run, blocks + batch.first, blocks + batch.end});
-}
-
-void Executor::run(const Table& table) {
-  if (watcher_ && watcher_->phase == &table.batches) return run_watched(table);
-  const Table::Call* call = table.calls.data();
-  const Table::Call* const end = call + table.calls.size();
-  // Four at a time: most calls do so little that counting them is felt.
-  for (; end - call >= 4; call += 4) {
-    call[0].run(call[0].first, call[0].end);
-    call[1].run(call[1].first, call[1].end);
-    call[2].run(call[2].first, call[2].end);
-    call[3].run(call[3].first, call[3].end);
-  }
-  for (; call != end; ++call) call->run(call->first, call->end);
-}
-
-void Executor::follow_time() {
-  double* values = workspace_.values.data();
-  if (values[plan::Layout::timed] == values[plan::Layout::time] || plan_.timed.empty()) return;
-  values[plan::Layout::timed] = values[plan::Layout::time];
-  run(timed_);
-}
-
-void Executor::run_due(const Table& table) {
-  if (due_.size() == 1) return run(table);  // nothing is slower than the step
-  if (watcher_ && watcher_->phase == &table.batches) return run_watched(table);
-  run_range(table, 0, table.calls.size());
-}
-
-void Executor::run_range(const Table& table, std::size_t first, std::size_t end) {
-  for (std::size_t i = first; i < end; ++i)
-    if (due_[static_cast<std::size_t>(table.batches[i].period)])
-      table.calls[i].run(table.calls[i].first, table.calls[i].end);
-}
-
-/// What runs between ticks is continuous, and what is continuous is due at every tick.
-void Executor::run_watched(const Table& table) {
-  run_range(table, 0, watcher_->first);
-  watcher_->enter();
-  run_range(table, watcher_->first, watcher_->end);
-  watcher_->leave();
-  run_range(table, watcher_->end, table.calls.size());
-}
-
 void Executor::find_due() {
   for (std::size_t i = 1; i < due_.size(); ++i) due_[i] = workspace_.tick % plan_.periods[i] == 0;
 }
@@ -252,7 +217,7 @@ void Executor::evaluate() {
     find_due();
     run_due(outputs_);
   }
-  healthy_ = healthy_ && is_finite();
+  healthy_ = healthy_ && is_finite() && loops_solved();
 }
 
 void Executor::advance() {
@@ -262,16 +227,24 @@ void Executor::advance() {
     take_step();
   }
   if (!ending_diagnostics_.empty() && diagnostic_ends_run()) healthy_ = false;
-  if (workspace_.values[plan_.layout.report] != solve::StepReport::fine) healthy_ = false;
+  if (workspace_.values[plan_.layout.report] != solve::StepReport::fine || !loops_solved()) healthy_ = false;
+  if (plan_.crossing_count > 0 && workspace_.values[plan_.layout.events + solve::EventReport::end] != 0.0)
+    healthy_ = false;
   ++workspace_.tick;
 }
 
 void Executor::take_step() {
   run_due(updates_);
+  if (plan_.crossing_count > 0) return take_located_step();
   if (!solver_) return;
+  if (guards_) guards_->keep();
   if (plan_.updates_continuous) run(stage_);
   run(derivatives_);
-  solver_->advance(*equations_, {time(), plan_.time_of(workspace_.tick + 1), plan_.diagram.step});
+  step_states({time(), plan_.time_of(workspace_.tick + 1), plan_.diagram.step});
+}
+
+void Executor::step_states(const solve::TimeStep& step) {
+  solver_->advance(*equations_, step);
 }
 
 bool Executor::is_finite() const {

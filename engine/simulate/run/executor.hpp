@@ -11,8 +11,12 @@
 #include "engine/model/plan/change.hpp"
 #include "engine/model/plan/compiled_plan.hpp"
 #include "engine/model/signal/input.hpp"
+#include "engine/simulate/run/guards.hpp"
+#include "engine/simulate/run/loop_cost.hpp"
 #include "engine/simulate/run/run_fault.hpp"
 #include "engine/simulate/run/schedule_probe.hpp"
+#include "engine/simulate/solve/event_locator.hpp"
+#include "engine/simulate/solve/loop_solver.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire::run {
@@ -87,6 +91,12 @@ class Executor {
   /// Returns to a kept moment (as it was between advance() and evaluate()), with the values that are set now.
   void restore(const Workspace& workspace);
 
+  /// From now on the run goes on where a loop is not solved within its iterations, as a loop by the clock
+  /// must.
+  void go_on_unsolved() { goes_on_unsolved_ = true; }
+  /// What the loops of the plan have cost up to now.
+  std::vector<LoopCost> loop_costs() const;
+
   /// Makes one call of the plan, which may be cut down to some of its blocks, at the present moment: for
   /// measuring what it costs.
   void call(const plan::KernelCall& batch) {
@@ -104,6 +114,7 @@ class Executor {
 
   void apply(plan::PlanChange& change);
   void replace(plan::RebuiltBlock& rebuilt);
+  void write_initial(const plan::SignalSlot& state, const Eigen::VectorXd& value);
   /// Lets the code read a block that was set anew, or leaves the code that cannot.
   void read_numbers(std::size_t block);
   void write_constants();
@@ -120,20 +131,50 @@ class Executor {
       Kernel run;
       std::byte *first, *end;
     };
-    Table(const std::vector<plan::KernelCall>& batches, std::byte* blocks);
+    /// Whether a call is made, in plans with guards.
+    struct Gate {
+      const double* active;  ///< 0 while it is not
+      std::size_t next;      ///< the call to go on with then
+    };
+    /// Calls that are made until they agree.
+    struct Loop {
+      Loop(const plan::Plan& plan, const plan::LoopCall& call);
+
+      std::size_t first, end, unknowns = 0;
+      std::vector<solve::Tear> tears;
+      solve::LoopTask task{};
+      solve::LoopSolver<> solver;
+    };
+    Table(const plan::Plan& plan, const std::vector<plan::KernelCall>& batches, std::byte* blocks);
+    void add_gates(const double* values);
 
     const std::vector<plan::KernelCall>& batches;
     std::vector<Call> calls;
+    std::vector<Gate> gates;  ///< of each call; empty where the plan has no guard
+    std::vector<Loop> loops;
   };
 
-  void run(const Table& table);
+  void run(Table& table);
   /// Computes what follows from the time alone, if it has changed.
   void follow_time();
-  void run_due(const Table& table);
-  void run_watched(const Table& table);
-  void run_range(const Table& table, std::size_t first, std::size_t end);
+  void run_due(Table& table);
+  void run_watched(Table& table);
+  /// Makes the calls of a part of a table that are due; a loop belongs to the part that has its first call.
+  void run_range(Table& table, std::size_t first, std::size_t end);
+  void run_calls(const Table& table, std::size_t first, std::size_t end);
+  void solve_loop(const Table& table, Table::Loop& loop);
+  bool loops_solved() const;
+  std::optional<RunFault> unsolved_loop() const;
+  void run_guarded(const Table& table, std::size_t first, std::size_t end);
+  /// The solver's step, from event to event.
+  void take_located_step();
+  void begin_located_step();
+  void look_for_crossings(double* numbers) const;
+  void act_at_event();
+  std::optional<RunFault> too_many_events() const;
   void find_due();
   void take_step();
+  void step_states(const solve::TimeStep& step);
   bool diagnostic_ends_run() const;
   std::optional<RunFault> wrong_step() const;
   std::optional<RunFault> not_finite() const;
@@ -152,12 +193,15 @@ class Executor {
   std::vector<Inputs::Element> list_elements_;   ///< of all list inputs, in the order of blocks in memory
   std::vector<std::size_t> first_list_element_;  ///< of each block
   std::unique_ptr<std::byte, FreeBlocks> blocks_;
-  Table timed_, outputs_, stage_, derivatives_, updates_;
+  Table once_, timed_, outputs_, stage_, derivatives_, updates_, crossing_outputs_, event_outputs_,
+      event_updates_;
+  std::vector<double> event_scratch_;
   std::unique_ptr<Equations> equations_;
-  std::vector<char> due_;  ///< for each of the plan's periods
+  std::optional<Guards> guards_;  ///< none where the plan has none
+  std::vector<char> due_;         ///< for each of the plan's periods
   std::vector<std::size_t> ending_diagnostics_;
   ScheduleProbe* watcher_ = nullptr;
-  bool healthy_ = true;
+  bool healthy_ = true, goes_on_unsolved_ = false;
   const plan::CompiledPlan* code_ = nullptr;           ///< none while interpreted
   std::optional<plan::NumberTable> numbers_;           ///< that the code reads
   std::optional<diagram::ParameterState> parameters_;  ///< once one is set

@@ -89,10 +89,22 @@ void Executor::apply(plan::PlanChange& change) {
       constants_[slot.offset - plan_.layout.constants + static_cast<std::size_t>(k)] =
           value[value.size() == 1 ? 0 : k];
   for (auto& [slot, value] : change.initial) {
+    write_initial(slot, value);
     std::erase_if(initial_, [at = slot.offset](const auto& known) { return known.first.offset == at; });
     initial_.emplace_back(slot, std::move(value));
   }
   follow_values();
+}
+
+/// Where a guard puts the state back, it has the value among the constants.
+void Executor::write_initial(const plan::SignalSlot& state, const Eigen::VectorXd& value) {
+  if (!guards_) return;
+  for (const plan::PlannedBlock& block : plan_.blocks)
+    for (std::size_t s = 0; s < block.initial.size(); ++s)
+      if (block.states[s].offset == state.offset)
+        for (Eigen::Index k = 0; k < state.size; ++k)
+          constants_[block.initial[s].offset - plan_.layout.constants + static_cast<std::size_t>(k)] =
+              value[value.size() == 1 ? 0 : k];
 }
 
 void Executor::replace(plan::RebuiltBlock& rebuilt) {

@@ -14,6 +14,7 @@ RunEnd end_of(const Executor& simulation, Drive::End how) {
   end.stopped = how == Drive::End::stopped || how == Drive::End::paused;
   if (auto fault = simulation.fault()) end.faults.push_back(std::move(*fault));
   end.diagnostics = simulation.diagnostics();
+  end.loops = simulation.loop_costs();
   end.ticks = simulation.tick();
   return end;
 }

@@ -9,6 +9,7 @@
 
 #include "engine/model/diagram/load.hpp"
 #include "engine/simulate/record/recorder.hpp"
+#include "engine/simulate/run/loop_cost.hpp"
 #include "engine/simulate/run/observer.hpp"
 #include "engine/simulate/run/plan_family.hpp"
 #include "engine/simulate/run/tiered_execution.hpp"
@@ -30,6 +31,7 @@ struct RunOptions {
 struct RunEnd {
   std::vector<RunFault> faults;  ///< at most one for each run
   std::vector<RaisedDiagnostic> diagnostics;
+  std::vector<LoopCost> loops;  ///< algebraic loops that were solved, in all runs together
   bool interrupted = false;
   bool stopped = false;             ///< by an observer, at least one run
   std::int64_t ticks = 0;           ///< of all runs together

@@ -13,7 +13,7 @@ class StopConditionEvaluator {
   explicit StopConditionEvaluator(const plan::Plan& plan) {
     if (!plan.diagram.stop_when) return;
     condition_ = plan.diagram.stop_when->expression;
-    for (const diagram::StopCondition::Variable& variable : plan.diagram.stop_when->variables)
+    for (const diagram::SignalRef& variable : plan.diagram.stop_when->variables)
       offsets_.push_back(plan.offset(variable));
   }
   bool stops(const double* values) const { return condition_ && (*condition_)(values, offsets_) != 0.0; }

@@ -50,6 +50,7 @@ class Ends {
     all_.stopped = all_.stopped || end.stopped;
     all_.ticks += end.ticks;
     all_.compiled_ticks += end.compiled_ticks;
+    add_loops(all_.loops, end.loops);
   }
 
   RunEnd take() {

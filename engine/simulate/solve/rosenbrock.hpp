@@ -64,7 +64,10 @@ class Rosenbrock {
     const double ahead = time + 0.1 * step;
     *now = ahead;
     evaluate();
-    slope_time_ = (dot - slope0_) / (ahead - time);
+    if (ahead > time)
+      slope_time_ = (dot - slope0_) / (ahead - time);
+    else  // so short a step has no time in it
+      slope_time_.setZero();
   }
 
   /// The error that the paper estimates, from the slope at the end.

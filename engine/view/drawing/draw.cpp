@@ -13,6 +13,7 @@
 #include "engine/model/diagram/part_alone.hpp"
 #include "engine/model/diagram/report.hpp"
 #include "engine/model/diagram/units.hpp"
+#include "engine/view/drawing/chart_graph.hpp"
 
 namespace stepwire::drawing {
 
@@ -65,6 +66,8 @@ std::vector<std::string> DiagramView::parts() const {
   for (const diagram::ScopeInfo& scope : diagram_.scopes)
     if (scope.prefix.starts_with(above) && scope.prefix != above)
       names.push_back(scope.prefix.substr(above.size(), scope.prefix.size() - above.size() - 1));
+  for (const diagram::DiagramBlock& block : diagram_.blocks)  // what has states has these inside
+    if (block.name.starts_with(above) && chart_of(block)) names.push_back(block.name.substr(above.size()));
   return names;
 }
 

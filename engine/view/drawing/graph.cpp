@@ -4,7 +4,9 @@
 
 #include <filesystem>
 
+#include "engine/view/drawing/chart_graph.hpp"
 #include "engine/view/drawing/selection.hpp"
+#include "engine/view/drawing/symbol_shape.hpp"
 #include "engine/view/drawing/symbol_text.hpp"
 
 namespace stepwire::drawing {
@@ -12,27 +14,6 @@ namespace stepwire::drawing {
 using json::Json;
 
 namespace {
-
-const char* outline_name(Symbol::Outline outline) {
-  switch (outline) {
-    case Symbol::Outline::triangle:
-      return "triangle";
-    case Symbol::Outline::circle:
-      return "circle";
-    case Symbol::Outline::bar:
-      return "bar";
-    default:
-      return "box";
-  }
-}
-
-/// A sign for each input that a parameter such as "+-" holds.
-std::string signs_of(const diagram::DiagramBlock& block) {
-  const ParameterSpec* parameter = block.type().parameter(block.type().symbol.signs);
-  if (!parameter) return {};
-  const Value value = parameter->get(block.block.get());
-  return value.text() ? *value.text() : "";
-}
 
 constexpr std::size_t max_drawn = 2000;  // a layout of more takes minutes
 
@@ -82,7 +63,7 @@ class GraphWriter {
       const auto index = static_cast<std::size_t>(output);
       const std::string& name = hierarchy.outputs[index];
       own_outputs.push(port(name, name));
-      wires.push(wire(hierarchy, {hierarchy.output_sources[index], {}}, end("", name)));
+      wires.push(wire(hierarchy, hierarchy.output_feeds[index], end("", name)));
     }
     return Json::object()
         .set("inputs", std::move(own_inputs))
@@ -126,10 +107,13 @@ class GraphWriter {
     node.set("name", other == options_.names.end() ? child.name : other->second);
     if (child.part)
       add_part(node, hierarchy, child, id, shown, depth);
+    else if (child.is_bus())
+      node.set("type", "bus").set("outline", "bar").set("lines", Json::list());
     else
       add_block(node, child);
-    node.set("inputs", inputs_of(hierarchy, child, depth));
-    return node.set("outputs", outputs_of(hierarchy, index, id, shown));
+    Json inputs = inputs_of(hierarchy, child, depth), outputs = outputs_of(hierarchy, index, id, shown);
+    if (child.block >= 0 && selection_.is_open(id, depth)) add_chart(node, child, id, inputs, outputs);
+    return node.set("inputs", std::move(inputs)).set("outputs", std::move(outputs));
   }
 
   Json outputs_of(const Hierarchy& hierarchy, std::size_t index, const std::string& id,
@@ -137,37 +121,43 @@ class GraphWriter {
     const BlockReference& child = hierarchy.children[index];
     std::vector<std::string> names;
     for (const int output : shown) names.push_back(child.outputs[static_cast<std::size_t>(output)]);
-    const bool labelled = child.part || are_telling(names, block_of(child).type().outputs.size());
+    const bool labelled =
+        child.part || (child.block >= 0 && are_telling(names, block_of(child).type().outputs.size()));
     Json outputs = Json::list();
     for (const int output : shown) {
       const std::string& name = child.outputs[static_cast<std::size_t>(output)];
       Json drawn = port(name, labelled ? name : "");
       if (selection_.is_recorded(hierarchy, {static_cast<int>(index), output})) drawn.set("recorded", true);
-      if (const std::string* label = label_of(id, name, child.outputs.size())) drawn.set("mark", *label);
+      if (const std::string* label = label_of(id, name, output == 0 && child.own_outputs == 1))
+        drawn.set("mark", *label);
       signals_.push_back(id + "." + name);
-      if (child.outputs.size() == 1) signals_.push_back(id);
+      if (output == 0 && child.own_outputs == 1) signals_.push_back(id);
       outputs.push(std::move(drawn));
     }
     return outputs;
   }
 
-  /// The text on the wire of a block's output, which has the block's name where it is the only one; or null.
-  const std::string* label_of(const std::string& id, const std::string& output, std::size_t outputs) const {
+  /// The text on the wire of a block's output, which may have the block's name `alone`; or null.
+  const std::string* label_of(const std::string& id, const std::string& output, bool alone) const {
     auto found = options_.labels.find(id + "." + output);
-    if (found == options_.labels.end() && outputs == 1) found = options_.labels.find(id);
+    if (found == options_.labels.end() && alone) found = options_.labels.find(id);
     return found == options_.labels.end() ? nullptr : &found->second;
   }
 
   Json inputs_of(const Hierarchy& hierarchy, const BlockReference& child, int depth) const {
     std::vector<std::string> names;
-    for (const ReferenceInput& input : child.inputs) names.push_back(input.name);
-    const bool labelled = child.part || are_telling(names, block_of(child).type().inputs.size());
-    const std::string signs = child.part ? "" : signs_of(block_of(child));
-    const bool has_signs = !child.part && !block_of(child).type().symbol.signs.empty();
+    for (const ReferenceInput& input : child.inputs)
+      if (!input.is_condition) names.push_back(input.name);
+    const bool is_block = child.block >= 0;
+    const bool labelled = !is_block || are_telling(names, block_of(child).type().inputs.size());
+    const std::string signs = is_block ? signs_of(block_of(child)) : "";
+    const bool has_signs = is_block && !block_of(child).type().symbol.signs.empty();
     Json inputs = Json::list();
     for (const auto& [input, i] : selection_.feeds(hierarchy, child, depth)) {
-      Json drawn = port(input_name(*input, i), labelled ? input->name : "");
-      if (has_signs) drawn.set("sign", std::string(1, i < signs.size() ? signs[i] : '+'));
+      Json drawn = port(input_name(*input, i), (input->is_condition ? i == 0 : labelled) ? input->name : "");
+      if (input->is_condition) drawn.set("condition", true);
+      if (has_signs && !input->is_condition)
+        drawn.set("sign", std::string(1, i < signs.size() ? signs[i] : '+'));
       inputs.push(std::move(drawn));
     }
     return inputs;
@@ -189,6 +179,15 @@ class GraphWriter {
     if (block.type().has_continuous_state()) node.set("state", true);
   }
 
+  /// The states of a block that has some, in a frame with its ports.
+  void add_chart(Json& node, const BlockReference& child, const std::string& id, const Json& inputs,
+                 const Json& outputs) const {
+    const auto states = chart_of(block_of(child));
+    if (!states) return;
+    node.set("part", true).set("lines", Json::list());
+    node.set("graph", chart_graph(*states, id).set("inputs", inputs).set("outputs", outputs));
+  }
+
   void add_part(Json& node, const Hierarchy& hierarchy, const BlockReference& child, const std::string& id,
                 const std::vector<int>& shown, int depth) {
     const std::string& file = diagram_.scopes[static_cast<std::size_t>(child.part->scope)].file;
@@ -196,7 +195,8 @@ class GraphWriter {
     node.set("lines", Json::list());
     if (!selection_.is_open(id, depth)) return;
     std::vector<std::string> inputs;
-    for (const auto& feed : selection_.feeds(hierarchy, child, depth)) inputs.push_back(feed.input->name);
+    for (const auto& feed : selection_.feeds(hierarchy, child, depth))
+      if (!feed.input->is_condition) inputs.push_back(feed.input->name);
     node.set("graph", graph(*child.part, inputs, shown, depth + 1));
   }
 
@@ -218,7 +218,12 @@ class GraphWriter {
       wire.set("from", end(selection_.name_in(hierarchy, child.name), child.outputs[port]));
     }
     wire.set("to", std::move(to));
-    const std::string unit = options_.units ? unit_of(hierarchy, *feed.source) : "";
+    if (!feed.element.empty()) wire.set("element", feed.element);
+    if (feed.is_bus) return wire.set("bus", true);
+    const std::string unit =
+        options_.units && feed.element.find_first_not_of("0123456789.") == std::string::npos
+            ? unit_of(hierarchy, *feed.source)
+            : "";
     return unit.empty() ? wire : wire.set("unit", unit);
   }
 

@@ -18,13 +18,16 @@ struct WireSource {
 /// One thing that an input is fed by.
 struct WireFeed {
   std::optional<WireSource> source;
-  std::string constant;  ///< as the file writes it, where there is no source
+  std::string constant;   ///< as the file writes it, where there is no source
+  std::string element{};  ///< of the source: "2", "force" of a bus, "force.2"
+  bool is_bus = false;    ///< are several signals on the wire?
 };
 
 /// An input of a child. A list has several feeds.
 struct ReferenceInput {
   std::string name;
   std::vector<WireFeed> feeds;
+  bool is_condition = false;  ///< `enable` or `trigger`
 };
 
 struct Hierarchy;
@@ -32,11 +35,18 @@ struct Hierarchy;
 /// A block or a part of a file.
 struct BlockReference {
   std::string name;                     ///< as the file calls it
-  int block = -1;                       ///< in Diagram::blocks; -1 for a part
+  int block = -1;                       ///< in Diagram::blocks; -1 for a part or a bus
   std::unique_ptr<Hierarchy> part;      ///< null for a block
   const yaml::Node* written = nullptr;  ///< its keys
   std::vector<ReferenceInput> inputs;   ///< those that are fed, in the order of the declaration
   std::vector<std::string> outputs;
+  std::size_t own_outputs = 1;  ///< the first of them, which are drawn though they lead nowhere
+  int guard = -1;  ///< the block in Diagram::blocks by which it is active, the last of its outputs; -1: none
+
+  /// Is this output not one of its own?
+  bool is_active(int port) const { return guard >= 0 && port + 1 == static_cast<int>(outputs.size()); }
+
+  bool is_bus() const { return block < 0 && !part; }
 };
 
 /// One file at one place of a diagram as it is written: with its parts as parts, and wires between ports.
@@ -48,6 +58,7 @@ struct Hierarchy {
   std::vector<std::string> inputs;
   std::vector<std::string> outputs;
   std::vector<std::optional<WireSource>> output_sources;  ///< of each output
+  std::vector<WireFeed> output_feeds;                     ///< the same with what is said of the wires
   std::vector<BlockReference> children;
 
   /// The output of a block that a source is in the end; nothing where that is a constant.

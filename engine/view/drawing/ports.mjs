@@ -14,14 +14,25 @@ function placeOnCircle(node) {
   }
 }
 
+/** What decides whether a block runs enters from above. */
+function placeConditions(node) {
+  const conditions = node.inputs.filter((port) => port.condition);
+  const at = spread(conditions.length, node.width), y = node.outline === "triangle" ? Math.round(node.height / 4) : 0;
+  conditions.forEach((port, i) => Object.assign(port, {side: "NORTH", x: at[i], y}));
+}
+
 /** Gives each port of a node its side and place: inputs on one side in their order, outputs on the other. */
 export function placePorts(node) {
   const along = (ports, side, inner) => {
     const at = inner ?? spread(ports.length, node.height);
     ports.forEach((port, i) => Object.assign(port, {side, x: side === "WEST" ? 0 : node.width, y: at[i]}));
   };
-  if (node.outline === "circle") placeOnCircle(node);
-  else along(node.inputs, inputSide(node), node.inner?.inputs);
+  if (node.outline === "circle") {
+    placeOnCircle(node);
+  } else {
+    placeConditions(node);
+    along(node.inputs.filter((port) => !port.condition), inputSide(node), node.inner?.inputs);
+  }
   along(node.outputs, outputSide(node), node.inner?.outputs);
 }
 

@@ -54,7 +54,8 @@ bool Selection::hides(const Hierarchy& hierarchy, const WireSource& source) cons
   const BlockReference& from = hierarchy.children[static_cast<std::size_t>(source.child)];
   const std::string name = name_in(hierarchy, from.name);
   if (hides(name) || hides(name + "." + from.outputs[port])) return true;
-  const auto inner = from.part ? from.part->output_sources[port] : std::nullopt;
+  const auto inner =
+      from.part && !from.is_active(source.port) ? from.part->output_sources[port] : std::nullopt;
   return inner && inner->child >= 0 && hides(*from.part, *inner);
 }
 
@@ -110,11 +111,12 @@ std::vector<int> Selection::own_outputs(const Hierarchy& hierarchy) const {
 /// The outputs that lead somewhere; where none does, all that are not hidden, unless what they lead to is.
 std::vector<int> Selection::outputs_of(const Hierarchy& hierarchy, int child,
                                        const std::set<std::pair<int, int>>& used) const {
-  const int count = static_cast<int>(hierarchy.children[static_cast<std::size_t>(child)].outputs.size());
+  const BlockReference& from = hierarchy.children[static_cast<std::size_t>(child)];
+  const int count = static_cast<int>(from.outputs.size());
   std::vector<int> some, all;
   for (int i = 0; i < count; ++i) {
     if (hides(hierarchy, WireSource{child, i})) continue;
-    all.push_back(i);
+    if (i < static_cast<int>(from.own_outputs)) all.push_back(i);
     if (used.contains({child, i}) || is_recorded(hierarchy, {child, i})) some.push_back(i);
   }
   return some.empty() ? all : some;

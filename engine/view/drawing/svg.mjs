@@ -2,7 +2,7 @@
 
 import {arrowHead, dot, faint, group, ink, n, page, path, polyline, quantity, text} from "./pen.mjs";
 import {markGap, sizes, textSize} from "./symbol.mjs";
-import {widthOfPieces} from "./text.mjs";
+import {widthOf, widthOfPieces} from "./text.mjs";
 import {forks, netOf, segmentsOf} from "./wires.mjs";
 
 /** A curve from the square -1..1 with y upwards into the place around a centre. */
@@ -47,9 +47,15 @@ function middle(block) {
 
 const fractionStep = 9.5, lineStep = 16;
 
+/** Half of the bar of a fraction: as wide as the block, or between the names of its ports. */
+function halfBar({width, lines, inputs, outputs}) {
+  const named = [...inputs, ...outputs].some(({label}) => label);
+  return named ? Math.max(...lines.map((line) => widthOf(line, sizes.text))) / 2 + 5 : width / 2 - 6;
+}
+
 /** What is drawn inside: a curve, or the bar of a fraction. */
 function inside(block) {
-  const [cx, cy] = middle(block), half = block.width / 2 - 6;
+  const [cx, cy] = middle(block), half = halfBar(block);
   if (block.curve) return curve(block, cx, cy);
   return block.fraction ? path(`M${n(cx - half)} ${n(cy)}H${n(cx + half)}`, ` stroke-width="1"`) : "";
 }
@@ -73,6 +79,7 @@ function portTexts(block) {
       return text(x + 7 * dx, y + 7 * dy, sign, {size: sizes.sign});
     }
     if (!port.label) return "";
+    if (port.side === "NORTH") return text(x, y + 8, port.label, {size: sizes.port, fill: "#444"});
     return text(x + 5 * dx, y, port.label, {size: sizes.port, anchor: dx > 0 ? "start" : "end", fill: "#444"});
   }).join("");
 }
@@ -140,7 +147,8 @@ function drawNets(wires) {
   return wires.map((wire) => {
     const drawn = nets.get(netOf(wire)) ?? [], lines = remainder(wire.points, drawn);
     nets.set(netOf(wire), [...drawn, ...lines.flatMap(segmentsOf)]);
-    return lines.slice(0, -1).map((points) => polyline(points)).join("") + drawWire(lines.at(-1));
+    const net = lines.slice(0, -1).map((points) => polyline(points)).join("") + drawWire(lines.at(-1));
+    return wire.bus ? group(`stroke-width="2.8"`, [net]) : net;
   });
 }
 
@@ -152,6 +160,14 @@ function drawWire(corners) {
   const {base, head} = arrowHead(tip, [dx, dy]);
   points[points.length - 1] = base;
   return polyline(points) + head;
+}
+
+/** Which element of a signal or field of a bus a wire brings, before its arrow. */
+function elementOf({element, points}) {
+  if (!element) return "";
+  const [tip, before] = [points.at(-1), points.at(-2)], dx = Math.sign(tip[0] - before[0]);
+  const [x, y] = dx ? [tip[0] - 9 * dx, tip[1] - 6] : [tip[0] + 4, tip[1] - 9 * Math.sign(tip[1] - before[1])];
+  return text(x, y, element, {size: sizes.unit, anchor: dx > 0 ? "end" : "start", fill: "#666"});
 }
 
 const line = `stroke="${ink}" stroke-width="1.2" stroke-linejoin="round"`;
@@ -169,7 +185,7 @@ export function piecesOf(picture) {
   const nets = drawNets(picture.wires);
   return {
     frames: picture.blocks.filter(isFrame).map((block) => ({block, svg: frame(block)})),
-    wires: picture.wires.map((wire, i) => ({wire, svg: group(`fill="none" ${line}`, [nets[i]])})),
+    wires: picture.wires.map((wire, i) => ({wire, svg: group(`fill="none" ${line}`, [nets[i]]) + elementOf(wire)})),
     forks: group(`fill="none" ${line}`, forks(picture.wires).map(dot)),
     blocks: picture.blocks.filter((block) => !isFrame(block)).map((block) => ({block, svg: whole(block)})),
   };
@@ -185,6 +201,7 @@ export function svgOf(picture, title = "") {
     group(`fill="#fff" ${line}`, blocks.map((block) => shapes[block.outline](block))),
     group(`fill="none" ${line}`, blocks.map(inside)),
     group(`fill="${ink}"`, [
+      ...picture.wires.map(elementOf),
       ...frames.map(frameName),
       ...frames.map(notes),
       ...blocks.map(textsOf),

@@ -19,18 +19,20 @@ const even = (value) => 2 * Math.ceil(value / 2);
 /** Widths of the columns of port labels inside of a box. */
 function labelWidths(node) {
   const column = (ports) => widest(ports.map((port) => port.label ?? ""), sizes.port);
-  return {left: column(node.inputs), right: column(node.outputs)};
+  return {left: column(node.inputs.filter((port) => !port.condition)), right: column(node.outputs)};
 }
 
 function boxSize(node) {
   const {left, right} = labelWidths(node);
   const inner = node.curve ? 34 : widest(node.lines, sizes.text);
   const lines = node.fraction ? 2.4 : node.lines.length;
-  const rows = Math.max(node.inputs.length, node.outputs.length);
+  const conditions = node.inputs.filter((port) => port.condition);
+  const rows = Math.max(node.inputs.length - conditions.length, node.outputs.length);
+  const above = conditions.length > 0 ? lineHeight : 0;
   const room = (label) => (label > 0 ? label + 6 : 0);
   const margins = room(left) + room(right), shift = (room(left) - room(right)) / 2;
-  const height = Math.max(node.part ? 48 : 38, lines * lineHeight + 10, rows * portPitch);
-  return {width: even(Math.max(node.part ? 68 : 42, inner + margins + 16)), height: even(height), shift};
+  const height = Math.max(node.part ? 48 : 38, lines * lineHeight + 10, rows * portPitch) + 2 * above;
+  return {width: even(Math.max(node.part ? 68 : 42, inner + margins + 16, conditions.length * (widest(conditions.map((port) => port.label ?? ""), sizes.port) + 8))), height: even(height), shift};
 }
 
 function triangleSize(node) {

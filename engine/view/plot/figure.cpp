@@ -9,6 +9,19 @@
 namespace stepwire::plot {
 namespace {
 
+/// A Bode plot is two panels with one axis of frequencies, and a circle is round in a Nyquist plot.
+void add_panel(Panel panel, Figure& figure) {
+  if (panel.kind->name == nyquist_plot().name) panel.equal = true;
+  if (panel.kind->name != bode_plot().name) return figure.panels.push_back(std::move(panel));
+  panel.x.log = true;
+  figure.panels.push_back(panel);
+  panel.kind = &bode_phase_plot();
+  panel.title.clear();
+  panel.y = {};
+  panel.legend.clear();
+  figure.panels.push_back(std::move(panel));
+}
+
 void read_panels(const yaml::Node& node, Figure& figure, const query::SymbolTable& names,
                  yaml::Faults& faults) {
   const query::NamesReading read("figure", names, faults);
@@ -19,7 +32,7 @@ void read_panels(const yaml::Node& node, Figure& figure, const query::SymbolTabl
     return;
   }
   for (const auto& item : panels.items)
-    if (auto panel = read_panel(item, names, false, faults)) figure.panels.push_back(std::move(*panel));
+    if (auto panel = read_panel(item, names, false, faults)) add_panel(std::move(*panel), figure);
   figure.columns = std::min<int>(2, static_cast<int>(panels.items.size()));
 }
 
@@ -29,7 +42,7 @@ Figure read_figure(const yaml::Node& node, const query::SymbolTable& names, yaml
   if (several)
     read_panels(node, figure, names, faults);
   else if (auto panel = read_panel(node, names, true, faults))
-    figure.panels.push_back(std::move(*panel));
+    add_panel(std::move(*panel), figure);
   yaml::set_keys(node, picture_keys(), figure, query::NamesReading("figure", names, faults));
   return figure;
 }

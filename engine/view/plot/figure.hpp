@@ -89,8 +89,9 @@ struct Panel {
   std::vector<double> contour{}, lines{}, shade{};  ///< ends of shaded ranges in pairs
   std::vector<CurveStyle> styles{};                 ///< in the order of the legend
   ArrowPivot pivot = ArrowPivot::middle;
-  bool points_only = false;     ///< of what is in space
-  bool tukey_whiskers = false;  ///< else they reach over all values
+  bool points_only = false;                ///< of what is in space
+  bool tukey_whiskers = false;             ///< else they reach over all values
+  std::optional<std::size_t> reduction{};  ///< of each run, one of claim::reduction_names(); none: each row
 
   const query::Series* find(const std::string& key) const;
   /// Options of the axis x, y, z or color; of another channel none.

@@ -41,6 +41,10 @@ class PanelReader {
       if (channel.required && node_.find(channel.key) == nullptr)
         fault(node_.mark, "figure." + channel.key,
               fmt::format("a plot '{}' needs '{}': {}", panel_.kind->name, channel.key, channel.doc));
+    for (const PanelKey& option : panel_.kind->options)
+      if (option.required && node_.find(option.name) == nullptr)
+        fault(node_.mark, "figure." + option.name,
+              fmt::format("a plot '{}' needs '{}': {}", panel_.kind->name, option.name, option.doc));
     read_later(KeyStage::points);
     check_axes(panel_, node_, names_, faults_);
     find_recordings();

@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
 
+#include "engine/analyse/claim/claim_words.hpp"
+#include "engine/analyse/claim/reduce.hpp"
 #include "engine/view/plot/plot_tools.hpp"
 
 namespace stepwire::plot {
@@ -22,8 +25,61 @@ RectanglesMark bins_of(const std::vector<double>& values, const geometry::Extent
   return bins;
 }
 
+/// What a reduction may make of the rows of a run.
+const yaml::Key& reduction_form() {
+  static const yaml::Key form =
+      yaml::form::word({"max", "min", "mean", "rms", "spread", "overshoot", "rise_time", "settling_time",
+                        "peak_time", "iae", "steady_error"});
+  return form;
+}
+
+void read_reduction(Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
+  const auto word = read.word(node, reduction_form());
+  if (!word) return;
+  const auto& names = claim::reduction_names();
+  panel.reduction =
+      static_cast<std::size_t>(std::ranges::find(names, reduction_form().words[*word].word) - names.begin());
+}
+
+/// The reduced value of each run of which a row is selected, in the unit of the reduction.
+std::vector<double> reduced(const Panel& panel, const record::Recording& recording, const query::Series& x) {
+  claim::Rows rows{query::evaluate(x.formula, recording), {}, {}, {}, recording.starts};
+  if (const table::Column* time = recording.table.find("time")) rows.time = time->values;
+  rows.selected.assign(rows.value.size(), true);
+  const auto where = panel.where ? query::evaluate(*panel.where, recording) : std::vector<double>{};
+  for (std::size_t i = 0; i < where.size(); ++i) rows.selected[i] = where[i] != 0.0 && !std::isnan(where[i]);
+  std::vector<double> values;
+  for (std::size_t run = 0; run < rows.starts.size(); ++run) {
+    const claim::Rows one = rows.of_run(run);
+    if (std::ranges::find(one.selected, true) == one.selected.end()) continue;
+    values.push_back(claim::reduce(static_cast<claim::Reduction>(*panel.reduction), one));
+  }
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  return values;
+}
+
+/// Labels the axis of a reduced value; what is of the kind of x is drawn in its unit.
+void draw_reduced(const Panel& panel, const record::Recording& recording, const query::Series& x,
+                  PlotBuilder& plot) {
+  claim::Claim claim;
+  claim.reduction = static_cast<claim::Reduction>(*panel.reduction);
+  claim.values = {x.formula};
+  const auto dimension = claim::reduced_dimension(claim);
+  const bool as_x = dimension == x.formula.dimension;
+  std::vector<double> values = reduced(panel, recording, x);
+  for (double& value : values) value = as_x ? x.unit.from_si(value) : value;
+  plot.label("x", x);
+  const std::string own = dimension && *dimension != unit::Dimension{} ? unit::si_name(*dimension) : "";
+  if (!as_x) plot.spec.x.unit = own.empty() ? "" : query::printed_unit(own);
+  if (panel.x.label.empty())
+    plot.spec.x.label = claim::reduction_names()[*panel.reduction] + " of " + plot.spec.x.label;
+  draw_histogram(values, plot);
+  plot.spec.y.label = "runs";
+}
+
 void draw_bins(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   const query::Series& x = *panel.find("x");
+  if (panel.reduction) return draw_reduced(panel, recording_of(panel, recordings), x, plot);
   const geometry::Curve all = joined(gather(panel, recording_of(panel, recordings), {&x}));
   plot.label("x", x);
   draw_histogram(all.columns.empty() ? std::vector<double>{} : all.columns[0], plot);
@@ -55,6 +111,8 @@ PlotKind histogram_plot() {
           "how many rows have which value",
           {{"x", "the value that is counted", true}},
           {number_key("bins", "number of bins (30)", &Panel::bins),
+           {"reduce", "one value for each run in place of each row: max, mean, overshoot, settling_time, ...",
+            reduction_form(), read_reduction},
            numbers_key("lines", "a value, or a list, at which a line is drawn", &Panel::lines, "x")},
           false,
           draw_bins};

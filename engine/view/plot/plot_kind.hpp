@@ -91,5 +91,12 @@ PlotKind diagram_plot();
 PlotKind rig_plot();
 PlotKind table_plot();
 PlotKind scene_plot();
+PlotKind bode_plot();
+PlotKind nyquist_plot();
+PlotKind poles_plot();
+PlotKind root_locus_plot();
+PlotKind step_response_plot();
+/// The lower panel of a Bode plot, which no file names.
+const PlotKind& bode_phase_plot();
 
 }  // namespace stepwire::plot

@@ -107,8 +107,8 @@ TEST_CASE("Transitions and outputs of a machine read as C++") {
   machine.configure(is);
   CHECK(literal_text(type, &machine, "first") == "1");
   CHECK(literal_text(type, &machine, "values") == "Numbers::view({0, 0.005, 0}, 3)");
-  CHECK(literal_text(type, &machine, "successor") ==
+  CHECK(literal_text(type, &machine, "target") == "Numbers::view({1, 0, 2}, 3)");
+  CHECK(literal_text(type, &machine, "guard") ==
         "Function([](const double* v) -> double { return "
-        "v[3] == 0.0 ? ((v[0] * v[1] != 0.0) ? 1.0 : 0.0) : "
-        "v[3] == 1.0 ? ((v[1] > 1.0) ? 0.0 : (v[2] >= 2.0) ? 2.0 : 1.0) : 2.0; })");
+        "v[3] == 0.0 ? double(v[0] * v[1]) : v[3] == 1.0 ? double(v[1] > 1.0) : double(v[2] >= 2.0); })");
 }

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/app/session/outcome.hpp"
 #include "engine/app/studio/live/recorded_so_far.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/view/plot/figure_spec.hpp"
-#include "engine/view/scene/scene_states.hpp"
 
 namespace stepwire::live {
 
@@ -23,16 +23,16 @@ constexpr std::size_t most_described = 256;        // columns
 
 Json figures_now(LoadedRun& run) {
   const bool ended = run.thread().status().state == RunStatus::State::ended;
-  std::vector<record::Recording> recordings =
-      recorded_so_far(run.model(), run.signals(), run.thread(), ended);
   const auto model = run.model_with(run.thread().log().last_of_each());
-  if (model->scene) scene::add_scene_states(*model->scene, recordings);
+  session::Outcome outcome;
+  outcome.result.recordings = recorded_so_far(run.model(), run.signals(), run.thread(), ended);
+  session::add_shown(*model, outcome);
   Json figures = Json::list();
   for (const plot::Figure& figure : model->figures) {
     try {
       if (run.model().study)
         throw std::runtime_error("it is drawn of the trials of the study: './stepwire study'");
-      figures.push(plot::figure_json(plot::figure_spec(figure, recordings)));
+      figures.push(plot::figure_json(plot::figure_spec(figure, outcome.recordings())));
     } catch (const std::exception& error) {
       figures.push(Json::object().set("title", figure.title).set("fault", error.what()));
     }

@@ -1,8 +1,7 @@
 #include "engine/app/studio/live/signal_list.hpp"
 
-#include <fmt/format.h>
-
 #include "engine/model/diagram/named_signals.hpp"
+#include "engine/model/plan/element_slot.hpp"
 
 namespace stepwire::live {
 
@@ -16,7 +15,7 @@ void SignalList::add(const plan::Plan& plan, const std::string& name, const diag
                      bool recorded) {
   const plan::SignalSlot slot = plan.slot(signal);
   for (Eigen::Index k = 0; k < slot.size; ++k) {
-    std::string own = slot.size == 1 ? name : fmt::format("{}.{}", name, k + 1);
+    std::string own = plan::element_name(name, slot, k);
     if (!index_.emplace(own, signals_.size()).second) continue;
     signals_.push_back(
         {std::move(own), plan.dimension(signal), slot.offset + static_cast<std::size_t>(k), recorded});

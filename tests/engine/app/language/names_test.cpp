@@ -43,6 +43,17 @@ TEST_CASE("a block is renamed where it is wired, recorded, drawn and claimed, an
   CHECK_THAT(text, Contains("body of the rig") && Contains("that: body rests"));
 }
 
+TEST_CASE("a block is renamed in conditions, whose keys are completed") {
+  Editing editing;
+  editing.open("a.yaml", file_head +
+                             "record: [g]\nblocks:\n  door: {block: Clock}\n"
+                             "  g: {block: Gain, u: door, enable: {when: door > 2 s, states: reset}}\n"
+                             "  h: {block: Gain, u: g, trigger: door }\n");
+  REQUIRE(editing.wrong("a.yaml").empty());
+  const std::string text = editing.renamed("a.yaml", "  door: {", 3, "gate").at("a.yaml");
+  CHECK_THAT(text, Contains("when: gate > 2 s") && Contains("trigger: gate"));
+}
+
 TEST_CASE("a part is renamed with all that is named inside of it") {
   Editing editing;
   editing.write("spring.yaml", part);

@@ -67,8 +67,8 @@ TEST_CASE("an error says what is wrong and where") {
   CHECK(wrong("x = 3") == Wrong{"unexpected =; an expression assigns nothing; to compare write '=='", 2});
   CHECK(wrong("x & 3") == Wrong{"unexpected &; write '&&'", 2});
   CHECK(wrong("x % 3") == Wrong{"unexpected %; the remainder is mod(x, y)", 2});
-  CHECK(wrong("x, tau") == Wrong{"',' only separates the values of a function", 1});
-  CHECK(wrong("(x, tau)") == Wrong{"',' only separates the values of a function", 2});
+  CHECK(wrong("x, tau") == Wrong{"',' only separates the values of a function or a list", 1});
+  CHECK(wrong("(x, tau)") == Wrong{"',' only separates the values of a function or a list", 2});
   CHECK(wrong("x == \"a\"") == Wrong{"unexpected \"; an expression has no text", 5});
   CHECK(wrong("x · tau") == Wrong{"unexpected '·'", 2});
   CHECK(wrong("x; tau") == Wrong{"unexpected ';'", 1});

@@ -37,7 +37,7 @@ TEST_CASE("a dimension is named as an engineer writes it") {
 TEST_CASE("an energy is written as a torque and a frequency as a rate") {
   CHECK(si_name(parse_unit("J")->dimension) == "N m");
   CHECK(si_name(parse_unit("Hz")->dimension) == "1/s");
-  CHECK(si_name(parse_unit("deg")->dimension) == "1");
+  CHECK(si_name(parse_unit("deg")->dimension) == "rad");
 }
 
 TEST_CASE("every name reads back to the dimension that it was given for") {

@@ -29,7 +29,8 @@ TEST_CASE("a value out of its range is refused at the value") {
 TEST_CASE("a key that a block has not is refused at the key, with the nearest and all that it has") {
   CHECK(faults_with_lag("  lag:       {block: Lag, u: error,  tua: 0.5 s}") ==
         std::vector<std::string>{
-            "lag_step.yaml:11:38: lag: Lag has no 'tua'; did you mean 'tau'? It has: tau, gain, u, initial"});
+            "lag_step.yaml:11:38: lag: Lag has no 'tua'; did you mean 'tau'? It has: tau, "
+            "gain, trigger, u, reset, value, initial, enable"});
 }
 
 TEST_CASE("a block of no known kind is the only fault, whatever is wired to it") {
@@ -57,7 +58,7 @@ record: [a, b, g]
             "test.yaml:5:35: c.u: takes one signal, not a list; join signals with a Mux",
             "test.yaml:6:23: d.u: there is no block 'nowhere'",
             "test.yaml:7:6: e: the input 'u' is missing (signal)",
-            "test.yaml:8:6: f: needs either 'block:' (a type) or 'diagram:' (a file)",
+            "test.yaml:8:6: f: needs either 'block:' (a type), 'diagram:' (a file) or 'fields:' (of a bus)",
             "test.yaml:9:16: record: there is no block 'g'"});
 }
 

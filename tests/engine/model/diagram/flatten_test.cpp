@@ -69,7 +69,7 @@ TEST_CASE("inputs and outputs of the diagram itself stay") {
   CHECK_THAT(flattened(plan), Catch::Contains(R"(inputs:
   f: {unit: N, default: 0.003, doc: of the hand}
   g: {default: [1, 2]}
-  angle: {unit: 1, default: 3.141592653589793}
+  angle: {unit: rad, default: 3.141592653589793}
 outputs: {half: {signal: half, safe: 0.0005 N, doc: d}, plain: {signal: half}}
 blocks:
   half: {block: Gain, u: f, gain: 0.5})"));

@@ -65,14 +65,10 @@ TEST_CASE(
       std::vector<std::string>{"main.yaml:6:30: p.u: takes one signal, not a list; join signals with a Mux"});
 }
 
-TEST_CASE("an element of a vector is no signal by itself") {
-  CHECK(fault_of("  v: {block: Constant, value: [1, 2]}\n  g: {block: Gain, u: v.1}\n") ==
-        "test.yaml:7:23: g.u: 'v.1' is no signal of its own; pick an element with Select");
-}
-
-TEST_CASE("to record one element of a vector, the vector is recorded") {
-  CHECK(fault_of("  v: {block: Constant, value: [1, 2]}\nrecord: v.1\n") ==
-        "test.yaml:7:9: record: 'v.1' is no signal of its own; 'v' brings all its elements, v.1, ...");
+TEST_CASE("an element of a vector is a signal, and so is one that is recorded") {
+  CHECK(faults_of(
+            "blocks:\n  v: {block: Constant, value: [1, 2]}\n  g: {block: Gain, u: v.1}\nrecord: [g, v.2]\n")
+            .empty());
 }
 
 }  // namespace stepwire::diagram

@@ -94,6 +94,23 @@ TEST_CASE("an opened part has a graph of its own, with its default where nothing
   CHECK(graph(folder.path("rig.yaml"), by_depth)["nodes"][0]["graph"] == inside);
 }
 
+TEST_CASE("what decides whether a part runs is an input of it, with a wire from each signal of its formula") {
+  const Scratch folder;
+  write_rig(folder);
+  folder.file("on.yaml",
+              "stepwire: 1\ntitle: on and off\nstep: 1 ms\nstop: 0.1 s\nblocks:\n"
+              "  a: {block: Clock}\n  b: {block: Clock}\n"
+              "  mount: {diagram: spring.yaml, x: 1 m, enable: a > 20 ms && b < 1 s}\n"
+              "  seen: {block: Gain, u: mount.active, trigger: a}\nrecord: [mount.force, seen]\n");
+  const json drawn = graph(folder.path("on.yaml"));
+  CHECK(ids(drawn) == Names{"a", "b", "mount", "seen"});
+  CHECK(wires(drawn) == Names{"'1 m' > mount.x", "a.y > mount.enable.1", "b.y > mount.enable.2",
+                              "mount.active > seen.u", "a.y > seen.trigger"});
+  CHECK(drawn["nodes"][2]["inputs"][1]["condition"] == true);
+  CHECK(drawn["nodes"][2]["inputs"][1]["label"] == "enable");
+  CHECK_FALSE(drawn["nodes"][2]["inputs"][0].contains("condition"));
+}
+
 TEST_CASE("a part is drawn by itself with all of its ports, though it cannot run") {
   const Scratch folder;
   write_rig(folder);

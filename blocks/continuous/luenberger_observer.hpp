@@ -1,0 +1,54 @@
+#pragma once
+
+#include "engine/model/block/dense.hpp"
+#include "engine/model/block/resettable.hpp"
+
+namespace stepwire {
+
+/// Observer with a constant gain: dx/dt = A x + B u + L (y - C x - D u).
+struct LuenbergerObserver : Resettable {
+  Matrix A, B, C, D, L;
+  Input<> u{}, measured{};
+  Output<> estimate{};
+  State<> x{};
+
+  bool direct = false;
+
+  /// Runs only where something resets, as update() does.
+  void outputs() {
+    if (resetting()) {
+      estimate = Targets{*this};
+    } else {
+      estimate = x;
+    }
+  }
+
+  void derivatives() {
+    x.dot = 0.0;
+    if (held()) return;
+    dense::add(A, x, x.dot);
+    if (u.connected()) dense::add(B, u, x.dot);
+    for (Index k = 0; k < measured.size(); ++k) correct_by(k);
+  }
+
+  void update() {
+    if (resetting()) x = Targets{*this};
+    remember_reset();
+  }
+
+  void configure(Configure& is);
+  void start() { home = x; }
+  static void declare(Declare<LuenbergerObserver>& is);
+
+ private:
+  /// Adds the column of L times how far measurement k is from what is expected of it.
+  void correct_by(Index k) {
+    double residual = measured[k];
+    for (Index j = 0; j < x.size(); ++j) residual -= C(k, j) * x[j];
+    if (direct)
+      for (Index j = 0; j < u.size(); ++j) residual -= D(k, j) * u[j];
+    for (Index i = 0; i < x.size(); ++i) x.dot[i] += L(i, k) * residual;
+  }
+};
+
+}  // namespace stepwire

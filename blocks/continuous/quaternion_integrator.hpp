@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/model/block/resettable.hpp"
+
+namespace stepwire {
+
+/// Attitude from an angular velocity: dq/dt = q w / 2 with w in the turned frame, or w q / 2 in the fixed
+/// one.
+struct QuaternionIntegrator : Resettable {
+  enum class Frame { turned, fixed };
+
+  Frame frame = Frame::turned;
+  Input<3> rate{};
+  Output<4> y{};
+  State<4> x{};
+
+  void outputs() {
+    const bool now = resetting();
+    double length = 0.0;
+    for (Index i = 0; i < 4; ++i) {
+      y[i] = now ? target(i) : x[i];
+      length += y[i] * y[i];
+    }
+    length = std::sqrt(length);
+    for (Index i = 0; i < 4; ++i) y[i] /= length;
+  }
+
+  void derivatives() {
+    if (held()) {
+      x.dot = 0.0;
+      return;
+    }
+    const double s = frame == Frame::turned ? 1.0 : -1.0;
+    x.dot[0] = -0.5 * (x[1] * rate[0] + x[2] * rate[1] + x[3] * rate[2]);
+    x.dot[1] = 0.5 * (x[0] * rate[0] + s * (x[2] * rate[2] - x[3] * rate[1]));
+    x.dot[2] = 0.5 * (x[0] * rate[1] + s * (x[3] * rate[0] - x[1] * rate[2]));
+    x.dot[3] = 0.5 * (x[0] * rate[2] + s * (x[1] * rate[1] - x[2] * rate[0]));
+  }
+
+  /// Errors of the solver change the length, too; each tick it is 1 again.
+  void update() {
+    x = y;
+    remember_reset();
+  }
+
+  void configure(Configure& is);
+  void start() {
+    if (x[0] == 0.0 && x[1] == 0.0 && x[2] == 0.0 && x[3] == 0.0) x[0] = 1.0;
+    home = x;
+  }
+  static void declare(Declare<QuaternionIntegrator>& is);
+};
+
+}  // namespace stepwire

@@ -1,0 +1,132 @@
+#pragma once
+
+#include "engine/model/block/dense.hpp"
+#include "engine/model/block/resettable.hpp"
+
+namespace stepwire {
+
+/// Kalman filter of x[k+1] = A x + B u + w, y = C x + D u + v, with w of covariance Q and v of R.
+struct KalmanFilter : Resettable {
+  Matrix A, B, C, D, Q, R, P0;
+  Input<> u{}, measured{};
+  Output<> estimate{}, innovation{};
+  DiscreteState<> x{};           // what is expected before this tick's measurement
+  DiscreteState<> P{};           // its covariance
+  DiscreteState<> K{};           // gain of this tick
+  DiscreteState<> first_gain{};  // gain of a start
+  DiscreteState<> work{};        // space for the next covariance and gain
+  Diagnostic not_positive{};
+  Time t{};
+
+  bool direct = false;
+
+  void outputs() {
+    innovation = measured;
+    if (resetting()) {
+      correct(Targets{*this}, first_gain);
+    } else {
+      correct(x, K);
+    }
+  }
+
+  void update() {
+    const bool now = resetting();
+    if (now) begin();
+    remember_reset();
+    predict_state();
+    if (!(predict_covariance() && find_gain())) not_positive.raise(t);
+  }
+
+  void start() {
+    home = x;
+    begin();
+    find_gain();
+    first_gain = K;
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<KalmanFilter>& is);
+
+ private:
+  Index states() const { return A.rows(); }
+  Index outputs_count() const { return C.rows(); }
+  dense::View covariance() const { return {P.data(), states()}; }
+  dense::View gain() const { return {K.data(), states()}; }
+
+  /// The covariance of a start; the gain is that of a start, too, except within start() itself.
+  void begin() {
+    for (Index k = 0; k < P.size(); ++k) P[k] = P0.elements().empty() ? 0.0 : P0.elements()[k];
+    K = first_gain;
+  }
+
+  template <class Expected, class Gain>
+  void correct(const Expected& expected, const Gain& gain) {
+    dense::add(C, expected, innovation, -1.0);
+    if (direct) dense::add(D, u, innovation, -1.0);
+    const Index n = states();
+    for (Index i = 0; i < n; ++i) {
+      double sum = expected[i];
+      for (Index j = 0; j < innovation.size(); ++j) sum += gain[j * n + i] * innovation[j];
+      estimate[i] = sum;
+    }
+  }
+
+  /// x = A estimate + B u: what outputs() found is still there.
+  void predict_state() {
+    x = 0.0;
+    dense::add(A, estimate, x);
+    if (u.connected()) dense::add(B, u, x);
+  }
+
+  /// P = A ((I - K C) P (I - K C)' + K R K') A' + Q, in Joseph's form, which stays symmetric and positive.
+  bool predict_covariance() {
+    const Index n = states(), p = outputs_count();
+    double *one = work.data(), *two = one + n * n;
+    const auto kept = [&](Index i, Index j) {
+      double sum = i == j ? 1.0 : 0.0;
+      for (Index k = 0; k < p; ++k) sum -= K[k * n + i] * C(k, j);
+      return sum;
+    };
+    dense::multiply(n, n, n, A, kept, one);
+    const dense::View moved{one, n};
+    dense::multiply(n, n, n, moved, covariance(), two);
+    const dense::View half{two, n};
+    dense::multiply(n, n, n, half, dense::transposed(moved), P.data());
+    dense::multiply(n, n, p, A, gain(), one);
+    const dense::View noise{one, n};
+    dense::multiply(n, p, p, noise, R, two);
+    const dense::View weighted{two, n};
+    for (Index j = 0; j < n; ++j)
+      for (Index i = 0; i < n; ++i) {
+        double sum = Q(i, j);
+        for (Index k = 0; k < p; ++k) sum += weighted(i, k) * noise(j, k);
+        P[j * n + i] += sum;
+      }
+    return make_symmetric();
+  }
+
+  bool make_symmetric() {
+    const Index n = states();
+    bool positive = true;
+    for (Index j = 0; j < n; ++j) {
+      positive = positive && P[j * n + j] >= 0.0;
+      for (Index i = 0; i < j; ++i) P[i * n + j] = P[j * n + i] = 0.5 * (P[i * n + j] + P[j * n + i]);
+    }
+    return positive;
+  }
+
+  /// K = P C' (C P C' + R)^-1
+  bool find_gain() {
+    const Index n = states(), p = outputs_count();
+    double *crossed = work.data(), *sum = crossed + n * p;
+    dense::multiply(n, n, p, covariance(), dense::transposed(C), crossed);
+    dense::multiply(p, n, p, C, dense::View{crossed, n}, sum);
+    for (Index k = 0; k < p * p; ++k) sum[k] += R.elements()[k];
+    if (!dense::factorize(p, sum)) return false;
+    for (Index k = 0; k < n * p; ++k) K[k] = crossed[k];
+    for (Index i = 0; i < n; ++i) dense::solve_factorized(p, sum, K.data() + i, n);
+    return true;
+  }
+};
+
+}  // namespace stepwire

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "engine/model/block/resettable.hpp"
+
+namespace stepwire {
+
+/// Takes its input where a signal says so, and holds it in between.
+struct SampleAndHold {
+  using Trigger = ResetInput::Trigger;
+
+  Trigger trigger = Trigger::rising;
+  Input<> u{};
+  Input<1> when{};
+  Output<> y{};
+  DiscreteState<> last{};
+  DiscreteState<1> side{};  // of `when` at the last tick: -1 false, 1 true, 0 none seen yet
+
+  void outputs() {
+    const bool now = takes();
+    for (Index i = 0; i < y.size(); ++i) y[i] = now ? u[i] : last[i];
+  }
+
+  void update() {
+    if (takes()) last = u;
+    side = when > 0.0 ? 1.0 : -1.0;
+  }
+
+  static void declare(Declare<SampleAndHold>& is);
+
+ private:
+  bool takes() const { return ResetInput::fires(trigger, side, when > 0.0); }
+};
+
+}  // namespace stepwire

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/model/signal/index.hpp"
+
+namespace stepwire {
+
+/// Rotations of space: matrices column by column, quaternions as [w, x, y, z].
+namespace rotation {
+
+/// Sequences of axes about which three angles turn one after the other, each about the axes turned so far.
+enum class Order { xyz, xzy, yxz, yzx, zxy, zyx, xyx, xzx, yxy, yzy, zxz, zyz };
+
+/// The axes of a sequence: 0, 1, 2 for x, y, z.
+inline void axes_of(Order order, Index* axes) {
+  constexpr Index all[12][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0},
+                                {0, 1, 0}, {0, 2, 0}, {1, 0, 1}, {1, 2, 1}, {2, 0, 2}, {2, 1, 2}};
+  for (Index k = 0; k < 3; ++k) axes[k] = all[static_cast<int>(order)][k];
+}
+
+/// q = a b
+template <class A, class B>
+void multiply(const A& a, const B& b, double* q) {
+  q[0] = a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3];
+  q[1] = a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2];
+  q[2] = a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1];
+  q[3] = a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0];
+}
+
+/// The matrix of a quaternion of any length but 0; nothing that is a number for that.
+template <class Q>
+void matrix_of(const Q& q, double* m) {
+  const double s = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  m[0] = 1.0 - s * (q[2] * q[2] + q[3] * q[3]);
+  m[1] = s * (q[1] * q[2] + q[0] * q[3]);
+  m[2] = s * (q[1] * q[3] - q[0] * q[2]);
+  m[3] = s * (q[1] * q[2] - q[0] * q[3]);
+  m[4] = 1.0 - s * (q[1] * q[1] + q[3] * q[3]);
+  m[5] = s * (q[2] * q[3] + q[0] * q[1]);
+  m[6] = s * (q[1] * q[3] + q[0] * q[2]);
+  m[7] = s * (q[2] * q[3] - q[0] * q[1]);
+  m[8] = 1.0 - s * (q[1] * q[1] + q[2] * q[2]);
+}
+
+/// The matrix of three turns one after the other.
+template <class Angles>
+void matrix_of_angles(Order order, const Angles& angles, double* m) {
+  Index axes[3];
+  axes_of(order, axes);
+  for (Index k = 0; k < 9; ++k) m[k] = k % 4 == 0 ? 1.0 : 0.0;
+  for (Index turn = 0; turn < 3; ++turn) {
+    const double c = std::cos(angles[turn]), s = std::sin(angles[turn]);
+    double* const one = m + 3 * ((axes[turn] + 1) % 3);
+    double* const two = m + 3 * ((axes[turn] + 2) % 3);
+    for (Index row = 0; row < 3; ++row) {
+      const double first = one[row], second = two[row];
+      one[row] = c * first + s * second;
+      two[row] = c * second - s * first;
+    }
+  }
+}
+
+/// The quaternion of a turn by an angle about an axis of any length but 0.
+template <class Axis>
+void quaternion_of_axis(const Axis& axis, double angle, double* q) {
+  const double length = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+  q[0] = std::cos(0.5 * angle);
+  for (Index k = 0; k < 3; ++k) q[k + 1] = std::sin(0.5 * angle) * axis[k] / length;
+}
+
+}  // namespace rotation
+
+}  // namespace stepwire

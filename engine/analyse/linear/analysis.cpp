@@ -1,0 +1,31 @@
+#include "engine/analyse/linear/analysis.hpp"
+
+namespace stepwire::linear {
+
+namespace {
+
+ChannelAnalysis channel_of(const Linearization& all, std::size_t input, std::size_t output) {
+  const StateSpace channel = all.system.channel(input, output).connected();
+  return {channel.inputs[0].name, channel.outputs[0].name, zeros_of(channel),
+          gain_at_rest(channel),  bandwidth(channel),      margins_of(channel, all.feedback)};
+}
+
+}  // namespace
+
+Analysis analyse(Linearization linearization, std::optional<double> feedback) {
+  Analysis analysis;
+  static_cast<Linearization&>(analysis) = std::move(linearization);
+  if (feedback) analysis.feedback = *feedback;
+  const StateSpace& system = analysis.system;
+  analysis.modes = modes_of(system);
+  analysis.zeros = zeros_of(system.connected());
+  analysis.stable = is_stable(eigenvalues(system.A), system.sample_time);
+  analysis.controllable = controllability(system);
+  analysis.observable = observability(system);
+  for (std::size_t i = 0; i < system.inputs.size(); ++i)
+    for (std::size_t o = 0; o < system.outputs.size(); ++o)
+      analysis.channels.push_back(channel_of(analysis, i, o));
+  return analysis;
+}
+
+}  // namespace stepwire::linear

@@ -1,0 +1,190 @@
+#include "engine/analyse/linear/columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/analyse/linear/step_response.hpp"
+
+namespace stepwire::linear {
+
+namespace {
+
+constexpr double without_border = std::numeric_limits<double>::infinity();
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// An analysis with its curves.
+struct Found {
+  const Analysis& analysis;
+  const StateSpace& system;  ///< of its one channel
+  std::vector<double> frequencies;
+  std::vector<Complex> loop;  ///< L, whose margins count, at these
+  ResponseCurve step;
+  RootLocus locus;
+
+  const ChannelAnalysis& channel() const { return analysis.channels.front(); }
+  const Margins& margins() const { return channel().margins; }
+};
+
+/// A column of an analysis: its name behind that of the analysis, its unit, and its numbers.
+struct Column {
+  enum class Unit { none, per_second, second, own };
+  const char* name;
+  Unit unit = Unit::none;
+  std::vector<double> (*numbers)(const Found& found);
+};
+
+/// The numbers of a list of poles, zeros or modes.
+template <class List, class Number>
+std::vector<double> each(const List& list, Number number) {
+  std::vector<double> numbers;
+  for (const auto& item : list) numbers.push_back(number(item));
+  return numbers;
+}
+
+double real(const Complex& number) {
+  return number.real();
+}
+double imaginary(const Complex& number) {
+  return number.imag();
+}
+
+Found found_of(const Analysis& analysis, const StateSpace& system) {
+  constexpr std::size_t most_of_locus = 40;  // states
+  const FrequencyResponse response(system);
+  Found found{analysis, system, response.frequencies(60), {}, step_response(system), {}};
+  for (const double w : found.frequencies) found.loop.push_back(-analysis.feedback * response.at(w));
+  if (system.states.size() <= most_of_locus) found.locus = root_locus(system, analysis.feedback);
+  return found;
+}
+
+/// Without jumps, and at the lowest frequency between -270 and 90 degrees.
+std::vector<double> phase_of(const std::vector<Complex>& loop) {
+  std::vector<double> phase;
+  for (const Complex& value : loop) {
+    const double angle = std::arg(value), turn = 2.0 * std::numbers::pi;
+    const double before = phase.empty() ? -0.5 * std::numbers::pi : phase.back();
+    phase.push_back(angle + turn * std::round((before - angle) / turn));
+  }
+  return phase;
+}
+
+double margin_or(const std::optional<Crossing>& crossing, double without) {
+  return crossing ? crossing->margin : without;
+}
+
+std::vector<double> least_damped(const Analysis& analysis, double Mode::*number) {
+  const auto least = std::ranges::min_element(analysis.modes, {}, &Mode::damping);
+  return {least == analysis.modes.end() ? none : (*least).*number};
+}
+
+using Unit = Column::Unit;
+
+// In the order of the page.
+const std::vector<Column>& columns() {
+  static const std::vector<Column> all{
+      {"", Unit::none, [](const Found&) { return std::vector<double>{1.0}; }},
+      {".margin.gain", Unit::none,
+       [](const Found& f) { return std::vector{margin_or(f.margins().worst_gain(), without_border)}; }},
+      {".margin.gain_db", Unit::none,
+       [](const Found& f) {
+         return std::vector{20.0 * std::log10(margin_or(f.margins().worst_gain(), without_border))};
+       }},
+      {".margin.gain_frequency", Unit::per_second,
+       [](const Found& f) {
+         const auto worst = f.margins().worst_gain();
+         return std::vector{worst ? worst->frequency : none};
+       }},
+      {".margin.phase", Unit::none,
+       [](const Found& f) { return std::vector{margin_or(f.margins().worst_phase(), without_border)}; }},
+      {".margin.phase_frequency", Unit::per_second,
+       [](const Found& f) {
+         const auto worst = f.margins().worst_phase();
+         return std::vector{worst ? worst->frequency : none};
+       }},
+      {".margin.delay", Unit::second, [](const Found& f) { return std::vector{f.margins().delay()}; }},
+      {".margin.modulus", Unit::none, [](const Found& f) { return std::vector{f.margins().modulus}; }},
+      {".stable", Unit::none, [](const Found& f) { return std::vector{f.margins().stable ? 1.0 : 0.0}; }},
+      {".bandwidth", Unit::per_second, [](const Found& f) { return std::vector{f.channel().bandwidth}; }},
+      {".gain_at_rest", Unit::own, [](const Found& f) { return std::vector{f.channel().gain_at_rest}; }},
+      {".damping", Unit::none, [](const Found& f) { return least_damped(f.analysis, &Mode::damping); }},
+      {".natural_frequency", Unit::per_second,
+       [](const Found& f) { return least_damped(f.analysis, &Mode::frequency); }},
+      {".sample_time", Unit::second, [](const Found& f) { return std::vector{f.system.sample_time}; }},
+      {".frequency", Unit::per_second, [](const Found& f) { return f.frequencies; }},
+      {".gain", Unit::own,
+       [](const Found& f) { return each(f.loop, [](const Complex& value) { return std::abs(value); }); }},
+      {".phase", Unit::none, [](const Found& f) { return phase_of(f.loop); }},
+      {".real", Unit::own, [](const Found& f) { return each(f.loop, real); }},
+      {".imaginary", Unit::own, [](const Found& f) { return each(f.loop, imaginary); }},
+      {".pole.real", Unit::none,
+       [](const Found& f) {
+         return each(f.analysis.modes, [](const Mode& mode) { return mode.pole.real(); });
+       }},
+      {".pole.imaginary", Unit::none,
+       [](const Found& f) {
+         return each(f.analysis.modes, [](const Mode& mode) { return mode.pole.imag(); });
+       }},
+      {".pole.damping", Unit::none,
+       [](const Found& f) { return each(f.analysis.modes, [](const Mode& mode) { return mode.damping; }); }},
+      {".pole.frequency", Unit::per_second,
+       [](const Found& f) {
+         return each(f.analysis.modes, [](const Mode& mode) { return mode.frequency; });
+       }},
+      {".zero.real", Unit::none, [](const Found& f) { return each(f.channel().zeros, real); }},
+      {".zero.imaginary", Unit::none, [](const Found& f) { return each(f.channel().zeros, imaginary); }},
+      {".closed_pole.real", Unit::none, [](const Found& f) { return each(f.margins().closed_poles, real); }},
+      {".closed_pole.imaginary", Unit::none,
+       [](const Found& f) { return each(f.margins().closed_poles, imaginary); }},
+      {".step.time", Unit::second, [](const Found& f) { return f.step.x; }},
+      {".step.response", Unit::own, [](const Found& f) { return f.step.y; }},
+      {".locus.gain", Unit::none, [](const Found& f) { return f.locus.gain; }},
+      {".locus.real", Unit::none, [](const Found& f) { return f.locus.real; }},
+      {".locus.imaginary", Unit::none, [](const Found& f) { return f.locus.imaginary; }},
+      {".locus.branch", Unit::none, [](const Found& f) { return f.locus.branch; }}};
+  return all;
+}
+
+std::optional<unit::Dimension> dimension_of(const Column& column, const NamedAnalysis& analysis) {
+  const unit::Dimension second = unit::parse_unit("s")->dimension;
+  switch (column.unit) {
+    case Unit::per_second:
+      return unit::Dimension{} / second;
+    case Unit::second:
+      return second;
+    case Unit::own:
+      return analysis.dimension;
+    case Unit::none:
+      break;
+  }
+  return unit::Dimension{};
+}
+
+}  // namespace
+
+std::vector<query::RecordedName> analysis_names(const NamedAnalysis& analysis, std::size_t recording) {
+  std::vector<query::RecordedName> names;
+  for (const Column& column : columns())
+    names.push_back({analysis.name + column.name, dimension_of(column, analysis), recording});
+  return names;
+}
+
+record::Recording analysis_recording(const NamedAnalysis& named, const Analysis& analysis) {
+  const StateSpace system = analysis.system.channel(0, 0).connected();
+  const Found found = found_of(analysis, system);
+  record::Recording recording;
+  recording.table.columns.push_back({"time", "s", found.step.x});
+  std::size_t rows = recording.table.rows();
+  for (const Column& column : columns()) {
+    const auto dimension = dimension_of(column, named);
+    recording.table.columns.push_back(
+        {named.name + column.name, dimension ? unit::si_name(*dimension) : "", column.numbers(found)});
+    rows = std::max(rows, recording.table.columns.back().values.size());
+  }
+  for (table::Column& column : recording.table.columns)
+    column.values.resize(rows, column.values.empty() ? none : column.values.back());
+  return recording;
+}
+
+}  // namespace stepwire::linear

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/analyse/linear/poles.hpp"
+#include "engine/analyse/linear/state_space.hpp"
+
+namespace stepwire::linear {
+
+/// One input to one output at single frequencies: C (s - A)^-1 B + D, with s = j w, or z = exp(j w T).
+class FrequencyResponse {
+ public:
+  /// Reduces A once, so that each frequency costs n^2 (A. J. Laub, 1981).
+  explicit FrequencyResponse(const StateSpace& system);
+
+  Complex at(double frequency) const;  ///< [rad/s]
+  /// Anywhere in the plane of s, or of z.
+  Complex at_point(const Complex& point) const;
+
+  /// Frequencies [rad/s] that show all there is: two decades beyond poles and zeros, closer about each of
+  /// them, and up to half of the sample frequency.
+  std::vector<double> frequencies(std::size_t per_decade = 200) const;
+
+ private:
+  std::array<double, 2> range() const;
+
+  Eigen::MatrixXd hessenberg_;
+  Eigen::VectorXd B_;
+  Eigen::RowVectorXd C_;
+  double D_ = 0.0, sample_time_ = 0.0;
+  std::vector<Mode> corners_;  ///< poles and zeros
+};
+
+}  // namespace stepwire::linear

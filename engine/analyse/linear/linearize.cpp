@@ -1,0 +1,227 @@
+#include "engine/analyse/linear/linearize.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/analyse/linear/slopes.hpp"
+#include "engine/analyse/linear/working_point.hpp"
+
+namespace stepwire::linear {
+
+namespace {
+
+constexpr std::size_t most_notes = 12;
+
+/// Takes the columns of a working point one by one.
+class Columns {
+ public:
+  Columns(WorkingPoint& point, const Request& request)
+      : point_(point), request_(request), stride_(work() > much ? 4 : 1) {}
+
+  std::vector<Slopes> take() {
+    std::vector<Slopes> all;
+    for (std::size_t column = 0; column < point_.columns(); ++column) all.push_back(slopes(column));
+    while (remove_one(all)) {
+    }
+    return all;
+  }
+
+  std::vector<std::string> notes;
+
+ private:
+  Slopes slopes(std::size_t column) {
+    return slopes_of([&](double value) { return point_.respond(column, value); }, point_.value(column),
+                     {request_.size, point_.most_change(column), stride_});
+  }
+
+  /// A counter or a mark, with which numbers jump, is no state of a linear system, and neither is what a
+  /// block keeps for itself and no other number depends on, as its value after a reset.
+  bool remove_one(std::vector<Slopes>& all) {
+    for (std::size_t s = 0; s < point_.states().size(); ++s) {
+      const StatePlace& state = point_.states()[s];
+      const bool jumps = std::ranges::find(all[s].jumps, true) != all[s].jumps.end();
+      const bool leaves = (jumps && state.may_count) || (state.own && is_alone(all, s));
+      if (!leaves) continue;
+      if (jumps) notes.push_back(state.channel.name + " is held: with another value of it numbers jump");
+      point_.remove_state(s);
+      all.erase(all.begin() + static_cast<std::ptrdiff_t>(s));
+      for (Slopes& slopes : all) slopes.erase(static_cast<Eigen::Index>(s));
+      return true;
+    }
+    return false;
+  }
+
+  static bool is_alone(const std::vector<Slopes>& all, std::size_t s) {
+    const auto row = static_cast<Eigen::Index>(s);
+    for (std::size_t column = 0; column < all.size(); ++column)
+      if (column != s && all[column].value[row] != 0.0) return false;
+    Eigen::VectorXd others = all[s].value;
+    others[row] = 0.0;
+    return others.isZero(0.0);
+  }
+
+  /// Calls of blocks in each of the sizes.
+  double work() const {
+    return static_cast<double>(point_.columns()) * static_cast<double>(point_.base_ticks()) *
+           static_cast<double>(point_.paths().samples.size());
+  }
+  static constexpr double much = 1e6;  ///< some seconds for all sizes
+
+  WorkingPoint& point_;
+  const Request& request_;
+  int stride_;
+};
+
+std::string row_name(const WorkingPoint& point, std::size_t row) {
+  const std::size_t states = point.states().size();
+  if (row >= states) return point.outputs()[row - states].channel.name;
+  const std::string& name = point.states()[row].channel.name;
+  return point.sampled() ? "the next " + name : "d/dt " + name;
+}
+
+std::string column_name(const WorkingPoint& point, std::size_t column) {
+  const std::size_t states = point.states().size();
+  return column < states ? point.states()[column].channel.name : point.inputs()[column - states].channel.name;
+}
+
+/// What is to be known of one number; empty where nothing is.
+std::string roughness(const std::string& of, const Slopes& slopes, Eigen::Index row) {
+  if (slopes.jumps[static_cast<std::size_t>(row)])
+    return fmt::format("not smooth: {} jumps at this point", of);
+  if (std::isfinite(slopes.left[row]))
+    return fmt::format("not smooth: {} has the slope {:.4g} from below and {:.4g} from above", of,
+                       slopes.left[row], slopes.right[row]);
+  if (std::isfinite(slopes.nearer[row]))
+    return fmt::format(
+        "differences of two sizes disagree: {} has the slope {:.4g} over large ones and {:.4g} "
+        "over small ones (steps?)",
+        of, slopes.value[row], slopes.nearer[row]);
+  if (std::isfinite(slopes.farther[row]))
+    return fmt::format(
+        "{} is flat at this point, and has the slope {:.4g} over large differences (steps, or "
+        "play): --difference 0.01 takes such ones",
+        of, slopes.farther[row]);
+  if (!(slopes.error[row] <= 1e-5 * std::abs(slopes.value[row])) && slopes.error[row] > 1e-9)
+    return fmt::format("differences disagree: {} is {:.6g} give or take {:.2g}", of, slopes.value[row],
+                       slopes.error[row]);
+  return {};
+}
+
+void note_roughness(const WorkingPoint& point, const std::vector<Slopes>& all,
+                    std::vector<std::string>& notes) {
+  for (std::size_t column = 0; column < all.size(); ++column)
+    for (Eigen::Index row = 0; row < all[column].value.size(); ++row) {
+      const std::string of = fmt::format("{} over {}", row_name(point, static_cast<std::size_t>(row)),
+                                         column_name(point, column));
+      if (std::string note = roughness(of, all[column], row); !note.empty()) notes.push_back(std::move(note));
+    }
+  if (notes.size() <= most_notes) return;
+  const std::size_t more = notes.size() - most_notes;
+  notes.resize(most_notes);
+  notes.push_back(fmt::format("and {} more of this kind", more));
+}
+
+/// What acts at ticks, and is not on the way, is as it was.
+void note_held(const WorkingPoint& point, const plan::Plan& plan, std::vector<std::string>& notes) {
+  std::vector<std::string> held;
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b)
+    if (point.paths().samples[b] && point.paths().near_way(b) && !point.paths().on_way(b))
+      held.push_back(plan.diagram.blocks[b].name);
+  if (held.empty()) return;
+  notes.push_back(fmt::format("not on the way from inputs to outputs, so without states here: {}",
+                              fmt::join(held, ", ")));
+}
+
+std::string method_text(const WorkingPoint& point, const plan::Plan& plan, const Request& request) {
+  const std::string how = request.size
+                              ? fmt::format("central differences of {:g} of each number", *request.size)
+                              : "central differences, extrapolated";
+  if (!point.sampled()) return how;
+  const bool stepped = !plan.diagram.solver.empty() && plan.layout.state_count > 0;
+  return fmt::format("map of one base period of {:g} s by {}; inputs are held over it{}",
+                     static_cast<double>(point.base_ticks()) * plan.diagram.step, how,
+                     stepped ? fmt::format(", and between samples {} steps the continuous states by {:g} s",
+                                           plan.diagram.solver, plan.diagram.step)
+                             : "");
+}
+
+/// Rows are states and outputs, columns states and inputs.
+StateSpace parted(const WorkingPoint& point, const std::vector<Slopes>& all,
+                  Eigen::VectorXd Slopes::*numbers) {
+  const auto n = static_cast<Eigen::Index>(point.states().size());
+  const auto m = static_cast<Eigen::Index>(point.inputs().size());
+  const auto p = static_cast<Eigen::Index>(point.outputs().size());
+  Eigen::MatrixXd whole(n + p, n + m);
+  for (Eigen::Index column = 0; column < n + m; ++column)
+    whole.col(column) = all[static_cast<std::size_t>(column)].*numbers;
+  StateSpace system{whole.topLeftCorner(n, n),
+                    whole.topRightCorner(n, m),
+                    whole.bottomLeftCorner(p, n),
+                    whole.bottomRightCorner(p, m),
+                    {},
+                    {},
+                    {},
+                    0.0};
+  for (const StatePlace& state : point.states()) system.states.push_back(state.channel);
+  for (const Place& input : point.inputs()) system.inputs.push_back(input.channel);
+  for (const Place& output : point.outputs()) system.outputs.push_back(output.channel);
+  return system;
+}
+
+void put_point(WorkingPoint& point, Linearization& result) {
+  const Eigen::VectorXd here = point.respond();
+  const std::size_t states = point.states().size();
+  for (std::size_t s = 0; s < states; ++s) {
+    result.states.push_back({point.states()[s].channel, point.value(s)});
+    const double going = here[static_cast<Eigen::Index>(s)];
+    result.rates.push_back(point.sampled() ? going - point.value(s) : going);
+  }
+  for (std::size_t i = 0; i < point.inputs().size(); ++i)
+    result.inputs.push_back({point.inputs()[i].channel, point.value(states + i)});
+  for (std::size_t o = 0; o < point.outputs().size(); ++o)
+    result.outputs.push_back({point.outputs()[o].channel, here[static_cast<Eigen::Index>(states + o)]});
+}
+
+void note_motion(const WorkingPoint& point, Linearization& result) {
+  std::size_t fastest = 0;
+  const auto share = [&](std::size_t s) {
+    return std::abs(result.rates[s]) / (1.0 + std::abs(result.states[s].value));
+  };
+  for (std::size_t s = 1; s < result.rates.size(); ++s)
+    if (share(s) > share(fastest)) fastest = s;
+  if (result.rates.empty() || share(fastest) < 1e-6) return;
+  const std::string& unit = result.states[fastest].channel.unit;
+  result.notes.push_back(fmt::format("the point is no equilibrium: {} changes by {:.4g}{}{}",
+                                     result.states[fastest].channel.name, result.rates[fastest],
+                                     unit.empty() ? "" : " " + unit,
+                                     point.sampled() ? " in a base period" : " per s"));
+}
+
+}  // namespace
+
+Linearization linearize(diagram::Diagram diagram, const Request& request) {
+  const PreparedDiagram prepared = prepare(std::move(diagram), request);
+  WorkingPoint point(prepared, request);
+  Columns columns(point, request);
+  const std::vector<Slopes> all = columns.take();
+  Linearization result;
+  result.system = parted(point, all, &Slopes::value);
+  result.error = parted(point, all, &Slopes::error);
+  result.time = point.time();
+  result.feedback = prepared.feedback;
+  if (point.sampled())
+    result.system.sample_time = static_cast<double>(point.base_ticks()) * prepared.plan.diagram.step;
+  result.method = method_text(point, prepared.plan, request);
+  put_point(point, result);
+  note_roughness(point, all, result.notes);
+  std::ranges::move(columns.notes, std::back_inserter(result.notes));
+  if (!point.counts().empty())
+    result.notes.push_back(
+        fmt::format("counters and marks that stay as the run has them: {}", fmt::join(point.counts(), ", ")));
+  note_held(point, prepared.plan, result.notes);
+  note_motion(point, result);
+  return result;
+}
+
+}  // namespace stepwire::linear

@@ -1,0 +1,157 @@
+#include "engine/analyse/linear/margins.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+namespace stepwire::linear {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Where a function between two frequencies of different signs is zero.
+double root(const std::function<double(double)>& function, double low, double high) {
+  const bool rises = function(low) < 0.0;
+  for (int k = 0; k < 200 && high - low > 4e-16 * high; ++k) {
+    const double middle = 0.5 * (low + high);
+    (((function(middle) < 0.0) == rises) ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+double wrapped(double angle) {
+  return std::remainder(angle, 2.0 * std::numbers::pi);
+}
+
+class Loop {
+ public:
+  Loop(const StateSpace& system, double feedback) : response_(system), sign_(-feedback) {
+    for (const double w : response_.frequencies()) rows_.push_back({w, at(w)});
+  }
+
+  Complex at(double frequency) const { return sign_ * response_.at(frequency); }
+
+  std::vector<Crossing> gain_margins(const StateSpace& system) const {
+    std::vector<Crossing> found;
+    add_real(0.0, at(0.0), found);
+    for (std::size_t k = 0; k + 1 < rows_.size(); ++k) {
+      const double a = rows_[k].value.imag(), b = rows_[k + 1].value.imag();
+      if ((a < 0.0) == (b < 0.0)) continue;
+      const double w =
+          root([&](double f) { return at(f).imag(); }, rows_[k].frequency, rows_[k + 1].frequency);
+      const Complex value = at(w);
+      // At a pole on the axis the sign changes, too.
+      if (std::abs(value.imag()) <= 1e-6 * std::abs(value.real())) add_real(w, value, found);
+    }
+    if (system.is_sampled())
+      add_real(rows_.back().frequency, rows_.back().value, found);
+    else
+      add_real(infinite, sign_ * system.D(0, 0), found);
+    return found;
+  }
+
+  std::vector<Crossing> phase_margins() const {
+    std::vector<Crossing> found;
+    const auto gain = [&](double f) { return std::log(std::abs(at(f))); };
+    for (std::size_t k = 0; k + 1 < rows_.size(); ++k) {
+      const double a = std::abs(rows_[k].value), b = std::abs(rows_[k + 1].value);
+      if ((a < 1.0) == (b < 1.0)) continue;
+      const double w = root(gain, rows_[k].frequency, rows_[k + 1].frequency);
+      found.push_back({w, wrapped(std::numbers::pi + std::arg(at(w)))});
+    }
+    return found;
+  }
+
+  /// Least |1 + L|, refined by thirds about the least row.
+  void find_modulus(Margins& margins) const {
+    const auto distance = [&](double f) { return std::abs(1.0 + at(f)); };
+    std::size_t least = 0;
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+      if (std::abs(1.0 + rows_[k].value) < std::abs(1.0 + rows_[least].value)) least = k;
+    double low = rows_[least > 0 ? least - 1 : 0].frequency;
+    double high = rows_[std::min(least + 1, rows_.size() - 1)].frequency;
+    for (int k = 0; k < 100; ++k) {
+      const double first = low + (high - low) / 3.0, second = high - (high - low) / 3.0;
+      (distance(first) < distance(second) ? high : low) = distance(first) < distance(second) ? second : first;
+    }
+    margins.modulus_frequency = 0.5 * (low + high);
+    margins.modulus = distance(margins.modulus_frequency);
+  }
+
+ private:
+  struct Row {
+    double frequency;
+    Complex value;
+  };
+
+  static void add_real(double frequency, const Complex& value, std::vector<Crossing>& found) {
+    const bool real = std::abs(value.imag()) <= 1e-6 * std::abs(value.real());
+    if (real && value.real() < 0.0 && std::isfinite(value.real()))
+      found.push_back({frequency, -1.0 / value.real()});
+  }
+
+  FrequencyResponse response_;
+  double sign_;
+  std::vector<Row> rows_;
+};
+
+template <class Size>
+std::optional<Crossing> nearest(const std::vector<Crossing>& all, Size size) {
+  const auto found = std::ranges::min_element(all, {}, [&](const Crossing& c) { return size(c.margin); });
+  return found == all.end() ? std::nullopt : std::optional(*found);
+}
+
+}  // namespace
+
+std::optional<Crossing> Margins::worst_gain() const {
+  return nearest(gain, [](double margin) { return std::abs(std::log(margin)); });
+}
+
+std::optional<Crossing> Margins::worst_phase() const {
+  return nearest(phase, [](double margin) { return std::abs(margin); });
+}
+
+double Margins::delay() const {
+  double least = infinite;
+  for (const Crossing& crossing : phase) {
+    const double angle = crossing.margin < 0.0 ? crossing.margin + 2.0 * std::numbers::pi : crossing.margin;
+    least = std::min(least, angle / crossing.frequency);
+  }
+  return least;
+}
+
+Margins margins_of(const StateSpace& system, double feedback) {
+  const Loop loop(system, feedback);
+  Margins margins;
+  margins.gain = loop.gain_margins(system);
+  margins.phase = loop.phase_margins();
+  loop.find_modulus(margins);
+  const StateSpace closed = system.closed(feedback);
+  if (closed.A.allFinite()) margins.closed_poles = eigenvalues(closed.A);
+  margins.stable = closed.A.allFinite() && is_stable(margins.closed_poles, system.sample_time);
+  return margins;
+}
+
+double gain_at_rest(const StateSpace& system) {
+  return FrequencyResponse(system).at_point(system.is_sampled() ? 1.0 : 0.0).real();
+}
+
+double bandwidth(const StateSpace& system) {
+  const FrequencyResponse response(system);
+  const double rest = std::abs(gain_at_rest(system));
+  if (!(rest > 0.0 && std::isfinite(rest))) return 0.0;
+  const auto above = [&](double w) {
+    return std::log(std::abs(response.at(w)) / rest) + 0.5 * std::log(2.0);
+  };
+  double before = 0.0;
+  for (const double w : response.frequencies()) {
+    if (above(w) < 0.0) return root(above, before, w);
+    before = w;
+  }
+  return infinite;
+}
+
+}  // namespace stepwire::linear

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/analyse/linear/state_space.hpp"
+
+namespace stepwire::linear {
+
+/// The eigenvalues of a matrix: of each group of states that depend on each other by itself, so that chains
+/// of delays have exact zeros. By size, of a pair the one above the real axis first.
+std::vector<Complex> eigenvalues(const Eigen::MatrixXd& A);
+
+/// A pole and how it moves.
+struct Mode {
+  Complex pole;
+  double frequency = 0.0;  ///< natural frequency [rad/s]
+  double damping = 1.0;    ///< -1 to 1: cosine of its angle to the negative real axis, in the plane of s
+};
+
+/// The modes of a system. A sampled pole z counts as s = log(z) / sample time; one at 0 has an infinite
+/// frequency.
+std::vector<Mode> modes_of(const StateSpace& system);
+
+/// Do all poles lie to the left of the imaginary axis, or inside of the unit circle? One on the border (but
+/// for 1e-9 of the largest) does not.
+bool is_stable(const std::vector<Complex>& poles, double sample_time);
+
+/// The invariant zeros: where the system matrix loses rank; of a controllable and observable system its
+/// transmission zeros. A. Emami-Naeini, P. Van Dooren, "Computation of zeros of linear multivariable
+/// systems", 1982.
+std::vector<Complex> zeros_of(const StateSpace& system);
+
+}  // namespace stepwire::linear

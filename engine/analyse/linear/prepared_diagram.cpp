@@ -1,0 +1,152 @@
+#include "engine/analyse/linear/prepared_diagram.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/analyse/linear/junction.hpp"
+
+namespace stepwire::linear {
+
+namespace {
+
+/// Puts junctions into wires, one into each.
+class Junctions {
+ public:
+  explicit Junctions(diagram::Diagram& diagram) : diagram_(diagram) {}
+
+  int at(const diagram::SignalRef& wire) {
+    if (const int known = find(wire); known >= 0) return known;
+    made_.emplace_back(wire, add_junction(diagram_, wire));
+    return made_.back().second;
+  }
+
+  /// -1 where there is none.
+  int find(const diagram::SignalRef& wire) const {
+    const auto found = std::ranges::find(made_, wire, &std::pair<diagram::SignalRef, int>::first);
+    return found == made_.end() ? -1 : found->second;
+  }
+
+  std::vector<int> blocks() const {
+    std::vector<int> all;
+    for (const auto& [wire, block] : made_) all.push_back(block);
+    return all;
+  }
+
+ private:
+  diagram::Diagram& diagram_;
+  std::vector<std::pair<diagram::SignalRef, int>> made_;
+};
+
+/// A signal and the block of the plan at which it is met.
+struct Met {
+  Signal signal;
+  int block = -1;
+};
+
+void add_places(const plan::Plan& plan, const Met& met, const plan::SignalSlot& slot, yaml::Fault at,
+                std::vector<Place>& places, yaml::Faults& faults) {
+  const std::string unit = unit_of(plan, met.signal.signal);
+  if (slot.size == 0) {
+    at.message = yaml::fault_text("'{}' has no elements", met.signal.name);
+    return faults.add(std::move(at));
+  }
+  if (met.signal.element && *met.signal.element >= slot.size) {
+    at.message = yaml::fault_text("'{}' has {} elements", met.signal.name, slot.size);
+    return faults.add(std::move(at));
+  }
+  for (Eigen::Index k = 0; k < slot.size; ++k) {
+    if (met.signal.element && *met.signal.element != k) continue;
+    const bool numbered = slot.size > 1 && !met.signal.element;
+    places.push_back({slot.offset + static_cast<std::size_t>(k),
+                      {numbered ? fmt::format("{}.{}", met.signal.name, k + 1) : met.signal.name, unit}});
+  }
+}
+
+bool same_place(const std::vector<Met>& a, const std::vector<Met>& b) {
+  return a.size() == 1 && b.size() == 1 && a[0].signal.signal == b[0].signal.signal;
+}
+
+/// The signals of a request.
+struct Touched {
+  std::vector<Met> from, to;
+  std::vector<diagram::SignalRef> cut;
+};
+
+Touched find_touched(const diagram::Diagram& diagram, const Request& request) {
+  yaml::Faults faults;
+  Touched touched;
+  for (const WrittenName& name : request.from)
+    if (auto found = find_wire(diagram, name, faults)) touched.from.push_back({*found});
+  for (const WrittenName& name : request.open)
+    if (const auto found = find_wire(diagram, name, faults)) touched.cut.push_back(found->signal);
+  for (const WrittenName& name : request.to)
+    if (auto found = find_signal(diagram, name, faults)) {
+      // A state that a wire carries is that wire.
+      yaml::Faults none;
+      if (const auto wire = find_wire(diagram, name, none)) found = wire;
+      touched.to.push_back({*found});
+    }
+  faults.throw_if_any();
+  return touched;
+}
+
+void put_junctions(diagram::Diagram& diagram, Touched& touched, PreparedDiagram& prepared) {
+  Junctions junctions(diagram);
+  for (Met& met : touched.from) met.block = junctions.at(met.signal.signal);
+  for (const diagram::SignalRef& wire : touched.cut) prepared.cut.push_back(junctions.at(wire));
+  for (Met& met : touched.to) {
+    const int junction = junctions.find(met.signal.signal);
+    const bool behind = junction >= 0 && std::ranges::count(prepared.cut, junction) == 0;
+    met.block = behind ? junction : met.signal.signal.block;
+  }
+  prepared.junctions = junctions.blocks();
+  if (same_place(touched.from, touched.to) &&
+      std::ranges::count(touched.cut, touched.from[0].signal.signal) > 0)
+    prepared.feedback = 1.0;
+}
+
+void add_input(const Met& met, const WrittenName& name, PreparedDiagram& prepared, yaml::Faults& faults) {
+  const auto& block = prepared.plan.blocks[static_cast<std::size_t>(met.block)];
+  const plan::SignalSlot &added = block.states[Junction::added_state], &wire = block.inputs[0][0];
+  const std::size_t first = prepared.inputs.size();
+  add_places(prepared.plan, met, added, {name.place, name.subject, {}, {}}, prepared.inputs, faults);
+  for (std::size_t i = first; i < prepared.inputs.size(); ++i)
+    prepared.inputs[i].wire = wire.offset + (prepared.inputs[i].offset - added.offset);
+  prepared.input_blocks.push_back(met.block);
+}
+
+void add_output(const Met& met, const WrittenName& name, PreparedDiagram& prepared, yaml::Faults& faults) {
+  const bool behind = met.block != met.signal.signal.block;
+  const diagram::SignalRef read = behind ? diagram::SignalRef{met.block, 0, -1} : met.signal.signal;
+  add_places(prepared.plan, met, prepared.plan.slot(read), {name.place, name.subject, {}, {}},
+             prepared.outputs, faults);
+  prepared.output_blocks.push_back(met.block);
+}
+
+}  // namespace
+
+std::string unit_of(const plan::Plan& plan, const diagram::SignalRef& signal) {
+  const auto dimension = plan.dimension(signal);
+  return !dimension || *dimension == unit::Dimension{} ? std::string{} : unit::si_name(*dimension);
+}
+
+PreparedDiagram prepare(diagram::Diagram diagram, const Request& request) {
+  Touched touched = find_touched(diagram, request);
+  PreparedDiagram prepared;
+  put_junctions(diagram, touched, prepared);
+  diagram::Diagram stepped = diagram;
+  if (!stepped.solver.empty()) stepped.solver = "euler";
+  stepped.events.locate = false;  // a step that is split leaves the derivatives of its last part
+  prepared.plan = plan::make_plan(std::move(diagram));
+  prepared.slopes = plan::make_plan(std::move(stepped));
+  yaml::Faults faults;
+  for (std::size_t i = 0; i < touched.from.size(); ++i)
+    add_input(touched.from[i], request.from[i], prepared, faults);
+  for (std::size_t i = 0; i < touched.to.size(); ++i)
+    add_output(touched.to[i], request.to[i], prepared, faults);
+  faults.throw_if_any();
+  return prepared;
+}
+
+}  // namespace stepwire::linear

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/analyse/linear/request.hpp"
+#include "engine/analyse/linear/state_space.hpp"
+#include "engine/model/plan/plan.hpp"
+
+namespace stepwire::linear {
+
+/// A number of the workspace that is a row or a column of the result.
+struct Place {
+  std::size_t offset = 0;
+  Channel channel;
+  std::size_t wire = 0;  ///< of an input the offset of the signal to which it is added
+};
+
+/// A diagram with a junction in each wire that an analysis touches, and where its numbers lie. Both plans
+/// have one layout.
+struct PreparedDiagram {
+  plan::Plan plan;                     ///< with the diagram's own solver
+  plan::Plan slopes;                   ///< with one that leaves the derivatives of a tick behind
+  std::vector<int> junctions;          ///< blocks
+  std::vector<int> cut;                ///< those of them that are cut
+  std::vector<Place> inputs, outputs;  ///< what is added at junctions; signals
+  std::vector<int> input_blocks, output_blocks;
+  /// By which what is put out comes in again when the loop is closed: what a cut wire gives comes back as it
+  /// is, and of any other the negative.
+  double feedback = -1.0;
+};
+
+/// Throws Error for names that are not there.
+PreparedDiagram prepare(diagram::Diagram diagram, const Request& request);
+
+/// The unit of a signal in SI; empty where none is known or it has none.
+std::string unit_of(const plan::Plan& plan, const diagram::SignalRef& signal);
+
+}  // namespace stepwire::linear

@@ -1,0 +1,94 @@
+#include "engine/analyse/linear/step_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "engine/analyse/linear/margins.hpp"
+
+namespace stepwire::linear {
+
+namespace {
+
+constexpr int most_steps = 2000, steps = 800;
+
+/// How long to look [s].
+double duration_of(const StateSpace& system) {
+  double slowest = 0.0, fastest = 0.0;
+  for (const Mode& mode : modes_of(system)) {
+    const double decay = mode.damping * mode.frequency;
+    if (std::isfinite(mode.frequency)) fastest = std::max(fastest, mode.frequency);
+    if (decay > 1e-9 * mode.frequency && std::isfinite(decay)) slowest = std::max(slowest, 1.0 / decay);
+  }
+  if (slowest > 0.0) return 8.0 * slowest;
+  return fastest > 0.0 ? 40.0 / fastest : 1.0;
+}
+
+/// The system over one step of time with its input held, as [A B; 0 I].
+Eigen::MatrixXd held(const StateSpace& system, double step) {
+  const Eigen::Index n = system.A.rows();
+  Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  whole.topLeftCorner(n, n) = system.A;
+  whole.topRightCorner(n, 1) = system.B;
+  if (!system.is_sampled()) return (whole * step).exp();
+  whole(n, n) = 1.0;
+  return whole;
+}
+
+/// In the order of those that came before, each with its nearest.
+void sort_like(const std::vector<Complex>& before, std::vector<Complex>& poles) {
+  for (std::size_t i = 0; i < before.size() && i < poles.size(); ++i) {
+    const auto nearest = std::min_element(poles.begin() + static_cast<std::ptrdiff_t>(i), poles.end(),
+                                          [&](const Complex& a, const Complex& b) {
+                                            return std::abs(a - before[i]) < std::abs(b - before[i]);
+                                          });
+    std::swap(poles[i], *nearest);
+  }
+}
+
+/// Gains from 0 on: a thousandth to a thousand times the one as it is, 1 among them.
+std::vector<double> locus_gains() {
+  std::vector<double> gains{0.0};
+  for (int k = -150; k <= 150; ++k) gains.push_back(std::pow(10.0, k / 50.0));
+  return gains;
+}
+
+}  // namespace
+
+ResponseCurve step_response(const StateSpace& system) {
+  const double step = system.is_sampled() ? system.sample_time : duration_of(system) / steps;
+  const int count =
+      system.is_sampled()
+          ? static_cast<int>(std::clamp(std::ceil(duration_of(system) / step), 10.0, double{most_steps}))
+          : steps;
+  const Eigen::MatrixXd turn = held(system, step);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(turn.rows());
+  x[turn.rows() - 1] = 1.0;
+  ResponseCurve curve;
+  for (int k = 0; k <= count; ++k, x = (turn * x).eval()) {
+    curve.x.push_back(k * step);
+    curve.y.push_back((system.C * x.head(system.A.rows()))(0) + system.D(0, 0));
+  }
+  return curve;
+}
+
+RootLocus root_locus(const StateSpace& system, double feedback) {
+  RootLocus locus;
+  const std::vector<double> gains = locus_gains();
+  std::vector<std::vector<Complex>> rows;
+  for (const double gain : gains) {
+    std::vector<Complex> poles = eigenvalues(system.closed(feedback * gain).A);
+    if (!rows.empty()) sort_like(rows.back(), poles);
+    rows.push_back(std::move(poles));
+  }
+  for (std::size_t branch = 0; branch < rows[0].size(); ++branch)
+    for (std::size_t k = 0; k < gains.size(); ++k) {
+      locus.gain.push_back(gains[k]);
+      locus.real.push_back(rows[k][branch].real());
+      locus.imaginary.push_back(rows[k][branch].imag());
+      locus.branch.push_back(static_cast<double>(branch));
+    }
+  return locus;
+}
+
+}  // namespace stepwire::linear

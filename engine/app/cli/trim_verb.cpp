@@ -1,0 +1,58 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "engine/app/cli/console.hpp"
+#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/load_words.hpp"
+#include "engine/app/cli/verb.hpp"
+#include "engine/app/report/linear_text.hpp"
+#include "engine/app/session/fault_json.hpp"
+#include "engine/app/session/linearizing.hpp"
+
+namespace stepwire::cli {
+
+using json::Json;
+
+namespace {
+
+struct TrimCall {
+  std::string file;
+  LoadWords words;
+  std::string out;  ///< folder; empty: nothing is written
+  bool json = false;
+};
+
+ExitCode find_point(const TrimCall& call, const Registry& registry) {
+  const linear::TrimResult result = session::trim_file(registry, call.file, load_options(call.words));
+  if (!call.out.empty()) session::write_trim(call.out, call.file, result);
+  if (call.json)
+    say("{}\n", session::trim_json(call.file, result).text());
+  else
+    put_text(report::trim_text(call.file, result));
+  if (!call.out.empty() && !call.json) say("  written to {}\n", call.out);
+  return result.converged ? ExitCode::done : ExitCode::fails;
+}
+
+Action declare_trim(CLI::App& verb) {
+  const auto call = std::make_shared<TrimCall>();
+  verb.add_option("FILE", call->file, "a diagram file with a section 'trim'")->required();
+  verb.add_option("--out", call->out, "folder for parameters.yaml, which --set-from takes, and trim.json");
+  verb.add_flag("--json", call->json, "print the result as JSON");
+  add_load_options(verb, call->words);
+  return [call](const Registry& registry) {
+    Json faults;
+    const ExitCode code = guarded([&] { return find_point(*call, registry); }, &faults);
+    if (call->json && faults.is_list())
+      say("{}\n", Json::object().set("file", call->file).set("faults", std::move(faults)).text());
+    return code;
+  };
+}
+
+}  // namespace
+
+Verb trim_verb() {
+  return {"trim", "find an operating point of a diagram, where it stands still",
+          "Example:\n  stepwire trim pendulum.yaml --out out/upright", declare_trim};
+}
+
+}  // namespace stepwire::cli

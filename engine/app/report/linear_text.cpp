@@ -1,0 +1,125 @@
+#include "engine/app/report/linear_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/analyse/query/number.hpp"
+#include "engine/base/text/text_table.hpp"
+
+namespace stepwire::report {
+
+namespace {
+
+using linear::Complex;
+using query::short_number;
+
+constexpr Eigen::Index most_printed = 12;
+
+std::string complex_text(const Complex& number) {
+  if (number.imag() == 0.0) return short_number(number.real(), 6);
+  return fmt::format("{} {} {}j", short_number(number.real(), 6), number.imag() < 0.0 ? "-" : "+",
+                     short_number(std::abs(number.imag()), 6));
+}
+
+std::string list_text(const std::vector<Complex>& numbers) {
+  std::vector<std::string> texts;
+  for (const Complex& number : numbers) texts.push_back(complex_text(number));
+  return texts.empty() ? "none" : fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string with_unit(const linear::Channel& channel) {
+  return channel.unit.empty() ? channel.name : fmt::format("{} [{}]", channel.name, channel.unit);
+}
+
+std::string matrix_text(const char* name, const Eigen::MatrixXd& matrix,
+                        const std::vector<linear::Channel>& rows,
+                        const std::vector<linear::Channel>& columns) {
+  if (matrix.size() == 0 || matrix.rows() > most_printed || matrix.cols() > most_printed) return {};
+  text::TextTable table;
+  table.columns.push_back(name);
+  for (const linear::Channel& column : columns) table.columns.push_back(with_unit(column));
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    table.rows.push_back({with_unit(rows[static_cast<std::size_t>(i)])});
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+      table.rows.back().push_back(short_number(matrix(i, j), 6));
+  }
+  return text::text(table) + "\n";
+}
+
+std::string modes_text(const linear::Analysis& analysis) {
+  text::TextTable table;
+  table.columns = {"pole", "natural frequency", "damping"};
+  for (const linear::Mode& mode : analysis.modes)
+    table.rows.push_back(
+        {complex_text(mode.pole), short_number(mode.frequency, 6) + " rad/s", short_number(mode.damping, 4)});
+  return text::text(table) + fmt::format("  {}\n", analysis.stable ? "stable" : "not stable");
+}
+
+double decibels(double factor) {
+  return 20.0 * std::log10(factor);
+}
+
+double degrees(double angle) {
+  return angle * 180.0 / std::numbers::pi;
+}
+
+std::string margins_text(const linear::Margins& margins, double feedback) {
+  std::string text = fmt::format("  closed by u = {}y: {}\n", feedback < 0.0 ? "-" : "",
+                                 margins.stable ? "stable" : "not stable");
+  for (const linear::Crossing& crossing : margins.gain)
+    text += fmt::format("  gain margin {} dB (factor {}) at {} rad/s\n",
+                        short_number(decibels(crossing.margin), 6), short_number(crossing.margin, 6),
+                        short_number(crossing.frequency, 6));
+  for (const linear::Crossing& crossing : margins.phase)
+    text += fmt::format("  phase margin {} deg at {} rad/s\n", short_number(degrees(crossing.margin), 6),
+                        short_number(crossing.frequency, 6));
+  if (margins.gain.empty()) text += "  no gain margin: the loop is nowhere real and negative\n";
+  if (margins.phase.empty()) text += "  no phase margin: its gain is nowhere 1\n";
+  if (std::isfinite(margins.delay()))
+    text += fmt::format("  delay margin {} s\n", short_number(margins.delay(), 6));
+  return text + fmt::format("  modulus margin {} at {} rad/s\n", short_number(margins.modulus, 6),
+                            short_number(margins.modulus_frequency, 6));
+}
+
+std::string channel_text(const linear::ChannelAnalysis& channel, double feedback) {
+  return fmt::format("{} -> {}: zeros {}; gain at rest {}; bandwidth {} rad/s\n", channel.input,
+                     channel.output, list_text(channel.zeros), short_number(channel.gain_at_rest, 6),
+                     short_number(channel.bandwidth, 6)) +
+         margins_text(channel.margins, feedback);
+}
+
+std::string rank_text(const char* what, const linear::Rank& rank, std::size_t states) {
+  std::vector<std::string> values;
+  for (const double value : rank.singular_values) values.push_back(short_number(value, 3));
+  return fmt::format("{} states of {} are {} (singular values {})\n", rank.rank, states, what,
+                     fmt::join(values, ", "));
+}
+
+}  // namespace
+
+std::string linear_text(const std::string& file, const linear::Analysis& analysis) {
+  const linear::StateSpace& system = analysis.system;
+  std::string text = fmt::format(
+      "{} at {} s: {} states, {} inputs, {} outputs, {}\n{}\n\n", file, short_number(analysis.time, 6),
+      system.states.size(), system.inputs.size(), system.outputs.size(),
+      system.is_sampled() ? fmt::format("sampled at {} s", short_number(system.sample_time, 6))
+                          : "continuous",
+      analysis.method);
+  text += matrix_text("A", system.A, system.states, system.states) +
+          matrix_text("B", system.B, system.states, system.inputs) +
+          matrix_text("C", system.C, system.outputs, system.states) +
+          matrix_text("D", system.D, system.outputs, system.inputs);
+  if (!analysis.modes.empty()) text += modes_text(analysis);
+  text += fmt::format("zeros: {}\n\n", list_text(analysis.zeros));
+  for (const linear::ChannelAnalysis& channel : analysis.channels)
+    text += channel_text(channel, analysis.feedback);
+  if (!system.states.empty())
+    text += "\n" + rank_text("controllable", analysis.controllable, system.states.size()) +
+            rank_text("observable", analysis.observable, system.states.size());
+  for (const std::string& note : analysis.notes) text += fmt::format("note: {}\n", note);
+  return text;
+}
+
+}  // namespace stepwire::report

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/base/json/json.hpp"
+
+namespace stepwire::session {
+
+/// A matrix as a list of its rows.
+json::Json matrix_json(const Eigen::MatrixXd& matrix);
+
+}  // namespace stepwire::session

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace stepwire::control {
+
+/// What is wrong with the matrices of a design: sizes that do not fit, a singular one, no solution.
+class ControlFault : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace stepwire::control

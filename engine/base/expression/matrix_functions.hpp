@@ -1,0 +1,12 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+#include <vector>
+
+namespace stepwire::expression {
+
+/// A function of matrices by its name. Throws control::ControlFault.
+Eigen::MatrixXd matrix_function(std::string_view name, const std::vector<Eigen::MatrixXd>& of);
+
+}  // namespace stepwire::expression

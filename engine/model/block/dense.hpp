@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/model/signal/numbers.hpp"
+
+namespace stepwire {
+
+/// Small matrices in memory that a block has already, column by column: nothing here allocates.
+namespace dense {
+
+/// to += matrix from, without a temporary.
+template <class From, class To>
+void add(const Matrix& matrix, const From& from, To& to, double sign = 1.0) {
+  for (Index j = 0; j < matrix.columns(); ++j) {
+    const double factor = sign * from[j];
+    for (Index i = 0; i < matrix.rows(); ++i) to[i] += matrix(i, j) * factor;
+  }
+}
+
+/// out (rows x columns) = a (rows x inner) b (inner x columns); `a(i, k)` and `b(k, j)` are functions.
+template <class A, class B>
+void multiply(Index rows, Index inner, Index columns, const A& a, const B& b, double* out) {
+  for (Index j = 0; j < columns; ++j)
+    for (Index i = 0; i < rows; ++i) {
+      double sum = 0.0;
+      for (Index k = 0; k < inner; ++k) sum += a(i, k) * b(k, j);
+      out[j * rows + i] = sum;
+    }
+}
+
+/// Numbers at `data` as a matrix with so many rows.
+struct View {
+  const double* data;
+  Index rows;
+  double operator()(Index i, Index j) const { return data[j * rows + i]; }
+};
+
+/// The same, transposed.
+template <class Of>
+struct Transposed {
+  const Of& of;
+  double operator()(Index i, Index j) const { return of(j, i); }
+};
+template <class Of>
+Transposed<Of> transposed(const Of& of) {
+  return {of};
+}
+
+/// Turns a symmetric positive definite matrix (n x n) into its Cholesky factor L, below and on the diagonal;
+/// false where it is none.
+inline bool factorize(Index n, double* s) {
+  for (Index j = 0; j < n; ++j) {
+    for (Index k = 0; k < j; ++k)
+      for (Index i = j; i < n; ++i) s[j * n + i] -= s[k * n + i] * s[k * n + j];
+    if (!(s[j * n + j] > 0.0)) return false;
+    const double root = std::sqrt(s[j * n + j]);
+    for (Index i = j; i < n; ++i) s[j * n + i] /= root;
+  }
+  return true;
+}
+
+/// Solves L L^T x = b in place; the elements of x are `stride` apart.
+inline void solve_factorized(Index n, const double* l, double* x, Index stride) {
+  for (Index i = 0; i < n; ++i) {
+    for (Index k = 0; k < i; ++k) x[i * stride] -= l[k * n + i] * x[k * stride];
+    x[i * stride] /= l[i * n + i];
+  }
+  for (Index i = n - 1; i >= 0; --i) {
+    for (Index k = i + 1; k < n; ++k) x[i * stride] -= l[i * n + k] * x[k * stride];
+    x[i * stride] /= l[i * n + i];
+  }
+}
+
+}  // namespace dense
+
+}  // namespace stepwire

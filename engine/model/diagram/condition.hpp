@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/base/expression/language.hpp"  // for formulas that are code
+#include "engine/base/math/function.hpp"
+#include "engine/model/block/block.hpp"
+
+namespace stepwire::diagram {
+
+/// What `enable` or `trigger` say where that is a formula of signals: "door.angle > 5 deg && time > 2 s".
+struct Condition {
+  static constexpr Index max_inputs = 64;
+
+  Text expression = Text::literal<"u1">();
+  std::vector<std::string> variables{};  ///< names of the inputs in the formula
+  Inputs u{};
+  Output<1> y{};
+  Time time{};
+  Function formula{};  ///< of the inputs, and the time behind them
+
+  void outputs() {
+    double values[max_inputs + 1];
+    for (Index i = 0; i < u.count(); ++i) values[i] = u.first(i);
+    values[u.count()] = time;
+    y = formula(values);
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<Condition>& is);
+};
+
+}  // namespace stepwire::diagram

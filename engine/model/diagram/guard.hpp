@@ -1,0 +1,39 @@
+#pragma once
+
+#include "engine/model/block/block.hpp"
+
+namespace stepwire::diagram {
+
+/// Decides at every tick whether what it guards is active: the blocks of a part, or a block. It is active
+/// while `enable` is above 0; with a `trigger`, at the ticks at which that crosses 0 meanwhile.
+struct Guard {
+  enum class Edge { rising, falling, either };
+  enum class States { held, reset };
+
+  Edge edge = Edge::rising;
+  States states = States::held;
+  Input<1> enable{}, trigger{};
+  Output<1> active{};
+  DiscreteState<1> seen{}, high{};  ///< was there a tick before, and was the trigger above 0 then?
+
+  void outputs() {
+    const bool enabled = !enable.connected() || enable > 0.0;
+    active = enabled && (!trigger.connected() || crosses()) ? 1.0 : 0.0;
+  }
+
+  void update() {
+    seen = 1.0;
+    high = trigger.connected() && trigger > 0.0 ? 1.0 : 0.0;
+  }
+
+  static void declare(Declare<Guard>& is);
+
+ private:
+  bool crosses() const {
+    const bool is_high = trigger > 0.0, was_high = high > 0.0;
+    if (seen == 0.0 || is_high == was_high) return false;
+    return edge == Edge::either || is_high == (edge == Edge::rising);
+  }
+};
+
+}  // namespace stepwire::diagram

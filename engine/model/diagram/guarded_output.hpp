@@ -1,0 +1,23 @@
+#pragma once
+
+#include "engine/model/block/block.hpp"
+
+namespace stepwire::diagram {
+
+/// What others read of an output of a part or block with `outputs: reset`: the output while that is active,
+/// and a value of its own meanwhile.
+struct GuardedOutput {
+  PerElement off = 0.0;
+  Input<> u{};
+  Input<1> active{};
+  Output<> y{};
+
+  void outputs() {
+    const bool is_active = active != 0.0;
+    y.each([&](Index k) { return is_active ? u[k] : off[k]; });
+  }
+
+  static void declare(Declare<GuardedOutput>& is);
+};
+
+}  // namespace stepwire::diagram

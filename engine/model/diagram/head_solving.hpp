@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/model/diagram/head_keys.hpp"
+
+namespace stepwire::diagram {
+
+/// The rows `algebraic_loops` and `events` of the head.
+yaml::KeyRow<Diagram, HeadReading> loops_row();
+yaml::KeyRow<Diagram, HeadReading> events_row();
+
+}  // namespace stepwire::diagram

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/model/block/block.hpp"
+
+namespace stepwire::diagram {
+
+/// A parameter that is recorded as a signal.
+struct ParameterValue {
+  PerElement value = 0.0;
+  Output<> y{};
+
+  void outputs() { y = value; }
+
+  static void declare(Declare<ParameterValue>& is);
+};
+
+}  // namespace stepwire::diagram

@@ -1,0 +1,202 @@
+#include "engine/model/plan/algebraic_loops.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/strong_components.hpp>
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "engine/model/diagram/guard_types.hpp"
+#include "engine/model/diagram/output_names.hpp"
+#include "engine/model/plan/tearing.hpp"
+
+namespace stepwire::plan {
+
+namespace {
+
+/// A cycle in words. Ports are named where a block has several, as only some of them may be in the loop.
+class CycleText {
+ public:
+  CycleText(const Draft& draft, const OrderGraph& graph, const std::vector<std::size_t>& cycle)
+      : draft_(draft), graph_(graph), cycle_(cycle) {}
+
+  std::string text(bool with_places) const {
+    std::string text;
+    for (std::size_t i = 0; i < cycle_.size(); ++i) text += hop(i, with_places) + " -> ";
+    const std::string entry = entry_port(0);
+    return text + (entry.empty() ? output_name(cycle_.front()) : entry);
+  }
+
+ private:
+  const diagram::DiagramBlock& block_of(std::size_t node) const {
+    return draft_.plan.diagram.blocks[graph_.owners[node].first];
+  }
+
+  std::string hop(std::size_t i, bool with_place) const {
+    const diagram::DiagramBlock& block = block_of(cycle_[i]);
+    const std::string entry = entry_port(i);
+    const std::string& port = block.type().outputs[graph_.owners[cycle_[i]].second].name;
+    const std::string name =
+        entry.empty() ? output_name(cycle_[i]) : fmt::format("{} -> {}.{}", entry, block.name, port);
+    const yaml::Place place = draft_.plan.diagram.place(block.origin);
+    return with_place ? fmt::format("{} ({}:{})", name, place.file, place.mark.line) : name;
+  }
+
+  std::string output_name(std::size_t node) const {
+    const diagram::DiagramBlock& block = block_of(node);
+    return diagram::output_name(block.name, block.type(), graph_.owners[node].second);
+  }
+
+  /// By which input the cycle comes to its i-th node; empty where the block has but one.
+  std::string entry_port(std::size_t i) const {
+    const auto [from, from_output] = graph_.owners[cycle_[(i + cycle_.size() - 1) % cycle_.size()]];
+    const auto [at, output] = graph_.owners[cycle_[i]];
+    const diagram::DiagramBlock& block = block_of(cycle_[i]);
+    const auto connected = std::ranges::count_if(block.inputs, [](const auto& all) { return !all.empty(); });
+    if (connected < 2) return "";
+    for (std::size_t input = 0; input < block.inputs.size(); ++input)
+      for (const diagram::Source& source : block.inputs[input])
+        if (source.block == static_cast<int>(from) && source.output == static_cast<int>(from_output) &&
+            draft_.depends(at, input, output))
+          return block.name + "." + block.type().inputs[input].name;
+    return "";
+  }
+
+  const Draft& draft_;
+  const OrderGraph& graph_;
+  const std::vector<std::size_t>& cycle_;
+};
+
+/// Orders the blocks of a torn loop by what their nodes wait for.
+class TornOrder {
+ public:
+  TornOrder(const OrderGraph& graph, const LoopNodes& nodes, const std::vector<std::size_t>& tears)
+      : graph_(graph), nodes_(nodes), torn_(tears.begin(), tears.end()) {
+    for (const std::size_t node : nodes) waiting_[node] = 0;
+    for (const std::size_t node : nodes) each_reader(node, [&](std::size_t reader) { ++waiting_[reader]; });
+  }
+
+  std::vector<int> run() {
+    while (!waiting_.empty()) call(next());
+    return std::move(blocks_);
+  }
+
+ private:
+  template <class Visit>
+  void each_reader(std::size_t node, const Visit& visit) const {
+    if (torn_.contains(node)) return;
+    for (const std::size_t reader : graph_.readers(node))
+      if (waiting_.contains(reader)) visit(reader);
+  }
+
+  /// The first block of which all open nodes are ready, or else one of which some are.
+  std::size_t next() const {
+    std::optional<std::size_t> in_part;
+    for (const auto& [node, count] : waiting_) {
+      if (count > 0) continue;
+      const std::size_t block = graph_.owners[node].first;
+      if (all_ready(block)) return block;
+      if (!in_part) in_part = block;
+    }
+    return *in_part;
+  }
+
+  bool all_ready(std::size_t block) const {
+    for (std::size_t node = graph_.first[block]; node < graph_.first[block + 1]; ++node)
+      if (const auto found = waiting_.find(node); found != waiting_.end() && found->second > 0) return false;
+    return true;
+  }
+
+  void call(std::size_t block) {
+    blocks_.push_back(static_cast<int>(block));
+    std::vector<std::size_t> ready;
+    for (std::size_t node = graph_.first[block]; node < graph_.first[block + 1]; ++node)
+      if (const auto found = waiting_.find(node); found != waiting_.end() && found->second == 0)
+        ready.push_back(node);
+    for (const std::size_t node : ready) waiting_.erase(node);
+    for (const std::size_t node : ready) each_reader(node, [&](std::size_t reader) { --waiting_[reader]; });
+  }
+
+  const OrderGraph& graph_;
+  const LoopNodes& nodes_;
+  std::set<std::size_t> torn_;
+  std::map<std::size_t, int> waiting_;  ///< for each node that is not called yet, for how many it waits
+  std::vector<int> blocks_;
+};
+
+}  // namespace
+
+std::vector<LoopNodes> find_loops(const OrderGraph& graph) {
+  std::vector<int> component(graph.owners.size());
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS> edges(graph.owners.size());
+  for (std::size_t node = 0; node < graph.owners.size(); ++node)
+    for (const std::size_t reader : graph.readers(node)) boost::add_edge(node, reader, edges);
+  const int count = boost::strong_components(edges, component.data());
+  std::vector<LoopNodes> members(static_cast<std::size_t>(count));
+  for (std::size_t n = 0; n < graph.owners.size(); ++n)
+    members[static_cast<std::size_t>(component[n])].push_back(n);
+  std::erase_if(members, [&](const LoopNodes& nodes) {
+    return nodes.size() == 1 && std::ranges::count(graph.readers(nodes[0]), nodes[0]) == 0;
+  });
+  return members;
+}
+
+std::vector<std::size_t> shortest_cycle(const OrderGraph& graph, const LoopNodes& nodes) {
+  const std::size_t start = nodes.front();
+  std::map<std::size_t, std::size_t> came_from;
+  std::deque<std::size_t> queue{start};
+  while (!queue.empty() && !came_from.contains(start)) {
+    const std::size_t node = queue.front();
+    queue.pop_front();
+    for (const std::size_t next : graph.readers(node)) {
+      if (!std::ranges::binary_search(nodes, next) || came_from.contains(next)) continue;
+      came_from[next] = node;
+      queue.push_back(next);
+    }
+  }
+  std::vector<std::size_t> path{start};
+  for (std::size_t node = came_from[start]; node != start; node = came_from[node]) path.push_back(node);
+  std::reverse(path.begin() + 1, path.end());
+  return path;
+}
+
+std::string loop_path(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) {
+  return CycleText(draft, graph, shortest_cycle(graph, nodes)).text(false);
+}
+
+void refuse_loop(Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) {
+  const diagram::DiagramBlock& block = draft.diagram().blocks[graph.owners[nodes.front()].first];
+  std::string cure =
+      "break it with a block whose output does not follow its input at once (a Lag, an Integrator, a "
+      "UnitDelay), "
+      "or have it solved at every instant: 'algebraic_loops: solve' in the head of the file";
+  for (const std::size_t node : nodes)
+    if (const diagram::DiagramBlock& guard = draft.diagram().blocks[graph.owners[node].first];
+        &guard.type() == &diagram::guard_type())
+      cure = fmt::format(
+          "{} decides whether what it guards runs, so it cannot follow from that; feed its condition from "
+          "outside, "
+          "or through a UnitDelay that stands outside",
+          guard.name);
+  draft.report.add(block.origin, block.name,
+                   fmt::format("algebraic loop: each of these feeds the next at the same instant: {}; {}",
+                               CycleText(draft, graph, shortest_cycle(graph, nodes)).text(true), cure));
+}
+
+LoopOrder order_loop(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) {
+  std::vector<std::size_t> sizes;
+  for (const std::size_t node : nodes) {
+    const auto [block, output] = graph.owners[node];
+    sizes.push_back(static_cast<std::size_t>(draft.blocks[block].output_sizes[output]));
+  }
+  LoopOrder order;
+  order.tears = tear(graph, nodes, sizes);
+  order.blocks = TornOrder(graph, nodes, order.tears).run();
+  return order;
+}
+
+}  // namespace stepwire::plan

@@ -1,0 +1,119 @@
+#include "engine/model/plan/shape_checks.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/model/diagram/element_index.hpp"
+#include "engine/model/diagram/output_names.hpp"
+#include "engine/model/plan/element_slot.hpp"
+#include "engine/model/plan/infer_list_widths.hpp"
+#include "engine/model/plan/port_shape.hpp"
+
+namespace stepwire::plan {
+
+namespace {
+
+class ShapeChecks {
+ public:
+  ShapeChecks(Draft& draft, PortSizes& sizes, const ListInputs& refused)
+      : draft_(draft), sizes_(sizes), refused_(refused) {}
+
+  void run() {
+    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) {
+      check_elements(i);
+      check_matrices(i);
+      refuse_small(i);
+    }
+  }
+
+ private:
+  /// Refuses elements that their signals have not, and numbers of elements that make no whole rows.
+  void check_matrices(std::size_t index) {
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
+    for (std::size_t i = 0; i < block.inputs.size(); ++i)
+      for (const diagram::Source& source : block.inputs[i])
+        if (const std::string missing =
+                missing_element(source.element, whole(source), source_name(draft_, source));
+            !missing.empty())
+          draft_.report.add(source.origin, block.name + "." + block.type().inputs[i].name, missing);
+    if (!sizes_.has_matrices()) return;
+    for (const InputSpec& spec : block.type().inputs)
+      if (!spec.list) check_product(index, block, spec.name, spec.shape);
+    for (const OutputSpec& spec : block.type().outputs) check_product(index, block, spec.name, spec.shape);
+  }
+
+  void check_product(std::size_t index, const diagram::DiagramBlock& block, const std::string& port,
+                     const std::string& shape) {
+    const int size = sizes_.symbol(index, shape);
+    const auto matrix = sizes_.factors(size);
+    if (!matrix || !PortShape(shape).is_matrix) return;
+    const Eigen::Index elements = sizes_.value(size).value_or(1),
+                       rows = sizes_.value(matrix->first).value_or(1),
+                       columns = sizes_.value(matrix->second).value_or(1);
+    if (bounded_product(rows, columns) != elements && said_.insert(index).second)
+      draft_.report.add(
+          block.origin, block.name + "." + port,
+          fmt::format("takes a matrix of {} x {}, and is fed {} elements", rows, columns, elements));
+  }
+
+  SignalSlot whole(const diagram::Source& source) {
+    if (source.block < 0) return {0, source.constant.size(), source.columns};
+    const int size = sizes_.of_output(source);
+    return {0, sizes_.value(size).value_or(1), sizes_.columns(size)};
+  }
+
+  /// At the end, since an element's own size may come to be known only after that of its list.
+  void check_elements(std::size_t index) {
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
+    for (std::size_t i = 0; i < block.inputs.size(); ++i) {
+      const InputSpec& spec = block.type().inputs[i];
+      if (!spec.list || spec.shape.find('+') != std::string::npos || refused_.contains({index, i})) continue;
+      const Eigen::Index size = sizes_.value(sizes_.of_list(index, i)).value_or(1);
+      for (const diagram::Source& source : block.inputs[i])
+        check_element(source, size, block.name + "." + spec.name);
+    }
+  }
+
+  void check_element(const diagram::Source& source, Eigen::Index size, const std::string& subject) {
+    const auto given = sizes_.value_of(source);
+    if (!given || *given == 1 || *given == size) return;
+    draft_.report.add(
+        source.origin, subject,
+        fmt::format("{} has {} elements, but others in this list have {}; all must have the same, or one",
+                    source.block < 0 ? "this" : "'" + source_name(draft_, source) + "'", *given, size));
+  }
+
+  void refuse_small(std::size_t index) {
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
+    for (const auto& [name, least] : draft_.blocks[index].says.min_sizes) {
+      const Eigen::Index size = sizes_.value(sizes_.symbol(index, name)).value_or(1);
+      if (size < least)
+        draft_.report.add(block.origin, block.name,
+                          fmt::format("is fed {} elements; it needs at least {}", size, least));
+    }
+  }
+
+  Draft& draft_;
+  PortSizes& sizes_;
+  const ListInputs& refused_;
+  std::set<std::size_t> said_;  ///< blocks of which enough has been said
+};
+
+}  // namespace
+
+Eigen::Index bounded_product(Eigen::Index a, Eigen::Index b) {
+  const double product = static_cast<double>(a) * static_cast<double>(b);
+  return product > static_cast<double>(max_numbers) ? max_numbers + 1 : a * b;
+}
+
+std::string source_name(const Draft& draft, const diagram::Source& source) {
+  if (source.block < 0) return "the numbers";
+  const diagram::DiagramBlock& block = draft.plan.diagram.blocks[static_cast<std::size_t>(source.block)];
+  return diagram::output_name(block.name, block.type(), static_cast<std::size_t>(source.output)) +
+         diagram::element_text(source.element);
+}
+
+void check_shapes(Draft& draft, PortSizes& sizes, const ListInputs& refused) {
+  ShapeChecks(draft, sizes, refused).run();
+}
+
+}  // namespace stepwire::plan

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/simulate/codegen/statements.hpp"
+
+namespace stepwire::codegen {
+
+/// Places of a solver's stage that has numbers of its own: the signals that it computes anew, the time and
+/// the states lie in `s`.
+Places stage_places(const plan::Plan& plan, Places places);
+
+}  // namespace stepwire::codegen

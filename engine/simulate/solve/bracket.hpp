@@ -1,0 +1,72 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace stepwire::solve {
+
+/// What closing in on a root came to.
+struct Bracket {
+  double root;
+  bool solved;  ///< false also where the function jumps through zero
+};
+
+/// A number and the function's value there.
+struct Sample {
+  double at, value;
+};
+
+/// Between two samples of different sign: where the secant meets zero, or the middle in turns.
+inline double between(const Sample& low, const Sample& high, bool middle) {
+  const double half = low.at + 0.5 * (high.at - low.at);
+  if (middle) return half;
+  const double secant = low.at - low.value * ((high.at - low.at) / (high.value - low.value));
+  return secant > std::min(low.at, high.at) && secant < std::max(low.at, high.at) ? secant : half;
+}
+
+/// Looks around a number for one at which the function has another sign; both, where it is found.
+template <class May, class Function>
+bool find_sign_change(double around, const May& may, const Function& function, Sample& low, Sample& high) {
+  low = {around, function(around)};
+  double reach = std::max({std::abs(low.value), 1e-3 * std::abs(around), 1e-9});
+  const double end = 1e12 * std::max(reach, 1.0);
+  for (; may() && reach < end; reach *= 4.0)
+    for (const double side : {low.value, -low.value}) {
+      high.at = around + std::copysign(reach, side);
+      high.value = function(high.at);
+      if (std::isfinite(high.value) && (high.value > 0.0) != (low.value > 0.0)) return true;
+    }
+  return false;
+}
+
+/// Does the function go on through zero between the samples, rather than jump? Then it changes more over a
+/// wider way.
+template <class Function>
+bool is_continuous(const Sample& low, const Sample& high, const Function& function) {
+  const double wide = 1024.0 * (high.at - low.at);
+  const double change = std::abs(function(high.at + wide) - function(low.at - wide));
+  return std::abs(high.value - low.value) <= 0.1 * change;
+}
+
+/// A root of a function of one number, as the last bit has it. may(): are there evaluations left?
+template <class May, class Function>
+Bracket bracket_root(double around, double tolerance, const May& may, const Function& function) {
+  Sample low{}, high{};
+  if (!find_sign_change(around, may, function, low, high)) return {around, false};
+  bool middle = false;
+  while (high.value != 0.0 && may()) {
+    const double at = between(low, high, middle);
+    if (at == low.at || at == high.at) break;
+    middle = !middle;
+    const Sample sample{at, function(at)};
+    ((sample.value > 0.0) == (low.value > 0.0) ? low : high) = sample;
+    if (sample.value == 0.0) return {at, true};
+  }
+  const Sample best = std::abs(low.value) < std::abs(high.value) ? low : high;
+  const bool small = std::abs(best.value) <= tolerance * std::abs(best.at);
+  return {best.at, small || (may() && is_continuous(low, high, function))};
+}
+
+}  // namespace stepwire::solve

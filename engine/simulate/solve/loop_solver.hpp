@@ -1,0 +1,263 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/simulate/solve/bracket.hpp"
+#include "engine/simulate/solve/loop_task.hpp"
+
+namespace stepwire::solve {
+
+/// Solves z = g(z), where z are the torn numbers of a loop and one pass through its blocks computes g:
+/// Newton's method from the last solution, each correction damped until the next is smaller (Deuflhard 2011,
+/// Newton Methods for Nonlinear Problems, 3.3), with a Jacobian by differences that is kept while corrections
+/// fall tenfold: for a linear loop once. Where that fails, a loop of one number is closed in between two
+/// guesses, and it all begins once more at 0, or at 1. With `max_unknowns` nothing is ever allocated; the
+/// results are the same to the last bit.
+template <int max_unknowns = Eigen::Dynamic>
+class LoopSolver {
+ public:
+  explicit LoopSolver(Eigen::Index unknowns) : factors_(unknowns) {
+    for (Vector* vector : {&guess_, &residual_, &point_, &base_, &step_, &next_, &size_, &scale_})
+      vector->setZero(unknowns);
+    jacobian_.setZero(unknowns, unknowns);
+  }
+
+  /// pass() computes the outputs of the loop's blocks from what stands in the workspace. The torn numbers and
+  /// all that follows from them end as they solve the loop; where nothing does, that is written to the
+  /// report.
+  template <class Pass>
+  void solve(const LoopTask& loop, double* values, const Pass& pass) {
+    passes_ = 0;
+    const auto evaluate = [&] {
+      put(loop, values);
+      pass();
+      take(loop, values);
+      ++passes_;
+      is_at_guess_ = true;
+    };
+    save_diagnostics(loop, values);
+    read(loop, values);
+    scale_ = guess_.cwiseAbs().cwiseMax(small_size);
+    const bool solved = search(loop, evaluate);
+    if (take_back_diagnostics(loop, values) || !is_at_guess_) evaluate();
+    put(loop, values);
+    report(loop, values, solved);
+  }
+
+ private:
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_unknowns, 1>;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_unknowns, max_unknowns>;
+
+  static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  static constexpr double smallest = 1e-20;      // part of a signal's size that is as good as 0
+  static constexpr double smallest_size = 1e-9;  // of a signal at rest at 0, in its own SI unit
+  static constexpr double small_size = 1e-3;     // the same, where rounding allows no smaller corrections
+  static constexpr double shortest = 1e-12;      // part of a correction
+  static constexpr double keeps_matrix = 0.1;    // of a correction, the next
+
+  template <class Visit>
+  static void each_number(const LoopTask& loop, double* values, const Visit& visit) {
+    Eigen::Index i = 0;
+    for (std::size_t t = 0; t < loop.tear_count; ++t)
+      for (std::size_t k = 0; k < loop.tears[t].size; ++k) visit(i++, values[loop.tears[t].offset + k]);
+  }
+  void read(const LoopTask& loop, double* values) {
+    each_number(loop, values, [&](Eigen::Index i, const double& place) { guess_[i] = place; });
+  }
+  void put(const LoopTask& loop, double* values) {
+    each_number(loop, values, [&](Eigen::Index i, double& place) { place = guess_[i]; });
+  }
+  void take(const LoopTask& loop, double* values) {
+    each_number(loop, values, [&](Eigen::Index i, const double& place) { residual_[i] = place - guess_[i]; });
+  }
+
+  static void save_diagnostics(const LoopTask& loop, double* values) {
+    for (std::size_t d = 0; d < loop.diagnostic_count; ++d)
+      values[loop.report + LoopReport::count + d] = values[loop.diagnostics[d]];
+  }
+  /// Says whether a pass has raised one: the last pass may have to do that again.
+  static bool take_back_diagnostics(const LoopTask& loop, double* values) {
+    bool raised = false;
+    for (std::size_t d = 0; d < loop.diagnostic_count; ++d) {
+      double& now = values[loop.diagnostics[d]];
+      const double before = values[loop.report + LoopReport::count + d];
+      raised = raised || now != before;
+      now = before;
+    }
+    return raised;
+  }
+
+  template <class Evaluate>
+  bool search(const LoopTask& loop, const Evaluate& evaluate) {
+    const bool from_zero = guess_.isZero(0.0);
+    if (search_from_here(loop, evaluate)) return true;
+    if (!may_close_in(loop)) return false;
+    guess_.setConstant(from_zero ? 1.0 : 0.0);
+    return search_from_here(loop, evaluate);
+  }
+
+  template <class Evaluate>
+  bool search_from_here(const LoopTask& loop, const Evaluate& evaluate) {
+    point_ = guess_;
+    evaluate();
+    if (is_rounding()) return true;
+    if (!residual_.allFinite()) return false;
+    const double start = guess_[0];
+    if (newton(loop, evaluate)) return true;
+    if (guess_.size() > 1 || !may_close_in(loop)) return false;
+    guess_[0] = start;
+    return close_in(loop, evaluate);
+  }
+
+  /// Are there passes left for more than the last ones of a search?
+  bool may_close_in(const LoopTask& loop) const { return passes_ + 4 < loop.max_passes; }
+
+  /// Is the guess as good as a pass can tell?
+  bool is_rounding() const {
+    for (Eigen::Index i = 0; i < guess_.size(); ++i)
+      if (!(std::abs(residual_[i]) <= epsilon * std::abs(guess_[i]))) return false;
+    return true;
+  }
+
+  /// From the guess, whose residual is known.
+  template <class Evaluate>
+  bool newton(const LoopTask& loop, const Evaluate& evaluate) {
+    while (passes_ + guess_.size() < loop.max_passes) {
+      renew(evaluate);
+      bool fresh = true, keeps = true;
+      while (keeps) {
+        if (is_negligible()) return true;
+        double size = measure(step_);
+        if (!std::isfinite(size)) return false;
+        const double part = go(loop, evaluate, size, fresh ? shortest : 0.75);
+        const double next = measure(next_);
+        if (part == 1.0 && !(next <= 0.75 * size) && is_at_rest(loop)) return true;
+        if (part == 0.0 && fresh) return false;
+        fresh = false;
+        keeps = part == 1.0 && next <= keeps_matrix * size;
+        point_ = guess_;
+        base_ = residual_;
+        step_ = next_;
+      }
+    }
+    return is_negligible();
+  }
+
+  /// A new matrix at the guess, and the correction by it.
+  template <class Evaluate>
+  void renew(const Evaluate& evaluate) {
+    point_ = guess_;
+    base_ = residual_;
+    differentiate(evaluate);
+    residual_ = base_;
+    // What nobody computes at this instant stays as it is.
+    for (Eigen::Index i = 0; i < guess_.size(); ++i)
+      if (base_[i] == 0.0 && jacobian_.row(i).isZero(0.0)) jacobian_(i, i) = -1.0;
+    factors_.compute(jacobian_);
+    step_ = factors_.solve(base_);
+    step_ = -step_;
+    size_ = point_.cwiseAbs().cwiseMax(step_.cwiseAbs()).cwiseMax(smallest_size);
+  }
+
+  /// By forward differences. Where a signal is 0, its residual says how far it may go.
+  template <class Evaluate>
+  void differentiate(const Evaluate& evaluate) {
+    const double part = std::sqrt(epsilon);
+    for (Eigen::Index j = 0; j < guess_.size(); ++j) {
+      const double size = std::max({std::abs(point_[j]), std::min(std::abs(base_[j]), 1.0), smallest_size});
+      guess_[j] = point_[j] + part * size;
+      evaluate();
+      jacobian_.col(j) = (residual_ - base_) / (guess_[j] - point_[j]);
+      guess_[j] = point_[j];
+    }
+    is_at_guess_ = false;
+  }
+
+  /// Goes from the point along the correction, as far as the next one is smaller. Returns which part of it; 0
+  /// where there is none, 1 also where rounding is all that is left.
+  template <class Evaluate>
+  double go(const LoopTask& loop, const Evaluate& evaluate, double size, double shortest_part) {
+    for (double part = 1.0; part > shortest_part && passes_ < loop.max_passes; part *= 0.5) {
+      guess_ = point_ + part * step_;
+      evaluate();
+      next_ = factors_.solve(residual_);
+      next_ = -next_;
+      if (measure(next_) <= (1.0 - 0.25 * part) * size) return part;
+      if (part == 1.0 && residual_.allFinite() && is_at_rest(loop)) return part;
+    }
+    guess_ = point_;
+    residual_ = base_;
+    is_at_guess_ = false;
+    return 0.0;
+  }
+
+  /// In sizes of the signals where the matrix was made.
+  double measure(const Vector& correction) const {
+    double size = 0.0;
+    for (Eigen::Index i = 0; i < correction.size(); ++i) {
+      if (!std::isfinite(correction[i])) return std::numeric_limits<double>::infinity();
+      if (correction[i] != 0.0) size = std::max(size, std::abs(correction[i]) / size_[i]);
+    }
+    return size;
+  }
+
+  /// Would the correction change nothing?
+  bool is_negligible() const {
+    for (Eigen::Index i = 0; i < step_.size(); ++i)
+      if (!(std::abs(step_[i]) <= 0.5 * epsilon * std::max(std::abs(point_[i]), smallest * scale_[i])))
+        return false;
+    return true;
+  }
+
+  /// Is the correction within the tolerance?
+  bool is_at_rest(const LoopTask& loop) const {
+    for (Eigen::Index i = 0; i < step_.size(); ++i)
+      if (!(std::abs(step_[i]) <= loop.tolerance * std::max(std::abs(point_[i]), scale_[i]))) return false;
+    return true;
+  }
+
+  template <class Evaluate>
+  bool close_in(const LoopTask& loop, const Evaluate& evaluate) {
+    const auto residual_at = [&](double at) {
+      guess_[0] = at;
+      evaluate();
+      return residual_[0];
+    };
+    const Bracket found = bracket_root(
+        guess_[0], loop.tolerance, [&] { return may_close_in(loop); }, residual_at);
+    residual_at(found.root);
+    return found.solved;
+  }
+
+  void report(const LoopTask& loop, double* values, bool solved) const {
+    double* report = values + loop.report;
+    const double passes = static_cast<double>(passes_);
+    report[LoopReport::instants] += 1.0;
+    report[LoopReport::passes] += passes;
+    report[LoopReport::most] = std::max(report[LoopReport::most], passes);
+    if (solved) return;
+    report[LoopReport::unsolved] += 1.0;
+    if (report[LoopReport::unsolved] > 1.0) return;
+    report[LoopReport::time] = values[loop.time];
+    Eigen::Index worst = 0;
+    for (Eigen::Index i = 0; i < residual_.size(); ++i)
+      if (!(std::abs(residual_[i]) <= std::abs(residual_[worst]))) worst = i;
+    report[LoopReport::residual] = std::abs(residual_[worst]);
+    report[LoopReport::number] = static_cast<double>(worst);
+  }
+
+  Vector guess_, residual_;     ///< z, and g(z) - z
+  Vector point_, base_, step_;  ///< where the matrix was used last, its residual, and the correction there
+  Vector next_;                 ///< the correction at the guess, by the same matrix
+  Vector size_, scale_;         ///< of the signals: where the matrix was made; at the start
+  Matrix jacobian_;
+  Eigen::PartialPivLU<Matrix> factors_;
+  std::int64_t passes_ = 0;
+  bool is_at_guess_ = false;  ///< was the last pass made with this guess?
+};
+
+}  // namespace stepwire::solve

@@ -1,0 +1,79 @@
+#include "engine/view/plot/linear_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "engine/analyse/query/number.hpp"
+
+namespace stepwire::plot {
+
+namespace {
+
+constexpr std::size_t most_labels = 8;
+const std::string mark_of_analyses = ".margin.gain";
+
+std::vector<std::string> analyses_of(const query::SymbolTable& names) {
+  std::vector<std::string> all;
+  for (const query::RecordedName& column : names.columns)
+    if (column.name.ends_with(mark_of_analyses))
+      all.push_back(column.name.substr(0, column.name.size() - mark_of_analyses.size()));
+  return all;
+}
+
+void read_analysis(Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
+  const std::string name = read.text(node);
+  if (!read.names.find(name + mark_of_analyses))
+    return read.fault(node.mark,
+                      fmt::format("there is no linear analysis '{}'", name) +
+                          yaml::nearest_or_all(name, analyses_of(read.names), "the section 'linear' has"));
+  if (auto series = read.series(node)) panel.series["of"] = {std::move(*series)};
+}
+
+}  // namespace
+
+PanelKey analysis_key() {
+  return yaml::needed(PanelKey{"of", "an analysis, by its name in the section `linear`", yaml::form::string(),
+                               read_analysis});
+}
+
+LinearRows::LinearRows(const Panel& panel, std::span<const record::Recording> recordings) : panel_(panel) {
+  const query::Series* of = panel.find("of");
+  if (!of || panel.recordings.empty() || panel.recordings.front() >= recordings.size()) return;
+  recording_ = &recordings[panel.recordings.front()];
+  name_ = of->formula.columns.front();
+  if (recording_->table.find(name_ + mark_of_analyses)) table_ = &recording_->table;
+}
+
+std::vector<double> LinearRows::list(const std::string& name, std::size_t run) const {
+  const table::Column* column = table_ ? table_->find(name_ + "." + name) : nullptr;
+  if (!column) return {};
+  const auto begin = column->values.begin();
+  const auto end = run + 1 < runs() ? begin + static_cast<std::ptrdiff_t>(recording_->starts[run + 1])
+                                    : column->values.end();
+  std::vector<double> values(begin + static_cast<std::ptrdiff_t>(recording_->starts[run]), end);
+  if (!values.empty() && std::isnan(values.front())) return {};
+  return values;
+}
+
+double LinearRows::number(const std::string& name, std::size_t run) const {
+  const std::vector<double> values = list(name, run);
+  return values.empty() ? std::numeric_limits<double>::quiet_NaN() : values.front();
+}
+
+std::string LinearRows::label(std::size_t run) const {
+  if (run < panel_.legend.size()) return panel_.legend[run];
+  if (runs() < 2 || runs() > most_labels) return {};
+  std::string text;
+  for (const table::Column& column : table_->columns) {
+    if (column.name == "time" || column.name.starts_with(name_)) continue;
+    const double value = column.values[recording_->starts[run]];
+    text += fmt::format("{}{} = {}{}{}", text.empty() ? "" : ", ", column.name, query::short_number(value),
+                        column.unit.empty() || column.unit == "1" ? "" : " ",
+                        column.unit == "1" ? "" : column.unit);
+  }
+  return text;
+}
+
+}  // namespace stepwire::plot

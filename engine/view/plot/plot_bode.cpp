@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/analyse/query/number.hpp"
+#include "engine/view/plot/linear_rows.hpp"
+#include "engine/view/plot/plot_tools.hpp"
+
+namespace stepwire::plot {
+namespace {
+
+constexpr double per_degree = 180.0 / std::numbers::pi;
+const LineStyle zero_border{"#888888", 1.2, {4.0, 3.0}}, margin_line{"#d11a1a", 2.0};
+
+double decibels(double factor) {
+  return 20.0 * std::log10(factor);
+}
+
+std::vector<double> each(std::vector<double> values, double (*function)(double)) {
+  for (double& value : values) value = function(value);
+  return values;
+}
+
+LineMark segment(double x, double low, double high, const LineStyle& line) {
+  return {{{{x, x}, {low, high}, {}, {}}}, line};
+}
+
+void add_response(const std::vector<double>& x, const std::vector<double>& y, const std::string& legend,
+                  std::size_t run, PlotBuilder& plot) {
+  if (x.empty() || x.size() != y.size()) return;
+  for (const double value : x) plot.x.add(value);
+  for (const double value : y) plot.y.add(value);
+  plot.add(LineMark{{{x, y, {}, {}}}, {curve_color(run), 1.8}, 0.0, legend});
+}
+
+/// Beside a margin, on the side on which there is room.
+void add_text(const std::string& text, double x, double y, PlotBuilder& plot) {
+  const bool left = std::log(x / plot.x.low) > 0.8 * std::log(plot.x.high / plot.x.low);
+  plot.spec.texts.push_back({.text = text,
+                             .x = x,
+                             .y = y,
+                             .align = left ? TextMark::Align::right : TextMark::Align::left,
+                             .offset = {left ? -0.6 : 0.6, 0.0},
+                             .size = 12.0,
+                             .color = "#d11a1a",
+                             .rim = true});
+}
+
+/// Along the frequency, as far as one of both axes has rows.
+void finish(const char* label, const char* unit, double level, PlotBuilder& plot) {
+  name_axis(plot.spec.x, "frequency", "rad/s");
+  name_axis(plot.spec.y, label, unit);
+  if (plot.x.empty()) return;
+  plot.add_below(LineMark{{{{plot.x.low, plot.x.high}, {level, level}, {}, {}}}, zero_border});
+  plot.y.add(level);
+  plot.range("x", plot.x);
+  plot.range("y", plot.y.padded(0.06));
+  plot.height = 0.45 * plot.width;
+}
+
+void draw_magnitude(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
+  const LinearRows rows(panel, recordings);
+  for (std::size_t run = 0; run < rows.runs(); ++run) {
+    add_response(rows.list("frequency", run), each(rows.list("gain", run), decibels), rows.label(run), run,
+                 plot);
+    const double margin = rows.number("margin.gain_db", run), at = rows.number("margin.gain_frequency", run);
+    if (rows.runs() > 1 || !std::isfinite(margin) || !(at > 0.0) || std::isinf(at)) continue;
+    plot.add(segment(at, -margin, 0.0, margin_line));
+    add_text(fmt::format("{} dB", query::short_number(margin, 3)), at, -0.5 * margin, plot);
+  }
+  finish("gain", "dB", 0.0, plot);
+}
+
+void draw_phase(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
+  const LinearRows rows(panel, recordings);
+  double level = -180.0;
+  for (std::size_t run = 0; run < rows.runs(); ++run) {
+    const std::vector<double> frequency = rows.list("frequency", run);
+    const std::vector<double> phase =
+        each(rows.list("phase", run), [](double angle) { return per_degree * angle; });
+    add_response(frequency, phase, rows.label(run), run, plot);
+    const double margin = per_degree * rows.number("margin.phase", run);
+    const double at = rows.number("margin.phase_frequency", run);
+    if (rows.runs() > 1 || !std::isfinite(margin) || !std::isfinite(at)) continue;
+    // The curve may have gone round since: the border is that of its own turn.
+    std::size_t row = 0;
+    while (row + 1 < frequency.size() && frequency[row] < at) ++row;
+    level += 360.0 * std::round((phase[row] - margin - level) / 360.0);
+    plot.add(segment(at, level, level + margin, margin_line));
+    add_text(fmt::format("{} deg", query::short_number(margin, 3)), at, level + 0.5 * margin, plot);
+  }
+  finish("phase", "deg", level, plot);
+}
+
+}  // namespace
+
+PlotKind bode_plot() {
+  return {"bode", "gain and phase of an analysis over frequency, with its margins, in two panels",
+          {},     {analysis_key()},
+          true,   draw_magnitude};
+}
+
+const PlotKind& bode_phase_plot() {
+  static const PlotKind kind{"bode", "", {}, {}, true, draw_phase};
+  return kind;
+}
+
+}  // namespace stepwire::plot

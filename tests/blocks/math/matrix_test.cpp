@@ -1,0 +1,112 @@
+// Blocks of matrices, against products and inverses by hand.
+#include <catch2/catch.hpp>
+
+#include "tests/support/run_text.hpp"
+
+using namespace stepwire;
+
+namespace {
+
+const std::string head = "step: 1 s\nstop: 1 s\nblocks:\n";
+
+double last(const table::Table& run, const std::string& name) {
+  return column(run, name).back();
+}
+
+}  // namespace
+
+TEST_CASE("two matrices are multiplied, and a vector is one of one column") {
+  // [1 2; 3 4] [5 6; 7 8] = [19 22; 43 50], and that times [1; 10] = [239; 543]
+  const table::Table run = run_text(head + R"(
+  A: {block: Constant, value: [[1, 2], [3, 4]]}
+  AB: {block: MatrixMultiply, a: A, b: [[5, 6], [7, 8]]}
+  v: {block: MatrixMultiply, a: AB, b: [1, 10]}
+record: [AB, v]
+)");
+  CHECK(last(run, "AB.1.1") == 19.0);
+  CHECK(last(run, "AB.1.2") == 22.0);
+  CHECK(last(run, "AB.2.1") == 43.0);
+  CHECK(last(run, "AB.2.2") == 50.0);
+  CHECK(last(run, "v.1") == 239.0);
+  CHECK(last(run, "v.2") == 543.0);
+}
+
+TEST_CASE("a block that works on every element keeps rows and columns") {
+  const table::Table run = run_text(head + R"(
+  A: {block: Constant, value: [[1, 2, 3], [4, 5, 6]]}
+  B: {block: Gain, u: A, gain: 10}
+  C: {block: Sum, u: [A, B]}
+  D: {block: UnitDelay, u: C, initial: [[7, 7, 7], [7, 7, 9]]}
+record: [C, D]
+)");
+  CHECK(last(run, "C.2.3") == 66.0);
+  CHECK(column(run, "D.2.3").front() == 9.0);
+  CHECK(last(run, "D.1.2") == 22.0);
+}
+
+TEST_CASE("rows become columns") {
+  const table::Table run = run_text(head + R"(
+  A: {block: Transpose, u: [[1, 2, 3], [4, 5, 6]]}
+record: [A]
+)");
+  CHECK(last(run, "A.3.1") == 3.0);
+  CHECK(last(run, "A.1.2") == 4.0);
+}
+
+TEST_CASE("a matrix times its inverse is one, also where the first pivot is zero") {
+  const table::Table run = run_text(head + R"(
+  A: {block: Constant, value: [[0, 2, 1], [3, 0, 5], [1, 4, 0]]}
+  B: {block: Inverse, u: A}
+  one: {block: MatrixMultiply, a: A, b: B}
+record: [one, B]
+)");
+  for (int row = 1; row <= 3; ++row)
+    for (int column = 1; column <= 3; ++column) {
+      CAPTURE(row, column);
+      CHECK(last(run, "one." + std::to_string(row) + "." + std::to_string(column)) ==
+            Approx(row == column ? 1.0 : 0.0).margin(1e-15));
+    }
+  CHECK(last(run, "B.1.1") == Approx(-20.0 / 22.0));  // (0*0 - 5*4)/det, det = 22
+}
+
+TEST_CASE("a singular matrix has no inverse, which ends the run") {
+  CHECK_THAT(error_of(head + R"(
+  A: {block: Inverse, u: [[1, 2], [2, 4]]}
+record: [A]
+)"),
+             Catch::Contains("A"));
+}
+
+TEST_CASE("matrices stand side by side and one below the other") {
+  const table::Table run = run_text(head + R"(
+  A: {block: Constant, value: [[1, 2], [3, 4]]}
+  wide: {block: Concatenate, u: [A, [5, 6]]}
+  high: {block: Stack, u: [A, [[7, 8]]]}
+record: [wide, high]
+)");
+  CHECK(last(run, "wide.1.3") == 5.0);
+  CHECK(last(run, "wide.2.2") == 4.0);
+  CHECK(last(run, "high.3.1") == 7.0);
+  CHECK(last(run, "high.2.2") == 4.0);
+}
+
+TEST_CASE("a vector becomes a matrix column by column, and rows and columns are chosen") {
+  const table::Table run = run_text(head + R"(
+  R: {block: Reshape, u: [1, 2, 3, 4, 5, 6], rows: 2, columns: 3}
+  S: {block: Slice, u: R, rows: [2], columns: [3, 1]}
+record: [R, S]
+)");
+  CHECK(last(run, "R.2.1") == 2.0);
+  CHECK(last(run, "R.1.3") == 5.0);
+  CHECK(last(run, "S.1.1") == 6.0);
+  CHECK(last(run, "S.1.2") == 2.0);
+}
+
+TEST_CASE("matrices that do not fit are refused with their shapes") {
+  CHECK_THAT(error_of(head + R"(
+  A: {block: Constant, value: [[1, 2, 3], [4, 5, 6]]}
+  B: {block: MatrixMultiply, a: A, b: A}
+record: [B]
+)"),
+             Catch::Contains("B.b") && Catch::Contains("2 x 3"));
+}

@@ -1,0 +1,183 @@
+#include "engine/analyse/linear/linearize.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "engine/analyse/linear/analysis.hpp"
+#include "tests/support/plan_text.hpp"
+
+using Catch::Contains;
+
+namespace stepwire::linear {
+
+namespace {
+
+const std::string cart = R"(step: 1 ms
+stop: 3 s
+solver: rk4
+inputs:
+  push: {unit: N, default: 0 N}
+blocks:
+  spring: {block: Gain, u: cart.position, gain: -400 N/m}
+  damper: {block: Gain, u: cart.velocity, gain: -3 N s/m}
+  sum: {block: Sum, u: [spring, damper, push]}
+  cart: {block: Mass, force: sum, mass: 2 kg, initial_position: 20 mm}
+)";
+
+Linearization linear(const std::string& yaml, std::vector<std::string> from, std::vector<std::string> to,
+                     std::vector<std::string> open = {}, double time = 0.0) {
+  const DiagramFolder folder;
+  folder.write("a.yaml", "stepwire: 1\ntitle: x\n" + yaml);
+  diagram::Loader loader(library());
+  Request request;
+  for (auto& name : from) request.from.push_back({std::move(name), {"call", {}}, "from"});
+  for (auto& name : to) request.to.push_back({std::move(name), {"call", {}}, "to"});
+  for (auto& name : open) request.open.push_back({std::move(name), {"call", {}}, "open"});
+  request.time = time;
+  return linearize(loader.load(folder.path("a.yaml")), request);
+}
+
+bool mentions(const Linearization& result, const std::string& text) {
+  return std::ranges::any_of(result.notes,
+                             [&](const std::string& note) { return note.find(text) != note.npos; });
+}
+
+}  // namespace
+
+TEST_CASE("a cart on a spring has the matrices of its equations, at any time of its run") {
+  for (const double time : {0.0, 0.7}) {
+    const Linearization cart_at = linear(cart, {"push"}, {"cart.position"}, {}, time);
+    const StateSpace& system = cart_at.system;
+    REQUIRE(system.states.size() == 2);
+    CHECK(system.states[0].name == "cart.position");
+    CHECK(system.states[0].unit == "m");
+    CHECK(system.states[1].unit == "m/s");
+    CHECK(system.inputs[0].unit == "N");
+    Eigen::Matrix2d A;
+    A << 0, 1, -200, -1.5;
+    CHECK(system.A.isApprox(A, 1e-11));
+    CHECK(system.B.isApprox(Eigen::Vector2d(0, 0.5), 1e-11));
+    CHECK(system.C.isApprox(Eigen::RowVector2d(1, 0), 1e-11));
+    CHECK(system.D(0, 0) == 0.0);
+    CHECK(system.sample_time == 0.0);
+    CHECK(cart_at.error.A.cwiseAbs().maxCoeff() < 1e-6);
+    CHECK(mentions(cart_at, "no equilibrium"));
+  }
+}
+
+TEST_CASE("something is added to a wire, and a cut wire gives the loop") {
+  // Around the spring: its force comes back over the cart.
+  const Linearization loop = linear(cart, {"spring"}, {"spring"}, {"spring"});
+  CHECK(loop.feedback == 1.0);
+  CHECK(loop.system.A(1, 0) == 0.0);
+  CHECK(loop.system.B(1, 0) == Approx(0.5));
+  CHECK(loop.system.C(0, 0) == Approx(-400.0));
+  const Analysis analysis = analyse(loop);
+  CHECK(analysis.channels[0].margins.stable);
+  CHECK(analysis.channels[0].margins.closed_poles[0].imag() ==
+        Approx(std::sqrt(200.0 - 0.75 * 0.75)).epsilon(1e-9));
+  // Closed, what is added shows behind the place where it is added: the sensitivity 1/(1 + L).
+  const Linearization closed = linear(cart, {"spring"}, {"spring"});
+  CHECK(closed.system.D(0, 0) == Approx(1.0));
+  CHECK(closed.system.A(1, 0) == Approx(-200.0));
+  CHECK(closed.feedback == -1.0);
+}
+
+TEST_CASE("an element of a vector is an input or output by its number, the whole vector all of them") {
+  const std::string two = R"(step: 1 ms
+stop: 1 s
+solver: rk4
+blocks:
+  c: {block: Constant, value: [1, 2]}
+  x: {block: Integrator, u: c}
+  s: {block: Sum, u: [x, x]}
+)";
+  const Linearization all = linear(two, {"c"}, {"s"});
+  REQUIRE(all.system.inputs.size() == 2);
+  CHECK(all.system.inputs[1].name == "c.2");
+  CHECK(all.system.B.isApprox(Eigen::Matrix2d::Identity(), 1e-12));
+  const Linearization one = linear(two, {"c.2"}, {"s.2"});
+  CHECK(one.system.B.isApprox(Eigen::Vector2d(0, 1), 1e-12));
+  CHECK(one.system.C.isApprox(Eigen::RowVector2d(0, 2), 1e-12));
+  CHECK_THROWS_WITH(linear(two, {"c.3"}, {"s"}), Contains("'c.3' has") || Contains("c.3"));
+}
+
+TEST_CASE("names that are not there have the nearest one as a cure") {
+  CHECK_THROWS_WITH(linear(cart, {"pusch"}, {"cart.position"}), Contains("did you mean 'push'"));
+  CHECK_THROWS_WITH(linear(cart, {"push"}, {"cart.positon"}), Contains("did you mean 'cart.position'"));
+  CHECK_THROWS_WITH(linear(cart, {"push"}, {"cart"}, {"sprin"}), Contains("did you mean 'spring'"));
+  CHECK_THROWS_WITH(linear(cart, {"push"}, {"cart.position"}, {}, 9.0), Contains("goes from 0 to 3 s"));
+}
+
+TEST_CASE("a sampled loop is the map of one base period, of several rates their least common multiple") {
+  // x' = -x + u over 20 ms of a hold, by the diagram's own rk4: the exponential to its last digits.
+  const std::string loop = R"(step: 1 ms
+stop: 1 s
+solver: rk4
+inputs:
+  r: {default: 0}
+blocks:
+  hold: {block: ZeroOrderHold, u: r, every: 20 ms}
+  plant: {block: Lag, u: hold, tau: 1 s}
+)";
+  const Linearization one = linear(loop, {"r"}, {"plant"});
+  CHECK(one.system.sample_time == Approx(0.02));
+  REQUIRE(one.system.states.size() == 1);
+  CHECK(one.system.A(0, 0) == Approx(std::exp(-0.02)).epsilon(1e-12));
+  CHECK(one.system.B(0, 0) == Approx(1.0 - std::exp(-0.02)).epsilon(1e-9));
+  CHECK_THAT(one.method, Contains("0.02 s") && Contains("rk4"));
+  const Linearization two =
+      linear(loop + "  slow: {block: UnitDelay, u: plant, every: 30 ms}\n", {"r"}, {"slow"});
+  CHECK(two.system.sample_time == Approx(0.06));
+  CHECK(two.system.states.size() == 2);
+}
+
+TEST_CASE("delays are states in the order of their age, at any phase of their memory") {
+  const std::string delayed = R"(step: 10 ms
+stop: 1 s
+inputs:
+  r: {default: 1}
+blocks:
+  d: {block: Delay, u: r, delay: 50 ms}
+)";
+  for (const double time : {0.0, 0.03}) {
+    const Linearization found = linear(delayed, {"r"}, {"d"}, {}, time);
+    REQUIRE(found.system.states.size() == 5);
+    const Analysis analysis = analyse(found);
+    for (const Mode& mode : analysis.modes) CHECK(mode.pole == 0.0);
+    const FrequencyResponse response(found.system);
+    for (const double w : {1.0, 20.0, 200.0})
+      CHECK(std::abs(response.at(w) - std::polar(1.0, -w * 0.05)) < 1e-12);
+  }
+}
+
+TEST_CASE("a discrete PID has the transfer function of its recursion") {
+  // scipy: none needed; y = kp u + ki T/(z - 1) u, forward Euler or trapezoid: a pole at 1 in each case.
+  const Linearization pid = linear(R"(step: 1 ms
+stop: 1 s
+inputs:
+  e: {default: 0}
+blocks:
+  c: {block: DiscretePID, u: e, kp: 2, ki: 10 1/s, every: 10 ms}
+)",
+                                   {"e"}, {"c"});
+  const Analysis analysis = analyse(pid);
+  const auto at_one =
+      std::ranges::count_if(analysis.modes, [](const Mode& m) { return std::abs(m.pole - 1.0) < 1e-12; });
+  CHECK(at_one == 1);
+  const FrequencyResponse response(pid.system);
+  CHECK(std::abs(response.at(1e-3)) == Approx(10.0 / 1e-3).epsilon(1e-3));
+}
+
+TEST_CASE("limits, play and friction at the point are told") {
+  const auto with = [](const std::string& block) {
+    return linear("step: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  c: {block: Constant, value: 1}\n  s: " +
+                      block + "\n  x: {block: Integrator, u: s}\n",
+                  {"c"}, {"x"});
+  };
+  CHECK(mentions(with("{block: Saturation, u: c, lower: -1, upper: 1}"), "not smooth"));
+  CHECK_FALSE(mentions(with("{block: Saturation, u: c, lower: -2, upper: 2}"), "not smooth"));
+  CHECK(mentions(with("{block: Quantizer, u: c, interval: 1e-5}"), "sizes disagree"));
+}
+
+}  // namespace stepwire::linear

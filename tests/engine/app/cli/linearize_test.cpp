@@ -1,0 +1,137 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/mat/mat_file.hpp"
+#include "tests/engine/app/cli/program.hpp"
+
+using Catch::Contains;
+
+namespace {
+
+/// A pendulum that hangs, with a torque at its joint.
+const std::string pendulum_yaml = R"(stepwire: 1
+title: A pendulum
+step: 1 ms
+stop: 2 s
+solver: rk4
+inputs: {torque: {unit: N m, default: 0 N m}}
+outputs: {angle: angle}
+blocks:
+  weight: {block: Expression, u: angle, expression: -2*sin(u1)}
+  lost:   {block: Gain, u: rate, gain: -0.1}
+  both:    {block: Sum, u: [torque, weight, lost]}
+  turned: {block: Gain, u: both, gain: 4}
+  rate:   {block: Integrator, u: turned}
+  angle:  {block: Integrator, u: rate}
+  drive:  {block: Constant, value: 0}
+  unused: {block: Terminator, u: drive}
+units: {weight: N m, lost: N m}
+record: [angle]
+)";
+
+nlohmann::json json_file(const Scratch& folder, const std::string& name) {
+  return nlohmann::json::parse(content_of(folder.path(name)));
+}
+
+}  // namespace
+
+TEST_CASE("linearize writes matrices with names, poles and zeros for programs") {
+  const Scratch folder;
+  folder.file("a.yaml", pendulum_yaml);
+  const Done done = run_program(folder, {"linearize", "a.yaml", "--at", "1 s", "--out", "out"});
+  INFO(done.err << done.out);
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Contains("natural frequency") && Contains("gain margin"));
+  const nlohmann::json found = json_file(folder, "out/linear.json");
+  CHECK(found["inputs"] == nlohmann::json{"torque"});
+  CHECK(found["outputs"] == nlohmann::json{"angle"});
+  CHECK(found["states"].size() == 2);
+  CHECK(found["sample_time"] == 0.0);
+  CHECK(found["poles"][0].size() == 2);
+  CHECK(found["zeros"].empty());
+  double largest = 0.0;
+  for (const auto& row : found["A"])
+    for (const auto& number : row) largest = std::max(largest, std::abs(number.get<double>()));
+  CHECK(largest == Approx(8.0).epsilon(1e-9));
+  const auto table = stepwire::mat::read_mat(folder.path("out/linear.mat"));
+  CHECK(table.find("A(1)") != nullptr);
+}
+
+TEST_CASE("linearize refuses names, times and files without ports with what would be right") {
+  const Scratch folder;
+  folder.file("a.yaml", pendulum_yaml);
+  folder.file("b.yaml", "stepwire: 1\ntitle: x\nstep: 1 s\nstop: 2 s\nblocks: {c: {block: Constant}}\n");
+  const Done name = run_program(folder, {"linearize", "a.yaml", "--from", "torqe", "--to", "angel"});
+  CHECK(name.code == 2);
+  CHECK_THAT(name.err, Contains("did you mean 'torque'") && Contains("did you mean 'angle'"));
+  CHECK_THAT(run_program(folder, {"linearize", "a.yaml", "--at", "9s"}).err, Contains("from 0 to 2 s"));
+  CHECK_THAT(run_program(folder, {"linearize", "a.yaml", "--at", "soon"}).err, Contains("is no time"));
+  CHECK_THAT(run_program(folder, {"linearize", "b.yaml"}).err, Contains("give --from SIGNAL"));
+  CHECK_THAT(run_program(folder, {"trim", "b.yaml"}).err, Contains("has no section 'trim'"));
+}
+
+TEST_CASE("trim finds a point, whose file puts a run there, and linearize takes it") {
+  const Scratch folder;
+  folder.file("a.yaml", pendulum_yaml + "trim: {states: {angle: 0.5}, inputs: {torque: free}}\n"
+                                        "claims: [{that: it stands still, spread: angle, at_most: 1e-9}]\n");
+  const Done done = run_program(folder, {"trim", "a.yaml", "--out", "out"});
+  INFO(done.err << done.out);
+  CHECK(done.code == 0);
+  const nlohmann::json found = json_file(folder, "out/trim.json");
+  CHECK(found["converged"] == true);
+  CHECK(found["inputs"][0]["value"].get<double>() == Approx(2.0 * std::sin(0.5)).epsilon(1e-9));
+  const Done run = run_program(folder, {"run", "a.yaml", "--set-from", "out/parameters.yaml"});
+  INFO(run.err << run.out);
+  CHECK(run.code == 0);
+  const Done linear = run_program(folder, {"linearize", "a.yaml", "--trim", "--json"});
+  INFO(linear.err);
+  const auto point = nlohmann::json::parse(linear.out)["point"];
+  CHECK(point["outputs"]["angle"].get<double>() == Approx(0.5).epsilon(1e-9));
+}
+
+TEST_CASE("a point that is not there is told, and is no point to be linearized at") {
+  const Scratch folder;
+  folder.file("a.yaml", pendulum_yaml + "trim: {states: {angle.x: 0.5}, inputs: {torque: {bounds: [0 N m, 0.1 N "
+                                        "m]}}}\n");
+  const Done done = run_program(folder, {"trim", "a.yaml"});
+  CHECK(done.code == 1);
+  CHECK_THAT(done.out, Contains("NOT found") && Contains("at its bound"));
+  CHECK(run_program(folder, {"linearize", "a.yaml", "--trim"}).code == 2);
+}
+
+TEST_CASE("figures and claims read linear analyses in each run of a sweep") {
+  const Scratch folder;
+  folder.file("a.yaml", R"(stepwire: 1
+title: A loop of three lags
+step: 10 ms
+stop: 1 s
+solver: rk4
+parameters: {gain: 2}
+sweep: {gain: [2, 4, 16]}
+blocks:
+  error: {block: Sum, signs: "+-", u: [1, c]}
+  pid:   {block: Gain, u: error, gain: $gain}
+  a: {block: Lag, u: pid, tau: 1 s}
+  b: {block: Lag, u: a, tau: 1 s}
+  c: {block: Lag, u: b, tau: 1 s}
+record: [c]
+linear:
+  loop: {from: error, to: c, open: error}
+figure:
+  - {plot: bode, of: loop}
+  - {panels: [{plot: nyquist, of: loop}, {plot: poles, of: loop}, {plot: root_locus, of: loop}, {plot: step_response, of: loop}]}
+claims:
+  - {that: the border is a gain of 8, final: loop.margin.gain*gain, equals: 8, within: 1e-9}
+  - {that: "16 is beyond it", where: gain > 8, final: loop.stable, equals: 0}
+  - {that: others are not, where: gain < 8, final: loop.stable, equals: 1}
+  - {that: the worst run is named, final: loop.margin.gain, at_least: 100}
+)");
+  const Done done = run_program(folder, {"run", "a.yaml", "--out", "out"});
+  INFO(done.err << done.out);
+  CHECK(done.code == 1);  // by the last claim alone
+  const nlohmann::json claims = json_file(folder, "out/claims.json");
+  for (const std::size_t i : {0, 1, 2}) CHECK(claims[i]["holds"] == true);
+  CHECK(claims[3]["worst"] == "gain=16");
+  CHECK_THAT(content_of(folder.path("out/figure.svg")), Contains("frequency") && Contains("phase"));
+  CHECK(std::filesystem::exists(folder.path("out/figure-2.svg")));
+}

@@ -1,0 +1,42 @@
+// What somebody meets who comes from another program: names of blocks, and blocks that nobody reads.
+#include <catch2/catch.hpp>
+
+#include "engine/model/diagram/simulink_names.hpp"
+#include "engine/model/diagram/unread.hpp"
+#include "tests/support/plan_text.hpp"
+#include "tests/support/run_text.hpp"
+
+namespace stepwire::diagram {
+
+namespace {
+
+std::string refusal(const std::string& type) {
+  return error_of("step: 1 ms\nstop: 1 s\nblocks:\n  b: {block: \"" + type + "\"}\nrecord: [b]\n");
+}
+
+}  // namespace
+
+TEST_CASE("a block of Simulink as a type is answered with what there is here") {
+  CHECK_THAT(refusal("Scope"), Catch::Contains("there is no block 'Scope'") && Catch::Contains("`figure`"));
+  CHECK_THAT(refusal("Transfer Fcn"), Catch::Contains("use TransferFunction"));
+  CHECK_THAT(refusal("To Workspace"), Catch::Contains("`record`"));
+  CHECK_THAT(refusal("ToWorkspace"), Catch::Contains("`record`"));
+  CHECK_THAT(refusal("MATLABFunction"), Catch::Contains("Expression"));
+  CHECK_THAT(refusal("RateTransition"), Catch::Contains("`every`"));
+  CHECK_THAT(refusal("BusCreator"), Catch::Contains("a bus"));
+  CHECK_THAT(refusal("Random Number"), Catch::Contains("use Noise"));
+  CHECK(answer_to_simulink("Lag").empty());
+  CHECK(answer_to_simulink("").empty());
+}
+
+TEST_CASE("a block of the file that feeds nothing and is not recorded is noted, and no other") {
+  const plan::Plan plan = plan_text(
+      "blocks:\n  a: {block: Clock}\n  dead: {block: Gain, u: a}\n  b: {block: Gain, "
+      "u: a}\n"
+      "  end: {block: Terminator, u: a}\n  stops: {block: Gain, u: a}\nrecord: [b]\nstop_when: stops > 2\n");
+  const auto notes = unread_blocks(plan.diagram);
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0].text(), Catch::Contains("dead: feeds nothing and is not recorded"));
+}
+
+}  // namespace stepwire::diagram
