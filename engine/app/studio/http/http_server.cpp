@@ -9,6 +9,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <deque>
+#include <list>
 #include <map>
 #include <thread>
 #include <utility>
@@ -67,6 +68,7 @@ class Server : public HttpServer {
   Key key_;
   std::size_t connections_ = 0, sockets_ = 0;
   int last_page_ = 0;
+  std::list<Connection*> unheard_;  ///< whose request has not come to its end, the oldest first
   std::map<int, std::weak_ptr<Page>> pages_;
   asio::io_context context_{1};  // when it goes, what waits in it goes, and uses what stands above
   std::deque<tcp::acceptor> acceptors_;
@@ -189,13 +191,23 @@ class Server::Connection : public std::enable_shared_from_this<Connection> {
   Connection(Server& server, tcp::socket socket)
       : server_(server), stream_(std::move(socket)), place_(std::make_shared<Place>(server.connections_)) {}
 
+  /// The oldest that has said nothing whole makes room for another; false where all have.
+  static bool give_way(Server& server) {
+    if (server.unheard_.empty()) return false;
+    server.unheard_.front()->stream_.close();
+    server.unheard_.pop_front();
+    return true;
+  }
+
   void read() {
     parser_ = std::make_shared<Parser>();
     parser_->header_limit(server_.limits_.header);
     parser_->body_limit(0);
     stream_.expires_after(server_.limits_.handshake);
+    server_.unheard_.push_back(this);
     beast::http::async_read(stream_, buffer_, *parser_,
                             [self = shared_from_this()](error_code error, std::size_t) {
+                              self->server_.unheard_.remove(self.get());
                               if (!error) self->decide();
                             });
   }
@@ -265,7 +277,7 @@ void Server::accept_later(tcp::acceptor& acceptor) {
 }
 
 void Server::take(tcp::socket socket) {
-  if (connections_ >= limits_.connections) return;
+  if (connections_ >= limits_.connections && !Connection::give_way(*this)) return;
   error_code ignored;
   socket.set_option(tcp::no_delay(true), ignored);
   std::make_shared<Connection>(*this, std::move(socket))->read();

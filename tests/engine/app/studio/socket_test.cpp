@@ -66,15 +66,40 @@ TEST_CASE("sixteen pages at a time, and a place is free when one goes") {
   CHECK(PageClient(served.key()).is_open());
 }
 
-TEST_CASE("connections that say nothing leave room for those that are left after them") {
+TEST_CASE("connections that say nothing are closed in time") {
   Limits limits;
-  limits.connections = 4;
   limits.handshake = milliseconds(200);
   const Served served(limits);
   std::vector<std::unique_ptr<RawClient>> silent;
-  for (int i = 0; i < 8; ++i) silent.push_back(std::make_unique<RawClient>(served.key().port));
+  for (int i = 0; i < 4; ++i) silent.push_back(std::make_unique<RawClient>(served.key().port));
   for (const auto& one : silent) CHECK(one->is_closed_within(milliseconds(5000)));
-  CHECK_THAT(answer_to(served.key(), served.head("/")), Contains("the page"));
+}
+
+TEST_CASE("of too many connections the one that has said nothing for longest makes room at once") {
+  Limits limits;
+  limits.connections = 4;
+  limits.handshake = std::chrono::minutes(10);  // so that none is closed for its silence alone
+  const Served served(limits);
+  std::vector<std::unique_ptr<RawClient>> silent;
+  for (int i = 0; i < 8; ++i) silent.push_back(std::make_unique<RawClient>(served.key().port));
+  CHECK_THAT(answer_to(served.key(), served.head("/", "Connection: close\r\n")), Contains("the page"));
+  for (std::size_t i = 0; i < 5; ++i) CHECK(silent[i]->is_closed_within(milliseconds(5000)));
+  for (std::size_t i = 5; i < 8; ++i) CHECK_FALSE(silent[i]->is_closed_within(milliseconds(20)));
+}
+
+TEST_CASE("connections that wait in the middle of a request make room, pages do not") {
+  Limits limits;
+  limits.connections = 3;
+  limits.handshake = std::chrono::minutes(10);
+  const Served served(limits);
+  PageClient page(served.key());
+  REQUIRE(page.is_open());
+  RawClient slow(served.key().port), other(served.key().port);
+  slow.send("GET / HTTP/1.1\r\nHost");
+  CHECK_THAT(answer_to(served.key(), served.head("/", "Connection: close\r\n")), Contains("the page"));
+  CHECK(slow.is_closed_within(milliseconds(5000)));
+  page.send("still there");
+  CHECK(page.receive() == "still there");
 }
 
 TEST_CASE("a page that answers no ping is closed, one that does is not") {
