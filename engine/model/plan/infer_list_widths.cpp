@@ -14,7 +14,8 @@ namespace {
 
 class ListWidthInference {
  public:
-  ListWidthInference(Draft& draft, PortSizes& sizes) : draft_(draft), sizes_(sizes) {
+  ListWidthInference(Draft& draft, PortSizes& sizes, MatrixLists& matrices)
+      : draft_(draft), sizes_(sizes), matrices_(matrices) {
     for (std::size_t block = 0; block < draft.blocks.size(); ++block)
       for (std::size_t input = 0; input < draft.type(block).inputs.size(); ++input)
         if (draft.type(block).inputs[input].list &&
@@ -54,7 +55,7 @@ class ListWidthInference {
 
   void take_turns() {
     take_list_turns();
-    while (sizes_.multiply()) {  // what is a product now may be news for any list
+    while (sizes_.multiply() || matrices_.add_up()) {  // which may be news for any list
       for (std::size_t list = 0; list < lists_.size(); ++list)
         if (!lists_[list].settled) turns_.call(static_cast<int>(list));
       take_list_turns();
@@ -113,7 +114,7 @@ class ListWidthInference {
   }
 
   void settle_scalars() {
-    std::vector<int> waiting;
+    std::vector<int> waiting = matrices_.sums();
     for (const List& list : lists_)
       if (!list.settled) waiting.push_back(sizes_.of_list(list.block, list.input));
     std::vector<bool> waits(static_cast<std::size_t>(sizes_.count()), false);
@@ -138,6 +139,7 @@ class ListWidthInference {
 
   Draft& draft_;
   PortSizes& sizes_;
+  MatrixLists& matrices_;
   std::vector<List> lists_;
   std::unordered_multimap<int, int> watchers_;  ///< root of a size: lists that have it for an element
   Worklist turns_;                              ///< of lists
@@ -147,8 +149,9 @@ class ListWidthInference {
 
 }  // namespace
 
-std::set<std::pair<std::size_t, std::size_t>> infer_list_widths(Draft& draft, PortSizes& sizes) {
-  return ListWidthInference(draft, sizes).run();
+std::set<std::pair<std::size_t, std::size_t>> infer_list_widths(Draft& draft, PortSizes& sizes,
+                                                                MatrixLists& matrices) {
+  return ListWidthInference(draft, sizes, matrices).run();
 }
 
 }  // namespace stepwire::plan

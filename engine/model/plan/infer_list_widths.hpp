@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "engine/model/plan/port_sizes.hpp"
+#include "engine/model/plan/matrix_lists.hpp"
 
 namespace stepwire::plan {
 
@@ -12,8 +12,10 @@ constexpr Eigen::Index max_numbers = Eigen::Index{1} << 26;
 
 /// Finds every size that declarations and wires leave open. Lists follow from their elements: a list input
 /// takes elements of one size or of one element; with the shape "+m" each element has its own size and m is
-/// their sum. What no open list could tell any more is a scalar, and where lists wait for each other (a
-/// loop), so is one of them. Returns the lists (block and input) whose size had to be refused.
-std::set<std::pair<std::size_t, std::size_t>> infer_list_widths(Draft& draft, PortSizes& sizes);
+/// their sum, and so do the sums of lists of matrices. What no open list could tell any more is a scalar, and
+/// where lists wait for each other (a loop), so is one of them. Returns the lists (block and input) whose
+/// size had to be refused.
+std::set<std::pair<std::size_t, std::size_t>> infer_list_widths(Draft& draft, PortSizes& sizes,
+                                                                MatrixLists& matrices);
 
 }  // namespace stepwire::plan

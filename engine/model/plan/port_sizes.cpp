@@ -12,7 +12,9 @@ int PortSizes::symbol(std::size_t block, const std::string& text) {
   const int size = add();
   symbols_[block].emplace_back(text, size);
   Eigen::Index literal = 0;
-  if (std::from_chars(text.data(), text.data() + text.size(), literal).ec == std::errc()) set(size, literal);
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, literal);
+  if (error == std::errc() && rest == end) set(size, literal);
   return size;
 }
 

@@ -6,6 +6,7 @@
 #include "engine/model/plan/configuring.hpp"
 #include "engine/model/plan/element_slot.hpp"
 #include "engine/model/plan/infer_list_widths.hpp"
+#include "engine/model/plan/matrix_lists.hpp"
 #include "engine/model/plan/port_shape.hpp"
 #include "engine/model/plan/shape_checks.hpp"
 
@@ -16,15 +17,15 @@ namespace {
 /// Finds the size of every port and state: from declarations and parameters, along wires, then from lists.
 class Shapes {
  public:
-  explicit Shapes(Draft& draft) : draft_(draft), sizes_(draft) {}
+  explicit Shapes(Draft& draft) : draft_(draft), sizes_(draft), matrix_lists_(draft, sizes_) {}
 
   void run() {
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) declare(i);
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) connect(i);
     for (const diagram::ShapeDemand& demand : draft_.diagram().shape_demands) demand_shape(demand);
-    refused_ = infer_list_widths(draft_, sizes_);
-    join_matrices();
+    refused_ = infer_list_widths(draft_, sizes_, matrix_lists_);
     check_shapes(draft_, sizes_, refused_);
+    matrix_lists_.check();
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) store(i);
   }
 
@@ -97,7 +98,7 @@ class Shapes {
     const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     for (std::size_t i = 0; i < block.inputs.size(); ++i) {
       const InputSpec& spec = block.type().inputs[i];
-      if (spec.list && PortShape(spec.shape).is_matrix) connect_matrices(index, spec, block.inputs[i]);
+      if (spec.list && PortShape(spec.shape).is_matrix) matrix_lists_.add(index, i);
       if (spec.list) continue;
       for (const diagram::Source& source : block.inputs[i])
         connect_one(sizes_.symbol(index, spec.shape), subject_of(index, spec), source);
@@ -114,13 +115,14 @@ class Shapes {
     const std::string shown = sizes_.shown(given);
     if (sizes_.join(given, wanted)) return;
     if (source.block < 0)
-      draft_.report.add(source.origin, subject,
-                        fmt::format("has {} numbers; {} would fit",
-                                    shape_text(source.constant.size(), source.columns), fitting(wanted)));
+      draft_.report.add(
+          source.origin, subject,
+          fmt::format("has {} numbers; {} would fit", shape_text(source.constant.size(), source.columns),
+                      sizes_.fitting(wanted)));
     else
       draft_.report.add(source.origin, subject,
                         fmt::format("'{}' has {}, but {} takes {}; join or pick elements with Mux or Select",
-                                    source_name(draft_, source), shown, subject, fitting(wanted)));
+                                    source_name(draft_, source), shown, subject, sizes_.fitting(wanted)));
   }
 
   void demand_shape(const diagram::ShapeDemand& demand) {
@@ -135,50 +137,6 @@ class Shapes {
           demand.origin, demand.port,
           fmt::format("'{}' has {}, but {} is declared as {}", source_name(draft_, demand.source), shown,
                       demand.port, shape_text(demand.rows * demand.columns, demand.columns)));
-  }
-
-  /// "3", or "3 x 2" of a matrix
-  std::string fitting(int size) {
-    const std::string text = sizes_.shown(size);
-    return text.substr(0, text.rfind(' '));
-  }
-
-  /// A list of matrices side by side, or one above the other.
-  void connect_matrices(std::size_t index, const InputSpec& spec,
-                        const std::vector<diagram::Source>& sources) {
-    const PortShape shape(spec.shape);
-    Stack stack{index, &spec, sizes_.symbol(index, shape.adds_rows ? shape.rows : shape.columns), {}};
-    const int shared = sizes_.symbol(index, shape.adds_rows ? shape.columns : shape.rows);
-    for (const diagram::Source& source : sources) {
-      const int own = sizes_.add(), element = sizes_.add();
-      if (shape.adds_rows)
-        sizes_.set_factors(element, own, shared);
-      else
-        sizes_.set_factors(element, shared, own);
-      const int given = sizes_.of_source(source);
-      const std::string shown = sizes_.shown(given);
-      if (!sizes_.join(given, element))
-        draft_.report.add(source.origin, subject_of(index, spec),
-                          fmt::format("'{}' has {}, but {} would fit", source_name(draft_, source), shown,
-                                      fitting(element)));
-      stack.parts.push_back(own);
-    }
-    stacks_.push_back(std::move(stack));
-  }
-
-  /// What matrices of a list have together.
-  void join_matrices() {
-    for (const Stack& stack : stacks_) {
-      Eigen::Index sum = 0;
-      for (const int part : stack.parts)
-        sum = std::min(sum + sizes_.value(part).value_or(1), max_numbers + 1);
-      if (!sizes_.set(stack.total, sum))
-        draft_.report.add(draft_.diagram().blocks[stack.block].origin, subject_of(stack.block, *stack.input),
-                          fmt::format("has {} {} together; {} would fit", sum,
-                                      PortShape(stack.input->shape).adds_rows ? "rows" : "columns",
-                                      *sizes_.value(stack.total)));
-    }
-    sizes_.multiply();
   }
 
   Eigen::Index factor(std::size_t index, const std::string& letter) {
@@ -246,17 +204,9 @@ class Shapes {
     block.spread.push_back(static_cast<std::size_t>(&spec - block.type().parameters.data()));
   }
 
-  /// A list of matrices, and the size that is the sum of their rows or columns.
-  struct Stack {
-    std::size_t block;
-    const InputSpec* input;
-    int total;
-    std::vector<int> parts;
-  };
-
   Draft& draft_;
   PortSizes sizes_;
-  std::vector<Stack> stacks_;
+  MatrixLists matrix_lists_;
   std::set<std::pair<std::size_t, std::size_t>> refused_;  ///< lists of which enough has been said
   Eigen::Index total_ = 0;
 };

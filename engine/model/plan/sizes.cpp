@@ -98,4 +98,9 @@ std::string Sizes::shown(int size) {
   return number(matrix->first) + " x " + number(matrix->second) + " elements";
 }
 
+std::string Sizes::fitting(int size) {
+  const std::string text = shown(size);
+  return text.substr(0, text.rfind(' '));
+}
+
 }  // namespace stepwire::plan

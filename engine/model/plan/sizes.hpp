@@ -36,6 +36,8 @@ class Sizes {
   bool has_matrices() const { return matrices_; }
   /// "3 x 2", "6 elements", or "a x 2" with what is not known yet
   std::string shown(int size);
+  /// "6", or "3 x 2" of a matrix
+  std::string fitting(int size);
   /// One of all sizes that are equal to this one, the same for each of them.
   int root(int size);
 

@@ -63,7 +63,7 @@ TEST_CASE("Rotate3D turns by an axis and an angle, and by a quaternion of any le
 TEST_CASE("Rotate3D needs something that says how") {
   CHECK(error_of("step: 1 ms\nstop: 1 ms\nsolver: euler\nblocks:\n  v: {block: Constant, value: [1, 2, 3]}\n"
                  "  r: {block: Rotate3D, u: v}\nrecord: [r]\n")
-            .find("says how") != std::string::npos);
+            .find("must say how") != std::string::npos);
 }
 
 TEST_CASE("A product of quaternions is Hamilton's") {
