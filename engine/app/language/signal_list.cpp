@@ -4,6 +4,7 @@
 #include <map>
 
 #include "engine/base/yaml/document.hpp"
+#include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/diagram/output_names.hpp"
 
 namespace stepwire::language {
@@ -88,6 +89,11 @@ void add_inputs(DiagramFiles& files, const std::string& file, std::vector<KnownS
     signals.push_back({input.key, declared_unit(input.value), "input"});
 }
 
+/// Is it a block that the loader has added, which no wire can name? Whether a part runs can be read.
+bool is_hidden(const BlockType& type) {
+  return &type != &diagram::guard_type() && diagram::find_guard_type(type.name);
+}
+
 }  // namespace
 
 std::vector<KnownSignal> signals_of(const Analysis& analysis, DiagramFiles& files, const std::string& file,
@@ -99,7 +105,7 @@ std::vector<KnownSignal> signals_of(const Analysis& analysis, DiagramFiles& file
     const diagram::DiagramBlock& block = diagram.blocks[i];
     const auto name = local(block.name, analysis.prefix);
     const bool own = block.origin.scope == analysis.scope && block.type().name != "ExternalInput";
-    if (name && (own || inside)) add_block(diagram, i, *name, inside, signals);
+    if (name && !is_hidden(block.type()) && (own || inside)) add_block(diagram, i, *name, inside, signals);
   }
   add_parts(analysis, files, file, signals);
   add_inputs(files, file, signals);

@@ -107,10 +107,16 @@ class Lexer {
   std::size_t next_unit(std::string_view rest, std::size_t end) const {
     const std::size_t next = rest.find_first_not_of(' ', end);
     if (next == std::string_view::npos || next == end || !is_letter(rest[next])) return end;
+    if (known_ && known_(name_at(rest.substr(next)))) return end;
     const std::size_t length = unit::unit_prefix(rest.substr(next), known_);
     const bool called = next + length < rest.size() && rest[next + length] == '(';
     if (length == 0 || called || !unit::parse_unit(rest.substr(0, next + length))) return end;
     return next + length;
+  }
+
+  static std::string_view name_at(std::string_view text) {
+    const auto goes_on = [](char c) { return is_letter(c) || is_digit(c) || c == '.'; };
+    return text.substr(0, static_cast<std::size_t>(std::ranges::find_if_not(text, goes_on) - text.begin()));
   }
 
   Token name() {

@@ -157,8 +157,8 @@ TEST_CASE("the JSON of a block is complete, with numbers in SI") {
   CHECK(block.at("states").at(1).at("key") == nullptr);
   CHECK(block.at("presets").at(0).at("values") == json::parse(R"({"length": 0.002})"));
   CHECK(block.at("notices").at(0).at("ends_run") == true);
-  CHECK(block.at("keys") ==
-        json({"length", "open", "law", "order", "signs", "file", "u", "more", "initial", "preset"}));
+  CHECK(block.at("keys") == json({"length", "open", "law", "order", "signs", "file", "u", "more", "initial",
+                                  "preset", "enable", "trigger"}));
   CHECK(json::parse(blocks_json(all).text()).size() == 1);
 }
 

@@ -69,7 +69,7 @@ TEST_CASE("units stand one behind the other in formulas, too") {
 
 TEST_CASE("a parameter is recorded as what it is in the run") {
   const auto result = result_of(
-      "parameters: {m: 2 kg, twice: = 2*m, R: \"= [[m/1 kg, 2], [3, 4]]\"}\n"
+      "parameters: {m: 2 kg, twice: = m + m, R: \"= [[m/1 kg, 2], [3, 4]]\"}\n"
       "blocks: {a: {block: Constant, value: 1}}\nrecord: [a, $twice, $R, {signals: {mass: $m}}]\n",
       {{"m", "3 kg"}});
   const table::Table& table = result.recordings[0].table;

@@ -30,7 +30,7 @@ Lines lines_of(const std::string& keys, bool* fraction = nullptr) {
 
 TEST_CASE("every symbol names parameters of its block and draws in its square") {
   const Registry registry = blocks();
-  const std::regex place(R"(\{([a-z_0-9]+)(:[sz])?(\|[^}]+)?\})", std::regex::icase);
+  const std::regex place(R"(\{([a-z_0-9]+)(:[sz])?(\|[^}]*)?\})", std::regex::icase);
   const std::regex command(R"([MLHVCZ]|-?(?:\d+\.?\d*|\.\d+)| )");
   for (const BlockType* type : registry.types()) {
     INFO(type->name);
