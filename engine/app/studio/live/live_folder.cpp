@@ -94,6 +94,10 @@ void write_live_folder(const std::string& folder, LoadedRun& run) {
   io::write_file(folder + log_name, note.text() + "\n");
 }
 
+std::string folder_beside(const std::string& diagram) {
+  return std::filesystem::path(diagram).replace_extension().string() + "-run";
+}
+
 bool is_live_folder(const std::string& folder) {
   std::error_code none;
   return std::filesystem::exists(folder + log_name, none);

@@ -14,6 +14,9 @@ namespace stepwire::live {
 /// where nothing is recorded, EnvironmentError.
 void write_live_folder(const std::string& folder, LoadedRun& run);
 
+/// Where the run of a diagram is kept if no folder was named: for `rig/cart.yaml` the folder `rig/cart-run`.
+std::string folder_beside(const std::string& diagram);
+
 /// Is it such a folder?
 bool is_live_folder(const std::string& folder);
 

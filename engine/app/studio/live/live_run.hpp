@@ -32,7 +32,7 @@ using Load = std::function<Loading(int file, bool hand)>;
 
 struct LiveOptions {
   std::optional<session::LoopSettings> loop{};  ///< runs are real-time loops with these settings
-  std::string out{};                            ///< the folder in which run.keep keeps a run
+  std::string out{};                            ///< the folder in which run.keep keeps a run; "": beside FILE
 };
 
 /// What runs under the pages of a studio: one model and its run, and what the pages see of it. Calls may come

@@ -77,12 +77,11 @@ void LiveRun::refuse_in_loop(const char* what) const {
 }
 
 Json LiveRun::keep(int, const Arguments&) {
-  if (out_.empty())
-    throw std::runtime_error("there is no folder for it; 'stepwire studio --out DIR' names one");
   const Loaded run = loaded();
+  const std::string folder = out_.empty() ? folder_beside(run->model().file) : out_;
   run->thread().pause();
-  write_live_folder(out_, *run);
-  return Json::object().set("folder", out_);
+  write_live_folder(folder, *run);
+  return Json::object().set("folder", folder);
 }
 
 Json LiveRun::loop(int, const Arguments&) {

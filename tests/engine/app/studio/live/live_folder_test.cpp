@@ -112,6 +112,11 @@ TEST_CASE("a run to its end is kept whole, and a later one takes its place") {
   CHECK_THAT(kept.verified(), Catch::Contains("all bits agree; the run ended early"));
 }
 
+TEST_CASE("without a folder a run is kept beside its diagram, under its name") {
+  CHECK(folder_beside("rig/cart.yaml") == "rig/cart-run");
+  CHECK(folder_beside("/home/a.b/two.parts.yaml") == "/home/a.b/two.parts-run");
+}
+
 TEST_CASE("a log or a sample that was changed is found") {
   Kept kept;
   kept.seek(0.3);
@@ -130,12 +135,6 @@ TEST_CASE("a log or a sample that was changed is found") {
     io::write_file(kept.out + "/live.json", broken);
     CHECK_THROWS_AS(verify_live(kept.out, library()), yaml::Error);
   }
-}
-
-TEST_CASE("without a folder no run is kept") {
-  Studio studio(swing);
-  studio.call("run.load", R"({"file": 1})");
-  CHECK_THROWS_WITH(studio.call("run.keep"), Catch::Contains("--out"));
 }
 
 TEST_CASE("a real-time loop is replayed bit by bit, beyond the file's stop") {

@@ -17,6 +17,7 @@ export class RunBar implements View {
   private readonly play = h("button", {type: "button", class: "main play"});
   private readonly tick = h("button", {type: "button", title: "One tick (.)", "aria-label": "One tick"}, icon("tick"));
   private readonly restart = h("button", {type: "button", title: "From the start (R)", "aria-label": "From the start"}, icon("restart"));
+  private readonly kept = h("button", {type: "button", title: "Keep this run in a folder, with all that was set and moved on its way; 'stepwire verify' replays it (K)", "aria-label": "Keep this run"}, icon("keep"));
   private readonly rate = h("select", {"aria-label": "Pace: seconds of the run in one of the clock", title: "Pace ([ slower, ] faster)"});
   private readonly time = h("span", {class: "run-time"});
   private readonly facts = h("span", {class: "run-facts"});
@@ -31,12 +32,13 @@ export class RunBar implements View {
     this.scrub = new Scrub(run);
     this.verdicts = new Verdicts((text) => context.announce(text));
     host.classList.add("run-bar");
-    host.append(h("div", {class: "run-buttons", role: "group", "aria-label": "Run"}, this.play, this.tick, this.restart, this.rate),
+    host.append(h("div", {class: "run-buttons", role: "group", "aria-label": "Run"}, this.play, this.tick, this.restart, this.kept, this.rate),
       h("div", {class: "run-line"}, this.scrub.element, this.time), this.facts, this.stale, this.fault, this.verdicts.element);
     this.rate.replaceChildren(...rates.map((rate) => h("option", {value: rate, selected: rate === 1}, rateText(rate))));
     listen(this.play, "click", () => void run.toggle());
     listen(this.tick, "click", () => void run.tick());
     listen(this.restart, "click", () => void run.restart());
+    listen(this.kept, "click", () => void this.keep());
     listen(this.rate, "change", () => void run.setRate(Number(this.rate.value)));
     this.ends = [
       run.on("loaded", (loaded) => { this.verdicts.load(loaded); this.scrub.reset(); this.offer(loaded); }), run.on("claims", (verdicts) => this.verdicts.judge(verdicts)),
@@ -59,11 +61,17 @@ export class RunBar implements View {
       shortcuts.add({key: "Space", text: "play, pause", group, action: () => void run.toggle()}),
       shortcuts.add({key: ".", text: "one tick", group, action: () => void run.tick()}),
       shortcuts.add({key: "R", text: "from the start", group, action: () => void run.restart()}),
+      shortcuts.add({key: "K", text: "keep this run in a folder", group, action: () => void this.keep()}),
       shortcuts.add({key: "[", text: "slower", group, action: pace(-1)}),
       shortcuts.add({key: "]", text: "faster", group, action: pace(1)}),
       shortcuts.add({key: "Left", text: "back in time; in a scope: cursor A (Shift: B, Alt: by a tick)", group, action: () => this.scrub.step(-1)}),
       shortcuts.add({key: "Right", text: "forward to where the run was", group, action: () => this.scrub.step(1)}),
     ];
+  }
+
+  private async keep(): Promise<void> {
+    const folder = await this.context.run.keep();
+    if (folder !== undefined) this.context.notify(`The run up to ${this.time.textContent} is kept. To replay it bit by bit: stepwire verify ${folder}`);
   }
 
   /** A real-time loop goes at its own pace, and not back. */

@@ -87,6 +87,16 @@ export class RunModel {
     if ((await this.prepare()) !== "failed") await this.call("run.play", {rate});
   }
 
+  /** Pauses, and keeps the run in a folder; resolves to its name, or to nothing where that failed. */
+  async keep(): Promise<string | undefined> {
+    try {
+      return (await this.connection.call<{folder: string}>("run.keep")).folder;
+    } catch (thrown) {
+      this.listeners.emit("fault", Fault.from(thrown));
+      return undefined;
+    }
+  }
+
   async pause(): Promise<void> {
     await this.call("run.pause");
   }

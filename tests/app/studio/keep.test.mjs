@@ -1,0 +1,47 @@
+// A run of the page is kept as a folder, which `verify` replays bit by bit with what was set on its way.
+
+import assert from "node:assert/strict";
+import {execFileSync} from "node:child_process";
+import {existsSync} from "node:fs";
+import {join} from "node:path";
+import {test} from "node:test";
+import {missing, Studio} from "./studio.mjs";
+
+const text = `stepwire: 1
+title: a cart
+step: 1 ms
+stop: 2 s
+solver: rk4
+parameters:
+  mass: {value: 2 kg, at_least: 1 kg, at_most: 9 kg}
+record: [cart.position]
+blocks:
+  cart: {block: Mass, mass: $mass, force: spring, initial_position: 0.1 m}
+  spring: {block: Gain, gain: -200 N/m, u: cart.position}
+`;
+
+/** To a time, as fast as it goes, by a drag of the slider of time. */
+async function to(page, share) {
+  await page.locator(".scrub").fill(String(Math.round(1000 * share)));
+  await page.waitForFunction((time) => document.querySelector(".run-time").textContent === `${time} s`, (2 * share).toFixed(3));
+}
+
+test("a run is kept beside its file, with a value that was set on its way", {skip: missing, timeout: 120000}, async () => {
+  const studio = await Studio.opened(text, {name: "cart.yaml"}), {page} = studio, folder = join(studio.folder, "cart-run");
+  try {
+    await page.getByRole("button", {name: "No, thank you"}).click();
+    await to(page, 0.25);
+    const field = page.getByRole("textbox", {name: /^mass/});
+    await field.fill("3 kg");
+    await field.press("Enter");
+    await page.locator(".tuned-echo").first().getByText("3 kg from tick").waitFor();
+    await to(page, 0.5);
+    assert.equal(existsSync(folder), false);
+    await page.getByRole("button", {name: "Keep this run"}).click();
+    await page.getByText(`The run up to 1.000 s is kept. To replay it bit by bit: stepwire verify ${folder}`).first().waitFor();
+    assert.match(execFileSync(process.env.STEPWIRE_PROGRAM, ["verify", folder], {encoding: "utf8"}), /all bits agree; the run ended early/);
+    assert.deepEqual(studio.errors, []);
+  } finally {
+    await studio.close();
+  }
+});
