@@ -1,51 +1,9 @@
-// Figures, scene, mechanism, examples and tour in Chromium. The page is the built one: STUDIO_PAGE=FOLDER, else that of build/.
+// The scene in Chromium, and who is its hand.
 
 import assert from "node:assert/strict";
-import {existsSync} from "node:fs";
-import {dirname, join, resolve} from "node:path";
 import {test} from "node:test";
-import {fileURLToPath} from "node:url";
+import {info, instant, loaded, skip, text, until, withPage, withScene} from "./views_page.mjs";
 
-const root = resolve(dirname(fileURLToPath(import.meta.url)), "../../..");
-const folder = [process.env.STUDIO_PAGE, join(root, "build/studio"), join(root, "engine/app/studio/page/dist")].find((one) => one && existsSync(join(one, "index.html")));
-const here = dirname(fileURLToPath(import.meta.url)), browser = process.env.STEPWIRE_CHROMIUM ?? "/usr/bin/chromium";
-const skip = folder === undefined ? "the page is not built" : !existsSync(join(here, "node_modules")) ? "playwright-core is not installed: npm ci in tests/app/studio"
-  : !existsSync(browser) && "there is no browser; on Debian it is the package chromium";
-const {openPage} = skip ? {} : await import("./scene_page.mjs");
-
-const loaded = {run: 1, step: 0.001, stop: 1, columns: [], parameters: [], scopes: [], inputs: [], scene: false, figures: 0, claims: []};
-const text = (page, selector) => page.locator(selector).first().textContent();
-/** Waits until something holds, and says what does not. */
-async function until(holds, what) {
-  for (let i = 0; i < 100; ++i) {
-    if (await holds()) return;
-    await new Promise((done) => setTimeout(done, 50));
-  }
-  assert.fail(what);
-}
-
-/** Opens the page with a pane in front, and closes it whatever happens. */
-async function withPage(answers, pane, view, run) {
-  const opened = await openPage(folder, answers, view);
-  try {
-    if (pane) {
-      await opened.page.locator(`#tab-${pane}`).click();
-      await opened.page.waitForTimeout(100);
-    }
-    await run(opened);
-    assert.deepEqual(opened.errors, [], "errors of the page");
-  } finally {
-    await opened.close();
-  }
-}
-
-const info = {
-  title: "Ring", x: [-0.02, 0.02], y: [-0.01, 0.01], background: "#102030", pointer: {name: "pointer", held: "pointer_held", text: "Press and move: a spring pulls the ball to you."},
-  objects: [{name: "walls", kind: "walls", text: "", walls: [{points: [[-0.019, -0.009], [0.019, -0.009], [0.019, 0.009], [-0.019, 0.009]], closed: true}]}, {name: "ball", kind: "point", text: "", walls: []}],
-};
-const instant = (x, y, input = null) => ({news: "scene", time: 0.5, input, shapes: [
-  {object: 0, wall: 0, points: [], size: 0, width: 0.0004, color: "#00ff00", crossed: false, shown: true}, {object: 1, points: [[x, y]], size: 0.002, width: 0, color: "#ff0000", crossed: false, shown: true}]});
-const withScene = {"run.load": () => ({...loaded, scene: true}), scene: () => ({scene: info})};
 const samplesOf = (calls) => calls.filter(({call}) => call === "run.input").flatMap(({samples}) => samples);
 
 /** The colour at a place of the scene. */
@@ -130,146 +88,29 @@ test("a hand may stay without a button, and the scene says in words what it show
   news(instant(0.004, 0));
   await page.getByRole("button", {name: "Hold without a button"}).click();
   await page.locator(".scene-canvas").click();
+  const held = () => samplesOf(calls).filter(({name}) => name === "pointer_held").map(({values}) => values[0]);
+  await until(() => held().length > 0, "a click takes hold");
   await page.waitForTimeout(100);
-  assert.deepEqual(samplesOf(calls).filter(({name}) => name === "pointer_held").map(({values}) => values[0]), [1]);
+  assert.deepEqual(held(), [1]);
   await page.getByRole("button", {name: "Describe"}).click();
   await until(async () => /ball at 4 mm, 0 mm/.test(await text(page, ".unseen[role=status]")), "it says where the ball is");
 }));
 
-const curve = (count) => ({x: Array.from({length: count}, (_, i) => i / count), y: Array.from({length: count}, (_, i) => Math.sin(i / 50))});
-const figureOf = (count) => ({width: 680, height: 440, panels: [{panel: "plot", box: [0, 0, 680, 440], x: {label: "time", unit: "s", range: [0, 1]}, y: {label: "position", unit: "mm", range: [-1, 1]},
-  marks: [{mark: "line", curves: [curve(count)], line: {color: "#0072B2"}}]}]});
-
-test("figures are drawn again as the run goes on, and not while nobody sees them", {skip}, async () => {
-  let asked = 0;
-  const answers = {"run.load": () => ({...loaded, figures: 1}), figures: () => ({figures: [figureOf(100 * ++asked)]})};
-  await withPage(answers, "figures", {}, async ({page, news}) => {
-    await page.waitForSelector(".figure svg");
-    assert.match(await page.locator(".figure-sheet").getAttribute("aria-label"), /position \[mm\] from −1 to 1 over time \[s\]/);
-    const drawnPoints = () => page.evaluate(() => Math.max(...[...document.querySelectorAll(".figure path")].map((path) => path.getAttribute("d").split("L").length)));
-    news({news: "run", run: 1, state: "playing", time: 0.1, tick: 100, rate: 1, wanted: 1, missed: 0, compiled: false, fault: null});
-    await until(async () => (await drawnPoints()) >= 300, "it grows");
-    await page.locator("#tab-scene").click();
-    await page.waitForTimeout(500);
-    const before = asked;
-    await page.waitForTimeout(1200);
-    assert.equal(asked, before);
-  });
-});
-
-test("a figure of very many points is painted on a canvas", {skip}, () =>
-  withPage({"run.load": () => ({...loaded, figures: 1}), figures: () => ({figures: [figureOf(30_000)]})}, "figures", {}, async ({page}) => {
-    await page.waitForSelector(".figure canvas");
-    await until(() => page.evaluate(() => {
-      const canvas = document.querySelector(".figure canvas"), {data} = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-      return data.some((value, i) => i % 4 === 2 && value > 150);
-    }), "the curve is on it");
-    assert.ok((await page.locator(".figure text").count()) > 10, "its labels are letters");
-  }));
-
-test("a mechanism moves in three dimensions, and three is loaded only then", {skip}, async () => {
-  const pin = ["p.1", "p.2", "p.3"], columns = new Map(pin.map((name, i) => [name, 7 + i]));
-  const rig = {title: "platform", dimensions: 3, axes: ["x", "y", "z"], elements: [
-    {kind: "damper", name: "left MR damper", body: 0.13, points: [[-0.14, 0.38, 0], pin]}, {kind: "damper", name: "right MR damper", body: 0.13, points: [[0.14, 0.38, 0], pin]},
-    {kind: "damper", name: "third MR damper", body: 0.13, points: [[0, 0.2, 0.224], pin]}, {kind: "universal", points: [[-0.14, 0.38, 0]]}, {kind: "end_effector", name: "end-effector", points: [pin]}]};
-  let wanted;
-  const answers = {"run.load": () => loaded, mechanism: () => ({mechanisms: [rig]}), "scope.signal": ({expression}) => ({column: columns.get(expression), name: expression, unit: "m", scale: 1}),
-    "data.want": ({views}) => { wanted = views.find(({columns: own}) => own.includes(7)) ?? wanted; return {}; }};
-  await withPage(answers, undefined, {}, async ({page, frame}) => {
-    const scripts = [];
-    page.on("request", (request) => scripts.push(request.url()));
-    await page.waitForTimeout(500);
-    assert.ok(!(await page.evaluate(() => performance.getEntriesByType("resource").some(({name}) => name.includes("mechanism_stage")))), "not before it is seen");
-    await page.locator("#tab-mechanism").click();
-    await until(() => wanted, "it follows the signals");
-    frame({view: wanted.view, time: [0, 0.1], columns: [[0, 0], [0.2, 0.2], [0, 0]]});
-    await until(async () => (await text(page, ".mechanism-facts"))?.includes("third MR damper224 mm long"), "lengths stand beside it");
-    frame({view: wanted.view, sequence: 2, time: [0.2], columns: [[0], [0.2], [0.024]]});
-    await until(async () => (await text(page, ".mechanism-facts"))?.includes("third MR damper200 mm long"), "and follow the run");
-    assert.ok(scripts.some((one) => one.includes("mechanism_stage")));
-    assert.ok((await page.locator(".mechanism-labels span:visible").count()) >= 4, "its parts have names");
-    const place = () => page.locator(".mechanism-labels span", {hasText: "third MR damper"}).evaluate((one) => one.style.transform);
-    const before = await place();
-    await page.locator(".mechanism-canvas").focus();
-    await page.keyboard.press("ArrowLeft");
-    await until(async () => (await place()) !== before, "keys turn it");
-  });
-});
-
-const entries = [{entry: 0, name: "01-first-diagram", title: "A first diagram", group: "Examples"}, {entry: 1, name: "fig38-virtual-environment-inside", title: "Virtual environment", group: "Thesis", caption: "the ball in the ring"}];
-const more = async (page, name) => {
-  await page.getByRole("button", {name: "More", exact: true}).click();
-  await page.getByText(name).click();
-};
-
-test("an example is found, copied and opened", {skip}, () => {
-  const files = [{file: 0, name: "test.yaml", writable: true, part: false}];
-  const answers = {gallery: () => ({entries}), files: () => ({files}), open: ({file}) => ({name: files[file].name, text: "stepwire: 1\n", hash: "0", draft: null, version: 0}),
-    "gallery.copy": ({name}) => {
-      if (name === "taken.yaml") throw new Error("there is a file taken.yaml already");
-      files.push({file: 1, name, writable: true, part: false});
-      return {file: 1};
-    }};
-  return withPage(answers, undefined, {}, async ({page, calls}) => {
-    await more(page, "Examples…");
-    await page.getByRole("combobox", {name: "Search examples"}).fill("figure 38");
-    await until(async () => (await page.locator(".gallery-entry").count()) === 1, "one is found");
-    await page.getByLabel("Name of the copy").fill("taken.yaml");
-    await page.keyboard.press("Enter");
-    await until(async () => /taken\.yaml already/.test(await text(page, ".gallery-fault")), "a fault stands in the dialog");
-    await page.getByLabel("Name of the copy").fill("mine.yaml");
-    await page.keyboard.press("Enter");
-    await until(() => calls.some(({call, file}) => call === "run.load" && file === 1), "the copy is run");
-    assert.deepEqual(calls.filter(({call}) => call === "gallery.copy").map(({entry, name}) => [entry, name]), [[1, "taken.yaml"], [1, "mine.yaml"]]);
-    await until(async () => (await page.locator("dialog").count()) === 0, "the dialog closes");
-  });
-});
-
-test("who is new is offered the tour once; keys go through it", {skip}, async () => {
-  let state = {}, user = {};
-  const answers = {gallery: () => ({entries}), "state.get": () => ({state}), "state.put": (put) => { state = put.state; return {}; }, "user.get": () => ({state: user}), "user.put": (put) => { user = put.state; return {}; }};
-  await withPage(answers, undefined, {reducedMotion: "reduce"}, async ({page}) => {
-    await page.getByRole("button", {name: "With this diagram"}).click();
-    await page.waitForSelector(".tour-card");
-    for (let i = 0; i < 2; ++i) await page.keyboard.press("ArrowRight");
-    await until(async () => (await text(page, ".tour-count")) === "3 of 7", "arrows go on");
-    const card = await page.locator(".tour-card").boundingBox();
-    assert.ok(card.x >= 0 && card.y >= 0 && card.x + card.width <= 1400 && card.y + card.height <= 900);
-    assert.equal(await page.locator(".tour-ring").evaluate((one) => getComputedStyle(one).transitionDuration), "0s", "nothing moves by itself");
-    await page.keyboard.press("Escape");
-    assert.equal(await page.locator(".tour-card").count(), 0);
-    await until(() => user["tour.seen"] === true, "it is remembered for the user");
-  });
-  state = {};
-  await withPage(answers, undefined, {}, async ({page}) => {
-    await page.waitForTimeout(800);
-    assert.equal(await page.locator("dialog").count(), 0);
-  });
-});
-
-test("about lists what the page is made of, with licences", {skip}, () => withPage({}, undefined, {}, async ({page}) => {
-  await more(page, "About and licences");
-  await until(async () => (await page.locator(".licence").count()) > 10, "packages are listed");
-  await page.locator(".licence", {hasText: "elkjs"}).locator("summary").click();
-  await until(async () => /Eclipse Public License/i.test(await page.locator(".licence", {hasText: "elkjs"}).locator("pre").textContent()), "with their texts");
-}));
-
-test("what a diagram says does nothing in scene, figures and examples", {skip}, async () => {
-  const evil = `"><img src=x onerror="window.hit=1"><script>window.hit=1</script>`;
-  const figure = figureOf(10);
-  Object.assign(figure.panels[0], {title: evil, legend: "above", texts: [{text: evil}]});
-  Object.assign(figure.panels[0].marks[0], {legend: evil});
-  const rig = {panel: "rig", graph: {title: evil, dimensions: 2, axes: [evil, "y"], elements: [{kind: "damper", name: evil, points: [[0, 0], [0.1, 0]]}]}};
-  const answers = {"run.load": () => ({...loaded, scene: true, figures: 2}), scene: () => ({scene: {...info, title: evil, pointer: {...info.pointer, text: evil}, objects: [{name: evil, kind: "text", text: evil, walls: []}]}}),
-    figures: () => ({figures: [figure, {title: evil, panels: [rig]}]}), gallery: () => ({entries: [{entry: 0, name: evil, title: evil, group: evil, caption: evil}]})};
-  await withPage(answers, "figures", {}, async ({page, news}) => {
-    await until(async () => (await page.locator(".figure svg").count()) === 2, "both are drawn");
-    await page.locator("#tab-scene").click();
-    news({news: "scene", time: 0, shapes: [{object: 0, points: [[0, 0]], size: 0.001, width: 0, color: "#ffffff", shown: true}]});
-    await page.getByRole("button", {name: "Describe"}).click();
-    await more(page, "Examples…");
-    await page.waitForSelector(".gallery-entry");
-    assert.equal(await page.evaluate(() => window.hit), undefined);
-    assert.equal(await page.locator("img").count(), 0);
+test("who holds an input of a real-time loop says every 0.1 s that it is there, and not afterwards", {skip}, () => {
+  const loop = {rate: 1000, period: 1e-3, policy: "other", overrun: "skip"};
+  return withPage({...withScene, "run.load": () => ({...loaded, scene: true, stop: null, loop})}, "scene", {}, async ({page, calls}) => {
+    const times = () => calls.filter(({call}) => call === "clock").map(({page: at}) => at);
+    await until(() => times().length >= 5, "the clocks are compared");
+    const before = times().length, {x, y} = await page.locator(".scene-canvas").boundingBox();
+    await page.mouse.move(x + 20, y + 20);
+    await page.mouse.down();
+    await until(() => times().length >= before + 5, "it is said again and again");
+    const gaps = times().slice(before + 1).map((at, i) => at - times()[before + i]);
+    assert.ok(Math.min(...gaps) < 0.2, `${gaps}`);
+    await page.mouse.up();
+    await until(() => samplesOf(calls).at(-1).name === "pointer_held", "it lets go");
+    const after = times().length;
+    await page.waitForTimeout(600);
+    assert.ok(times().length <= after + 1);
   });
 });

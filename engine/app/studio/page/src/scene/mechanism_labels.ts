@@ -1,44 +1,52 @@
 import type {Camera} from "three";
 import {Vector3} from "three";
 import {piecesOf} from "../../../../../view/drawing/text.mjs";
-import {h} from "../shell/dom";
+import {h, svg} from "../shell/dom";
+import {type Box, type Place, placeLabel} from "./label_places";
 
-interface Label {
+interface Label extends Place {
   element: HTMLElement;
   at: Vector3;
 }
 
-const step = 16; // px from a name to one that stands below it
+/** A name that stands farther from what it names has a line to it [px]. */
+const near = 22;
 
-/** Names over a 3-D view, none on another. What follows "_" stands lower. */
+/** Names over a 3-D view, none on another and none cut off; one that finds no room is left out. What follows "_" stands lower. */
 export class MechanismLabels {
-  readonly element = h("div", {class: "mechanism-labels", "aria-hidden": true});
+  private readonly leaders = svg("path", {fill: "none"});
+  private readonly lines = svg("svg", {class: "mechanism-leaders", width: "100%", height: "100%"}, this.leaders);
+  readonly element = h("div", {class: "mechanism-labels", "aria-hidden": true}, this.lines);
   private labels: Label[] = [];
 
   clear(): void {
     this.labels = [];
-    this.element.replaceChildren();
+    this.element.replaceChildren(this.lines);
   }
 
   /** Adds a name; what comes back moves it. */
   add(name: string): Vector3 {
     const pieces = piecesOf(name).map(({text, low}: {text: string; low: boolean}) => (low ? h("sub", {}, text) : text));
-    const label = {element: h("span", {}, ...pieces), at: new Vector3()};
+    const label = {element: h("span", {}, ...pieces), at: new Vector3(), width: 0, last: 0};
     this.labels.push(label);
     this.element.append(label.element);
     return label.at;
   }
 
   put(camera: Camera, width: number, height: number): void {
-    const taken: {x: number; y: number; half: number}[] = [];
-    for (const {element, at} of this.labels) {
-      const seen = at.clone().project(camera), x = 0.5 * (seen.x + 1) * width, half = 0.5 * element.offsetWidth;
-      let y = 0.5 * (1 - seen.y) * height - step;
-      element.hidden = !(Math.abs(seen.z) <= 1);
-      if (element.hidden) continue;
-      while (taken.some((other) => Math.abs(other.x - x) < other.half + half && Math.abs(other.y - y) < step)) y += step;
-      taken.push({x, y, half});
-      element.style.setProperty("transform", `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, -50%)`);
+    const taken: Box[] = [];
+    let leaders = "";
+    for (const label of this.labels) {
+      const seen = label.at.clone().project(camera), x = 0.5 * (seen.x + 1) * width, y = 0.5 * (1 - seen.y) * height;
+      label.width ||= label.element.offsetWidth;
+      const box = Math.abs(seen.z) <= 1 ? placeLabel(label, x, y, taken, width, height) : undefined;
+      label.element.style.setProperty("visibility", box ? "visible" : "hidden");
+      if (!box) continue;
+      taken.push(box);
+      label.element.style.setProperty("transform", `translate(${box.x.toFixed(1)}px, ${box.y.toFixed(1)}px) translate(-50%, -50%)`);
+      const toX = Math.min(Math.max(x, box.x - box.half), box.x + box.half), toY = box.y + Math.sign(y - box.y) * Math.min(Math.abs(y - box.y), 8);
+      if (Math.hypot(toX - x, toY - y) > near - 8) leaders += `M${x.toFixed(1)} ${y.toFixed(1)}L${toX.toFixed(1)} ${toY.toFixed(1)}`;
     }
+    this.leaders.setAttribute("d", leaders);
   }
 }

@@ -1,9 +1,11 @@
 // The 3-D view itself; with it comes three, so this module is loaded only when it is looked at.
 
-import {AxesHelper, DirectionalLight, Group, HemisphereLight, PerspectiveCamera, Scene, Spherical, Vector3, WebGLRenderer} from "three";
+import {Box3, DirectionalLight, Group, HemisphereLight, PerspectiveCamera, Scene, Spherical, Vector3, WebGLRenderer} from "three";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
+import {AxisTriad} from "./axis_triad";
+import {aimAt} from "./mechanism_aim";
 import {MechanismLabels} from "./mechanism_labels";
-import {extentOf, isKnown, type Mechanism, type Placed, type Point} from "./mechanism_model";
+import {extentOf, isKnown, type Mechanism, type Placed} from "./mechanism_model";
 import {type Colors, type Part, partOf} from "./mechanism_parts";
 
 const angle = Math.PI / 36, nearer = 0.9; // of one press of a key
@@ -31,11 +33,14 @@ export class MechanismStage {
   private readonly camera = new PerspectiveCamera(opening, 1, 0.001, 100);
   private readonly controls: OrbitControls;
   private readonly labels = new MechanismLabels();
+  private readonly axes: AxisTriad;
   private readonly sizes: ResizeObserver;
   private bodies = new Group();
   private named: Named[] = [];
   private thick = 0; // of housings [m]
-  private home = {position: new Vector3(), target: new Vector3()};
+  private box = new Box3(); // of all bodies at first [m]
+  /** Is it seen as at first? Then a view of another size shows it as large as it fits. */
+  private isHome = true;
   private last: Placed[] = [];
   private frame: number | undefined;
 
@@ -48,16 +53,18 @@ export class MechanismStage {
     domElement.dataset.focus = domElement.dataset.ownKeys = "";
     domElement.setAttribute("role", "application");
     domElement.setAttribute("aria-label", `Mechanism ${mechanism.title}; arrows turn it, + and - change its size, Home turns it back`);
-    this.host.append(domElement, this.labels.element);
+    this.axes = new AxisTriad((mechanism.axes ?? ["x", "y", "z"]).slice(0, mechanism.dimensions));
+    this.host.append(domElement, this.labels.element, this.axes.element);
     this.camera.up.copy(this.up);
     this.controls = new OrbitControls(this.camera, domElement);
     this.controls.addEventListener("change", () => this.later());
+    this.controls.addEventListener("start", () => { this.isHome = false; });
     domElement.addEventListener("keydown", (event) => this.press(event));
     const sun = new DirectionalLight("#ffffff", 2.2);
     sun.position.set(1, 2, 3);
     this.camera.add(sun);
     this.scene.add(new HemisphereLight("#ffffff", "#8090a0", 1.6), this.camera, this.bodies);
-    this.sizes = new ResizeObserver(() => this.resize());
+    this.sizes = new ResizeObserver(() => (this.isHome ? this.goHome() : this.resize()));
     this.sizes.observe(host);
   }
 
@@ -69,6 +76,7 @@ export class MechanismStage {
     this.renderer.dispose();
     this.renderer.domElement.remove();
     this.labels.element.remove();
+    this.axes.element.remove();
   }
 
   /** Shows the mechanism at another instant; the first one makes its bodies. */
@@ -91,9 +99,10 @@ export class MechanismStage {
   recolor(colors: Colors): void {
     this.colors = colors;
     if (this.last.length === 0) return;
-    const {position} = this.camera, kept = position.clone(), target = this.controls.target.clone(), all = this.last;
+    const {position} = this.camera, kept = position.clone(), target = this.controls.target.clone(), all = this.last, {isHome} = this;
     this.clear();
     this.show(all);
+    this.isHome = isHome;
     position.copy(kept);
     this.controls.target.copy(target);
     this.controls.update();
@@ -115,7 +124,7 @@ export class MechanismStage {
   }
 
   private make(all: readonly Placed[]): void {
-    const {middle, radius} = extentOf(all);
+    const {radius} = extentOf(all);
     this.thick = 0.035 * radius;
     const making = {colors: this.colors, thick: this.thick, up: this.up};
     this.named = all.map(({element, points}): Named => {
@@ -123,33 +132,22 @@ export class MechanismStage {
       this.bodies.add(part.object);
       return {part, label: element.name ? this.labels.add(element.name) : undefined};
     });
-    this.addAxes(new Vector3(...middle).addScaledVector(this.up, -radius), 0.3 * radius);
-    this.aim(middle, radius);
-  }
-
-  private addAxes(origin: Vector3, length: number): void {
-    const axes = new AxesHelper(length), {line} = this.colors;
-    axes.setColors(line, line, line);
-    axes.position.copy(origin);
-    this.bodies.add(axes);
-    const ends = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].slice(0, this.mechanism.dimensions);
-    ends.forEach((end, i) => this.labels.add(this.mechanism.axes?.[i] ?? "xyz"[i]).copy(origin).addScaledVector(new Vector3(...end), 1.1 * length));
-  }
-
-  /** From where it is seen first: a plane one nearly from the front. */
-  private aim(middle: Point, radius: number): void {
-    const eye = this.mechanism.dimensions === 2 ? new Vector3(0.25, 0.2, 1) : this.mechanism.up === "z" ? new Vector3(1, 0.8, 0.5) : new Vector3(0.9, 0.5, 1);
-    this.home.target.set(...middle);
-    this.home.position.copy(this.home.target).addScaledVector(eye.normalize(), (1.05 * radius) / Math.sin((0.5 * opening * Math.PI) / 180));
+    all.forEach(({points}, i) => this.named[i].part.move(points));
+    this.box.setFromObject(this.bodies);
     [this.camera.near, this.camera.far] = [0.02 * radius, 50 * radius];
     this.goHome();
   }
 
+  /** From where it is seen first: a plane one nearly from the front. */
   private goHome(): void {
-    this.camera.position.copy(this.home.position);
-    this.controls.target.copy(this.home.target);
-    this.controls.update();
+    const eye = this.mechanism.dimensions === 2 ? new Vector3(0.15, 0.12, 1) : this.up.z === 1 ? new Vector3(1, 0.8, 0.5) : new Vector3(0.9, 0.5, 1);
+    this.isHome = true;
     this.resize();
+    if (this.box.isEmpty()) return;
+    const {position, target} = aimAt(this.box, eye, this.camera);
+    this.camera.position.copy(position);
+    this.controls.target.copy(target);
+    this.controls.update();
   }
 
   private press(event: KeyboardEvent): void {
@@ -166,6 +164,7 @@ export class MechanismStage {
   private turn(theta: number, phi: number, times: number): void {
     const {position} = this.camera, {target} = this.controls, offset = position.clone().sub(target), turned = this.up.z === 1;
     if (turned) offset.set(offset.y, offset.z, offset.x);
+    this.isHome = false;
     const at = new Spherical().setFromVector3(offset);
     at.theta += theta;
     at.phi = Math.min(Math.PI - 0.02, Math.max(0.02, at.phi + phi));
@@ -183,8 +182,6 @@ export class MechanismStage {
     this.renderer.setPixelRatio(window.devicePixelRatio);
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
-    // A narrow view takes as much of the sides as a wide one of the height.
-    this.camera.fov = width < height ? (360 / Math.PI) * Math.atan((Math.tan((0.5 * opening * Math.PI) / 180) * height) / width) : opening;
     this.camera.updateProjectionMatrix();
     this.later();
   }
@@ -194,6 +191,7 @@ export class MechanismStage {
       this.frame = undefined;
       this.renderer.render(this.scene, this.camera);
       this.labels.put(this.camera, this.host.clientWidth, this.host.clientHeight);
+      this.axes.turn(this.camera);
     });
   }
 }

@@ -129,7 +129,8 @@ export class SceneView implements View {
     const pointer = new PointerSource(canvas.element, () => this.hand, (x, y) => canvas.placeOf(x, y), () => this.flush());
     const span = Math.max(info.x[1] - info.x[0], info.y[1] - info.y[0]);
     const steering = new Steering(canvas.element, {hand: () => this.hand, start: () => hand.at ?? startOf(info, this.news), span: () => span, flush: () => this.flush()});
-    this.parts = [pointer, steering, new ClockSync(this.context.connection), {dispose: listen(canvas.element, "blur", () => { if (!pointer.stays) this.letGo(); })}];
+    const clock = new ClockSync(this.context.connection, () => hand.held && this.context.run.loaded?.loop !== undefined);
+    this.parts = [pointer, steering, clock, {dispose: listen(canvas.element, "blur", () => { if (!pointer.stays) this.letGo(); })}];
     pointer.stays = this.stay.getAttribute("aria-pressed") === "true";
     this.pointer = pointer;
   }
