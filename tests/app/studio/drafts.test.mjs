@@ -1,7 +1,8 @@
 // What is typed is not lost when the studio is killed, and two pages on one file see each other's edits.
 
 import assert from "node:assert/strict";
-import {writeFileSync} from "node:fs";
+import {existsSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
+import {join} from "node:path";
 import {test} from "node:test";
 import {missing, Studio} from "./studio.mjs";
 
@@ -26,9 +27,19 @@ async function withStudio(action) {
   }
 }
 
+/** Waits until what was typed is on the disk as a draft. */
+async function drafted(studio, words) {
+  const state = join(studio.folder, "state"), has = () => readdirSync(state, {recursive: true, withFileTypes: true}).some((one) => one.isFile() && readFileSync(join(one.parentPath ?? one.path, one.name), "utf8").includes(words));
+  for (let i = 0; i < 100; ++i) {
+    if (existsSync(state) && has()) return;
+    await studio.page.waitForTimeout(100);
+  }
+  assert.fail(`there is no draft with ${words}`);
+}
+
 test("a draft is there at the next start after kill -9 in the middle of typing, and the file is as it was", {skip: missing, timeout: 120000}, () => withStudio(async (studio) => {
   await type(studio.page, "  # a first word");
-  await studio.page.waitForTimeout(1500);  // a draft is on the disk within 1 s
+  await drafted(studio, "# a first word");
   studio.server.removeAllListeners("exit");
   studio.server.kill("SIGKILL");
   await studio.page.getByText("no connection, trying again").waitFor();
@@ -64,7 +75,7 @@ test("a file that another program writes is shown at once where nothing is unsav
   await textHas(page, "value: 12");
   assert.equal(await page.locator(".bar-file button").isDisabled(), true);
   await type(page, "  # mine");
-  await page.waitForTimeout(300);
+  await drafted(studio, "# mine");
   writeFileSync(studio.path, text.replace("value: 1", "value: 13"));
   await page.getByText("was changed by another program").last().waitFor();
   await page.getByRole("button", {name: /^Take the file/}).click();

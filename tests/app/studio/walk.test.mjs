@@ -29,6 +29,13 @@ function controls() {
   });
 }
 
+/** What is wrong with the controls that are seen now. */
+async function faults(page) {
+  const found = await page.evaluate(controls), small = ({width, height, type, role}) => Math.min(width, height) < target - 0.5 && type !== "range" && role !== "separator";
+  return [...(found.length > 5 ? [] : [`there are ${found.length} controls`]), ...found.filter(({name}) => !name).map(({what}) => `${what} has no name`),
+    ...found.filter(small).map(({what, width, height}) => `${what} is ${width} x ${height}`)];
+}
+
 async function atSize(width, height, action) {
   const studio = await Studio.opened(text, {width, height});
   try {
@@ -46,12 +53,13 @@ for (const [width, height] of [[1400, 900], [400, 800]])
     for (const tab of await page.getByRole("tab").all()) {
       if (!await tab.isVisible()) continue;
       await tab.click();
-      await page.waitForTimeout(250);
-      const found = await page.evaluate(controls), place = await tab.textContent();
-      assert.ok(found.length > 5);
-      for (const {what, name} of found) assert.ok(name, `${place}: ${what} has no name`);
-      const isSplitter = ({role}) => role === "separator";
-      for (const one of found.filter((all) => !isSplitter(all))) assert.ok(Math.min(one.width, one.height) >= target - 0.5 || one.type === "range", `${place}: ${one.what} is ${one.width} x ${one.height}`);
+      await page.waitForSelector(`#${await tab.getAttribute("aria-controls")} .view > *`);
+      let wrong = await faults(page);
+      for (let i = 0; i < 20 && wrong.length > 0; ++i) {  // a view may still be on its way
+        await page.waitForTimeout(100);
+        wrong = await faults(page);
+      }
+      assert.deepEqual(wrong, [], await tab.textContent());
     }
   }));
 

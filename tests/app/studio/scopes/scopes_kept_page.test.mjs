@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import {readFileSync} from "node:fs";
 import {test} from "node:test";
 import {contrasts} from "../../../gallery/inspect.mjs";
-import {at, menu, options, over} from "./scopes_page.mjs";
+import {at, menu, options, over, settled} from "./scopes_page.mjs";
 
 test("a scope is saved as a picture, its range as CSV, and copied as a figure", options, () => at(3, async (page) => {
   const saved = async (entry) => {
@@ -17,7 +17,8 @@ test("a scope is saved as a picture, its range as CSV, and copied as a figure", 
   assert.match(picture, /cart.position<\/text>/);
   assert.ok((picture.match(/<path/g) ?? []).length === 3);
   await menu(page, 0, "Show against the first signal");
-  await page.waitForTimeout(300);
+  await page.waitForFunction(() => studio.board.scopes[0].isAgainst);
+  await settled(page);
   const against = await saved("Save the picture as SVG");
   assert.ok((against.match(/<path/g) ?? []).length === 2 && !against.includes("NaN") && against.includes("cart.position mm"));
   await menu(page, 0, "Show over time");
@@ -97,7 +98,8 @@ test("texts of a diagram are no markup, wherever they are shown", options, () =>
 for (const width of [1400, 1024, 400]) for (const colorScheme of ["light", "dark"])
   test(`nothing hangs over the page, and all text stands out, at ${width} px, ${colorScheme}`, options, () => at(1, async (page) => {
     await page.evaluate(() => { studio.board.shared.cursors.put("a", 0.2, 0.001); studio.board.bar.showSignals(true); });
-    await page.waitForTimeout(200);
+    await page.locator(".statistics tbody td").first().waitFor();
+    await settled(page);
     const {content, window: own} = await page.evaluate(() => ({content: document.documentElement.scrollWidth, window: document.documentElement.clientWidth}));
     assert.ok(content <= own, `${content} in ${own}`);
     for (const {ratio, text} of await page.evaluate(contrasts)) assert.ok(ratio >= 4.5, `${text}: ${ratio}`);

@@ -42,7 +42,13 @@ export async function run(page, until) {
   await page.waitForFunction((time) => studio.context.run.news.time >= time, until);
   await page.evaluate(() => studio.context.run.pause());
   await page.waitForFunction((time) => studio.context.run.news.state === "paused" && studio.board.scopes[0].feed.frame?.newest >= time, until);
-  await page.waitForTimeout(150);
+  await settled(page);
+}
+
+/** Waits until what was asked for has come and was drawn. */
+export async function settled(page) {
+  await page.waitForFunction(() => studio.board.scopes.every(({feed, traces}) => traces.length === 0 || (feed.frame && !feed.isOld)));
+  await page.evaluate(() => new Promise((done) => { let left = 5; const next = () => (left-- > 0 ? requestAnimationFrame(next) : done()); next(); }));
 }
 
 export const over = (page, scope = 0) => page.locator(".scope").nth(scope).locator(".u-over");

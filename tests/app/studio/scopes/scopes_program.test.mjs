@@ -76,12 +76,12 @@ test("a claim made by a click holds in `run`, and statistics are those of its sa
   const greatest = Math.max(...samples) * 1000, mean = (samples.reduce((sum, value) => sum + value, 0) / samples.length) * 1000;
   assert.equal(await cells.nth(4).innerText(), `${Number(greatest.toPrecision(5))} mm`);
   assert.equal(await cells.nth(5).innerText(), `${Number(mean.toPrecision(5))} mm`);
-  for (const column of [0, 3, 4, 5, 6]) {
+  for (const [i, column] of [0, 3, 4, 5, 6].entries()) {
     await cells.nth(column).getByRole("button").click();
-    await page.waitForTimeout(300);
+    await page.waitForFunction((count) => (document.querySelector(".cm-content").textContent.match(/that:/g) ?? []).length === count, i + 2);
   }
   await page.keyboard.press("Control+s");
-  for (let i = 0; i < 50 && (studio.file.match(/that:/g) ?? []).length < 6; ++i) await page.waitForTimeout(100);
+  for (let i = 0; i < 200 && (studio.file.match(/that:/g) ?? []).length < 6; ++i) await page.waitForTimeout(100);
   assert.equal(studio.file.match(/that:/g).length, 6);
   const said = execFileSync(process.env.STEPWIRE_PROGRAM, ["run", studio.path], {encoding: "utf8"});
   assert.equal(said.match(/^ +ok /gm).length, 6, said);
@@ -130,8 +130,7 @@ test("an expression with units is drawn beside, and its fault is said where ther
 test("a peak of one tick is seen among 200,000", options, () => ended(async (studio, page) => {
   assert.equal(studio.run().spike.filter((value) => value !== 0).length, 1);
   await page.getByLabel("How much time is seen").selectOption("300");
-  await page.waitForTimeout(2500);
-  const found = await page.evaluate(() => {
+  const seen = () => page.evaluate(() => {
     const canvas = document.querySelector(".scope canvas"), context = canvas.getContext("2d"), over = document.querySelector(".scope .u-over"), ratio = devicePixelRatio;
     const left = Math.round(over.offsetLeft * ratio), top = Math.round(over.offsetTop * ratio), width = Math.round(over.clientWidth * ratio), height = Math.round(over.clientHeight * ratio);
     const {data} = context.getImageData(left, top, width, height), columns = [];
@@ -141,5 +140,10 @@ test("a peak of one tick is seen among 200,000", options, () => ended(async (stu
     }
     return columns;
   });
+  let found = [];
+  for (let i = 0; i < 100 && found.length === 0; ++i) {
+    await page.waitForTimeout(100);
+    found = await seen();
+  }
   assert.ok(found.length >= 1 && found.every((share) => Math.abs(share - 123.456 / 300) < 0.01), `columns ${found}`);
 }, peak));

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
-import {at, menu, options, run} from "./scopes_page.mjs";
+import {at, menu, options, run, settled} from "./scopes_page.mjs";
 
 test("a name dropped on a scope is drawn in it, beside the scopes in a new one; a name that is none says so", options, () => at(1, async (page) => {
   const drop = (selector, text) => page.evaluate(([where, what]) => {
@@ -13,7 +13,7 @@ test("a name dropped on a scope is drawn in it, beside the scopes in a new one; 
   await page.evaluate(() => { window.before = studio.board.scopes[0].groups[0].range; });
   await drop(".scope", "rig.sensor[8]");
   await page.waitForFunction(() => studio.board.scopes[0].traces.length === 4);
-  await page.waitForTimeout(200);
+  await settled(page);
   assert.ok(await page.evaluate(() => studio.board.scopes[0].groups[0].range === window.before));
   await drop(".scope-grid", "cart.position in mm");
   await page.waitForFunction(() => studio.board.scopes.length === 3);
@@ -40,8 +40,7 @@ test("signals are searched and added by the keyboard", options, () => at(1, asyn
 
 test("one signal against another, and back", options, () => at(3, async (page) => {
   await menu(page, 0, "Show against the first signal");
-  await page.waitForTimeout(300);
-  assert.ok(await page.evaluate(() => studio.board.scopes[0].isAgainst && studio.board.scopes[0].groups[0].traces.length === 2));
+  await page.waitForFunction(() => studio.board.scopes[0].isAgainst && studio.board.scopes[0].groups[0].traces.length === 2);
   await menu(page, 0, "Show over time");
   assert.ok(await page.evaluate(() => !studio.board.scopes[0].isAgainst));
 }));

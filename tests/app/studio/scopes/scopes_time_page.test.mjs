@@ -50,8 +50,11 @@ test("a peak of one sample is drawn to its height, near and far", options, () =>
   });
   for (const width of [30, 10, 100]) {
     await page.evaluate((seconds) => studio.board.shared.window.look({low: 0, high: seconds}), width);
-    await page.waitForTimeout(400);
-    const {fed, range} = await peak();
+    let fed, range;
+    for (let i = 0; i < 100 && !(fed > 0.065 && range.high > fed); ++i) {
+      await page.waitForTimeout(50);
+      ({fed, range} = await peak());
+    }
     assert.ok(fed > 0.065 && range.high > fed, `${width} s: ${fed}, ${range.high}`);
   }
 }));
