@@ -3,7 +3,7 @@
 import {execFileSync, spawn} from "node:child_process";
 import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
-import {join} from "node:path";
+import {extname, join} from "node:path";
 
 const playwright = await import("playwright-core").then((all) => all.default ?? all, () => undefined);
 const executablePath = [process.env.STEPWIRE_CHROMIUM, "/usr/bin/chromium"].find((path) => path && existsSync(path));
@@ -74,7 +74,10 @@ export class Studio {
     const page = await context.newPage();
     page.setDefaultTimeout(30000);
     // A page that was just built, before it is in the program.
-    if (process.env.STUDIO_ASSETS) await context.route(/assets\/(?!layout_worker|elk)/, (route) => route.fulfill({path: join(process.env.STUDIO_ASSETS, new URL(route.request().url()).pathname)}));
+    if (process.env.STUDIO_ASSETS) await context.route(/\/assets\//, async (route) => {
+      const path = join(process.env.STUDIO_ASSETS, new URL(route.request().url()).pathname), types = {".js": "text/javascript", ".css": "text/css"};
+      return existsSync(path) ? route.fulfill({path, headers: {"Content-Type": types[extname(path)] ?? "image/svg+xml", "Cross-Origin-Embedder-Policy": "require-corp", "Cross-Origin-Resource-Policy": "same-origin"}}) : route.continue();
+    });
     page.on("pageerror", (error) => this.errors.push(error.stack ?? String(error)));
     page.on("console", (message) => { if (message.type() === "error") this.errors.push(message.text()); });
     await page.goto(this.address);

@@ -66,12 +66,10 @@ test("bars of pixels beside each other touch, however rough the curve is", () =>
   const rows = 900, time = Float64Array.from({length: rows}, (_, i) => i), values = Float64Array.from({length: rows}, (_, i) => ((i * 7919) % 101) / 101);
   const context = canvas(), plane = {left: 0, top: 0, width: 300, height: 100, x: {low: 0, high: 900}, y: {low: 0, high: 1}};
   m.paintOverTime(context, {time, low: values, high: values}, plane, stroke);
-  assert.equal(context.bars.length, 300);
-  context.bars.slice(1).forEach(([x, y, , height], i) => {
-    const [beforeX, beforeY, beforeWidth, beforeHeight] = context.bars[i];
-    assert.equal(x, beforeX + beforeWidth);
-    assert.ok(y <= beforeY + beforeHeight && beforeY <= y + height);
-  });
+  assert.equal(context.lineWidth, 1, "each as wide as a pixel");
+  const bars = Array.from({length: context.points.length / 2}, (_, i) => [context.points[2 * i], context.points[2 * i + 1]]);
+  assert.deepEqual(bars.map(([[x], [sameX]]) => [x, sameX]), Array.from({length: 300}, (_, i) => [i + 0.5, i + 0.5]));
+  bars.slice(1).forEach(([[, high], [, low]], i) => assert.ok(high <= bars[i][1][1] && bars[i][0][1] <= low));
 });
 
 test("a smooth curve of many rows is one line, which reaches within a pixel of all of them", () => {

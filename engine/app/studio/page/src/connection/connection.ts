@@ -1,6 +1,7 @@
 // The one WebSocket between page and server: calls with ids, news, data frames.
 
 import {Fault} from "./fault";
+import {Acknowledgements} from "./acknowledgements";
 import {type Frame, readFrame} from "./frame";
 
 export {Fault} from "./fault";
@@ -26,7 +27,8 @@ export interface Connection {
   /** Listens to news of the server; "connection" {state} is news of the connection itself. Returns what ends it. */
   on(news: string, listener: (message: any) => void): () => void;
   frames(view: number, listener: (frame: Frame) => void): () => void;
-  want(view: number, wanted: Wanted | null): void;
+  /** Frames of a view, from now on; `pause` [ms] between them, where the page would not show more. */
+  want(view: number, wanted: Wanted | null, pause?: number): void;
   readonly state: State;
 }
 
@@ -63,6 +65,7 @@ export class SocketConnection implements Connection {
   private readonly views = new Listeners<number, Frame>();
   private readonly wanted = new Map<number, Wanted>();
   private readonly arrived = new Map<number, Frame>();
+  private readonly acknowledgements = new Acknowledgements((sequence) => this.send({ack: sequence}));
   private wantIsDue = false;
   state: State = "lost";
 
@@ -87,7 +90,8 @@ export class SocketConnection implements Connection {
     return this.views.add(view, listener);
   }
 
-  want(view: number, wanted: Wanted | null): void {
+  want(view: number, wanted: Wanted | null, pause = 0): void {
+    this.acknowledgements.pace(view, wanted ? pause : 0);
     if (wanted) this.wanted.set(view, wanted);
     else this.wanted.delete(view);
     if (this.wantIsDue) return;
@@ -121,6 +125,7 @@ export class SocketConnection implements Connection {
     for (const {reject} of this.pending.values()) reject(fault);
     this.pending.clear();
     this.arrived.clear();
+    this.acknowledgements.forget();
     this.setState("lost");
     setTimeout(() => this.connect(), pauses[Math.min(this.attempts++, pauses.length - 1)]);
   }
@@ -157,7 +162,7 @@ export class SocketConnection implements Connection {
     if (this.arrived.size === 0) requestAnimationFrame(() => this.handOn());
     const older = this.arrived.get(frame.view);
     this.arrived.set(frame.view, frame);
-    if (older) this.send({ack: older.sequence});
+    if (older) this.acknowledgements.add(older);
   }
 
   private handOn(): void {
@@ -167,7 +172,7 @@ export class SocketConnection implements Connection {
       try {
         this.views.notify(frame.view, frame);
       } finally {
-        this.send({ack: frame.sequence});
+        this.acknowledgements.add(frame);
       }
     }
   }

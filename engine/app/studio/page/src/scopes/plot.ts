@@ -94,7 +94,7 @@ export class Plot {
     this.drawn = new uPlot({
       ...this.size, legend: {show: false}, cursor: {show: false}, select: {show: false, left: 0, top: 0, width: 0, height: 0},
       padding: [unitHeight, pad(1), 0, pad(0)], scales: {x: {time: false, auto: false, range: unranged}, ...scales}, series: [{}],
-      axes: [this.axis("x", 0), ...axes.map(({key}, i) => this.axis(key, i + 1))], hooks: {draw: [() => this.finish()]},
+      axes: [this.axis("x", 0), ...axes.map(({key}, i) => this.axis(key, i + 1))], hooks: {drawClear: [({ctx}) => { ctx.direction = "ltr"; }], draw: [() => this.finish()]},  // a direction of its own spares each text a look at the page's styles
     }, [[0, 1]]);
     this.host.replaceChildren(this.drawn.root);
     this.ready(this.drawn.over);

@@ -30,9 +30,9 @@ export interface ScopeHost {
 }
 
 /** Curves are drawn anew when they move by this many pixels of the screen, or have waited with new values for so long [s]. */
-const leastMove = 0.5, newPause = 0.05;
+const leastMove = 0.5, newPause = 0.1;
 /** Values in the legend change so often while time moves [s]. */
-const legendPause = 0.1;
+const legendPause = 0.2;
 /** Wishes are for widths in steps of this many pixels, so that moving a splitter does not ask for each. */
 const pixelStep = 50;
 
@@ -148,10 +148,10 @@ export class Scope implements Subject {
 
   /** Asks for what is to be seen; nothing while it is out of view. */
   want(isShown: boolean): void {
-    const columns = [...new Set(this.traces.map(({column}) => column).filter((column) => column >= 0))].sort((a, b) => a - b);
+    const columns = [...new Set(this.traces.map(({column}) => column).filter((column) => column >= 0))].sort((a, b) => a - b), {rate} = this.shared.context.run;
     if (!isShown || !this.isSeen || columns.length === 0) return this.feed.stop();
     const pixels = Math.max(pixelStep, Math.ceil((this.width * devicePixelRatio) / pixelStep) * pixelStep);
-    this.feed.want({columns, ...this.content.wanted(this.window.at(this.shared.now), this.window.isFollowing, pixels)});
+    this.feed.want({columns, ...this.content.wanted(this.window.at(this.shared.now), this.window.isFollowing, pixels)}, this.isAgainst ? 0 : this.window.framePause(leastMove / this.plot.box.width, rate));
   }
 
   /** Draws for the time of the run in `shared`, at `at` [s of the page's clock]; the curves only where they would be seen to move. */

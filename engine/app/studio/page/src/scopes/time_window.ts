@@ -2,6 +2,8 @@ import type {Range} from "./y_range";
 
 /** The narrowest and the widest window [s]. */
 const narrowest = 1e-6, widest = 1e6;
+/** The longest pause between two frames [ms]. */
+const longestPause = 100;
 
 const bounded = (width: number) => Math.min(widest, Math.max(narrowest, width));
 
@@ -20,6 +22,11 @@ export class TimeWindow {
   at(newest: number): Range {
     if (this.chosen) return this.chosen;
     return {low: Math.max(0, newest - this.width), high: Math.max(this.width, newest)};
+  }
+
+  /** Between two frames [ms]: as long as time takes to move by a share of the window while the run goes at a rate, 0 for as fast as it goes. */
+  framePause(share: number, rate: number): number {
+    return this.isFollowing && rate > 0 ? Math.round(Math.min(longestPause, (1000 * share * this.width) / rate)) : 0;
   }
 
   /** Back to the newest; `width` where another one shall follow. */
