@@ -177,6 +177,9 @@ test("where there is little room panels stand below each other and keep the size
   panels.slice(1).forEach(({box: [, top]}, i) => assert.ok(top >= panels[i].box[1] + panels[i].box[3]));
   assert.ok(height >= panels[3].box[1] + panels[3].box[3]);
   assert.equal(reflowed(figure, 950), figure);
+  assert.equal(reflowed(figure, 950, 2000), figure);
+  const low = reflowed(figure, 950, 100), least = Math.min(...low.panels.map(({box}) => box[3]));
+  assert.ok(low.height < figure.height && Math.abs(least - 230) < 1e-9, "a panel is not less high than can be read");
   assert.equal(reflowed(figure, 700).panels[1].box[0], 350);
 });
 

@@ -21,7 +21,7 @@ export async function withPage(answers, pane, view, run) {
   try {
     if (pane) {
       await opened.page.locator(`#tab-${pane}`).click();
-      await opened.page.waitForSelector(pane === "scene" ? ".scene-canvas" : `#pane-${pane} .view > *`);
+      await opened.page.waitForSelector(pane === "scene" ? ".scene-canvas" : `#pane-${pane} .view > *:not([hidden])`);
     }
     await run(opened);
     assert.deepEqual(opened.errors, [], "errors of the page");

@@ -53,7 +53,7 @@ for (const [width, height] of [[1400, 900], [400, 800]])
     for (const tab of await page.getByRole("tab").all()) {
       if (!await tab.isVisible()) continue;
       await tab.click();
-      await page.waitForSelector(`#${await tab.getAttribute("aria-controls")} .view > *`);
+      await page.waitForSelector(`#${await tab.getAttribute("aria-controls")} .view > *:not([hidden])`);
       let wrong = await faults(page);
       for (let i = 0; i < 20 && wrong.length > 0; ++i) {  // a view may still be on its way
         await page.waitForTimeout(100);

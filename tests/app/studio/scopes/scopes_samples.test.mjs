@@ -41,7 +41,7 @@ test("the extent of a window leaves out what is no number", () => {
 /** A canvas of which only what is covered is kept. */
 function canvas() {
   const bars = [], points = [];
-  return {bars, points, lineWidth: 1, setLineDash() {}, beginPath() {}, stroke() {}, arc() {}, fill() {},
+  return {bars, points, lineWidth: 1, setLineDash() {}, beginPath() {}, stroke() {}, translate() {}, arc() {}, fill() {},
     moveTo: (x, y) => points.push([x, y]), lineTo: (x, y) => points.push([x, y]), fillRect: (x, y, w, h) => bars.push([x, y, w, h])};
 }
 const stroke = {color: "#000", dash: [], alpha: 1, ratio: 1};

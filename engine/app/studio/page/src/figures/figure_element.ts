@@ -35,12 +35,12 @@ export class FigureElement {
     if (enlarge) this.enlarge.addEventListener("click", enlarge);
   }
 
-  /** `room` is the width that there is [px]. */
-  show(figure: Figure, isDark: boolean, room: number): void {
-    const key = JSON.stringify([figure, isDark, Math.round(room)]);
+  /** `room` and `tall` are the width and the height that there are [px]. */
+  show(figure: Figure, isDark: boolean, room: number, tall = Infinity): void {
+    const key = JSON.stringify([figure, isDark, Math.round(room), Math.round(tall)]);
     if (key === this.drawn) return;
     [this.figure, this.drawn] = [figure, key];
-    const picture = pictureOf(reflowed(figure, room), isDark);
+    const picture = pictureOf(reflowed(figure, room, tall), isDark);
     this.sheet.setAttribute("role", "img");
     this.sheet.setAttribute("aria-label", `Figure ${this.number}: ${describe(figure)}`);
     this.sheet.classList.toggle("figure-mirrored", picture.kind === "graph" && isDark);

@@ -112,8 +112,8 @@ export class FiguresView implements View {
   }
 
   private draw(): void {
-    const room = this.root.clientWidth - around, {isDark} = this.context.theme, {large} = this;
-    if (room > 0) this.figures.forEach((figure, i) => this.elements[i].show(figure, isDark, room));
+    const room = this.root.clientWidth - around, tall = this.root.clientHeight - around, {isDark} = this.context.theme, {large} = this;
+    if (room > 0) this.figures.forEach((figure, i) => this.elements[i].show(figure, isDark, room, tall));
     if (large && this.figures[large.index]) large.element.show(this.figures[large.index], isDark, window.innerWidth - 2 * around);
   }
 }

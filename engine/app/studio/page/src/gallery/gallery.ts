@@ -39,7 +39,8 @@ class Gallery {
     this.dialog = openDialog("Start from an example", [this.query, this.list, copy, this.fault],
       (close) => [h("button", {type: "button", onclick: close}, "Cancel"), h("button", {type: "button", class: "main", onclick: () => void this.start()}, "Copy and open")]);
     this.query.focus();
-    this.context.connection.call<{entries: Entry[]}>("gallery").then(({entries}) => { this.entries = entries; this.search(); }, (thrown) => this.complain(thrown));
+    const byNumber = (a: Entry, b: Entry) => a.group.localeCompare(b.group) || a.name.localeCompare(b.name, "en", {numeric: true});
+    this.context.connection.call<{entries: Entry[]}>("gallery").then(({entries}) => { this.entries = entries.sort(byNumber); this.search(); }, (thrown) => this.complain(thrown));
   }
 
   private search(): void {

@@ -27,7 +27,7 @@ export class HistogramChart {
   private grid(low: number, high: number, rows: number, x: (time: number) => number, y: (count: number) => number): SVGElement[] {
     const upright = Array.from({length: high - low + 1}, (_, i) => 10 ** (low + i)), level = Array.from({length: rows + 1}, (_, i) => 10 ** i);
     return [
-      ...upright.flatMap((time) => [svg("line", {class: "loop-grid", x1: x(time), x2: x(time), y1: top, y2: height - bottom}), svg("text", {class: "loop-label", x: x(time), y: height - bottom + 14, "text-anchor": "middle"}, timeText(time))]),
+      ...upright.flatMap((time, i) => [svg("line", {class: "loop-grid", x1: x(time), x2: x(time), y1: top, y2: height - bottom}), svg("text", {class: "loop-label", x: x(time), y: height - bottom + 14, "text-anchor": i === upright.length - 1 ? "end" : "middle"}, timeText(time))]),
       ...level.flatMap((count) => [svg("line", {class: "loop-grid", x1: left, x2: width - right, y1: y(count), y2: y(count)}), svg("text", {class: "loop-label", x: left - 4, y: y(count) + 4, "text-anchor": "end"}, count >= 1e6 ? `${count / 1e6} M` : count >= 1e3 ? `${count / 1e3} k` : String(count))]),
       svg("line", {class: "loop-axis", x1: left, x2: width - right, y1: height - bottom, y2: height - bottom}),
       svg("text", {class: "loop-label", x: (left + width - right) / 2, y: height - 4, "text-anchor": "middle"}, "time since the tick was due"),

@@ -20,7 +20,7 @@ export class BoardBar {
 
   constructor(private readonly board: ScopeBoard) {
     const more = h("button", {type: "button", class: "plain small", "aria-label": "More about scopes", "aria-haspopup": "menu"}, "⋯");
-    const pin = h("button", {type: "button", class: "plain small", title: "Keep this run to compare later ones with it (P)", onclick: () => void board.pin()}, "Keep run");
+    const pin = h("button", {type: "button", class: "plain small", title: "Pin what the scopes show of this run, to compare later ones with it (P)", onclick: () => void board.pin()}, "Pin run");
     const open = h("button", {type: "button", class: "plain small", title: "New scope (N)", onclick: () => { board.open().element.focus(); board.shared.keep(); }}, "+ Scope");
     this.element.append(this.state, this.follow, this.width, h("span", {class: "gap"}), this.pins, pin, open, this.signals, more);
     listen(this.follow, "click", () => board.follow());

@@ -2,6 +2,9 @@ import {h} from "../shell/dom";
 import type {Cursors} from "./cursors";
 import type {Range} from "./y_range";
 
+/** Room for the letter of a cursor [px]; at the right end it stands on the other side. */
+const letter = 18;
+
 /** The cursors, the pointer's line and the rectangle of a zoom over the plot of one scope: elements that move, nothing is drawn anew. */
 export class MarksLayer {
   private readonly a = h("div", {class: "mark mark-a", hidden: true, "aria-hidden": "true"}, h("span", {}, "A"));
@@ -49,6 +52,8 @@ export class MarksLayer {
   private put(mark: HTMLElement, time: number | undefined): void {
     const x = time === undefined ? -1 : this.xOf(time), isSeen = x >= 0 && x <= this.width;
     if (mark.hidden === isSeen) mark.hidden = !isSeen;
-    if (isSeen) mark.style.setProperty("transform", `translateX(${x.toFixed(1)}px)`);
+    if (!isSeen) return;
+    mark.classList.toggle("turned", x > this.width - letter);
+    mark.style.setProperty("transform", `translateX(${Math.min(x, this.width - 1.5).toFixed(1)}px)`);
   }
 }

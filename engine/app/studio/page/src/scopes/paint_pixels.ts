@@ -78,7 +78,18 @@ function paintLine(context: CanvasRenderingContext2D, ratio: number): void {
     last = second !== first && isNext(i + 1) ? towards(i, i + 1) : second;
     if (last !== second) context.lineTo(x, last);
   }
+  if (ratio > 1) context.lineWidth = 1.5 * ratio;
   context.stroke();
+  if (ratio <= 1 && context.globalAlpha === 1) widen(context);
+}
+
+/** Half a pixel wider, by strokes of one pixel: without a graphics card each of them takes a tenth of the time that a wider one takes. */
+function widen(context: CanvasRenderingContext2D): void {
+  for (const [right, down] of [[0.5, 0], [-0.5, 0.5]]) {
+    context.translate(right, down);
+    context.stroke();
+  }
+  context.translate(0, -0.5);
 }
 
 /** Both ends of what a pixel reached, the one first that is nearer to `last`. */

@@ -90,7 +90,7 @@ export class Plot {
     this.dispose();
     const unranged = (_: uPlot, low: number | null, high: number | null): uPlot.Range.MinMax => [low ?? 0, high ?? 1];
     const scales = Object.fromEntries(axes.map(({key}) => [key, {auto: false, range: unranged}]));
-    const pad = (side: number) => (axes.length > side ? 0 : sides > side ? axisWidth : 10);
+    const pad = (side: number) => (axes.length > side ? 0 : sides > side ? axisWidth : 14);
     this.drawn = new uPlot({
       ...this.size, legend: {show: false}, cursor: {show: false}, select: {show: false, left: 0, top: 0, width: 0, height: 0},
       padding: [unitHeight, pad(1), 0, pad(0)], scales: {x: {time: false, auto: false, range: unranged}, ...scales}, series: [{}],

@@ -196,8 +196,8 @@ export class Scope implements Subject {
 
   /** What a trace was at a time [s]; the newest value without one. */
   valueOf(trace: Trace, time?: number): Range | undefined {
-    const samples = this.feed.samples.get(trace.column);
-    return samples && valueAt(samples, time ?? Infinity);
+    const samples = this.feed.samples.get(trace.column), {news, loaded} = this.shared.context.run;
+    return samples && (time === undefined || time <= news.time + (loaded?.step ?? 0)) ? valueAt(samples, time ?? Infinity) : undefined;
   }
 
   /** The last value; of a stretch its middle. */

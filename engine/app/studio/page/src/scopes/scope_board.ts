@@ -219,7 +219,7 @@ export class ScopeBoard implements View, ScopeHost {
       shortcuts.add({...only, key: "F", text: "follow the newest again", within, action: () => this.follow()}),
       shortcuts.add({...only, key: "N", text: "new scope", within, action: () => { this.open().element.focus(); this.keep(); }}),
       shortcuts.add({...only, key: "A", text: "add a signal", within, action: () => this.bar.showSignals(true)}),
-      shortcuts.add({...only, key: "P", text: "keep this run to compare with", within, action: () => void this.pin()}),
+      shortcuts.add({...only, key: "P", text: "pin this run to compare with", within, action: () => void this.pin()}),
       shortcuts.add({...only, key: "Esc", text: "take the cursors away", within: () => this.isShown && this.shared.cursors.a !== undefined, action: () => this.shared.cursors.clear()}),
     ];
   }

@@ -68,9 +68,15 @@ export class StatisticsTable {
     return h("tr", {}, name, ...shown.map((reduction) => h("td", {}, this.cell(scope, trace, reduction))));
   }
 
+  /** Is it a value at a cursor that stands where the run has not been yet? */
+  private isBeyond(reduction: Reduction): boolean {
+    const {cursors: {a = 0, b = a}, context: {run}} = this.shared, at = {a, b, difference: Math.max(a, b)}[reduction as "a" | "b" | "difference"];
+    return at !== undefined && at > run.news.time + (run.loaded?.step ?? 0);
+  }
+
   private cell(scope: Scope, trace: Trace, reduction: Reduction): HTMLElement | string {
     const statistics = this.known.get(trace.column), {a, b} = this.shared.cursors;
-    if (!statistics || a === undefined) return "–";
+    if (!statistics || a === undefined || this.isBeyond(reduction)) return "–";
     const seen = scope.groups.find(({traces}) => traces.includes(trace))?.unit, unit = seen ?? unitOf(trace, Math.max(-statistics.min, statistics.max));
     const text = reducedText(statistics, reduction, unit, b !== undefined && b < a);
     if (!mayClaim(reduction)) return text;

@@ -22,6 +22,8 @@ export class TuningRow {
   private readonly write: HTMLButtonElement;
   private readonly queue = new SetQueue<string | number>((value) => this.send(value));
   private readonly unit: OwnUnit;
+  /** Has a value been set? Until then the ends of the slider stand below it. */
+  private isTuned = false;
   private range: {low: number; high: number};
   private readonly inText: {text: string; value: number};
 
@@ -39,7 +41,7 @@ export class TuningRow {
     this.element.append(
       h("div", {class: "tuned-head"}, h("span", {class: "tuned-name", title: name}, name), h("span", {class: "tuned-doc", title: doc}, doc), this.pinned),
       h("div", {class: "tuned-line"}, this.slider, this.field),
-      h("div", {class: "tuned-foot"}, this.echo, this.back, this.write, this.button("Fan", `Run it at ${fanRuns} values between the ends, drawn behind the scopes`, () => void this.fan())), this.fault);
+      h("div", {class: "tuned-foot"}, this.echo, this.back, this.write, this.button("Sweep", `Run it at ${fanRuns} values between the ends, drawn behind the scopes`, () => void this.fan())), this.fault);
     listen(this.slider, "input", () => void this.queue.put(valueAt(Number(this.slider.value), this.range)));
     toggleBySpace(this.slider, context.run);
     listen(this.field, "keydown", (event: KeyboardEvent) => this.press(event));
@@ -50,6 +52,7 @@ export class TuningRow {
   /** The run took a value over, of this page or of another one. */
   took({value, text, tick}: SetEcho): void {
     if (value === null) return void (this.echo.textContent = `${text} from tick ${tick}`);
+    this.isTuned = true;
     this.parameter.value = value;
     this.range = {low: Math.min(this.range.low, value), high: Math.max(this.range.high, value)};
     this.refuse(undefined);
@@ -72,6 +75,7 @@ export class TuningRow {
     if (document.activeElement !== this.field) this.field.value = text;
     this.slider.setAttribute("aria-valuetext", text);
     this.slider.title = `${valueText(this.range.low, this.unit)} to ${valueText(this.range.high, this.unit)}`;
+    if (!this.isTuned) this.echo.textContent = this.slider.title;
     this.back.hidden = this.write.hidden = value === this.inText.value;
   }
 
