@@ -36,7 +36,7 @@ std::string table_below(const std::string& page, const std::string& heading) {
 }  // namespace
 
 TEST_CASE("the page on blocks shows the files of its example as they are") {
-  const std::string page = text_of("blocks/README.md");
+  const std::string page = text_of("blocks/own.md");
   for (const std::string file : {"blocks/continuous/lag.hpp", "blocks/continuous/lag.cpp"}) {
     INFO(file);
     CHECK(page.find("```cpp\n" + text_of(file) + "```\n") != std::string::npos);
