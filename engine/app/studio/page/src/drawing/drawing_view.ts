@@ -173,11 +173,11 @@ export class DrawingView implements View {
   /** What may be done with what is selected. */
   private entries(): [string, () => void][] {
     const {current, wire} = this.selection, insert: [string, () => void] = ["Insert a block …", () => void this.edits.insert()];
-    if (wire) return [["Delete the wire", () => void this.edits.remove()], insert];
+    if (wire) return [["Bode plot of the loop, cut here", () => this.edits.bode(this.canvas)], ["Delete the wire", () => void this.edits.remove()], insert];
     if (!current || current.shape.id.startsWith(":")) return [insert, ["Whole drawing", () => this.viewport.fit()]];
     const inside: [string, () => void][] = [["Open", () => this.activate(current)], [current.shape.isFrame ? "Close in place" : "Open in place", () => this.toggle(current)]];
     return [...(current.shape.isPart ? inside : []), ["Change …", () => this.edits.edit(current)], ["Rename …", () => this.edits.edit(current, "name")],
-      ["Connect to …", () => void this.connecting.byKeys(current)], ["Delete", () => void this.edits.remove()], insert];
+      ["Connect to …", () => void this.connecting.byKeys(current)], ["Bode plot of the loop, cut behind it", () => this.edits.bode(this.canvas)], ["Delete", () => void this.edits.remove()], insert];
   }
 
   private press(event: KeyboardEvent): void {
@@ -187,7 +187,7 @@ export class DrawingView implements View {
       "+": () => this.viewport.zoom(1.25), "-": () => this.viewport.zoom(0.8), "0": () => this.viewport.fit(),
       Enter: () => this.activate(current), F2: withCurrent((one) => this.edits.edit(one, "name")), Delete: () => void this.edits.remove(), Backspace: () => this.up(),
       E: withCurrent((one) => this.edits.edit(one)), I: () => void this.edits.insert(), C: withCurrent((one) => void this.connecting.byKeys(one)), O: withCurrent((one) => this.toggle(one)),
-      Esc: () => this.card.close(), W: () => this.selection.nextWire(),
+      Esc: () => this.card.close(), W: () => this.selection.nextWire(), B: () => this.edits.bode(this.canvas),
       "Shift+Left": () => this.viewport.pan(-60, 0), "Shift+Right": () => this.viewport.pan(60, 0), "Shift+Up": () => this.viewport.pan(0, -60), "Shift+Down": () => this.viewport.pan(0, 60),
       Left: () => this.selection.step("ArrowLeft"), Right: () => this.selection.step("ArrowRight"), Up: () => this.selection.step("ArrowUp"), Down: () => this.selection.step("ArrowDown"),
     };
@@ -205,6 +205,6 @@ export class DrawingView implements View {
 /** For the list of keys; they hold while the drawing has the focus. */
 const keyList: [string, string][] = [
   ["Left", "the next shape in that direction, of all four arrows"], ["Enter", "open a part, change a block"], ["O", "open a part in its place"], ["Backspace", "back out of a part"],
-  ["F2", "rename a block with every use"], ["C", "connect its output"], ["W", "next wire of a block"], ["Delete", "delete a block or wire"], ["I", "insert a block"],
+  ["F2", "rename a block with every use"], ["C", "connect its output"], ["W", "next wire of a block"], ["B", "Bode plot of the loop, cut at the wire or behind the block"], ["Delete", "delete a block or wire"], ["I", "insert a block"],
   ["+", "larger"], ["-", "smaller"], ["0", "the whole drawing"], ["Shift+Left", "move the drawing, with all four arrows"],
 ];

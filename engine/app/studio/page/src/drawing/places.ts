@@ -47,6 +47,13 @@ export class Places {
     });
   }
 
+  /** How the file names the signal of an output that is drawn: names of parts down to it, block and port; "" for a number. */
+  path({node, port}: {node: string; port: string}): string {
+    if (node.startsWith(":constant:")) return "";
+    if (node.startsWith(":input:")) return node.slice(":input:".length);
+    return [...this.scope, ...this.relative(node), port].join(".");
+  }
+
   /** Names from what is drawn down to a shape; those of shapes begin at what is drawn, or at the file. */
   relative(id: string): string[] {
     const names = id.split("."), isWhole = this.scope.length > 0 && names.length > this.scope.length && this.scope.every((name, i) => names[i] === name);

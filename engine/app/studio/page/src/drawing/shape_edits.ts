@@ -28,6 +28,13 @@ export class ShapeEdits {
     openPalette(this.context, {file: this.places.file, signals: this.places.signals(undefined, types), preferred: current ? this.places.signals([current])[0] ?? "" : ""});
   }
 
+  /** Offers the text a Bode plot of the loop through the selected wire, or through what the selected block gives. */
+  bode(from: HTMLElement): void {
+    const {wire, current} = this.selection, signal = wire ? this.places.path(wire.from) : current?.shape.outputs[0] ? this.places.path({node: current.shape.id, port: current.shape.outputs[0].port}) : "";
+    if (signal) from.dispatchEvent(new CustomEvent("studio:bode", {bubbles: true, cancelable: true, detail: {signal}}));
+    else this.context.notify("select a wire of the loop first (click it, or W)");
+  }
+
   private async disconnect({to}: Wire): Promise<void> {
     const place = this.places.place(to!.node), edit = {kind: "disconnect", to: place?.name ?? "", input: to!.port};
     await this.attempt(() => this.context.workbench.splice(place?.file ?? this.places.file, edit), "the wire is removed");

@@ -24,3 +24,15 @@ export function insertedItem(state: EditorState, section: string, text: string):
   if (one) return [{from: one.from, insert: "\n  - "}, {from: one.to, insert: `\n  - ${text}`}];
   throw new Error(`'${section}' is written in another way than as a list; the line would be: ${text}`);
 }
+
+/** A pair more, `NAME: text`, in a section that is a mapping of lines; a name that is taken gets a number. A section that is not there is begun at the end. */
+export function insertedPair(state: EditorState, section: string, name: string, text: string): {changes: ChangeSpec; name: string} {
+  const pair = sectionOf(state, section), last = state.doc.line(state.doc.lines), mapping = pair?.getChild("BlockMapping");
+  if (!pair) return {name, changes: {from: state.doc.length, insert: `${last.length > 0 ? "\n" : ""}${section}:\n  ${name}: ${text}\n`}};
+  if (!mapping) throw new Error(`'${section}' is written in another way than in lines; the line would be: ${name}: ${text}`);
+  const keys = new Set(mapping.getChildren("Pair").flatMap((one) => one.getChildren("Key").map(({from, to}) => state.sliceDoc(from, to))));
+  let free = name;
+  for (let i = 2; keys.has(free); ++i) free = `${name}${i}`;
+  const indent = mapping.from - state.doc.lineAt(mapping.from).from;
+  return {name: free, changes: {from: mapping.to, insert: `\n${" ".repeat(indent)}${free}: ${text}`}};
+}
