@@ -55,7 +55,7 @@ yaml::Key preset_form(const BlockType& type) {
 
 void add_guard_keys(std::vector<yaml::Key>& keys) {
   for (const yaml::Key& guard : diagram::guard_keys())
-    if (guard.name != "within" &&
+    if (guard.name != "guard" &&
         std::ranges::none_of(keys, [&](const yaml::Key& key) { return key.name == guard.name; }))
       keys.push_back(guard);
 }

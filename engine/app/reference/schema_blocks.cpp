@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 #include "engine/app/reference/key_schema.hpp"
 #include "engine/app/reference/schema_values.hpp"
 #include "engine/app/reference/words.hpp"
 #include "engine/model/diagram/block_keys.hpp"
 #include "engine/model/diagram/guard_keys.hpp"
+#include "engine/model/diagram/guard_types.hpp"
 
 namespace stepwire::reference {
 
@@ -50,7 +53,15 @@ Json initial_schema(const StateSpec& state) {
 /// Of a key that takes a value, and a signal in its place where an input has its name.
 Json or_signal(const BlockType& type, const std::string& key, Json value) {
   if (type.input(key) < 0) return value;
-  return Json::object().set("anyOf", Json::list({std::move(value), schema_ref("source")}));
+  const Json* doc = value.find("description");
+  Json either = Json::object().set("anyOf", Json::list({value, schema_ref("source")}));
+  return doc ? either.set("description", *doc) : either;
+}
+
+/// The keys of guards that a block or part has beside its own.
+void set_guard_keys(const std::function<bool(const std::string&)>& is_own, Json& properties) {
+  for (const yaml::Key& key : diagram::guard_keys())
+    if (!is_own(key.name)) properties.set(key.name, explained(schema_ref(definition_of(key)), key.doc));
 }
 
 Json type_schema(const BlockType& type) {
@@ -71,9 +82,8 @@ Json type_schema(const BlockType& type) {
   if (!type.has_continuous_state())
     properties.set("every", explained(schema_ref("time"),
                                       "time between two runs of this block; " + timing_text(type.timing)));
-  for (const yaml::Key& key : diagram::guard_keys())
-    if (key.name != "within" && type.input(key.name) < 0 && !type.parameter(key.name))
-      properties.set(key.name, schema_ref(definition_of(key)));
+  set_guard_keys([&](const std::string& key) { return type.input(key) >= 0 || type.parameter(key); },
+                 properties);
   return explained(closed_map(std::move(properties), required), type.doc);
 }
 
@@ -82,8 +92,7 @@ Json part_schema() {
   Json properties = Json::object().set("diagram", schema_ref("file"));
   properties.set("every",
                  explained(schema_ref("time"), "time between two runs of its blocks that have no period"));
-  for (const yaml::Key& key : diagram::guard_keys())
-    if (key.name != "within") properties.set(key.name, schema_ref(definition_of(key)));
+  set_guard_keys([](const std::string& key) { return key == "guard"; }, properties);
   return Json::object()
       .set("type", "object")
       .set("properties", std::move(properties))
@@ -110,7 +119,9 @@ Json when_block_is(const std::string& name) {
 
 void add_block_definitions(const Registry& registry, Json& definitions) {
   Json names = Json::list(), choices = Json::list();
-  for (const BlockType* type : registry.types()) {
+  std::vector<const BlockType*> types = registry.types();
+  types.insert(types.end(), diagram::guard_types().begin(), diagram::guard_types().end());
+  for (const BlockType* type : types) {
     definitions.set(definition_of(*type), type_schema(*type));
     names.push(constant(type->name, type->doc));
     choices.push(

@@ -153,8 +153,8 @@ void add_value_definitions(Json& definitions) {
           "an expression over recorded columns: abs(rig.x) > 2 mm; quoted where it has , [ { or a colon"));
   definitions.set(
       "quantity",
-      explained(patterned("^\\s*[-+$=.0-9]"),
-                "a number with a unit (5 mm), a parameter ($tau) or an expression of parameters (= 2*pi*f)"));
+      explained(patterned("\\S"),
+                "a number with a unit (5 mm), a parameter (tau) or an expression of parameters (2*pi*f)"));
   definitions.set("value_with_unit", value_with_unit());
   definitions.set("number", number_in({}));
   definitions.set("time",

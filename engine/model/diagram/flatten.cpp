@@ -172,7 +172,7 @@ class Flattener {
     yaml::Node map;
     add_key(map, "block", written_text(type.name));
     if (block.every) add_key(map, "every", written_numbers(one(*block.every), unit(time_dimension)));
-    if (block.guard >= 0) add_key(map, "within", written_text(this->block(block.guard).name));
+    if (block.guard >= 0) add_key(map, "guard", written_text(this->block(block.guard).name));
     for (std::size_t i = 0; i < block.inputs.size(); ++i)
       if (!block.inputs[i].empty()) add_key(map, type.inputs[i].name, input(type.inputs[i], block.inputs[i]));
     for (std::size_t i = 0; i < type.parameters.size(); ++i)

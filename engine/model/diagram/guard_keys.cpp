@@ -71,7 +71,7 @@ int index_of(const std::vector<yaml::Key::Word>& words, const std::string& word)
 const std::vector<yaml::Key>& guard_keys() {
   static const std::vector<yaml::Key> keys{
       enable_key(), trigger_key(),
-      yaml::key("within", "the Guard that decides whether this block is active, in a flattened file",
+      yaml::key("guard", "the Guard that decides whether this block is active, in a flattened file",
                 form::naming(yaml::Key::Names::block, form::string()))};
   return keys;
 }

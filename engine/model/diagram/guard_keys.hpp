@@ -12,7 +12,7 @@
 namespace stepwire::diagram {
 
 /// The keys that a part, and a block, may have beside its own, to run on condition: `enable`, `trigger`, and
-/// `within`, by which a flattened file names the Guard itself.
+/// `guard`, by which a flattened file names the Guard itself.
 const std::vector<yaml::Key>& guard_keys();
 bool is_guard_key(std::string_view key);
 

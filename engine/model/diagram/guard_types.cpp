@@ -108,9 +108,14 @@ const BlockType& parameter_value_type() {
   return type;
 }
 
+const std::vector<const BlockType*>& guard_types() {
+  static const std::vector<const BlockType*> types{&guard_type(), &condition_type(), &guarded_output_type(),
+                                                   &parameter_value_type()};
+  return types;
+}
+
 const BlockType* find_guard_type(std::string_view name) {
-  for (const BlockType* type :
-       {&guard_type(), &condition_type(), &guarded_output_type(), &parameter_value_type()})
+  for (const BlockType* type : guard_types())
     if (type->name == name) return type;
   return nullptr;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "engine/model/block/block_type.hpp"
 
@@ -15,6 +16,8 @@ const BlockType& guarded_output_type();
 /// Of what records a parameter.
 const BlockType& parameter_value_type();
 
+/// All of them.
+const std::vector<const BlockType*>& guard_types();
 /// One of them by its name; null if there is none.
 const BlockType* find_guard_type(std::string_view name);
 

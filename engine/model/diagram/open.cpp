@@ -179,7 +179,7 @@ void Opener::read_key(Scope& scope, const yaml::Entry& key, DiagramBlock& block,
                           static_cast<std::size_t>(parameter - type.parameters.data()));
   if (const int state = state_of_key(type, key.key); state >= 0)
     return read_initial(scope, key.value, block, state);
-  if (key.key == "within") return within_.push_back({index, &key.value, &scope});
+  if (key.key == "guard") return within_.push_back({index, &key.value, &scope});
   if (is_guard_key(key.key)) return;
   const auto known = keys_of(type);
   const std::string all = fmt::format("It has: {}", fmt::join(known, ", "));

@@ -223,14 +223,14 @@ void Opener::join_guards() {
     const auto found = scope->names.find(node->text);
     const int guard = found == scope->names.end() ? -1 : found->second.block;
     if (guard < 0 || &blocks[static_cast<std::size_t>(guard)].type() != &guard_type()) {
-      report_.add(scope->at(node->mark), guarded.name + ".within",
+      report_.add(scope->at(node->mark), guarded.name + ".guard",
                   fmt::format("'{}' is no Guard", node->text));
       continue;
     }
     guarded.guard = guard;
     for (int above = guard; above >= 0; above = blocks[static_cast<std::size_t>(above)].guard)
       if (above == block) {
-        report_.add(scope->at(node->mark), guarded.name + ".within", "lies within itself");
+        report_.add(scope->at(node->mark), guarded.name + ".guard", "is its own guard");
         guarded.guard = -1;
         break;
       }

@@ -244,7 +244,7 @@ Overrides Opener::feed(const Scope& scope, const yaml::Entry& entry, const yaml:
       part.inputs[key.key].fed_by = &key.value;
     } else if (contains(parameters, key.key)) {
       overrides.values[key.key] = &key.value;
-    } else if (key.key != "every" && (!is_guard_key(key.key) || key.key == "within")) {
+    } else if (key.key != "every" && (!is_guard_key(key.key) || key.key == "guard")) {
       std::vector<std::string> all = parameters;
       all.insert(all.end(), inputs.begin(), inputs.end());
       report_.add(scope.at(key.mark), scope.prefix + entry.key,

@@ -7,6 +7,9 @@
 #include "blocks/register.hpp"
 #include "engine/app/reference/diagram_schema.hpp"
 #include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/flatten.hpp"
+#include "engine/model/diagram/guard_types.hpp"
+#include "engine/model/diagram/load.hpp"
 #include "engine/simulate/solve/solver.hpp"
 #include "engine/view/plot/figure.hpp"
 #include "tests/support/json_schema.hpp"
@@ -56,16 +59,26 @@ TEST_CASE("every diagram file of the repository fits the schema") {
   }
 }
 
+TEST_CASE("a flattened diagram fits the schema, guards and all") {
+  for (const char* name : {"/102-two-drives.yaml", "/122-wrench.yaml"}) {
+    const auto file = std::string(STEPWIRE_SOURCE_DIR "/diagrams/examples") + name;
+    const diagram::Diagram flat = diagram::Loader(registry()).load(file);
+    CHECK(faults_of(diagram::flattened_text(flat)) == "");
+  }
+}
+
 TEST_CASE("every block is offered with its explanation and has all its keys") {
   const json& definitions = schema().at("$defs");
   const json& names = definitions.at("block").at("properties").at("block").at("anyOf");
-  CHECK(names.size() == registry().types().size());
-  for (const BlockType* type : registry().types()) {
+  std::vector<const BlockType*> types = registry().types();
+  types.insert(types.end(), diagram::guard_types().begin(), diagram::guard_types().end());
+  CHECK(names.size() == types.size());
+  for (const BlockType* type : types) {
     INFO(type->name);
     const json expected{{"const", type->name}, {"description", type->doc}};
     CHECK(std::find(names.begin(), names.end(), expected) != names.end());
     const json& properties = definitions.at("block." + type->name).at("properties");
-    CHECK(properties.size() == diagram::keys_of(*type).size() + 1);
+    CHECK(properties.size() == diagram::keys_of(*type).size() + 2);  // block, and guard of flattened files
     for (const std::string& key : diagram::keys_of(*type)) {
       INFO(key);
       REQUIRE(properties.contains(key));
@@ -102,13 +115,13 @@ TEST_CASE("an unknown key of a block, a missing input and an unknown block do no
 }
 
 TEST_CASE(
-    "a parameter takes numbers, units, parameters and expressions, but neither words nor what is out of "
-    "range") {
-  for (const char* good : {"0.5", "0.5 s", "$tau", "= 2*tau", "{value: 5, unit: ms}", "[1 s, 2 s]"}) {
+    "a parameter takes numbers, units, parameters and expressions, but no truth and nothing out of range") {
+  for (const char* good :
+       {"0.5", "0.5 s", "$tau", "tau", "2*tau", "= 2*tau", "{value: 5, unit: ms}", "[1 s, 2 s]"}) {
     INFO(good);
     CHECK(faults_of(diagram(std::string("  a: {block: Lag, u: 1, tau: ") + good + "}")) == "");
   }
-  for (const char* bad : {"fast", "-1", "0", "true", "{value: 5, unti: ms}"}) {
+  for (const char* bad : {"\" \"", "-1", "0", "true", "{value: 5, unti: ms}"}) {
     INFO(bad);
     CHECK(faults_of(diagram(std::string("  a: {block: Lag, u: 1, tau: ") + bad + "}")) != "");
   }

@@ -18,7 +18,7 @@ TEST_CASE("a flattened file has the guards, and the same bits") {
   const plan::Plan plan = rig.folder.plan("all.yaml");
   const std::string flat = diagram::flattened_text(plan.diagram);
   INFO(flat);
-  CHECK(flat.find("within: t.active") != std::string::npos);
+  CHECK(flat.find("guard: t.active") != std::string::npos);
   const table::Table first = rig.folder.run("all.yaml");
   rig.folder.write("flat.yaml", flat);
   const table::Table second = rig.folder.run("flat.yaml");
