@@ -121,7 +121,10 @@ WorstRun value_of(const Claim& claim, const Rows& rows) {
   if (std::find(rows.selected.begin(), rows.selected.end(), true) == rows.selected.end())
     throw Unjudged(fmt::format("'{}' selects no row", claim.where->text));
   if (claim.each_run) return worst_run(claim, rows);
-  return {reduce(claim.reduction, rows), {}};
+  const double value = reduce(claim.reduction, rows);
+  if (claim.reduction != Reduction::max && claim.reduction != Reduction::min) return {value, {}};
+  const WorstRun worst = worst_run(claim, rows);
+  return {value, value == worst.value ? worst.run : std::nullopt};
 }
 
 /// How large the recorded quantities of the reduced one's kind are.
@@ -148,12 +151,12 @@ std::string count_text(const Claim& claim, double value, const Rows& rows) {
   return fmt::format(", {} of {}", std::lround(value * static_cast<double>(count)), count);
 }
 
-std::string shown_text(const Claim& claim, double value, const Rows& rows,
+std::string shown_text(const Claim& claim, const WorstRun& found, const Rows& rows,
                        const record::Recording& recording) {
   std::string text =
-      value_text(claim, value, magnitude_of(claim, recording)) + count_text(claim, value, rows);
+      value_text(claim, found.value, magnitude_of(claim, recording)) + count_text(claim, found.value, rows);
   const std::size_t runs = recording.starts.size();
-  if (claim.each_run && runs > 1) text += fmt::format(", the worst of {} runs", runs);
+  if (found.run && runs > 1) text += fmt::format(", the worst of {} runs", runs);
   return text;
 }
 
@@ -168,7 +171,7 @@ Verdict judge(const Claim& claim, std::span<const record::Recording> recordings)
     const WorstRun found = value_of(claim, rows);
     verdict.value = found.value;
     if (rows.starts.size() > 1) verdict.run = found.run;
-    verdict.shown = shown_text(claim, verdict.value, rows, recordings[claim.recording]);
+    verdict.shown = shown_text(claim, found, rows, recordings[claim.recording]);
     verdict.holds = claim.comparison.margin(verdict.value) >= 0.0;
     if (std::isnan(verdict.value)) verdict.note = undefined_text(rows);
   } catch (const Unjudged& reason) {

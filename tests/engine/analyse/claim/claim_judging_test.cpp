@@ -115,6 +115,17 @@ TEST_CASE("a claim about each run shows the worst of them") {
   CHECK(verdict_of("final: rig.x, where: rig.x > 6.5 m, at_least: 9", records).value == 7.0);
 }
 
+TEST_CASE("the largest value of several runs names the run that has it, where it is the one that decides") {
+  const auto records = record_of({0, 1, 0, 1, 0, 1}, {0, 5, 0, 7, -2, 6}, {0, 2, 4});
+  const Verdict verdict = verdict_of("max: rig.x, at_most: 6.5 m", records);
+  CHECK(verdict.shown == "7 m, the worst of 3 runs");
+  CHECK(verdict.run == 1u);
+  CHECK(verdict_of("min: rig.x, at_least: 0", records).run == 2u);
+  CHECK(verdict_of("max: rig.x, at_least: 6 m", records).shown == "7 m");
+  CHECK(verdict_of("max: rig.x, at_most: 9 m", record_of({0, 1}, {1, 2})).shown == "2 m");
+  CHECK_FALSE(verdict_of("mean: rig.x, at_most: 9 m", records).run);
+}
+
 TEST_CASE("comparisons hold at their ends") {
   const auto records = record_of({0, 1}, {2, 2});
   CHECK(verdict_of("max: rig.x, at_most: 2 m", records).holds);
