@@ -14,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include "engine/app/studio/http/beast_message.hpp"
 #include "engine/app/studio/http/loopback.hpp"
 #include "engine/app/studio/http/place.hpp"
 #include "engine/app/studio/http/reply.hpp"
@@ -27,20 +28,6 @@ namespace beast = boost::beast;
 namespace ws = boost::beast::websocket;
 using asio::ip::tcp;
 using boost::system::error_code;
-using Parser = beast::http::request_parser<beast::http::empty_body>;
-using Response = beast::http::response<beast::http::span_body<const char>>;
-
-std::string_view view(beast::string_view text) {
-  return {text.data(), text.size()};
-}
-
-Request request_of(const Parser& parser) {
-  const auto& from = parser.get();
-  Request request{std::string(view(from.method_string())), std::string(view(from.target())), {}};
-  for (const auto& field : from)
-    request.headers.push_back({std::string(view(field.name_string())), std::string(view(field.value()))});
-  return request;
-}
 
 /// All that lives in the server's thread.
 class Server : public HttpServer {
@@ -229,13 +216,7 @@ class Server::Connection : public std::enable_shared_from_this<Connection> {
 
   void send(Answer answer, bool keep) {
     answer_ = std::move(answer);
-    const std::string_view body = answer_.body.empty() ? answer_.fixed : std::string_view(answer_.body);
-    response_ = Response(beast::http::int_to_status(static_cast<unsigned>(answer_.status)), 11);
-    for (const Header& one : answer_.headers) response_.set(one.name, one.value);
-    response_.keep_alive(keep);
-    response_.body() = {body.data(), body.size()};
-    response_.content_length(body.size());
-    if (parser_->get().method() == beast::http::verb::head) response_.body() = {};
+    response_ = response_of(answer_, parser_->get().method() == beast::http::verb::head, keep);
     stream_.expires_after(server_.limits_.handshake);
     beast::http::async_write(stream_, response_,
                              [self = shared_from_this(), keep](error_code error, std::size_t) {

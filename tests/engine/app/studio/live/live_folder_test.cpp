@@ -114,7 +114,7 @@ TEST_CASE("a run to its end is kept whole, and a later one takes its place") {
 
 TEST_CASE("without a folder a run is kept beside its diagram, under its name") {
   CHECK(folder_beside("rig/cart.yaml") == "rig/cart-run");
-  CHECK(folder_beside("/home/a.b/two.parts.yaml") == "/home/a.b/two.parts-run");
+  CHECK(folder_beside("/rigs/a.b/two.parts.yaml") == "/rigs/a.b/two.parts-run");
 }
 
 TEST_CASE("a log or a sample that was changed is found") {
