@@ -18,7 +18,7 @@ export default defineConfig({
     emptyOutDir: true,
     assetsInlineLimit: 0,  // data: addresses of styles and scripts are refused by the page's security policy
     cssCodeSplit: false,
-    modulePreload: {polyfill: false},
+    modulePreload: false,
     chunkSizeWarningLimit: 2000,
     rollupOptions: {
       output: {entryFileNames: "assets/[name].js", chunkFileNames: "assets/[name].js", assetFileNames: named},
