@@ -1,6 +1,5 @@
 #pragma once
 
-#include <boost/beast/http.hpp>
 #include <string>
 #include <string_view>
 
@@ -8,23 +7,22 @@
 
 namespace stepwire::http {
 
-// Requests and answers in the types of Beast, for the one source that includes it.
+// Requests and answers in the types of Beast, as templates, so that no header includes it.
 
-using Parser = boost::beast::http::request_parser<boost::beast::http::empty_body>;
-using Response = boost::beast::http::response<boost::beast::http::span_body<const char>>;
-
-inline Request request_of(const Parser& parser) {
-  const auto text = [](boost::beast::string_view part) { return std::string(part.data(), part.size()); };
-  const auto& from = parser.get();
+template <class BeastRequest>
+Request request_of(const BeastRequest& from) {
+  const auto text = [](const auto& part) { return std::string(part.data(), part.size()); };
   Request request{text(from.method_string()), text(from.target()), {}};
   for (const auto& field : from) request.headers.push_back({text(field.name_string()), text(field.value())});
   return request;
 }
 
 /// It refers to the body of the answer, which must outlive it; to HEAD it has none.
-inline Response response_of(const Answer& answer, bool head, bool keep) {
+template <class BeastResponse>
+BeastResponse response_of(const Answer& answer, bool head, bool keep) {
   const std::string_view body = answer.body.empty() ? answer.fixed : std::string_view(answer.body);
-  Response response(boost::beast::http::int_to_status(static_cast<unsigned>(answer.status)), 11);
+  BeastResponse response;
+  response.result(static_cast<unsigned>(answer.status));
   for (const Header& one : answer.headers) response.set(one.name, one.value);
   response.keep_alive(keep);
   response.content_length(body.size());

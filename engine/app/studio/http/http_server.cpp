@@ -28,6 +28,8 @@ namespace beast = boost::beast;
 namespace ws = boost::beast::websocket;
 using asio::ip::tcp;
 using boost::system::error_code;
+using Parser = beast::http::request_parser<beast::http::empty_body>;
+using Response = beast::http::response<beast::http::span_body<const char>>;
 
 /// All that lives in the server's thread.
 class Server : public HttpServer {
@@ -201,7 +203,7 @@ class Server::Connection : public std::enable_shared_from_this<Connection> {
 
  private:
   void decide() {
-    const Request request = request_of(*parser_);
+    const Request request = request_of(parser_->get());
     const Decision decision = http::decide(request, server_.key_);
     if (decision.kind == Decision::Kind::upgrade) return upgrade(decision.path);
     const bool keeps = decision.kind != Decision::Kind::refuse && parser_->keep_alive();
@@ -216,7 +218,7 @@ class Server::Connection : public std::enable_shared_from_this<Connection> {
 
   void send(Answer answer, bool keep) {
     answer_ = std::move(answer);
-    response_ = response_of(answer_, parser_->get().method() == beast::http::verb::head, keep);
+    response_ = response_of<Response>(answer_, parser_->get().method() == beast::http::verb::head, keep);
     stream_.expires_after(server_.limits_.handshake);
     beast::http::async_write(stream_, response_,
                              [self = shared_from_this(), keep](error_code error, std::size_t) {
