@@ -80,6 +80,10 @@ bool is_guard_key(std::string_view key) {
   return std::ranges::find(guard_keys(), key, &yaml::Key::name) != guard_keys().end();
 }
 
+bool is_condition(std::string_view key, const yaml::Node& value) {
+  return is_guard_key(key) && key != "guard" && value.is_map() && value.find("when");
+}
+
 bool is_formula(const yaml::Node& condition) {
   const std::string& text = condition.text;
   if (text.starts_with('=')) return true;

@@ -15,6 +15,9 @@ namespace stepwire::diagram {
 /// `guard`, by which a flattened file names the Guard itself.
 const std::vector<yaml::Key>& guard_keys();
 bool is_guard_key(std::string_view key);
+/// Is it a condition also where the block or part has a key of this name itself? `trigger: {when: index}`
+/// beside the `trigger: rising` of a reset.
+bool is_condition(std::string_view key, const yaml::Node& value);
 
 /// What stands at `enable` or `trigger`: a condition, or {when: condition, states: reset, outputs: held}.
 struct GuardOptions {

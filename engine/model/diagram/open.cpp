@@ -35,6 +35,19 @@ std::vector<std::string> words_given_to(const BlockType& type, const yaml::Node&
   return words;
 }
 
+/// What is wrong with the word of a key that is a condition elsewhere: `trigger: index` of a block whose
+/// reset has a trigger. Empty where nothing is.
+std::string meant_as_condition(const ParameterSpec& spec, const yaml::Node& node) {
+  const std::string& text = node.text;
+  if (!is_guard_key(spec.name) || spec.words.empty() || !node.is_scalar() || text.starts_with('$') ||
+      std::ranges::find(spec.words, text) != spec.words.end())
+    return {};
+  return fmt::format(
+      "'{0}' is not allowed; the block has a key of this name, with one of: {1}. A condition on which it "
+      "runs is {{when: {0}}}",
+      text, fmt::join(spec.words, ", "));
+}
+
 /// The text with a '$' before names of parameters, and a '=' before formulas, where only these can stand.
 yaml::Node with_named_parameters(const ParameterSpec& spec, const BlockType& type,
                                  const std::vector<std::string>& words, const yaml::Node& text,
@@ -107,12 +120,9 @@ bool Opener::hidden(const Scope& scope, const std::string& name) const {
 
 void Opener::make_block(Scope& scope, const yaml::Entry& entry, const BlockType& type) {
   Diagram& diagram = report_.diagram();
-  const Guarding guarding = open_guard(
-      scope, entry,
-      [&](const char* key) {
-        return type.input(key) >= 0 || type.parameter(key) || find_guard_type(type.name) == &type;
-      },
-      "active");
+  const auto is_own = [&](const char* key) { return type.input(key) >= 0 || type.parameter(key); };
+  const Guarding guarding =
+      find_guard_type(type.name) ? Guarding{} : open_guard(scope, entry, is_own, "active");
   const int index = static_cast<int>(diagram.blocks.size());
   scope.names[entry.key] = {index, nullptr, entry.mark};
   DiagramBlock& block = diagram.blocks.emplace_back(scope.prefix + entry.key, type);
@@ -169,12 +179,16 @@ void Opener::read_key(Scope& scope, const yaml::Entry& key, DiagramBlock& block,
   const BlockType& type = block.type();
   if (key.key == "block" || (key.key == "preset" && !type.presets.empty())) return;
   if (key.key == "every") return read_period(scope, key.value, block);
+  if (is_condition(key.key, key.value) && !find_guard_type(type.name)) return;
   if (const int input = type.input(key.key); input >= 0 && is_fed(scope, key, type)) {
     block.input_marks[static_cast<std::size_t>(input)] = key.value.mark;
     pending_.push_back({index, input, &key.value, &scope});
     return;
   }
-  if (const ParameterSpec* parameter = type.parameter(key.key))
+  const ParameterSpec* parameter = type.parameter(key.key);
+  if (const std::string fault = parameter ? meant_as_condition(*parameter, key.value) : ""; !fault.empty())
+    return report_.add(scope.at(key.value.mark), block.name + "." + key.key, fault);
+  if (parameter)
     return read_parameter(scope, scope.index, key.value, block,
                           static_cast<std::size_t>(parameter - type.parameters.data()));
   if (const int state = state_of_key(type, key.key); state >= 0)

@@ -119,7 +119,8 @@ Opener::Guarding Opener::open_guard(Scope& scope, const yaml::Entry& entry, cons
                                     const char* active) {
   Guarding made;
   const auto key = [&](const char* name) -> const yaml::Node* {
-    return is_own(name) ? nullptr : entry.value.find(name);
+    const yaml::Node* node = entry.value.find(name);
+    return node && is_own(name) && !is_condition(name, *node) ? nullptr : node;
   };
   const yaml::Node *enable = key("enable"), *trigger = key("trigger");
   if (!enable && !trigger) return made;

@@ -239,7 +239,7 @@ Overrides Opener::feed(const Scope& scope, const yaml::Entry& entry, const yaml:
   const auto parameters = keys_of_map(part.document->root, "parameters");
   const auto inputs = keys_of_map(part.document->root, "inputs");
   for (const yaml::Entry& key : entry.value.entries) {
-    if (key.key == "diagram") continue;
+    if (key.key == "diagram" || is_condition(key.key, key.value)) continue;
     if (contains(inputs, key.key)) {
       part.inputs[key.key].fed_by = &key.value;
     } else if (contains(parameters, key.key)) {

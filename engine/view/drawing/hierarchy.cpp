@@ -130,7 +130,7 @@ class OutlineReader {
   void add_input(const Hierarchy& hierarchy, const diagram::Scope& names, BlockReference& child,
                  const std::string& name, bool list) {
     const yaml::Node* node = child.written->find(name);
-    if (!node) return;
+    if (!node || diagram::is_condition(name, *node)) return;
     ReferenceInput input{name, {}};
     if (list && node->is_list()) {
       for (const yaml::Node& item : node->items) input.feeds.push_back(feed(hierarchy, names, item));
@@ -143,12 +143,17 @@ class OutlineReader {
     child.inputs.push_back(std::move(input));
   }
 
+  /// Is a key of this name one of the child's own? `trigger` of a block with a reset.
+  bool has_key(const BlockReference& child, const char* key) const {
+    if (!child.part) return type_of(child).input(key) >= 0 || type_of(child).parameter(key);
+    return std::ranges::find(child.part->inputs, key) != child.part->inputs.end();
+  }
+
   /// What decides when a child is active: the signals of its formula.
   void add_condition(const Hierarchy& hierarchy, const diagram::Scope& names, BlockReference& child,
                      const char* key) {
-    const bool is_own =
-        std::ranges::any_of(child.inputs, [&](const auto& input) { return input.name == key; });
-    const yaml::Node* node = is_own ? nullptr : child.written->find(key);
+    const yaml::Node* node = child.written->find(key);
+    if (node && has_key(child, key) && !diagram::is_condition(key, *node)) return;
     const yaml::Node* when = node && node->is_map() ? node->find("when") : node;
     if (!when || !when->is_scalar()) return;
     ReferenceInput input{key, {}, true};
@@ -166,8 +171,7 @@ class OutlineReader {
     // An input that nobody feeds has the part's own default.
     const std::string& port = hierarchy.inputs[static_cast<std::size_t>(found->port)];
     const yaml::Node* fallback = unfed_default(hierarchy, port);
-    return fallback && fallback->is_scalar() ? feed(hierarchy, names, *fallback)
-                                             : wired(hierarchy, *found, node.text);
+    return fallback ? feed(hierarchy, names, *fallback) : wired(hierarchy, *found, node.text);
   }
 
   /// What is drawn of a wire that a file names so.

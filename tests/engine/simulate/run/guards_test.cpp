@@ -173,6 +173,33 @@ TEST_CASE("a block may have the keys of a part") {
   }
 }
 
+TEST_CASE("a block with a trigger of its own for its reset has a condition as a map") {
+  const Rig rig;
+  const table::Table run = rig.run(
+      "  c: {block: DiscreteIntegrator, u: 100, every: 10 ms, trigger: {when: on, edge: either}}\n"
+      "  x: {block: Integrator, u: 1, reset: on, trigger: falling, enable: {when: on}}\n"
+      "  y: {block: Integrator, u: 1, reset: on, trigger: falling, enable: time >= 0 s}\n",
+      "[c, c.active, x, y]");
+  double count = 0.0;
+  for (std::size_t tick = 1; tick <= 100; ++tick) {
+    INFO(tick);
+    const bool edge = is_on(tick) != is_on(tick - 1);
+    CHECK(column(run, "c.active")[tick] == (edge ? 1.0 : 0.0));
+    if (edge) CHECK(column(run, "c")[tick] == count++);
+    if (edge && !is_on(tick)) CHECK(column(run, "y")[tick] == 0.0);
+  }
+  CHECK(count == 5.0);
+  CHECK(column(run, "x").back() == Approx(0.5));  // off when the signal falls, so that nothing resets it
+}
+
+TEST_CASE("a condition in the place of the word for a reset is refused with the form that is one") {
+  const Rig rig;
+  const auto faults = rig.faults("  c: {block: Integrator, u: 1, trigger: on > 0.5}\n");
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].find("{when: on > 0.5}") != std::string::npos);
+  CHECK(faults[0].find("rising, falling, either, level") != std::string::npos);
+}
+
 TEST_CASE("a condition that follows from what it guards is an algebraic loop, and says so") {
   const Rig rig;
   const auto faults = rig.faults("  c: {diagram: counter.yaml, enable: c.count < 5}\n");
