@@ -19,7 +19,7 @@ void Compare::declare(Declare<Compare>& is) {
                                      .required = true});
   is.input<&Compare::u>({.unit = "'u", .doc = "left of the sign"});
   is.input<&Compare::to>({.unit = "'u", .doc = "right of the sign"});
-  is.crossing("u passes `to`");
+  is.crossing<&Compare::u, &Compare::to>("u passes `to`");
   is.output<&Compare::y>({.doc = "1 or 0"});
   is.derived<&Compare::relation>();
 }

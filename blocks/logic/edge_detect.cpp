@@ -13,7 +13,7 @@ void EdgeDetect::declare(Declare<EdgeDetect>& is) {
        .steady = true});
   is.parameter<&EdgeDetect::edge>({.doc = "which edges", .words = {"rising", "falling", "either"}});
   is.input<&EdgeDetect::u>({.unit = "*", .doc = "signal"});
-  is.crossing("u becomes true or false");
+  is.crossing<&EdgeDetect::u>("u becomes true or false");
   is.output<&EdgeDetect::y>({.doc = "1 or 0"});
   is.state<&EdgeDetect::side>(
       {.doc = "input at the last tick: -1 false, 1 true, 0 none yet", .settable = false});

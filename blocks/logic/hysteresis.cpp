@@ -23,7 +23,7 @@ void Hysteresis::declare(Declare<Hysteresis>& is) {
       {.unit = "'u", .doc = "where it becomes 0; not above upper", .required = true});
   is.parameter<&Hysteresis::upper>({.unit = "'u", .doc = "where it becomes 1", .required = true});
   is.input<&Hysteresis::u>({.unit = "'u", .doc = "signal"});
-  is.crossing("u reaches the threshold that switches it");
+  is.crossing<&Hysteresis::u>("u reaches the threshold that switches it");
   is.output<&Hysteresis::y>({.doc = "1 or 0"});
   is.state<&Hysteresis::last>({.doc = "output at the last tick"});
 }

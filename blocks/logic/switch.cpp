@@ -16,7 +16,7 @@ void Switch::declare(Declare<Switch>& is) {
   is.input<&Switch::control>({.unit = "'c", .doc = "decides"});
   is.input<&Switch::then>({.unit = "'u", .doc = "passed on where the criterion holds"});
   is.input<&Switch::else_>({.unit = "'u", .doc = "passed on where it does not"});
-  is.crossing("the control passes its threshold", "1");
+  is.crossing<&Switch::control>("the control passes its threshold", "1");
   is.output<&Switch::y>({.unit = "'u", .doc = "one of the two"});
 }
 

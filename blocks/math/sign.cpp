@@ -12,7 +12,7 @@ void Sign::declare(Declare<Sign>& is) {
        .symbol = {.curve = "M-1 -.7H0V.7H1", .axes = true},
        .steady = true});
   is.input<&Sign::u>({.unit = "*", .doc = "signal"});
-  is.crossing("u passes 0");
+  is.crossing<&Sign::u>("u passes 0");
   is.output<&Sign::y>({.doc = "1, 0 or -1"});
 }
 

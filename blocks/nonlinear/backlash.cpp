@@ -14,8 +14,8 @@ void Backlash::declare(Declare<Backlash>& is) {
        .symbol = {.curve = "M-1 -.8H-.1L.9 .8M1 .8H.1L-.9 -.8", .axes = true}});
   is.parameter<&Backlash::width>({.unit = "'u", .doc = "the whole gap", .at_least = 0.0});
   is.input<&Backlash::u>({.unit = "'u", .doc = "position of the driving side"});
-  is.crossing("the gap closes on the upper side");
-  is.crossing("on the lower side");
+  is.crossing<&Backlash::u>("the gap closes on the upper side");
+  is.crossing<&Backlash::u>("on the lower side");
   is.output<&Backlash::y>({.unit = "'u", .doc = "position of the driven side"});
   is.state<&Backlash::last>({.unit = "'u", .doc = "output at the last tick"});
   declare_reset(is, "'u", "the driven side");

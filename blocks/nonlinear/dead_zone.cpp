@@ -21,8 +21,8 @@ void DeadZone::declare(Declare<DeadZone>& is) {
   is.input<&DeadZone::u>({.unit = "'u", .doc = "signal"});
   is.input<&DeadZone::lower_>({.unit = "'u", .doc = "lower end as a signal", .optional = true});
   is.input<&DeadZone::upper_>({.unit = "'u", .doc = "upper end as a signal", .optional = true});
-  is.crossing("u reaches the lower end of the zone");
-  is.crossing("u reaches the upper end");
+  is.crossing<&DeadZone::u, &DeadZone::lower_>("u reaches the lower end of the zone");
+  is.crossing<&DeadZone::u, &DeadZone::upper_>("u reaches the upper end");
   is.output<&DeadZone::y>({.unit = "'u", .doc = "how far the signal lies outside of the zone, with sign"});
 }
 

@@ -24,7 +24,7 @@ void Relay::declare(Declare<Relay>& is) {
   is.parameter<&Relay::when_off>({.unit = "'y", .doc = "output while off"});
   is.input<&Relay::u>({.unit = "'u", .doc = "signal"});
   is.output<&Relay::y>({.unit = "'y", .doc = "one of the two values"});
-  is.crossing("u reaches the threshold that switches it");
+  is.crossing<&Relay::u>("u reaches the threshold that switches it");
   is.state<&Relay::on>({.doc = "1 on, 0 off"});
 }
 

@@ -20,8 +20,8 @@ void Saturation::declare(Declare<Saturation>& is) {
   is.input<&Saturation::u>({.unit = "'u", .doc = "signal to limit"});
   is.input<&Saturation::lower_>({.unit = "'u", .doc = "lowest output as a signal", .optional = true});
   is.input<&Saturation::upper_>({.unit = "'u", .doc = "highest output as a signal", .optional = true});
-  is.crossing("u reaches the lower limit");
-  is.crossing("u reaches the upper limit");
+  is.crossing<&Saturation::u, &Saturation::lower_>("u reaches the lower limit");
+  is.crossing<&Saturation::u, &Saturation::upper_>("u reaches the upper limit");
   is.output<&Saturation::y>({.unit = "'u", .doc = "the signal within the limits"});
 }
 

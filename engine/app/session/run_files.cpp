@@ -126,6 +126,12 @@ Json algebraic_loops_json(const std::vector<run::LoopCost>& loops) {
   return list;
 }
 
+/// Null where none are looked for.
+static Json events_json(const diagram::Diagram& diagram, const run::EventCount& events) {
+  if (!diagram.events.locate) return {};
+  return Json::object().set("located", events.located).set("most_in_a_step", events.most_in_a_step);
+}
+
 Json run_json(const LoadedModel& model, const Outcome& outcome) {
   const diagram::Diagram& diagram = model.job.plan.diagram;
   return Json::object()
@@ -143,6 +149,7 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
       .set("blocks", diagram.blocks.size())
       .set("block_folders", Json::list_of(model.blocksets))
       .set("algebraic_loops", algebraic_loops_json(outcome.result.loops))
+      .set("events", events_json(diagram, outcome.result.events))
       .set("notices", diagnostics_json(outcome))
       .set("faults", fault_texts(outcome))
       .set("interrupted", outcome.result.interrupted)

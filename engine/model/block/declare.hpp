@@ -215,9 +215,12 @@ class Declare {
   }
 
   /// A function that passes through zero where the block begins to do something else from one instant to the
-  /// next, with as many elements as `shape` has: crossings() adds its numbers, row by row.
+  /// next, with as many elements as `shape` has: crossings() adds its numbers, row by row. Of the inputs it
+  /// reads these alone.
+  template <auto... inputs>
   void crossing(std::string doc, std::string shape = "n") {
-    type_.crossings.push_back({std::move(doc), std::move(shape)});
+    type_.crossings.push_back(
+        {std::move(doc), std::move(shape), {std::string(member_name<inputs>())...}});
   }
 
   /// Gives the block the time, or the time between its updates.

@@ -112,6 +112,7 @@ struct DiagnosticSpec {
 /// How a function is declared that passes through zero where the block begins to do something else.
 struct CrossingSpec {
   std::string doc, shape;
+  std::vector<std::string> inputs;  ///< that it reads
 };
 
 /// How a member that tells the time, or the time between updates, is bound.

@@ -9,7 +9,8 @@
 
 namespace stepwire::diagram {
 
-/// What `enable` or `trigger` say where that is a formula of signals: "door.angle > 5 deg && time > 2 s".
+/// What `enable` or `trigger` say where that is a formula of signals: "door.angle > 5 deg && time > 2 s". It
+/// crosses where its truth changes.
 struct Condition {
   static constexpr Index max_inputs = 64;
 
@@ -18,17 +19,21 @@ struct Condition {
   Inputs u{};
   Output<1> y{};
   Time time{};
-  Function formula{};  ///< of the inputs, and the time behind them
+  Function formula{}, margin{};  ///< of the inputs, and the time behind them
 
-  void outputs() {
-    double values[max_inputs + 1];
-    for (Index i = 0; i < u.count(); ++i) values[i] = u.first(i);
-    values[u.count()] = time;
-    y = formula(values);
-  }
+  void outputs() { y = value_of(formula); }
+  void crossings(Crossings& zero) const { zero.add(value_of(margin)); }
 
   void configure(Configure& is);
   static void declare(Declare<Condition>& is);
+
+ private:
+  double value_of(const Function& function) const {
+    double values[max_inputs + 1];
+    for (Index i = 0; i < u.count(); ++i) values[i] = u.first(i);
+    values[u.count()] = time;
+    return function(values);
+  }
 };
 
 }  // namespace stepwire::diagram

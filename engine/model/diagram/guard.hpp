@@ -26,6 +26,11 @@ struct Guard {
     high = trigger.connected() && trigger > 0.0 ? 1.0 : 0.0;
   }
 
+  void crossings(Crossings& zero) const {
+    zero.add(enable.connected() ? enable : 0.0);
+    zero.add(trigger.connected() ? trigger : 0.0);
+  }
+
   static void declare(Declare<Guard>& is);
 
  private:

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/base/expression/expression_function.hpp"
+#include "engine/base/expression/margin.hpp"
 #include "engine/model/block/declare.hpp"
 #include "engine/model/diagram/condition.hpp"
 #include "engine/model/diagram/guard.hpp"
@@ -37,6 +38,8 @@ void Guard::declare(Declare<Guard>& is) {
   is.input<&Guard::enable>({.unit = "*", .doc = "active while above 0", .optional = true});
   is.input<&Guard::trigger>({.unit = "*", .doc = "active where this crosses 0", .optional = true});
   is.output<&Guard::active>({.doc = "1 or 0"});
+  is.crossing<&Guard::enable>("enable passes 0", "1");
+  is.crossing<&Guard::trigger>("trigger passes 0", "1");
   is.state<&Guard::seen>({.doc = "was there a tick before?", .settable = false});
   is.state<&Guard::high>({.doc = "was the trigger above 0 at that tick?", .settable = false});
 }
@@ -57,6 +60,7 @@ void Condition::configure(Configure& is) {
         is.refuse<&Condition::expression>(fmt::format("'{}' is none of its variables", name));
       places.push_back(static_cast<std::size_t>(found - variables.begin()));
     }
+    margin = expression::function_of(expression::margin_of(read), places);
     formula = expression::function_of(std::move(read), std::move(places));
   } catch (const expression::ExpressionError& error) {
     is.refuse<&Condition::expression>(
@@ -65,13 +69,15 @@ void Condition::configure(Configure& is) {
 }
 
 void Condition::declare(Declare<Condition>& is) {
-  is.block("Condition", {.doc = "A formula over single numbers and the time."});
+  is.block("Condition", {.doc = "A formula over single numbers and the time.", .steady = true});
   is.parameter<&Condition::expression>({.doc = "above 0, or true, where the condition holds"});
   is.parameter<&Condition::variables>({.doc = "names of the inputs in the formula, in their order"});
   is.input<&Condition::u>({.unit = "*", .shape = "1", .doc = "what the formula reads", .optional = true});
   is.output<&Condition::y>({.unit = "*", .doc = "the value"});
   is.clock<&Condition::time>();
+  is.crossing<&Condition::u>("the formula becomes or ceases to be above 0, or true", "1");
   is.derived<&Condition::formula>();
+  is.derived<&Condition::margin>();
 }
 
 void GuardedOutput::declare(Declare<GuardedOutput>& is) {

@@ -33,7 +33,10 @@ struct Draft {
     bool timed = false;          ///< do its outputs follow from the time and constants alone?
     Eigen::Index crossings = 0;  ///< numbers that may cross zero
     bool for_crossings = false;  ///< do crossings depend on its outputs between ticks?
+    bool ahead = false;          ///< and change only the solver and the time what it computes?
     bool at_events = false;      ///< does it act where an event is located?
+    bool before_guards = false;  ///< and first with the guards as they were?
+    bool updates_at_events = false;
     std::vector<Eigen::Index> output_sizes, state_sizes, input_sizes;
     std::vector<Eigen::Index> output_columns, state_columns;  ///< of matrices; 1 of vectors
   };
@@ -65,7 +68,7 @@ void find_timed(Draft& draft);
 /// Order of outputs; refuses algebraic loops, or tears them.
 CallOrder plan_order(Draft& draft);
 /// What crosses, and what acts where it does.
-void find_events(Draft& draft);
+void find_events(Draft& draft, const CallOrder& order);
 /// Memory of blocks, numbers and loops.
 void plan_layout(Draft& draft, const CallOrder& order);
 /// Refuses conditions over signals of several elements, and safe values that do not fit their outputs.

@@ -3,6 +3,7 @@
 
 #include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/plan/draft.hpp"
+#include "engine/model/plan/guards.hpp"
 
 namespace stepwire::plan {
 
@@ -16,16 +17,21 @@ class EventPlan {
   void run() {
     for (std::size_t b = 0; b < draft_.blocks.size(); ++b)
       if (crosses(b)) add_crossings(b);
+    add_stop();
     while (!open_.empty()) {
       const std::size_t block = open_.back();
       open_.pop_back();
-      for (const auto& sources : draft_.diagram().blocks[block].inputs)
-        for (const diagram::Source& source : sources) need(source);
+      for (std::size_t i = 0; i < draft_.diagram().blocks[block].inputs.size(); ++i) need(block, i);
     }
+    bool guards_act = false;
+    for (std::size_t b = 0; b < draft_.blocks.size(); ++b)
+      guards_act = guards_act || (is_guard(b) && follows(b));
     for (std::size_t b = 0; b < draft_.blocks.size(); ++b) {
       Draft::Block& block = draft_.blocks[b];
-      block.at_events = follows(b) && (block.in_stages || crosses(b) || !has_memory(b) ||
-                                       draft_.type(b).has_continuous_state());
+      const bool changes = crosses(b) || draft_.type(b).has_continuous_state() || is_triggered(b);
+      block.at_events = follows(b) && (block.in_stages || changes || !has_memory(b));
+      block.before_guards = guards_act && block.at_events && !is_guard(b);
+      block.updates_at_events = block.at_events && changes;
     }
   }
 
@@ -35,10 +41,17 @@ class EventPlan {
     return draft_.blocks[block].updates || !draft_.type(block).states.empty();
   }
 
+  bool is_guard(std::size_t block) const { return &draft_.type(block) == &diagram::guard_type(); }
+  /// Is it called once for each edge that is located?
+  bool is_triggered(std::size_t block) const {
+    const auto trigger = static_cast<std::size_t>(diagram::guard_type().input("trigger"));
+    return std::ranges::any_of(guards_of(draft_.diagram(), block), [&](int guard) {
+      return !draft_.diagram().blocks[static_cast<std::size_t>(guard)].inputs[trigger].empty();
+    });
+  }
+
   /// Does a block act whenever something happens, not at ticks of its own?
   bool follows(std::size_t block) const {
-    // What it guards is held, reset and kept at ticks alone.
-    if (&draft_.type(block) == &diagram::guard_type()) return false;
     if (rate(block).kind == Rate::Kind::continuous) return true;
     return rate(block).kind == Rate::Kind::discrete && rate(block).ticks == 1 &&
            !draft_.plan.diagram.blocks[block].every;
@@ -50,12 +63,24 @@ class EventPlan {
     const auto count = static_cast<std::size_t>(draft_.blocks[block].crossings);
     plan.crossings.push_back({block, plan.crossing_count, count});
     plan.crossing_count += count;
-    open_.push_back(block);
+    for (const CrossingSpec& spec : draft_.type(block).crossings)
+      for (const std::string& input : spec.inputs)
+        need(block, static_cast<std::size_t>(draft_.type(block).input(input)));
   }
 
-  void need(const diagram::Source& source) {
-    if (source.block < 0) return;
-    const auto index = static_cast<std::size_t>(source.block);
+  /// `stop_when` has the last number.
+  void add_stop() {
+    if (!draft_.diagram().stop_when) return;
+    draft_.plan.stop_crossing = draft_.plan.crossing_count++;
+    for (const diagram::SignalRef& variable : draft_.diagram().stop_when->variables) need(variable.block);
+  }
+
+  void need(std::size_t block, std::size_t input) {
+    for (const diagram::Source& source : draft_.diagram().blocks[block].inputs[input]) need(source.block);
+  }
+  void need(int source) {
+    if (source < 0) return;
+    const auto index = static_cast<std::size_t>(source);
     Draft::Block& block = draft_.blocks[index];
     if (block.for_crossings || !block.computes || block.timed || rate(index).kind != Rate::Kind::continuous ||
         draft_.type(index).steady)
@@ -68,10 +93,67 @@ class EventPlan {
   std::vector<std::size_t> open_;
 };
 
+/// Finds what no discrete block, guard or input from outside has a part in, of what crossings depend on.
+class AheadBlocks {
+ public:
+  AheadBlocks(Draft& draft, const CallOrder& order) : draft_(draft), order_(order) {}
+
+  void run() {
+    std::vector<int> calls(draft_.blocks.size(), 0);
+    for (const int block : order_.blocks) ++calls[static_cast<std::size_t>(block)];
+    for (std::size_t b = 0; b < draft_.blocks.size(); ++b)
+      draft_.blocks[b].ahead =
+          draft_.blocks[b].for_crossings && calls[b] == 1 && draft_.diagram().blocks[b].guard < 0;
+    while (take_back()) continue;
+  }
+
+ private:
+  /// Takes back what depends on what is not ahead; false once there is nothing.
+  bool take_back() {
+    bool taken = false;
+    const auto take = [&](std::size_t block) {
+      taken = taken || draft_.blocks[block].ahead;
+      draft_.blocks[block].ahead = false;
+    };
+    for (const int b : order_.blocks)
+      if (!reads_ahead(static_cast<std::size_t>(b))) take(static_cast<std::size_t>(b));
+    for (const CallOrder::Loop& loop : order_.loops)  // as a whole or not at all
+      if (!std::all_of(member(loop.first), member(loop.end), [&](int b) { return is_ahead(b); }))
+        std::for_each(member(loop.first), member(loop.end),
+                      [&](int b) { take(static_cast<std::size_t>(b)); });
+    return taken;
+  }
+  std::vector<int>::const_iterator member(std::size_t place) const {
+    return order_.blocks.begin() + static_cast<std::ptrdiff_t>(place);
+  }
+  bool is_ahead(int block) const { return draft_.blocks[static_cast<std::size_t>(block)].ahead; }
+
+  bool reads_ahead(std::size_t block) const {
+    for (const auto& sources : draft_.diagram().blocks[block].inputs)
+      if (!std::ranges::all_of(sources, [&](const diagram::Source& source) { return stands(source); }))
+        return false;
+    return true;
+  }
+  /// Is it known at the end of a step, whatever happens at the tick there?
+  bool stands(const diagram::Source& source) const {
+    if (source.block < 0 || is_ahead(source.block)) return true;
+    const auto block = static_cast<std::size_t>(source.block);
+    if (draft_.blocks[block].timed || draft_.plan.blocks[block].rate.kind == Rate::Kind::constant)
+      return true;
+    return draft_.is_state(block, static_cast<std::size_t>(source.output)) &&
+           !is_reset(draft_.diagram(), block);
+  }
+
+  Draft& draft_;
+  const CallOrder& order_;
+};
+
 }  // namespace
 
-void find_events(Draft& draft) {
-  if (draft.diagram().events.locate) EventPlan(draft).run();
+void find_events(Draft& draft, const CallOrder& order) {
+  if (!draft.diagram().events.locate) return;
+  EventPlan(draft).run();
+  AheadBlocks(draft, order).run();
 }
 
 }  // namespace stepwire::plan

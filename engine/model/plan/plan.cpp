@@ -28,8 +28,12 @@ const std::vector<LoopCall>& Plan::loops_of(const std::vector<KernelCall>& table
       {&timed, &timed_loops},
       {&outputs, &output_loops},
       {&stage, &stage_loops},
+      {&ahead, &ahead_loops},
+      {&rest, &rest_loops},
       {&crossing_outputs, &crossing_loops},
-      {&event_outputs, &event_loops}};
+      {&crossing_starts, &crossing_start_loops},
+      {&event_outputs, &event_loops},
+      {&event_befores, &event_before_loops}};
   for (const auto& [calls, loops] : all)
     if (calls == &table) return *loops;
   return none;
@@ -62,7 +66,7 @@ Plan make_plan(diagram::Diagram diagram) {
   find_timed(draft);
   const CallOrder order = plan_order(draft);
   draft.report.faults().throw_if_any();
-  find_events(draft);
+  find_events(draft, order);
   plan_layout(draft, order);
   check_stop_and_safe_values(draft);
   draft.report.faults().throw_if_any();

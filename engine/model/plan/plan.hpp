@@ -57,9 +57,10 @@ struct PlannedGuard {
   std::vector<std::size_t> start;  ///< blocks inside that have start(), where states are reset
 };
 
-/// A loop of outputs that feed each other at the same instant, torn so that its blocks can be called in a row.
+/// A loop of outputs that feed each other at the same instant, torn so that its blocks can be called in a
+/// row.
 struct SolvedLoop {
-  std::string path;                      ///< "error -> half -> twice -> error"
+  std::string path;  ///< "error -> half -> twice -> error"
   std::vector<diagram::SignalRef> tears;
   std::vector<std::size_t> diagnostics;  ///< of its blocks, where they lie in the workspace
   std::size_t report = 0;                ///< where what is known of it in a run lies (solve::LoopReport)
@@ -75,8 +76,8 @@ struct LoopCall {
 
 /// The crossings of one block.
 struct CrossingCall {
-  std::size_t block;   ///< index in Plan::blocks
-  std::size_t first;   ///< index of its first number
+  std::size_t block;  ///< index in Plan::blocks
+  std::size_t first;  ///< index of its first number
   std::size_t count;
 };
 
@@ -86,7 +87,7 @@ struct Layout {
   static constexpr std::size_t time = 0;
   static constexpr std::size_t timed = 1;  ///< for which time Plan::timed was computed last
   static constexpr std::size_t first = 2;  ///< of what blocks have
-  static constexpr std::size_t report_count = 3, loop_count = 7, event_count = 4;
+  static constexpr std::size_t report_count = 3, loop_count = 7, event_count = 6;
   static constexpr double never = -1.0;  ///< stands at `timed` before the start
   std::size_t signals = first;
   std::size_t states = first;
@@ -150,10 +151,17 @@ struct Plan {
   // Where events are located; empty otherwise.
   std::vector<CrossingCall> crossings;
   std::size_t crossing_count = 0;
-  std::vector<KernelCall> crossing_outputs;  ///< what crossings depend on, of the stage
+  std::optional<std::size_t> stop_crossing;  ///< which of the numbers is that of `stop_when`
+  /// What crossings depend on between ticks and only the solver and the time change: it is computed at the
+  /// end of a step, and `rest` is then left of `outputs`. Where nothing is of that kind, both are empty.
+  std::vector<KernelCall> ahead, rest;
+  std::vector<KernelCall> crossing_outputs;  ///< what else crossings depend on between ticks
+  std::vector<KernelCall> crossing_starts;   ///< of both, what no stage computes
   std::vector<KernelCall> event_outputs;     ///< of what follows at every instant
+  std::vector<KernelCall> event_befores;     ///< the same without guards; empty where none follows
   std::vector<KernelCall> event_updates;
-  std::vector<LoopCall> crossing_loops, event_loops;
+  std::vector<LoopCall> ahead_loops, rest_loops, crossing_loops, crossing_start_loops, event_loops,
+      event_before_loops;
 
   SignalSlot slot(const diagram::SignalRef& signal) const;
   std::optional<unit::Dimension> dimension(const diagram::SignalRef& signal) const;

@@ -62,7 +62,9 @@ void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t bl
   const std::size_t bytes = draft.type(block).bytes, memory = plan.blocks[block].memory;
   const int period = period_index(plan, plan.blocks[block].rate.ticks);
   const std::ptrdiff_t active = active_of(plan, block);
-  const bool evaluates_guard = &batches == &plan.outputs && guard_of(plan, block) >= 0;
+  const std::vector<KernelCall>* const evaluate[] = {&plan.outputs, &plan.rest, &plan.event_outputs};
+  const bool evaluates_guard =
+      std::ranges::find(evaluate, &batches) != std::end(evaluate) && guard_of(plan, block) >= 0;
   if (batches.size() > closed) {
     KernelCall& last = batches.back();
     if (last.run == kernel && last.period == period && last.end == memory && last.active == active &&
@@ -132,20 +134,29 @@ class OutputTables {
     }
   }
 
+  bool has_ahead() const { return std::ranges::any_of(draft_.blocks, &Draft::Block::ahead); }
   static bool never(const Draft::Block&) { return false; }
   static bool always(const Draft::Block&) { return true; }
   static bool in_stages(const Draft::Block& block) { return block.in_stages; }
-  static bool for_crossings(const Draft::Block& block) { return block.for_crossings; }
+  static bool ahead(const Draft::Block& block) { return block.ahead; }
+  static bool not_ahead(const Draft::Block& block) { return !block.ahead; }
+  static bool for_crossings(const Draft::Block& block) { return block.for_crossings && !block.ahead; }
+  static bool starts_crossings(const Draft::Block& block) { return block.for_crossings && !block.in_stages; }
   static bool at_events(const Draft::Block& block) { return block.at_events; }
+  static bool before_guards(const Draft::Block& block) { return block.before_guards; }
 
   Draft& draft_;
   Plan& plan_ = draft_.plan;
-  OutputTable tables_[6] = {{plan_.once, plan_.once_loops, never},
-                            {plan_.timed, plan_.timed_loops, never},
-                            {plan_.outputs, plan_.output_loops, always},
-                            {plan_.stage, plan_.stage_loops, in_stages},
-                            {plan_.crossing_outputs, plan_.crossing_loops, for_crossings},
-                            {plan_.event_outputs, plan_.event_loops, at_events}};
+  OutputTable tables_[10] = {{plan_.once, plan_.once_loops, never},
+                             {plan_.timed, plan_.timed_loops, never},
+                             {plan_.outputs, plan_.output_loops, always},
+                             {plan_.stage, plan_.stage_loops, in_stages},
+                             {plan_.ahead, plan_.ahead_loops, ahead},
+                             {plan_.rest, plan_.rest_loops, has_ahead() ? not_ahead : never},
+                             {plan_.crossing_outputs, plan_.crossing_loops, for_crossings},
+                             {plan_.crossing_starts, plan_.crossing_start_loops, starts_crossings},
+                             {plan_.event_outputs, plan_.event_loops, at_events},
+                             {plan_.event_befores, plan_.event_before_loops, before_guards}};
   OutputTable &once_ = tables_[0], &timed_ = tables_[1];
 };
 
@@ -159,8 +170,7 @@ void append_updates(Draft& draft, std::size_t block) {
   if (!draft.blocks[block].updates) return;
   const BlockType& type = draft.type(block);
   append(draft.plan.updates, draft, block, type.run_update);
-  if (draft.blocks[block].at_events && (draft.blocks[block].crossings > 0 || type.has_continuous_state()))
-    append(draft.plan.event_updates, draft, block, type.run_update);
+  if (draft.blocks[block].updates_at_events) append(draft.plan.event_updates, draft, block, type.run_update);
   draft.plan.updates_continuous = draft.plan.updates_continuous || type.has_continuous_state();
 }
 

@@ -35,12 +35,19 @@ const char* const parameter_members =
     "they hold. Until\n  /// they are right the former ones hold.\n"
     "  const char* parameter_fault() const { return parameter_fault_; }\n\n";
 
+/// Where `stop_when` has become true between two ticks.
+std::string stopped_time(const plan::Plan& plan) {
+  if (!plan.stop_crossing) return "";
+  return fmt::format("w_[{}] != 0.0 ? w_[{}] : ", plan.layout.events + solve::EventReport::stopped,
+                     plan::Layout::time);
+}
+
 const char* const unsolved_member =
     "  /// Which algebraic loop has had no solution; null while all have.\n"
     "  const char* unsolved() const;\n";
 
 /// Of the constructor, the step, the count of numbers, members of a program with parameters, the name, a
-/// member of one with algebraic loops.
+/// member of one with algebraic loops, the time of a stop between ticks.
 constexpr char struct_members[] =
     "  /// All that moves in a run: plain numbers, to be kept anywhere.\n  struct State {{\n"
     "    std::uint64_t layout = 0;  ///< of the diagram that it belongs to\n"
@@ -55,7 +62,7 @@ constexpr char struct_members[] =
     "  /// Puts everything at time 0.\n  void reset();\n"
     "  void evaluate();\n  void advance();\n"
     "  void step() {{\n    evaluate();\n    advance();\n  }}\n"
-    "  /// Of this tick [s].\n  double time() const {{ return static_cast<double>(tick) * {1}; }}\n"
+    "  /// Of this tick [s].\n  double time() const {{ return {6}static_cast<double>(tick) * {1}; }}\n"
     "  /// Is every signal and state a finite number?\n  bool finite() const;\n"
     "  /// Why a block has ended the run; null while none has.\n  const char* fault() const;\n"
     "{5}"
@@ -208,12 +215,16 @@ Tuned tuned(const plan::Plan& plan, const Tuning& tuning) {
   return text;
 }
 
-std::string states_definitions(const Group& states) {
+std::string states_definitions(const plan::Plan& plan, const Group& states) {
   if (states.members.empty()) return "";
   return fmt::format(
       "Diagram::States Diagram::states() const {{\n  States states;\n{}  return states;\n}}\n\n"
       "void Diagram::set_states(const States& states) {{\n{}}}\n\n",
-      copies(states, true), copies(states, false));
+      copies(states, true),
+      copies(states, false) +
+          (plan.rest.empty()
+               ? ""
+               : fmt::format("  w_[{}] = 0.0;\n", plan.layout.events + solve::EventReport::ahead)));
 }
 
 }  // namespace
@@ -227,7 +238,7 @@ std::string struct_text(const plan::Plan& plan, const Tuning& tuning, const Grou
          states_text(groups.states) +
          fmt::format(struct_members, tunes ? ";" : " { reset(); }", number_text(plan.diagram.step),
                      plan.layout.size, tuned(plan, tuning).members, name,
-                     plan.loops.empty() ? "" : unsolved_member);
+                     plan.loops.empty() ? "" : unsolved_member, stopped_time(plan));
 }
 
 std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
@@ -247,7 +258,7 @@ std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, con
              "bool Diagram::restore(const State& state) {{\n  if (state.layout != {0}) return false;\n"
              "  tick = state.tick;\n  std::memcpy(w_, state.numbers, sizeof w_);\n{1}  return true;\n}}\n\n",
              layout_key(plan), tuned.restore) +
-         states_definitions(groups.states) + unsolved_text(plan) +
+         states_definitions(plan, groups.states) + unsolved_text(plan) +
          fmt::format(
              "bool Diagram::finite() const {{\n"
              "  std::uint64_t bits = 0;  // a product with 0 is 0 for what is finite and nan for the rest\n"

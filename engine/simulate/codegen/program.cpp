@@ -13,6 +13,7 @@
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
 #include "engine/simulate/codegen/stage_places.hpp"
+#include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire::codegen {
@@ -38,7 +39,7 @@ class Maker {
         names_(plan),
         statements_(plan, names_, variable, literals_),
         small_(calls(plan.stage) + calls(plan.derivatives) <= max_inlined &&
-               !solve::find_implicit(plan.diagram.solver) && plan.loops.empty() && plan.crossing_count == 0),
+               !solve::find_implicit(plan.diagram.solver) && plan.loops.empty()),
         functions_(small_) {}
 
   void add_steps() {
@@ -47,11 +48,8 @@ class Maker {
     add_outputs();
     add_updates();
     if (plan_.layout.state_count > 0) add_slopes();
-    if (plan_.crossing_count > 0) {
-      add_events();
-    } else {
-      add_advance();
-    }
+    if (plan_.crossing_count > 0) add_events();
+    add_advance();
   }
 
   void add_reset() {
@@ -78,8 +76,9 @@ class Maker {
   void add_follow() {
     functions_.add_text(
         fmt::format("\ninline void follow_values(double* w, [[maybe_unused]] const double* numbers) {{\n{}"
-                    "  w[at::timed] = {};\n  once(w, numbers);\n}}\n",
-                    constants_text(), number_text(plan::Layout::never)));
+                    "  w[at::timed] = {};\n  once(w, numbers);\n{}}}\n",
+                    constants_text(), number_text(plan::Layout::never),
+                    plan_.rest.empty() ? "" : "  w[" + ahead_place() + "] = 0.0;\n"));
   }
 
   GeneratedProgram program() const;
@@ -136,11 +135,28 @@ class Maker {
   }
 
   void add_outputs() {
-    std::vector<Code> code{{"  w[at::time] = static_cast<double>(tick) * step;\n"}};
+    std::vector<Code> code{{stop_guard() + "  w[at::time] = static_cast<double>(tick) * step;\n"}};
     if (!plan_.timed.empty()) code.front().text += "  follow_time(w, numbers);\n";
-    append(code, calls_of(plan_, statements_, plan_.outputs, Phase::outputs, at_tick()));
+    if (plan_.rest.empty()) {
+      append(code, outputs_of(plan_.outputs));
+    } else {
+      functions_.add("ahead", state_parameters, state_arguments, outputs_of(plan_.ahead));
+      code.push_back({fmt::format("  if (w[{}] == 0.0) ahead({});\n", ahead_place(), state_arguments)});
+      append(code, outputs_of(plan_.rest));
+    }
     functions_.add("evaluate", state_parameters, state_arguments, code);
   }
+
+  std::vector<Code> outputs_of(const std::vector<plan::KernelCall>& table) const {
+    return calls_of(plan_, statements_, table, Phase::outputs, at_tick());
+  }
+
+  /// Where the run has ended between two ticks it stays.
+  std::string stop_guard() const {
+    if (!plan_.stop_crossing) return "";
+    return fmt::format("  if (w[{}] != 0.0) return;\n", plan_.layout.events + solve::EventReport::stopped);
+  }
+  std::string ahead_place() const { return std::to_string(plan_.layout.events + solve::EventReport::ahead); }
 
   void add_updates() {
     functions_.add("update", state_parameters, state_arguments,
@@ -186,8 +202,9 @@ class Maker {
   }
 
   void add_advance() {
-    std::string body = "  update(w, numbers, tick);\n";
-    if (plan_.layout.state_count > 0) {
+    const bool moves = plan_.layout.state_count > 0, crosses = plan_.crossing_count > 0;
+    std::string body = stop_guard() + "  update(w, numbers, tick);\n";
+    if (moves) {
       body +=
           "  const double now = static_cast<double>(tick) * step;\n"
           "  const double end = static_cast<double>(tick + 1) * step;\n";
@@ -196,25 +213,38 @@ class Maker {
         const std::vector<Code> stage = calls_of(plan_, statements_, plan_.stage, Phase::outputs, {});
         body += with_conditions(stage, 0, stage.size());
       }
-      body += solver_text(plan_, small_);
     }
+    if (crosses) body += before_step_text(plan_);
+    if (moves) body += solver_text(plan_, {.small = small_});
+    if (crosses) body += after_step_text(plan_);
     functions_.add_text(
         fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters, body));
   }
 
-  /// What happens at events, and what is looked at for them.
+  /// What is looked at for events, and what happens there. That happens rarely and is not put into others.
   void add_events() {
-    const auto add = [&](const char* name, const std::vector<plan::KernelCall>& table, Phase phase) {
-      functions_.add(name, state_parameters, state_arguments,
-                     calls_of(plan_, statements_, table, phase, at_tick()));
+    const auto add = [&](const char* name, const std::vector<Code>& code) {
+      functions_.add(name, state_parameters, state_arguments, code);
     };
-    add("crossing_outputs", plan_.crossing_outputs, Phase::outputs);
-    add("event_outputs", plan_.event_outputs, Phase::outputs);
-    add("event_updates", plan_.event_updates, Phase::update);
-    functions_.add_text(fmt::format("inline void look({}, double* z) {{\n{}}}\n\n", state_parameters,
-                                    look_text(plan_, statements_, at_tick())));
-    functions_.add_text(fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters,
-                                    located_advance_text(plan_, names_)));
+    std::vector<Code> ends = outputs_of(plan_.ahead);
+    append(ends, outputs_of(plan_.crossing_outputs));
+    add("crossing_ends", ends);
+    add("crossing_starts", outputs_of(plan_.crossing_starts));
+    if (!plan_.event_befores.empty()) add("event_befores", outputs_of(plan_.event_befores));
+    add("event_outputs", outputs_of(plan_.event_outputs));
+    add("event_updates", calls_of(plan_, statements_, plan_.event_updates, Phase::update, at_tick()));
+    const char* const rarely = "[[gnu::noinline, gnu::cold]] inline void";
+    functions_.add_text(fmt::format("{} look({}, double* z) {{\n{}}}\n\n", functions_.attribute() + " void",
+                                    state_parameters, look_text(plan_, statements_, at_tick())));
+    if (plan_.layout.state_count > 0)
+      functions_.add_text(
+          fmt::format("{} slopes_in_place(double* w, [[maybe_unused]] const double* numbers) {{\n"
+                      "  slopes(w, w, numbers, w + first_derivative);\n}}\n\n",
+                      rarely));
+    functions_.add_text(fmt::format("{} follow_crossings({}) {{\n  crossing_ends({});\n}}\n\n", rarely,
+                                    state_parameters, state_arguments));
+    functions_.add_text(fmt::format("{} locate({}, double* scratch) {{\n{}}}\n\n", rarely, state_parameters,
+                                    locate_text(plan_, names_)));
   }
 
   std::string constants_text() {

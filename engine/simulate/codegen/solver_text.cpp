@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/model/plan/active_pieces.hpp"
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/solve/additions.hpp"
 #include "engine/simulate/solve/solver.hpp"
@@ -14,20 +15,24 @@ constexpr std::size_t few = 16;  // states that are written out one by one
 
 class ExplicitText {
  public:
-  ExplicitText(const std::vector<solve::SolverStage>& stages, const plan::Plan& plan, bool small, bool begins)
+  ExplicitText(const std::vector<solve::SolverStage>& stages, const plan::Plan& plan, const StepForm& form)
       : stages_(stages),
         states_(plan.layout.state_count),
-        small_(small),
-        begins_(begins),
-        timed_(!plan.timed.empty()) {}
+        form_(form),
+        timed_(!plan.timed.empty()),
+        first_(plan.layout.states),
+        pieces_(plan::active_pieces(plan, plan.layout.states, plan.layout.derivatives)) {
+    // Stages with numbers of their own have those of all states.
+    if (form.small) pieces_ = {{plan.layout.states, plan.layout.derivatives, -1}};
+  }
 
   std::string text() const {
-    std::string text = small_ ? fmt::format("  double s[first_derivative], dot[{}];\n", states_)
-                              : "  double* const s = w;\n  double* const dot = w + first_derivative;\n";
+    std::string text = form_.small ? fmt::format("  double s[first_derivative], dot[{}];\n", states_)
+                                   : "  double* const s = w;\n  double* const dot = w + first_derivative;\n";
     for (int place = 0; place < solve::places_of(stages_); ++place)
       text += fmt::format("  double {}[{}];\n", name(place), states_);
     text += each([](const std::string& i) { return fmt::format("start[{0}] = w[states + {0}];", i); });
-    if (begins_) text += "  derivatives(w, numbers, dot);\n";
+    if (form_.begins) text += "  derivatives(w, numbers, dot);\n";
     for (std::size_t stage = 0; stage < stages_.size(); ++stage) {
       if (stage > 0) text += evaluation_text(stages_[stage - 1].next);
       text += additions_text(stages_[stage], stage + 1 == stages_.size());
@@ -43,19 +48,26 @@ class ExplicitText {
   std::string evaluation_text(double fraction) const {
     const std::string time = fraction == 1.0 ? "end" : fmt::format("now + {} * step", number_text(fraction));
     std::string text = fmt::format("  w[at::time] = {};\n", time);
-    if (small_) text += "  s[at::time] = w[at::time];\n";
+    if (form_.small) text += "  s[at::time] = w[at::time];\n";
     if (timed_) text += "  follow_time(w, numbers);\n";
-    return text + "  slopes(w, s, numbers, dot);\n";
+    return text + "  " + form_.slopes + ";\n";
   }
 
   template <class Statement>
   std::string each(const Statement& statement) const {
-    if (states_ > few)
-      return fmt::format("#pragma GCC ivdep\n  for (int i = 0; i < {}; ++i) {{ {} }}\n", states_,
-                         statement("i"));
     std::string text;
+    if (states_ > few) {
+      for (const plan::ActivePiece& piece : pieces_) text += piece_text(piece, statement("i"));
+      return text;
+    }
     for (std::size_t i = 0; i < states_; ++i) text += fmt::format("  {}\n", statement(std::to_string(i)));
     return text;
+  }
+
+  std::string piece_text(const plan::ActivePiece& piece, const std::string& statement) const {
+    const std::string loop = fmt::format("#pragma GCC ivdep\n  for (int i = {}; i < {}; ++i) {{ {} }}\n",
+                                         piece.first - first_, piece.end - first_, statement);
+    return piece.active < 0 ? loop : fmt::format("  if (w[{}] != 0.0) {{\n{}  }}\n", piece.active, loop);
   }
 
   /// A slope is added to all sums on one way through memory.
@@ -76,27 +88,29 @@ class ExplicitText {
 
   const std::vector<solve::SolverStage>& stages_;
   std::size_t states_;
-  bool small_, begins_, timed_;
+  const StepForm& form_;
+  bool timed_;
+  std::size_t first_;                      ///< where the states lie
+  std::vector<plan::ActivePiece> pieces_;  ///< what is off does not move
 };
 
-std::string implicit_text(const solve::ImplicitMethod& method, const plan::Plan& plan, bool begins) {
+std::string implicit_text(const solve::ImplicitMethod& method, const plan::Plan& plan, const StepForm& form) {
   return fmt::format(
-      "  double* const dot = w + first_derivative;\n{5}"
+      "  [[maybe_unused]] double* const s = w;\n  double* const dot = w + first_derivative;\n{5}"
       "  {0}<{1}> method({1});\n"
-      "  method.advance(w + states, dot, w + at::time, now, end, step, {{w + {2}, {3}}}, [&] {{{4} slopes(w, "
-      "w, "
-      "numbers, dot); }});\n",
+      "  method.advance(w + states, dot, w + at::time, now, end, step, {{w + {2}, {3}}}, [&] {{{4} {6}; "
+      "}});\n",
       method.type, plan.layout.state_count, plan.layout.report, number_text(plan.diagram.tolerance),
       plan.timed.empty() ? "" : " follow_time(w, numbers);",
-      begins ? "  derivatives(w, numbers, dot);\n" : "");
+      form.begins ? "  derivatives(w, numbers, dot);\n" : "", form.slopes);
 }
 
 }  // namespace
 
-std::string solver_text(const plan::Plan& plan, bool small, bool begins) {
+std::string solver_text(const plan::Plan& plan, const StepForm& form) {
   if (const auto tableau = solve::find_tableau(plan.diagram.solver))
-    return ExplicitText(solve::stages_of(*tableau), plan, small, begins).text();
-  return implicit_text(*solve::find_implicit(plan.diagram.solver), plan, begins);
+    return ExplicitText(solve::stages_of(*tableau), plan, form).text();
+  return implicit_text(*solve::find_implicit(plan.diagram.solver), plan, form);
 }
 
 }  // namespace stepwire::codegen

@@ -9,9 +9,11 @@ namespace stepwire::codegen {
 /// The body of the part of advance() that takes the states over a step, after the updates: the same
 /// operations in the same order as the solver's. It calls `derivatives(w, numbers, dot)` for the slopes at
 /// the tick and `slopes(w, s, numbers, dot)` for those at a stage, whose time and states stand in `s`.
-/// With `small` the stages have numbers of their own, which a compiler can keep in registers; else they work
-/// in `w`.
-/// Without `begins` the slopes at the start are in the workspace.
-std::string solver_text(const plan::Plan& plan, bool small, bool begins = true);
+struct StepForm {
+  bool small = false;  ///< the stages have numbers of their own, which a compiler can keep in registers
+  bool begins = true;  ///< else the slopes at the start are in the workspace
+  std::string slopes = "slopes(w, s, numbers, dot)";
+};
+std::string solver_text(const plan::Plan& plan, const StepForm& form);
 
 }  // namespace stepwire::codegen

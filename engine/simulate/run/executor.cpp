@@ -7,6 +7,7 @@
 #include <cmath>
 #include <new>
 
+#include "engine/model/plan/active_pieces.hpp"
 #include "engine/model/signal/diagnostic.hpp"
 #include "engine/simulate/run/finite.hpp"
 
@@ -65,6 +66,16 @@ class Executor::Equations : public solve::System {
     dot = values + layout.derivatives;
     count = layout.state_count;
     report = {values + layout.report, simulation.plan_.diagram.tolerance};
+    moving = {{0, count}};
+    moving.reserve(simulation.states_.size() + 1);
+  }
+  /// Leaves out what is off.
+  void find_moving() {
+    const std::size_t first = simulation_.plan_.layout.states;
+    moving.clear();
+    for (const Piece& piece : simulation_.states_)
+      if (!piece.active || *piece.active != 0.0) moving.push_back({piece.first - first, piece.end - first});
+    if (moving.empty()) moving.push_back({0, 0});
   }
   void evaluate() override {
     simulation_.follow_time();
@@ -90,7 +101,11 @@ Executor::Executor(const plan::Plan& plan)
       stage_(plan, plan.stage, blocks_.get()),
       derivatives_(plan, plan.derivatives, blocks_.get()),
       updates_(plan, plan.updates, blocks_.get()),
+      ahead_(plan, plan.ahead, blocks_.get()),
+      rest_(plan, plan.rest, blocks_.get()),
       crossing_outputs_(plan, plan.crossing_outputs, blocks_.get()),
+      crossing_starts_(plan, plan.crossing_starts, blocks_.get()),
+      event_befores_(plan, plan.event_befores, blocks_.get()),
       event_outputs_(plan, plan.event_outputs, blocks_.get()),
       event_updates_(plan, plan.event_updates, blocks_.get()),
       event_scratch_(solve::EventTask::scratch_size(plan.layout.state_count, plan.crossing_count)) {
@@ -102,15 +117,20 @@ Executor::Executor(const plan::Plan& plan)
     const diagram::DiagramBlock& from = plan.diagram.blocks[index];
     from.type().copy(memory(index), from.block.get());
   }
+  const plan::Layout& layout = plan.layout;
+  checked_ = pieces_of(layout.signals, layout.derivatives + layout.state_count);
+  states_ = pieces_of(layout.states, layout.derivatives);
   equations_ = std::make_unique<Equations>(*this);
   if (!plan.guards.empty()) {
     guards_.emplace(plan, workspace_.values.data(),
                     [this](std::size_t block) { plan_.diagram.blocks[block].type().start(memory(block)); });
-    for (Table* table : {&timed_, &outputs_, &stage_, &derivatives_, &updates_, &crossing_outputs_,
-                         &event_outputs_, &event_updates_})
+    for (Table* table :
+         {&timed_, &outputs_, &stage_, &derivatives_, &updates_, &ahead_, &rest_, &crossing_outputs_,
+          &crossing_starts_, &event_befores_, &event_outputs_, &event_updates_})
       table->add_gates(workspace_.values.data());
   }
   bind();
+  find_looks();
   reset();
 }
 
@@ -209,18 +229,23 @@ void Executor::find_due() {
 }
 
 void Executor::evaluate() {
+  if (has_stopped()) return;
   if (code_) {
     code_->functions.evaluate(workspace_.values.data(), numbers_->data(), workspace_.tick);
   } else {
-    workspace_.values[plan::Layout::time] = time();
+    workspace_.values[plan::Layout::time] = plan_.time_of(workspace_.tick);
     follow_time();
     find_due();
-    run_due(outputs_);
+    run_due(is_ahead() ? rest_ : outputs_);
   }
   healthy_ = healthy_ && is_finite() && loops_solved();
 }
 
 void Executor::advance() {
+  if (has_stopped()) {
+    ++workspace_.tick;
+    return;
+  }
   if (code_) {
     code_->functions.advance(workspace_.values.data(), numbers_->data(), workspace_.tick);
   } else {
@@ -235,21 +260,35 @@ void Executor::advance() {
 
 void Executor::take_step() {
   run_due(updates_);
+  if (guards_ && solver_) guards_->keep();
+  if (plan_.updates_continuous) run(stage_);
   if (plan_.crossing_count > 0) return take_located_step();
   if (!solver_) return;
-  if (guards_) guards_->keep();
-  if (plan_.updates_continuous) run(stage_);
   run(derivatives_);
-  step_states({time(), plan_.time_of(workspace_.tick + 1), plan_.diagram.step});
+  step_states({plan_.time_of(workspace_.tick), plan_.time_of(workspace_.tick + 1), plan_.diagram.step});
+}
+
+std::vector<Executor::Piece> Executor::pieces_of(std::size_t first, std::size_t end) const {
+  std::vector<Piece> pieces;
+  for (const plan::ActivePiece& piece : plan::active_pieces(plan_, first, end))
+    pieces.push_back({piece.first, piece.end, piece.active < 0 ? nullptr : values() + piece.active});
+  return pieces;
+}
+
+const std::vector<solve::StatePiece>& Executor::moving_states() const {
+  return equations_->moving;
 }
 
 void Executor::step_states(const solve::TimeStep& step) {
+  if (guards_) equations_->find_moving();
   solver_->advance(*equations_, step);
 }
 
 bool Executor::is_finite() const {
-  const plan::Layout& layout = plan_.layout;
-  return all_finite(values() + layout.signals, layout.derivatives + layout.state_count - layout.signals);
+  for (const Piece& piece : checked_)
+    if (!piece.active || *piece.active != 0.0)
+      if (!all_finite(values() + piece.first, piece.end - piece.first)) return false;
+  return true;
 }
 
 bool Executor::diagnostic_ends_run() const {

@@ -11,10 +11,12 @@
 #include "engine/model/plan/change.hpp"
 #include "engine/model/plan/compiled_plan.hpp"
 #include "engine/model/signal/input.hpp"
+#include "engine/simulate/run/event_count.hpp"
 #include "engine/simulate/run/guards.hpp"
 #include "engine/simulate/run/loop_cost.hpp"
 #include "engine/simulate/run/run_fault.hpp"
 #include "engine/simulate/run/schedule_probe.hpp"
+#include "engine/simulate/run/stop_condition.hpp"
 #include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/loop_solver.hpp"
 #include "engine/simulate/solve/solver.hpp"
@@ -79,7 +81,9 @@ class Executor {
   bool healthy() const { return healthy_; }
   bool finished() const { return workspace_.tick >= plan_.steps; }
   std::int64_t tick() const { return workspace_.tick; }
-  double time() const { return plan_.time_of(workspace_.tick); }
+  double time() const {
+    return has_stopped() ? workspace_.values[plan::Layout::time] : plan_.time_of(workspace_.tick);
+  }
 
   const plan::Plan& plan() const { return plan_; }
   const Workspace& workspace() const { return workspace_; }
@@ -96,6 +100,8 @@ class Executor {
   void go_on_unsolved() { goes_on_unsolved_ = true; }
   /// What the loops of the plan have cost up to now.
   std::vector<LoopCost> loop_costs() const;
+  /// Which events have been located up to now.
+  EventCount event_count() const;
 
   /// Makes one call of the plan, which may be cut down to some of its blocks, at the present moment: for
   /// measuring what it costs.
@@ -154,6 +160,14 @@ class Executor {
     std::vector<Loop> loops;
   };
 
+  /// The crossings of a block.
+  struct CrossingLook {
+    void (*run)(const void* block, double* numbers);
+    const void* block;
+    const double* active;  ///< 0 while it crosses nothing
+    std::size_t first, count;
+  };
+
   void run(Table& table);
   /// Computes what follows from the time alone, if it has changed.
   void follow_time();
@@ -166,15 +180,28 @@ class Executor {
   bool loops_solved() const;
   std::optional<RunFault> unsolved_loop() const;
   void run_guarded(const Table& table, std::size_t first, std::size_t end);
-  /// The solver's step, from event to event.
+  /// The solver's step, and the same from event to event where something has crossed.
   void take_located_step();
-  void begin_located_step();
+  void locate_events(const solve::TimeStep& step);
+  solve::EventTask event_task();
+  void find_looks();
   void look_for_crossings(double* numbers) const;
-  void act_at_event();
+  static void look(const std::vector<CrossingLook>& looks, double* numbers);
+  void look_at_start();
+  std::vector<bool> standing_numbers() const;
+  /// Computes what crossings depend on.
+  void follow_crossings();
+  /// Does the run end there?
+  bool act_at_event();
+  bool is_ahead() const;
+  /// Has the run ended at an event, between two ticks?
+  bool has_stopped() const;
   std::optional<RunFault> too_many_events() const;
   void find_due();
   void take_step();
   void step_states(const solve::TimeStep& step);
+  /// Those that the last step has moved.
+  const std::vector<solve::StatePiece>& moving_states() const;
   bool diagnostic_ends_run() const;
   std::optional<RunFault> wrong_step() const;
   std::optional<RunFault> not_finite() const;
@@ -193,12 +220,27 @@ class Executor {
   std::vector<Inputs::Element> list_elements_;   ///< of all list inputs, in the order of blocks in memory
   std::vector<std::size_t> first_list_element_;  ///< of each block
   std::unique_ptr<std::byte, FreeBlocks> blocks_;
-  Table once_, timed_, outputs_, stage_, derivatives_, updates_, crossing_outputs_, event_outputs_,
-      event_updates_;
+  Table once_, timed_, outputs_, stage_, derivatives_, updates_;
+  Table ahead_, rest_, crossing_outputs_, crossing_starts_, event_befores_, event_outputs_, event_updates_;
+  std::optional<StopMargin> stop_margin_;  ///< where `stop_when` is located
+  /// Those that only solver and time change are as they were at the end of the step before, unless something
+  /// else has changed the states.
+  std::vector<CrossingLook> looks_, changing_looks_;
+  bool stop_changes_ = false;  ///< is the number of `stop_when` one of these?
+  /// The numbers of crossings at the start and at the end of a step, and the states at that of the last one.
+  std::vector<double> before_, after_, end_states_;
+  bool states_change_ = false;  ///< may anything but the solver change states?
   std::vector<double> event_scratch_;
   std::unique_ptr<Equations> equations_;
   std::optional<Guards> guards_;  ///< none where the plan has none
-  std::vector<char> due_;         ///< for each of the plan's periods
+  /// A stretch of the workspace.
+  struct Piece {
+    std::size_t first, end;
+    const double* active;  ///< 0 while nothing in it moves; null: it always may
+  };
+  std::vector<Piece> pieces_of(std::size_t first, std::size_t end) const;
+  std::vector<Piece> checked_, states_;  ///< what has to be finite, and the continuous states
+  std::vector<char> due_;                ///< for each of the plan's periods
   std::vector<std::size_t> ending_diagnostics_;
   ScheduleProbe* watcher_ = nullptr;
   bool healthy_ = true, goes_on_unsolved_ = false;

@@ -122,6 +122,7 @@ void Executor::follow_values() {
   write_constants();
   compute_once();
   workspace_.values[plan::Layout::timed] = plan::Layout::never;
+  if (plan_.crossing_count > 0) workspace_.values[plan_.layout.events + solve::EventReport::ahead] = 0.0;
 }
 
 }  // namespace stepwire::run

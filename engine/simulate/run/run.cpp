@@ -15,6 +15,7 @@ RunEnd end_of(const Executor& simulation, Drive::End how) {
   if (auto fault = simulation.fault()) end.faults.push_back(std::move(*fault));
   end.diagnostics = simulation.diagnostics();
   end.loops = simulation.loop_costs();
+  end.events = simulation.event_count();
   end.ticks = simulation.tick();
   return end;
 }

@@ -32,6 +32,7 @@ struct RunEnd {
   std::vector<RunFault> faults;  ///< at most one for each run
   std::vector<RaisedDiagnostic> diagnostics;
   std::vector<LoopCost> loops;  ///< algebraic loops that were solved, in all runs together
+  EventCount events;            ///< that were located, in all runs together
   bool interrupted = false;
   bool stopped = false;             ///< by an observer, at least one run
   std::int64_t ticks = 0;           ///< of all runs together

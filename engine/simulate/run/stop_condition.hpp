@@ -3,9 +3,18 @@
 #include <optional>
 #include <vector>
 
+#include "engine/base/expression/margin.hpp"
 #include "engine/model/plan/plan.hpp"
 
 namespace stepwire::run {
+
+/// Where what `stop_when` reads lies in the workspace.
+inline std::vector<std::size_t> stop_offsets(const plan::Plan& plan) {
+  std::vector<std::size_t> offsets;
+  for (const diagram::SignalRef& variable : plan.diagram.stop_when->variables)
+    offsets.push_back(plan.offset(variable));
+  return offsets;
+}
 
 /// Evaluates `stop_when` at a tick.
 class StopConditionEvaluator {
@@ -13,13 +22,28 @@ class StopConditionEvaluator {
   explicit StopConditionEvaluator(const plan::Plan& plan) {
     if (!plan.diagram.stop_when) return;
     condition_ = plan.diagram.stop_when->expression;
-    for (const diagram::SignalRef& variable : plan.diagram.stop_when->variables)
-      offsets_.push_back(plan.offset(variable));
+    offsets_ = stop_offsets(plan);
   }
   bool stops(const double* values) const { return condition_ && (*condition_)(values, offsets_) != 0.0; }
 
  private:
   std::optional<expression::Expression> condition_;
+  std::vector<std::size_t> offsets_;
+};
+
+/// The number that changes its sign where `stop_when` becomes true; the plan has one.
+class StopMargin {
+ public:
+  explicit StopMargin(const plan::Plan& plan)
+      : stops_(plan), margin_(expression::margin_of(plan.diagram.stop_when->expression)) {
+    offsets_ = stop_offsets(plan);
+  }
+  double operator()(const double* values) const { return margin_(values, offsets_); }
+  bool stops(const double* values) const { return stops_.stops(values); }
+
+ private:
+  StopConditionEvaluator stops_;
+  expression::Expression margin_;
   std::vector<std::size_t> offsets_;
 };
 

@@ -51,6 +51,7 @@ class Ends {
     all_.ticks += end.ticks;
     all_.compiled_ticks += end.compiled_ticks;
     add_loops(all_.loops, end.loops);
+    all_.events += end.events;
   }
 
   RunEnd take() {

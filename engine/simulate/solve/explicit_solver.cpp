@@ -36,10 +36,12 @@ ExplicitSolver::ExplicitSolver(const Tableau& tableau, std::size_t states)
 }
 
 template <int count>
-void ExplicitSolver::add(const Sum (&sums)[2], const double* slope, std::size_t size) {
-  std::size_t i = 0;
-  for (; i + 2 <= size; i += 2) add_at<Two, count>(sums, slope, i);
-  if (i < size) add_at<double, count>(sums, slope, i);
+void ExplicitSolver::add(const Sum (&sums)[2], const System& system) const {
+  for (const StatePiece& piece : pieces_) {
+    std::size_t i = piece.first;
+    for (; i + 2 <= piece.end; i += 2) add_at<Two, count>(sums, system.dot, i);
+    if (i < piece.end) add_at<double, count>(sums, system.dot, i);
+  }
 }
 
 ExplicitSolver::Pass ExplicitSolver::pass_of(const Addition* additions, bool two, const System& system,
@@ -65,19 +67,22 @@ void ExplicitSolver::prepare(const System& system, double length) {
   length_ = length;
 }
 
-void ExplicitSolver::use_slope(const Stage& stage, const System& system) {
+void ExplicitSolver::use_slope(const Stage& stage, const System& system) const {
   for (const Pass& pass : stage.passes) {
     if (pass.two) {
-      add<2>(pass.sums, system.dot, system.count);
+      add<2>(pass.sums, system);
     } else {
-      add<1>(pass.sums, system.dot, system.count);
+      add<1>(pass.sums, system);
     }
   }
 }
 
 void ExplicitSolver::advance(System& system, const TimeStep& step) {
   if (system.x != states_ || step.length != length_) prepare(system, step.length);
-  std::copy_n(system.x, system.count, sums_.data());
+  all_ = {0, system.count};
+  pieces_ = system.moving.empty() ? std::span(&all_, 1) : std::span(system.moving);
+  for (const StatePiece& piece : pieces_)
+    std::copy(system.x + piece.first, system.x + piece.end, sums_.data() + piece.first);
   use_slope(stages_.front(), system);
   for (std::size_t stage = 1; stage < stages_.size(); ++stage) {
     *system.time = step.at(stages_[stage - 1].next);

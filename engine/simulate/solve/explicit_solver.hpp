@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/simulate/solve/additions.hpp"
@@ -12,6 +13,7 @@ class ExplicitSolver : public Solver {
  public:
   ExplicitSolver(const Tableau& tableau, std::size_t states);
   void advance(System& system, const TimeStep& step) override;
+  const double* start() const override { return sums_.data(); }
 
  private:
   /// to = from + weight slope
@@ -33,15 +35,17 @@ class ExplicitSolver : public Solver {
 
   void prepare(const System& system, double length);
   Pass pass_of(const Addition* additions, bool two, const System& system, double length);
-  static void use_slope(const Stage& stage, const System& system);
+  void use_slope(const Stage& stage, const System& system) const;
   template <int count>
-  static void add(const Sum (&sums)[2], const double* slope, std::size_t size);
+  void add(const Sum (&sums)[2], const System& system) const;
 
   std::vector<SolverStage> method_;
   std::vector<double> sums_;   ///< states at the start, then one row for each sum that waits for more slopes
   std::vector<Stage> stages_;  ///< for the states and the step of the last call
   const double* states_ = nullptr;
   double length_ = 0.0;
+  StatePiece all_{};
+  std::span<const StatePiece> pieces_;  ///< of this step
 };
 
 }  // namespace stepwire::solve

@@ -15,6 +15,7 @@ class ImplicitSolver : public Solver {
     method_.advance(system.x, system.dot, system.time, step.start, step.end, step.length, system.report,
                     [&] { system.evaluate(); });
   }
+  const double* start() const override { return method_.start(); }
 
  private:
   Method method_;

@@ -47,6 +47,8 @@ class Rosenbrock {
     x = start_ + step * (k2_ + k1_);
     if (report) check(x, dot, now, end, step, report, evaluate);
   }
+  /// The states at the start of the last step.
+  const double* start() const { return start_.data(); }
 
  private:
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_states, 1>;

@@ -47,6 +47,9 @@ class Sdirk {
     if (report) check(x, report);
   }
 
+  /// The states at the start of the last step.
+  const double* start() const { return start_.data(); }
+
  private:
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_states, 1>;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_states, max_states>;

@@ -11,6 +11,11 @@
 
 namespace stepwire::solve {
 
+/// States from `first` to `end - 1`.
+struct StatePiece {
+  std::size_t first, end;
+};
+
 /// The differential equations of a run, as a solver sees them: x is set, evaluate() fills dot at the time in
 /// *time.
 class System {
@@ -22,7 +27,8 @@ class System {
   double* x = nullptr;
   double* dot = nullptr;
   std::size_t count = 0;
-  StepReport report;  ///< where an implicit solver says what is wrong with a step
+  std::vector<StatePiece> moving;  ///< where slopes may not be 0 in this step; empty: everywhere
+  StepReport report;               ///< where an implicit solver says what is wrong with a step
 };
 
 /// A fixed step in time [s]. `end` is the time of the next tick as that will have it, which start + length
@@ -41,6 +47,8 @@ class Solver {
   /// x becomes the state at the step's end. On entry dot is already evaluated at its start. Leaves *time as
   /// it pleases.
   virtual void advance(System& system, const TimeStep& step) = 0;
+  /// The states at the start of the last step; of those that did not move anything.
+  virtual const double* start() const = 0;
 };
 
 struct SolverKind {
