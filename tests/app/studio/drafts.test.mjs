@@ -27,9 +27,9 @@ async function withStudio(action) {
   }
 }
 
-/** Waits until what was typed is on the disk as a draft. */
+/** Waits until what was typed is on the disk as a draft, under its own name: it is written under another one first. */
 async function drafted(studio, words) {
-  const state = join(studio.folder, "state"), has = () => readdirSync(state, {recursive: true, withFileTypes: true}).some((one) => one.isFile() && readFileSync(join(one.parentPath ?? one.path, one.name), "utf8").includes(words));
+  const state = join(studio.folder, "state"), has = () => readdirSync(state, {recursive: true, withFileTypes: true}).some((one) => one.isFile() && one.name.endsWith(".draft") && readFileSync(join(one.parentPath ?? one.path, one.name), "utf8").includes(words));
   for (let i = 0; i < 100; ++i) {
     if (existsSync(state) && has()) return;
     await studio.page.waitForTimeout(100);
