@@ -1,14 +1,11 @@
 #include "blocks/math/inverse.hpp"
 
-#include <string>
-
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 
 void Inverse::declare(Declare<Inverse>& is) {
-  is.block("Inverse", {.doc = "The inverse of a square matrix of at most " + std::to_string(most_rows) +
-                              " rows, y = 1/u. A singular one ends the run.",
+  is.block("Inverse", {.doc = "The inverse of a square matrix, y = 1/u. A singular one ends the run.",
                        .source = "Gauss and Jordan, pivots from each column",
                        .symbol = {.text = "1 / u"}});
   is.input<&Inverse::u>({.unit = "'u", .shape = "n x n", .doc = "square matrix"});

@@ -2,16 +2,16 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
 
-/// The inverse of a matrix of at most `most_rows` rows, by Gauss and Jordan in place with pivots from each
-/// column.
+/// The inverse of a matrix, by Gauss and Jordan in place with pivots from each column.
 struct Inverse {
-  static constexpr Index most_rows = 32;
+  static constexpr Index most_rows = 8192;  // more fit into no plan, with as many columns
 
   Input<> u{};
   Output<> y{};
@@ -23,9 +23,9 @@ struct Inverse {
 
   void outputs() {
     y = u;
-    std::array<Index, most_rows> swapped{};
+    std::array<std::uint16_t, most_rows> swapped;  // not set here: a small matrix uses little of it
     for (Index k = 0; k < rows; ++k) {
-      swapped[static_cast<std::size_t>(k)] = take_pivot(k);
+      swapped[static_cast<std::size_t>(k)] = static_cast<std::uint16_t>(take_pivot(k));
       eliminate(k);
     }
     for (Index k = rows - 1; k >= 0; --k)

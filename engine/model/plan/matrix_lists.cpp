@@ -27,7 +27,7 @@ int MatrixLists::add_element(const List& list, int shared, const diagram::Source
   const std::string shown = sizes_.shown(given);
   if (!sizes_.join(given, element))
     draft_.report.add(source.origin, subject(list),
-                      fmt::format("'{}' has {}, but {} would fit", source_name(draft_, source), shown,
+                      fmt::format("{} has {}, but {} would fit", quoted_source(draft_, source), shown,
                                   sizes_.fitting(element)));
   return element;
 }
@@ -78,7 +78,7 @@ void MatrixLists::check_elements(const List& list) {
     const bool by_rows = list.shape.adds_rows;
     draft_.report.add(
         sources[i].origin, subject(list),
-        fmt::format("'{}' has {} elements, which are no whole {} of {}", source_name(draft_, sources[i]),
+        fmt::format("{} has {} elements, which are no whole {} of {}", quoted_source(draft_, sources[i]),
                     size, by_rows ? "rows" : "columns", by_rows ? wide : high));
   }
 }

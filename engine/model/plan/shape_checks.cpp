@@ -79,7 +79,7 @@ class ShapeChecks {
     draft_.report.add(
         source.origin, subject,
         fmt::format("{} has {} elements, but others in this list have {}; all must have the same, or one",
-                    source.block < 0 ? "this" : "'" + source_name(draft_, source) + "'", *given, size));
+                    quoted_source(draft_, source), *given, size));
   }
 
   void refuse_small(std::size_t index) {
@@ -87,9 +87,20 @@ class ShapeChecks {
     for (const auto& [name, least] : draft_.blocks[index].says.min_sizes) {
       const Eigen::Index size = sizes_.value(sizes_.symbol(index, name)).value_or(1);
       if (size < least)
-        draft_.report.add(block.origin, block.name,
-                          fmt::format("is fed {} elements; it needs at least {}", size, least));
+        draft_.report.add(
+            block.origin, block.name,
+            fmt::format("is fed {} {}; it needs at least {}", size, counted_by(block.type(), name), least));
     }
+  }
+
+  /// What a letter in the shapes of inputs counts.
+  static const char* counted_by(const BlockType& type, const std::string& letter) {
+    for (const InputSpec& input : type.inputs) {
+      const PortShape shape(input.shape);
+      if (shape.is_matrix && shape.rows == letter) return "rows";
+      if (shape.is_matrix && shape.columns == letter) return "columns";
+    }
+    return "elements";
   }
 
   Draft& draft_;
@@ -110,6 +121,10 @@ std::string source_name(const Draft& draft, const diagram::Source& source) {
   const diagram::DiagramBlock& block = draft.plan.diagram.blocks[static_cast<std::size_t>(source.block)];
   return diagram::output_name(block.name, block.type(), static_cast<std::size_t>(source.output)) +
          diagram::element_text(source.element);
+}
+
+std::string quoted_source(const Draft& draft, const diagram::Source& source) {
+  return source.block < 0 ? "this" : "'" + source_name(draft, source) + "'";
 }
 
 void check_shapes(Draft& draft, PortSizes& sizes, const ListInputs& refused) {

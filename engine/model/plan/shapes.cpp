@@ -101,8 +101,14 @@ class Shapes {
       if (spec.list && PortShape(spec.shape).is_matrix) matrix_lists_.add(index, i);
       if (spec.list) continue;
       for (const diagram::Source& source : block.inputs[i])
-        connect_one(sizes_.symbol(index, spec.shape), subject_of(index, spec), source);
+        if (!counts_for_every_element(spec, source))
+          connect_one(sizes_.symbol(index, spec.shape), subject_of(index, spec), source);
     }
+  }
+
+  /// A number alone does, but where a matrix is meant.
+  static bool counts_for_every_element(const InputSpec& spec, const diagram::Source& source) {
+    return source.block < 0 && source.constant.size() == 1 && !PortShape(spec.shape).is_matrix;
   }
 
   std::string subject_of(std::size_t index, const InputSpec& spec) {
@@ -110,7 +116,6 @@ class Shapes {
   }
 
   void connect_one(int wanted, const std::string& subject, const diagram::Source& source) {
-    if (source.block < 0 && source.constant.size() == 1) return;
     const int given = sizes_.of_source(source);
     const std::string shown = sizes_.shown(given);
     if (sizes_.join(given, wanted)) return;

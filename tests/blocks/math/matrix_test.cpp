@@ -69,6 +69,23 @@ record: [one, B]
   CHECK(last(run, "B.1.1") == Approx(-20.0 / 22.0));  // (0*0 - 5*4)/det, det = 22
 }
 
+TEST_CASE("a matrix of many rows is inverted, too") {
+  // The inverse of the bidiagonal matrix with 2 and 1 below it has (-1/2)^(i-j) / 2 in row i and column j.
+  const int rows = 70;
+  std::string written;
+  for (int i = 0; i < rows; ++i) {
+    written += i ? ", [" : "[";
+    for (int j = 0; j < rows; ++j)
+      written += std::string(j ? ", " : "") + (i == j ? "2" : i == j + 1 ? "1" : "0");
+    written += "]";
+  }
+  const table::Table run = run_text(head + "  A: {block: Inverse, u: [" + written +
+                                    "]}\n  x: {block: Mux, u: [A.70.70, A.70.67, A.1.70]}\nrecord: [x]\n");
+  CHECK(last(run, "x.1") == 0.5);
+  CHECK(last(run, "x.2") == -0.0625);
+  CHECK(last(run, "x.3") == 0.0);
+}
+
 TEST_CASE("a singular matrix has no inverse, which ends the run") {
   CHECK_THAT(error_of(head + R"(
   A: {block: Inverse, u: [[1, 2], [2, 4]]}
@@ -88,6 +105,55 @@ record: [wide, high]
   CHECK(last(run, "wide.2.2") == 4.0);
   CHECK(last(run, "high.3.1") == 7.0);
   CHECK(last(run, "high.2.2") == 4.0);
+}
+
+TEST_CASE("what stands beside other matrices may be as wide as those that it is made of") {
+  const table::Table run = run_text(head + R"(
+  late: {block: UnitDelay, u: A, initial: 0}
+  back: {block: Transpose, u: tall}
+  tall: {block: Stack, u: [both, both]}
+  both: {block: Concatenate, u: [late, row, A]}
+  row:  {block: Reshape, u: pair, rows: 2, columns: 1}
+  pair: {block: Mux, u: [A.1.1, A.2.2]}
+  A:    {block: Constant, value: [[1, 2], [3, 4]]}
+record: [back]
+)");
+  const double expected[4][5] = {{1, 2, 1, 1, 2}, {3, 4, 4, 3, 4}, {1, 2, 1, 1, 2}, {3, 4, 4, 3, 4}};
+  for (int row = 1; row <= 4; ++row)
+    for (int column = 1; column <= 5; ++column) {
+      CAPTURE(row, column);
+      CHECK(last(run, "back." + std::to_string(column) + "." + std::to_string(row)) ==
+            expected[row - 1][column - 1]);
+    }
+}
+
+TEST_CASE("what has no whole columns, other units or no end stands beside no matrix") {
+  const std::string A = "  A: {block: Constant, value: {value: [[1, 2], [3, 4]], unit: N}}\n";
+  const auto error = [&](const std::string& blocks) { return error_of(head + A + blocks + "record: [B]\n"); };
+  CHECK_THAT(error("  B: {block: Concatenate, u: [A, 5 N]}\n"),
+             Catch::Contains("this has 1 elements, which are no whole columns of 2"));
+  CHECK_THAT(error("  B: {block: Stack, u: [A, [5 N, 6 N, 7 N]]}\n"), Catch::Contains("B.u"));
+  CHECK_THAT(error("  B: {block: Concatenate, u: [A, [5 m, 6 m]]}\n"), Catch::Contains("is in m"));
+  CHECK_THAT(error("  B: {block: Concatenate, u: [late, A]}\n  late: {block: UnitDelay, u: B}\n"),
+             Catch::Contains("columns together"));
+}
+
+TEST_CASE("a number alone is no matrix of equal numbers") {
+  const std::string A = "  A: {block: Constant, value: [[1, 2], [3, 4]]}\n";
+  CHECK_THAT(error_of(head + A + "  B: {block: MatrixMultiply, a: A, b: 3}\nrecord: [B]\n"),
+             Catch::Contains("B.b") && Catch::Contains("2 x"));
+  CHECK_THAT(error_of(head + A + "  B: {block: MatrixMultiply, a: 3, b: A}\nrecord: [B]\n"),
+             Catch::Contains("B"));
+  const table::Table run = run_text(head + "  B: {block: Inverse, u: 4}\nrecord: [B]\n");
+  CHECK(last(run, "B") == 0.25);
+}
+
+TEST_CASE("rows and columns that a matrix has not are refused with what it has") {
+  const std::string A = "  A: {block: Constant, value: [[1, 2, 3], [3, 4, 5]]}\n";
+  CHECK_THAT(error_of(head + A + "  B: {block: Slice, u: A, rows: [3], columns: [1]}\nrecord: [B]\n"),
+             Catch::Contains("fed 2 rows; it needs at least 3"));
+  CHECK_THAT(error_of(head + A + "  B: {block: Slice, u: A, rows: [1], columns: [1, 4]}\nrecord: [B]\n"),
+             Catch::Contains("fed 3 columns; it needs at least 4"));
 }
 
 TEST_CASE("a vector becomes a matrix column by column, and rows and columns are chosen") {
