@@ -27,19 +27,34 @@ class BusStores {
   }
 
   void run() {
-    for (int block = 0; block < static_cast<int>(report_.diagram().blocks.size()); ++block)
-      if (names_.contains(block)) fields_of(block, 0);
+    while (find_fields()) forget_open();
     for (const auto& [block, fields] : fields_)
       if (!fields.empty()) copy(block, fields);
   }
 
  private:
+  /// Finds the fields that blocks pass on. True where there are more than before: then those of blocks that
+  /// follow each other in a loop may be known, too.
+  bool find_fields() {
+    const std::size_t before = fields_.size();
+    for (int block = 0; block < static_cast<int>(report_.diagram().blocks.size()); ++block)
+      if (names_.contains(block) || shown_.contains(block)) fields_of(block, 0);
+    return std::ranges::count_if(fields_, [](const auto& known) { return !known.second.empty(); }) >
+           static_cast<std::ptrdiff_t>(before);
+  }
+
+  void forget_open() {
+    std::erase_if(fields_, [](const auto& known) { return known.second.empty(); });
+  }
+
   void name_blocks(Scope& scope) {
     for (auto& [name, named] : scope.names) {
       if (named.part) name_blocks(*named.part);
       if (named.block >= 0) names_[named.block] = &named;
       if (named.block >= 0 && scope.guarded.contains(name)) guarded_.insert(named.block);
     }
+    for (auto& [name, guarded] : scope.guarded)
+      for (const auto& [output, block] : guarded.outputs) shown_[block] = {&guarded, output};
   }
 
   DiagramBlock& block_of(int index) { return report_.diagram().blocks[static_cast<std::size_t>(index)]; }
@@ -83,11 +98,31 @@ class BusStores {
       block_of(index).copy_of = name;
       copies.push_back(index);
     }
-    Scope::Named& named = *names_.at(block);
+    if (shown_.contains(block))
+      show(shown_.at(block), copies, fields);
+    else
+      name_copies(*names_.at(block), copies, fields);
+    wire(block, copies, fields);
+  }
+
+  static void name_copies(Scope::Named& named, const std::vector<int>& copies,
+                          const std::vector<std::string>& fields) {
     for (std::size_t k = 0; k < fields.size(); ++k)
       named.bus.push_back({fields[k], nullptr, copies[k], {}, {}, named.mark});
     named.block = -1;
-    wire(block, copies, fields);
+  }
+
+  /// An output of a part on condition that others read as "part.out.force".
+  struct Shown {
+    Scope::Guarded* guarded;
+    std::string output;
+  };
+
+  static void show(const Shown& shown, const std::vector<int>& copies,
+                   const std::vector<std::string>& fields) {
+    shown.guarded->outputs.erase(shown.output);
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      shown.guarded->outputs[shown.output + "." + fields[k]] = copies[k];
   }
 
   /// A value that follows from parameters does so in every copy.
@@ -143,6 +178,7 @@ class BusStores {
   std::deque<yaml::Node>& written_;
   Report& report_;
   std::map<int, Scope::Named*> names_;
+  std::map<int, Shown> shown_;                      ///< blocks that stand for outputs while these are off
   std::set<int> guarded_;                           ///< blocks with a condition of their own
   std::map<int, std::vector<std::string>> fields_;  ///< of blocks that are looked at, or were
 };

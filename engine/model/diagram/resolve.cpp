@@ -150,8 +150,14 @@ std::optional<Source> Resolver::reference(const std::string& text, const Scope& 
   if (guarded == scope.guarded.end()) return of_named();
   const std::string output = output_of(rest, found->second);
   if (output.empty() && rest == "active") return output_source(guarded->second.guard, query);
-  const auto shown = guarded->second.outputs.find(output);
-  return shown == guarded->second.outputs.end() ? of_named() : output_source(shown->second, query);
+  const int shown = guarded->second.shown(output.empty() ? field_of_output(rest, found->second) : output);
+  return shown < 0 ? of_named() : output_source(shown, query);
+}
+
+std::string Resolver::field_of_output(const std::string& rest, const Scope::Named& named) {
+  if (!named.part || named.part->outputs.size() != 1) return rest;
+  const std::string& only = named.part->outputs.begin()->first;
+  return rest.starts_with(only + ".") ? rest : only + "." + rest;
 }
 
 std::string Resolver::output_of(const std::string& rest, const Scope::Named& named) const {
@@ -252,6 +258,10 @@ std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& pa
       query.subject = part.prefix + name;
       return field(*port.signal, part, rest.substr(name.size() + 1), std::move(query));
     }
+  if (const yaml::Node* bus = only_bus(part, rest, query.hops)) {
+    query.origin = part.at(bus->mark);
+    return field(*bus, part, rest, std::move(query));
+  }
   const bool inside = query.look_inside && (!part.start_of(rest).empty() || part.inputs.contains(rest));
   if (inside) return reference(rest, part, std::move(query));
   return refuse(query, no_output_of_part(part.prefix.substr(0, part.prefix.size() - 1), rest, names));

@@ -69,6 +69,10 @@ class Resolver {
   std::optional<Source> of_part(const std::string& rest, const Scope& part, Query query) const;
   /// The output of a block or part that is meant; empty where none is.
   std::string output_of(const std::string& rest, const Scope::Named& named) const;
+  /// "out.force" for "force", where the part has an output only; else the same.
+  static std::string field_of_output(const std::string& rest, const Scope::Named& named);
+  /// The only output of a part, where it is a bus with this field; else null.
+  const yaml::Node* only_bus(const Scope& part, const std::string& field, int hops) const;
   /// The only output of a block.
   static std::optional<Source> output_source(int block, const Query& query);
   std::nullopt_t refuse(const Query& query, yaml::Message message) const;

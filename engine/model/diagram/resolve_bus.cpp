@@ -1,6 +1,8 @@
 // What names mean where buses are among them.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/model/diagram/bus_fields.hpp"
 #include "engine/model/diagram/report.hpp"
 #include "engine/model/diagram/resolve.hpp"
@@ -8,6 +10,8 @@
 namespace stepwire::diagram {
 
 namespace {
+
+constexpr std::size_t max_fields = 1000;
 
 std::vector<std::string> field_names(const BusFields& bus) {
   std::vector<std::string> names;
@@ -63,6 +67,15 @@ std::optional<Source> Resolver::field_of_port(const Scope& scope, const std::str
   return std::nullopt;
 }
 
+const yaml::Node* Resolver::only_bus(const Scope& part, const std::string& field, int hops) const {
+  if (part.outputs.size() != 1) return nullptr;
+  const yaml::Node* signal = part.outputs.begin()->second.signal;
+  const auto names = signal ? fields(*signal, part, hops) : std::vector<std::string>{};
+  const bool is_there = std::ranges::any_of(
+      names, [&](const std::string& name) { return name == field || name.starts_with(field + "."); });
+  return is_there ? signal : nullptr;
+}
+
 std::vector<std::string> Resolver::fields(const yaml::Node& node, const Scope& scope, int hops) const {
   if (hops > max_hops) return {};
   if (node.is_map() && !node.find("value")) return fields_of_bus(written_fields(node), scope, hops + 1);
@@ -76,6 +89,12 @@ std::vector<std::string> Resolver::fields_of_bus(const BusFields& bus, const Sco
     const auto inside = one.signal ? fields(*one.signal, scope, hops) : std::vector<std::string>{};
     if (inside.empty()) all.push_back(one.name);
     for (const std::string& name : inside) all.push_back(one.name + "." + name);
+    if (all.size() <= max_fields) continue;
+    report_.add(scope.at(one.mark), scope.prefix + one.name,
+                fmt::format("is in a bus of more than {} fields, those of the buses in it among them; name "
+                            "those that are needed",
+                            max_fields));
+    report_.faults().throw_if_any();  // each bus that holds this one would take twice as long
   }
   return all;
 }
@@ -106,6 +125,10 @@ std::vector<std::string> Resolver::fields_of_part(const std::string& rest, const
     const std::string below = rest.size() > name.size() ? rest.substr(name.size() + 1) : "";
     return names_below(fields(*out.signal, part, hops), below);
   }
+  if (part.outputs.size() == 1 && part.outputs.begin()->second.signal)
+    if (auto below = names_below(fields(*part.outputs.begin()->second.signal, part, hops), rest);
+        !below.empty())
+      return below;
   return part.start_of(rest).empty() && part.input_of(rest).empty() ? std::vector<std::string>{}
                                                                     : fields_of_name(rest, part, hops);
 }

@@ -64,6 +64,12 @@ struct Scope {
   struct Guarded {
     int guard = -1;                                   ///< the block whose output is `NAME.active`
     std::map<std::string, int, std::less<>> outputs;  ///< blocks that others read in the place of an output
+
+    /// The one for an output, or for its field ("out.force"); -1 if there is none.
+    int shown(std::string_view output) const {
+      const auto found = outputs.find(output);
+      return found == outputs.end() ? -1 : found->second;
+    }
   };
   std::map<std::string, Guarded, std::less<>> guarded;  ///< by the name of the block or part
 

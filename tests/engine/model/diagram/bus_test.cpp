@@ -60,6 +60,32 @@ TEST_CASE("a block that passes any signal on is copied for every field of a bus"
   CHECK(column(table, "held.torque.3") == std::vector<double>{0, 0, 6, 6});
 }
 
+TEST_CASE("blocks that pass a bus to each other find its fields, in whatever order they stand") {
+  const table::Table table =
+      run(sources +
+          "  a: {block: UnitDelay, u: b}\n"
+          "  b: {block: Switch, control: late, threshold: 0.5, then: a, else: c}\n"
+          "  c: {block: UnitDelay, u: d}\n"
+          "  d: {block: Switch, control: late, threshold: 0.5, then: c, else: wrench}\n"
+          "  late: {block: Step, time: 2 s}\n"
+          "record: [b, d]\n");
+  CHECK(column(table, "d.force.2") == std::vector<double>{2, 2, 2, 2});
+  CHECK(column(table, "b.torque.3") == std::vector<double>{0, 6, 6, 6});
+}
+
+TEST_CASE("a bus of buses of buses that nobody could read is refused at once") {
+  std::string text = sources + "  v0: {fields: {a: f, b: t}}\n";
+  for (int k = 1; k < 60; ++k) {
+    const std::string inner = "v" + std::to_string(k - 1);
+    text += "  v" + std::to_string(k) + ": {fields: {a: " + inner + ", b: " + inner + "}}\n";
+  }
+  DiagramFolder folder;
+  folder.write("test.yaml", text + "record: [v59]\n");
+  const Lines faults = folder.faults("test.yaml");
+  REQUIRE(faults.size() == 1);
+  CHECK(faults[0].find("more than 1000 fields") != std::string::npos);
+}
+
 TEST_CASE("a part takes and gives buses, and holds them to the fields that it declares") {
   DiagramFolder folder;
   folder.write("part.yaml",
@@ -80,6 +106,39 @@ TEST_CASE("a part takes and gives buses, and holds them to the fields that it de
   folder.write("field.yaml", sources + "  a: {diagram: part.yaml, wrench: {force: f}}\nrecord: [a.out]\n");
   REQUIRE_FALSE(folder.faults("field.yaml").empty());
   CHECK_THAT(folder.faults("field.yaml")[0], Catch::Contains("torque"));
+}
+
+TEST_CASE("the only output of a part goes by the part's name, also where it is a bus") {
+  DiagramFolder folder;
+  folder.write(
+      "part.yaml",
+      "stepwire: 1\ntitle: p\ninputs: {in: {fields: {force: N, torque: N m}}}\noutputs: {out: late}\n"
+      "blocks:\n  late: {block: UnitDelay, u: in}\n");
+  folder.write("test.yaml", sources +
+                                "  p: {diagram: part.yaml, in: wrench}\n"
+                                "  h: {block: UnitDelay, u: p}\n"
+                                "  g: {block: Gain, u: p.torque.3, gain: 1}\n"
+                                "record: [p, h, g]\n");
+  const table::Table table = folder.run("test.yaml");
+  CHECK(column(table, "p.force.2") == std::vector<double>{0, 2, 2, 2});
+  CHECK(column(table, "h.torque.3") == std::vector<double>{0, 0, 6, 6});
+  CHECK(column(table, "g") == column(table, "p.torque.3"));
+}
+
+TEST_CASE("a part on condition that gives a bus shows a value of its own in every field while it is off") {
+  DiagramFolder folder;
+  folder.write(
+      "part.yaml",
+      "stepwire: 1\ntitle: p\ninputs: {in: {fields: {force: N, torque: N m}}}\noutputs: {out: late}\n"
+      "blocks:\n  late: {block: UnitDelay, u: in}\n");
+  folder.write("test.yaml",
+               sources +
+                   "  p: {diagram: part.yaml, in: wrench, enable: {when: time < 2 s, outputs: reset}}\n"
+                   "  g: {block: Gain, u: p.out.torque.3, gain: 1}\n"
+                   "record: [p.out, g]\n");
+  const table::Table table = folder.run("test.yaml");
+  CHECK(column(table, "p.out.force.2") == std::vector<double>{0, 2, 0, 0});
+  CHECK(column(table, "g") == std::vector<double>{0, 6, 0, 0});
 }
 
 TEST_CASE("what takes one signal refuses a bus and names its fields") {
