@@ -128,6 +128,7 @@ class GraphWriter {
       const std::string& name = child.outputs[static_cast<std::size_t>(output)];
       Json drawn = port(name, labelled ? name : "");
       if (selection_.is_recorded(hierarchy, {static_cast<int>(index), output})) drawn.set("recorded", true);
+      if (child.is_active(output)) drawn.set("guard", true);
       if (const std::string* label = label_of(id, name, output == 0 && child.own_outputs == 1))
         drawn.set("mark", *label);
       signals_.push_back(id + "." + name);
@@ -179,13 +180,23 @@ class GraphWriter {
     if (block.type().has_continuous_state()) node.set("state", true);
   }
 
+  /// The ports that lead into what is in a frame: not those of the condition on which it runs.
+  static Json inner_ports(const Json& ports) {
+    Json inner = Json::list();
+    for (const Json& port : ports.items())
+      if (!port.find("condition") && !port.find("guard")) inner.push(port);
+    return inner;
+  }
+
   /// The states of a block that has some, in a frame with its ports.
   void add_chart(Json& node, const BlockReference& child, const std::string& id, const Json& inputs,
                  const Json& outputs) const {
     const auto states = chart_of(block_of(child));
     if (!states) return;
     node.set("part", true).set("lines", Json::list());
-    node.set("graph", chart_graph(*states, id).set("inputs", inputs).set("outputs", outputs));
+    node.set(
+        "graph",
+        chart_graph(*states, id).set("inputs", inner_ports(inputs)).set("outputs", inner_ports(outputs)));
   }
 
   void add_part(Json& node, const Hierarchy& hierarchy, const BlockReference& child, const std::string& id,
@@ -197,7 +208,9 @@ class GraphWriter {
     std::vector<std::string> inputs;
     for (const auto& feed : selection_.feeds(hierarchy, child, depth))
       if (!feed.input->is_condition) inputs.push_back(feed.input->name);
-    node.set("graph", graph(*child.part, inputs, shown, depth + 1));
+    std::vector<int> outputs = shown;
+    std::erase_if(outputs, [&](int output) { return child.is_active(output); });
+    node.set("graph", graph(*child.part, inputs, outputs, depth + 1));
   }
 
   void add_wires(const Hierarchy& hierarchy, const BlockReference& child, int depth, Json& wires) const {

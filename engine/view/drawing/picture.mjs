@@ -11,7 +11,7 @@ import {openLength, sizeOf, sizes} from "./symbol.mjs";
 import {widthOf} from "./text.mjs";
 import {straightened} from "./wires.mjs";
 
-const frame = {head: 22, margin: 12};
+const frame = {head: 22, margin: 12, foot: 18};
 /** On a page of 1400 pixels names of ports are 9 high in a picture of this width. */
 const widest = (1400 * sizes.port) / 9;
 /** What is so many times as wide does not become readable in narrower frames. */
@@ -42,14 +42,22 @@ async function pictureOf(node, elk, known, room) {
   return drawn(key);
 }
 
-/** An opened part is a frame around its own picture, whose ports lie where its words for them are. */
+/**
+ * An opened part is a frame around its own picture, whose ports lie where its words for them are. Whether it is active is no
+ * word of the picture, and leaves the frame below it.
+ */
 async function openPart(node, elk, known, room) {
   const picture = await pictureOf(node, elk, known, room);
   const at = (kind) => picture.blocks.filter((block) => block.own === kind && !block.within).map((block) => block.y + block.height / 2);
   const down = (ys) => ys.map((y) => y + frame.head);
   node.width = Math.max(picture.width, Math.ceil(widthOf(node.name, sizes.name)) + 2 * frame.margin);
   node.height = picture.height + frame.head;
-  node.inner = {picture, inputs: down(at("input")), outputs: down(at("output"))};
+  const outputs = down(at("output"));
+  if (node.outputs.some(({guard}) => guard)) {
+    outputs.push(node.height + frame.foot / 2);
+    node.height += frame.foot;
+  }
+  node.inner = {picture, inputs: down(at("input")), outputs};
 }
 
 /** Wires of a group go on to its edge. */

@@ -69,10 +69,10 @@ function lines(block) {
 }
 
 /** Names of ports inside of a box, and signs inside of a circle. */
-function portTexts(block) {
+function portTexts(block, ports = [...block.inputs, ...block.outputs]) {
   if (block.outline === "bar") return "";
   const towards = {WEST: [1, 0], EAST: [-1, 0], NORTH: [0, 1], SOUTH: [0, -1]};
-  return [...block.inputs, ...block.outputs].map((port) => {
+  return ports.map((port) => {
     const [dx, dy] = towards[port.side], x = block.x + port.x, y = block.y + port.y;
     if (port.sign) {
       const sign = port.sign === "-" ? "−" : port.sign;
@@ -110,6 +110,9 @@ function frameRect({x, y, width, height}) {
 function frameName(block) {
   return text(block.x + 10, block.y + 13, block.name, {size: sizes.name, anchor: "start", fill: "#333"});
 }
+
+/** What is written on a frame: its name, what its signals are called, and the port that says whether it is active. */
+const frameTexts = (block) => frameName(block) + notes(block) + portTexts(block, block.outputs.filter(({guard}) => guard));
 
 /** The parts of a straight line that others on it leave free, in its direction. */
 function freeParts([start, end], drawn) {
@@ -179,7 +182,7 @@ const textsOf = (block) => lines(block) + portTexts(block) + notes(block) + name
  * {block, svg}, a wire {wire, svg} and forks the text of their dots.
  */
 export function piecesOf(picture) {
-  const frame = (block) => group(`fill="#fafafa" stroke="${faint}"`, [frameRect(block)]) + group(`fill="${ink}"`, [frameName(block), notes(block)]);
+  const frame = (block) => group(`fill="#fafafa" stroke="${faint}"`, [frameRect(block)]) + group(`fill="${ink}"`, [frameTexts(block)]);
   const whole = (block) => group(`fill="#fff" ${line}`, [shapes[block.outline](block)]) + group(`fill="none" ${line}`, [inside(block)]) +
     group(`fill="${ink}"`, [textsOf(block)]);
   const nets = drawNets(picture.wires);
@@ -202,8 +205,7 @@ export function svgOf(picture, title = "") {
     group(`fill="none" ${line}`, blocks.map(inside)),
     group(`fill="${ink}"`, [
       ...picture.wires.map(elementOf),
-      ...frames.map(frameName),
-      ...frames.map(notes),
+      ...frames.map(frameTexts),
       ...blocks.map(textsOf),
     ]),
   ]);

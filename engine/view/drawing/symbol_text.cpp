@@ -210,6 +210,12 @@ std::string printed_value(const yaml::Node& node) {
     const yaml::Node* unit = node.find("unit");
     return printed_value(*value) + (unit ? " " + unit->text : "");
   }
+  if (node.is_map()) {  // a bus
+    std::vector<std::string> fields;
+    for (const yaml::Entry& field : node.entries)
+      fields.push_back(field.key + ": " + printed_value(field.value));
+    return fmt::format("{{{}}}", fmt::join(fields, ", "));
+  }
   const std::size_t start = node.text.find_first_not_of("=$ ");
   return typeset(start == std::string::npos ? std::string_view() : std::string_view(node.text).substr(start));
 }

@@ -97,10 +97,15 @@ function checkTips({wires}) {
   }
 }
 
+/** From above at the sides, and from the left on top, where conditions enter. */
 function checkPortOrder({blocks}) {
-  for (const block of blocks.filter((one) => one.outline !== "circle"))
-    for (const ports of [block.inputs, block.outputs])
-      ports.slice(1).forEach((port, i) => assert.ok(port.y > ports[i].y, `ports of ${block.id} are not in order`));
+  const isOrdered = (places) => places.slice(1).every((place, i) => place > places[i]);
+  for (const {id, inputs, outputs} of blocks.filter((one) => one.outline !== "circle"))
+    for (const ports of [inputs, outputs]) {
+      const onTop = ports.filter(({side}) => side === "NORTH"), beside = ports.filter(({side}) => side !== "NORTH");
+      assert.ok(isOrdered(beside.map(({y}) => y)) && isOrdered(onTop.map(({x}) => x)), `ports of ${id} are not in order`);
+      assert.ok(onTop.every(({condition}) => condition), `${id} has what is no condition on top`);
+    }
 }
 
 /** Wires of different signals may cross, but never lie on each other. */
