@@ -1,5 +1,7 @@
 #include "engine/app/reference/block_reference.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "engine/app/reference/example.hpp"
@@ -18,8 +20,12 @@ std::string unit_text(const std::string& unit) {
 }
 
 /// Where elements of a list add up, each has a size of its own.
-std::string size_text(const std::string& shape) {
-  return shape.starts_with('+') ? shape.substr(1) + " in all" : shape;
+std::string size_text(std::string shape) {
+  const std::size_t plus = shape.find('+');
+  if (plus == std::string::npos) return shape;
+  shape.erase(plus, 1);
+  const std::string sum = shape.substr(plus, shape.find(' ', plus) - plus);
+  return sum == shape ? sum + " in all" : fmt::format("{}, {} in all", shape, sum);
 }
 
 ReferenceTable parameters_of(const BlockType& type) {

@@ -1,6 +1,7 @@
 #include "engine/app/reference/example.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -62,15 +63,36 @@ void add_defaults(const BlockType& type, ExampleKeys& keys) {
   }
 }
 
+bool has_required(const BlockType& type) {
+  return std::any_of(type.parameters.begin(), type.parameters.end(),
+                     [](const ParameterSpec& parameter) { return parameter.required; });
+}
+
+/// The inputs without which a block with the values of its declaration does not run.
+std::set<std::string> required_inputs(const BlockType& type) {
+  std::set<std::string> names;
+  for (const InputSpec& input : type.inputs)
+    if (!input.optional) names.insert(input.name);
+  if (!type.configure || has_required(type)) return names;
+  AnyBlock block(type);
+  Configure is(names, 1e-3);
+  try {
+    type.configure(block.get(), is);
+  } catch (const ParameterRefused&) {
+    return names;
+  }
+  for (const auto& [input, reason] : is.answers().required) names.insert(input);
+  return names;
+}
+
 ExampleKeys keys_to_show(const BlockType& type) {
   ExampleKeys keys = required_keys(type);
   auto behind_kind = keys.begin() + (type.presets.empty() ? 1 : 2);
+  const std::set<std::string> required = required_inputs(type);
   for (const InputSpec& input : type.inputs)
-    if (!input.optional) behind_kind = keys.emplace(behind_kind, input.name, source_text(input)) + 1;
-  const bool says_nothing_yet =
-      type.presets.empty() && std::none_of(type.parameters.begin(), type.parameters.end(),
-                                           [](const ParameterSpec& parameter) { return parameter.required; });
-  if (says_nothing_yet) add_defaults(type, keys);
+    if (required.contains(input.name))
+      behind_kind = keys.emplace(behind_kind, input.name, source_text(input)) + 1;
+  if (type.presets.empty() && !has_required(type)) add_defaults(type, keys);
   return keys;
 }
 

@@ -58,6 +58,18 @@ Json or_signal(const BlockType& type, const std::string& key, Json value) {
   return doc ? either.set("description", *doc) : either;
 }
 
+/// Of a parameter that has the name of a guard's key, as `trigger` of a reset: a map says when the block
+/// runs.
+Json or_guard(const std::string& name, Json value) {
+  for (const yaml::Key& key : diagram::guard_keys())
+    if (key.name == name) {
+      const Json* doc = value.find("description");
+      Json either = any_of({value, schema_ref(definition_of(key))});
+      return doc ? either.set("description", *doc) : either;
+    }
+  return value;
+}
+
 /// The keys of guards that a block or part has beside its own.
 void set_guard_keys(const std::function<bool(const std::string&)>& is_own, Json& properties) {
   for (const yaml::Key& key : diagram::guard_keys())
@@ -72,7 +84,8 @@ Json type_schema(const BlockType& type) {
     if (!input.optional) required.push_back(input.name);
   }
   for (const ParameterSpec& parameter : type.parameters) {
-    properties.set(parameter.name, or_signal(type, parameter.name, parameter_schema(type, parameter)));
+    properties.set(parameter.name, or_guard(parameter.name, or_signal(type, parameter.name,
+                                                                      parameter_schema(type, parameter))));
     if (parameter.required) required.push_back(parameter.name);
   }
   for (const StateSpec& state : type.states)

@@ -34,13 +34,21 @@ Json element_with(const Range& range) {
   return any_of({bounded_number(range), schema_ref("quantity")});
 }
 
-Json list_with(const Range& range, bool rows) {
-  const Json row = list_of(element_with(range));
-  return any_of({bounded_number(range), schema_ref("quantity"), schema_ref("value_with_unit"),
-                 rows ? list_of(row) : row});
+enum class Rows { none, some, all };
+
+/// The lists of numbers: alone, as rows of a matrix, or as either.
+Json lists_of(const Json& element, Rows rows) {
+  const Json row = list_of(element);
+  if (rows == Rows::none) return row;
+  return list_of(rows == Rows::all ? row : any_of({element, row}));
 }
 
-Json kind_schema(const ParameterSpec& spec) {
+Json list_with(const Range& range, Rows rows) {
+  return any_of({bounded_number(range), schema_ref("quantity"), schema_ref("value_with_unit"),
+                 lists_of(element_with(range), rows)});
+}
+
+Json kind_schema(const BlockType& type, const ParameterSpec& spec) {
   switch (spec.kind) {
     case ParameterKind::number:
       return number_in(spec.range);
@@ -55,10 +63,11 @@ Json kind_schema(const ParameterSpec& spec) {
     case ParameterKind::file:
       return typed("string");
     case ParameterKind::per_element:
+      return list_with(spec.range, type.inputs.empty() ? Rows::some : Rows::none);
     case ParameterKind::vector:
-      return list_with(spec.range, false);
+      return list_with(spec.range, Rows::none);
     case ParameterKind::matrix:
-      return list_with(spec.range, true);
+      return list_with(spec.range, Rows::all);
     case ParameterKind::texts:
       return any_of({schema_ref("text"), list_of(schema_ref("text"))});
     case ParameterKind::tree:
@@ -134,7 +143,7 @@ Json constant(const std::string& word, const std::string& doc) {
 }
 
 Json parameter_schema(const BlockType& type, const ParameterSpec& spec) {
-  Json schema = explained(kind_schema(spec), explanation(type, spec));
+  Json schema = explained(kind_schema(type, spec), explanation(type, spec));
   const Value value = default_of(type, spec);
   const std::string text = value_text(spec, value);
   if (!is_simple(spec, text)) return schema;
@@ -159,11 +168,11 @@ void add_value_definitions(Json& definitions) {
   definitions.set("number", number_in({}));
   definitions.set("time",
                   explained(number_in(above_zero), "a time above 0, in s unless a unit is given: 1 ms"));
-  definitions.set("numbers", list_with({}, false));
-  definitions.set(
-      "source",
-      explained(any_of({schema_ref("text"), list_of(element_with({})), schema_ref("value_with_unit")}),
-                "a block (lag), its output (rig.x), an input of this part, or a number (5 mm)"));
+  definitions.set("numbers", list_with({}, Rows::some));
+  definitions.set("source",
+                  explained(any_of({schema_ref("text"), lists_of(element_with({}), Rows::some),
+                                    schema_ref("value_with_unit")}),
+                            "a block (lag), its output (rig.x), an input of this part, or a number (5 mm)"));
   definitions.set("file", explained(typed("string"), "a path beside this file"));
 }
 
