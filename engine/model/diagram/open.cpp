@@ -185,10 +185,7 @@ void Opener::read_key(Scope& scope, const yaml::Entry& key, DiagramBlock& block,
     pending_.push_back({index, input, &key.value, &scope});
     return;
   }
-  const ParameterSpec* parameter = type.parameter(key.key);
-  if (const std::string fault = parameter ? meant_as_condition(*parameter, key.value) : ""; !fault.empty())
-    return report_.add(scope.at(key.value.mark), block.name + "." + key.key, fault);
-  if (parameter)
+  if (const ParameterSpec* parameter = type.parameter(key.key))
     return read_parameter(scope, scope.index, key.value, block,
                           static_cast<std::size_t>(parameter - type.parameters.data()));
   if (const int state = state_of_key(type, key.key); state >= 0)
@@ -228,6 +225,8 @@ void Opener::read_settings(Scope& scope, DiagramBlock& block, const std::string&
 void Opener::read_parameter(const Scope& scope, int reader_scope, const yaml::Node& text, DiagramBlock& block,
                             std::size_t parameter) {
   const ParameterSpec& spec = block.type().parameters[parameter];
+  if (const std::string fault = meant_as_condition(spec, text); !fault.empty())
+    return report_.add({reader_scope, text.mark}, block.name + "." + spec.name, fault);
   ParameterUses uses;
   const ValueReader reader(scope.parameters, report_, reader_scope, &uses);
   const yaml::Node node =

@@ -194,13 +194,13 @@ class GraphWriter {
     const auto states = chart_of(block_of(child));
     if (!states) return;
     node.set("part", true).set("lines", Json::list());
-    node.set(
-        "graph",
-        chart_graph(*states, id).set("inputs", inner_ports(inputs)).set("outputs", inner_ports(outputs)));
+    Json chart = chart_graph(*states, id);
+    chart.set("inputs", inner_ports(inputs)).set("outputs", inner_ports(outputs));
+    node.set("graph", std::move(chart));
   }
 
   void add_part(Json& node, const Hierarchy& hierarchy, const BlockReference& child, const std::string& id,
-                const std::vector<int>& shown, int depth) {
+                std::vector<int> shown, int depth) {
     const std::string& file = diagram_.scopes[static_cast<std::size_t>(child.part->scope)].file;
     node.set("type", std::filesystem::path(file).stem().string()).set("part", true).set("outline", "box");
     node.set("lines", Json::list());
@@ -208,9 +208,8 @@ class GraphWriter {
     std::vector<std::string> inputs;
     for (const auto& feed : selection_.feeds(hierarchy, child, depth))
       if (!feed.input->is_condition) inputs.push_back(feed.input->name);
-    std::vector<int> outputs = shown;
-    std::erase_if(outputs, [&](int output) { return child.is_active(output); });
-    node.set("graph", graph(*child.part, inputs, outputs, depth + 1));
+    std::erase_if(shown, [&](int output) { return child.is_active(output); });
+    node.set("graph", graph(*child.part, inputs, shown, depth + 1));
   }
 
   void add_wires(const Hierarchy& hierarchy, const BlockReference& child, int depth, Json& wires) const {
