@@ -144,6 +144,7 @@ class Maker {
       code.push_back({fmt::format("  if (w[{}] == 0.0) ahead({});\n", ahead_place(), state_arguments)});
       append(code, outputs_of(plan_.rest));
     }
+    if (plan_.crossing_count > 0) code.push_back({fmt::format("  w[{}] = 0.0;\n", ahead_place())});
     functions_.add("evaluate", state_parameters, state_arguments, code);
   }
 

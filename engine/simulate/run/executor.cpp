@@ -175,6 +175,7 @@ void Executor::bind_block(std::size_t index) {
 
 void Executor::reset() {
   workspace_.tick = 0;
+  knows_end_ = false;
   healthy_ = true;
   auto& values = workspace_.values;
   std::fill(values.begin(), values.end(), 0.0);
@@ -237,6 +238,7 @@ void Executor::evaluate() {
     follow_time();
     find_due();
     run_due(is_ahead() ? rest_ : outputs_);
+    forget_ahead();
   }
   healthy_ = healthy_ && is_finite() && loops_solved();
 }

@@ -194,6 +194,7 @@ class Executor {
   /// Does the run end there?
   bool act_at_event();
   bool is_ahead() const;
+  void forget_ahead();
   /// Has the run ended at an event, between two ticks?
   bool has_stopped() const;
   std::optional<RunFault> too_many_events() const;
@@ -230,6 +231,7 @@ class Executor {
   /// The numbers of crossings at the start and at the end of a step, and the states at that of the last one.
   std::vector<double> before_, after_, end_states_;
   bool states_change_ = false;  ///< may anything but the solver change states?
+  bool knows_end_ = false;      ///< are they those of the last step?
   std::vector<double> event_scratch_;
   std::unique_ptr<Equations> equations_;
   std::optional<Guards> guards_;  ///< none where the plan has none

@@ -73,7 +73,7 @@ void Executor::look_for_crossings(double* numbers) const {
 void Executor::look_at_start() {
   const plan::Layout& layout = plan_.layout;
   const double* states = values() + layout.states;
-  if (values()[layout.events + solve::EventReport::ahead] == 0.0 ||
+  if (!knows_end_ ||
       (states_change_ && std::memcmp(states, end_states_.data(), layout.state_count * sizeof *states) != 0))
     return look_for_crossings(before_.data());
   before_.swap(after_);
@@ -89,6 +89,10 @@ bool Executor::has_stopped() const {
 bool Executor::is_ahead() const {
   return !rest_.calls.empty() && !watcher_ &&
          values()[plan_.layout.events + solve::EventReport::ahead] != 0.0;
+}
+
+void Executor::forget_ahead() {
+  if (plan_.crossing_count > 0) workspace_.values[plan_.layout.events + solve::EventReport::ahead] = 0.0;
 }
 
 void Executor::follow_crossings() {
@@ -131,6 +135,7 @@ void Executor::take_located_step() {
   look_for_crossings(after_.data());
   values[layout.events + solve::EventReport::ahead] = 1.0;
   if (solve::sign_changes(before_.data(), after_.data(), plan_.crossing_count)) locate_events(step);
+  knows_end_ = true;
   if (states_change_) std::copy_n(values + layout.states, layout.state_count, end_states_.data());
 }
 

@@ -122,7 +122,8 @@ void Executor::follow_values() {
   write_constants();
   compute_once();
   workspace_.values[plan::Layout::timed] = plan::Layout::never;
-  if (plan_.crossing_count > 0) workspace_.values[plan_.layout.events + solve::EventReport::ahead] = 0.0;
+  forget_ahead();
+  knows_end_ = false;
 }
 
 }  // namespace stepwire::run
