@@ -99,8 +99,12 @@ export class Studio {
 
   async close() {
     await this.browser?.close();
-    this.server?.removeAllListeners("exit");
-    this.server?.kill();
+    const {server} = this;
+    server?.removeAllListeners("exit");
+    if (server && server.exitCode === null && server.signalCode === null) {
+      server.kill();
+      await new Promise((ended) => server.once("exit", ended));  // until then it may write into the folder
+    }
     rmSync(this.folder, {recursive: true, force: true});
   }
 }

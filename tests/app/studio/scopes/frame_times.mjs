@@ -135,5 +135,6 @@ try {
 } finally {
   await browser.close();
   server.kill();
+  await new Promise((ended) => server.once("exit", ended));
   rmSync(folder, {recursive: true});
 }
