@@ -8,7 +8,7 @@ export const loaded = {run: 1, step: 0.001, stop: 1, columns: [], parameters: []
 export const text = (page, selector) => page.locator(selector).first().textContent();
 /** Waits until something holds, and says what does not. */
 export async function until(holds, what) {
-  for (let i = 0; i < 200; ++i) {
+  for (let i = 0; i < 600; ++i) {
     if (await holds()) return;
     await new Promise((done) => setTimeout(done, 50));
   }
