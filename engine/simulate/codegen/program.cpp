@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "engine/model/diagram/external_input.hpp"
 #include "engine/simulate/codegen/event_text.hpp"
 #include "engine/simulate/codegen/functions.hpp"
 #include "engine/simulate/codegen/guard_text.hpp"
@@ -13,6 +12,7 @@
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
 #include "engine/simulate/codegen/stage_places.hpp"
+#include "engine/simulate/codegen/start_text.hpp"
 #include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
@@ -26,17 +26,13 @@ const std::string state_arguments = "w, numbers, tick";
 const std::string state_parameters =
     "[[maybe_unused]] double* w, [[maybe_unused]] const double* numbers, [[maybe_unused]] std::int64_t tick";
 
-bool is_external(const plan::Plan& plan, std::size_t block) {
-  return &plan.diagram.blocks[block].type() == &diagram::external_input_type();
-}
-
 class Maker {
  public:
   Maker(const plan::Plan& plan, const std::vector<plan::VariableBlock>& variable,
         const std::map<std::size_t, std::size_t>& places)
       : plan_(plan),
-        places_(places),
         names_(plan),
+        start_(plan, names_, places),
         statements_(plan, names_, variable, literals_),
         small_(calls(plan.stage) + calls(plan.derivatives) <= max_inlined &&
                !solve::find_implicit(plan.diagram.solver) && plan.loops.empty()),
@@ -53,11 +49,7 @@ class Maker {
   }
 
   void add_reset() {
-    std::vector<Code> code;
-    for (int block : plan_.memory_order) {
-      const auto b = static_cast<std::size_t>(block);
-      add_initial(b, code);
-    }
+    std::vector<Code> code = start_.initial();
     append(code, starts_of(plan_, statements_, at_tick(), plan_.memory_order));
     const std::string parameters = "[[maybe_unused]] double* w, [[maybe_unused]] const double* numbers";
     functions_.add("start", parameters, "w, numbers", code);
@@ -70,14 +62,14 @@ class Maker {
                     "  for (int i = {0}; i < {1}; ++i) w[i] = Diagnostic::never;\n{2}"
                     "  start(w, numbers);\n  once(w, numbers);\n}}\n",
                     plan_.layout.diagnostics, plan_.layout.diagnostics + plan_.layout.diagnostic_count,
-                    constants_text(), number_text(plan::Layout::never)));
+                    start_.constants(), number_text(plan::Layout::never)));
   }
 
   void add_follow() {
     functions_.add_text(
         fmt::format("\ninline void follow_values(double* w, [[maybe_unused]] const double* numbers) {{\n{}"
                     "  w[at::timed] = {};\n  once(w, numbers);\n{}}}\n",
-                    constants_text(), number_text(plan::Layout::never),
+                    start_.constants(), number_text(plan::Layout::never),
                     plan_.rest.empty() ? "" : "  w[" + ahead_place() + "] = 0.0;\n"));
   }
 
@@ -248,50 +240,13 @@ class Maker {
                                     locate_text(plan_, names_)));
   }
 
-  std::string constants_text() {
-    std::string text;
-    for (std::size_t i = 0; i < plan_.constants.size(); ++i)
-      text += fmt::format("  w[{}] = {};\n", plan_.layout.constants + i,
-                          number_at(plan_.layout.constants + i, plan_.constants[i]));
-    return text;
-  }
-
-  /// What stands at a place of the workspace before the start: a number, or where it is read from.
-  std::string number_at(std::size_t place, double number) const {
-    const auto found = places_.find(place);
-    return found == places_.end() ? number_text(number) : fmt::format("numbers[{}]", found->second);
-  }
-
-  /// Values with which a block begins; everything is 0 before.
-  void add_initial(std::size_t b, std::vector<Code>& code) {
-    const diagram::DiagramBlock& block = plan_.diagram.blocks[b];
-    const plan::PlannedBlock& planned = plan_.blocks[b];
-    const auto assign = [&](const plan::SignalSlot& slot, bool always, const auto& value) {
-      std::string text;
-      for (Index k = 0; k < slot.size; ++k)
-        if (const std::string number = number_at(slot.offset + static_cast<std::size_t>(k), value(k));
-            always || number != "0.0")
-          text += fmt::format("  w[{} + {}] = {};\n", names_.at(slot.offset), k, number);
-      if (!text.empty()) code.push_back({std::move(text)});
-    };
-    for (std::size_t s = 0; s < planned.states.size(); ++s)
-      assign(planned.states[s], false, [&](Index) { return block.type().states[s].initial; });
-    for (const diagram::InitialValue& initial : block.initial)
-      assign(planned.states[static_cast<std::size_t>(initial.state)], true,
-             [&](Index k) { return initial.value[initial.value.size() == 1 ? 0 : k]; });
-    if (is_external(plan_, b)) {
-      const PerElement& value = static_cast<const diagram::ExternalInput*>(block.block.get())->value;
-      assign(planned.outputs.front(), false, [&](Index k) { return value[k]; });
-    }
-  }
-
   static void append(std::vector<Code>& to, std::vector<Code> more) {
     std::move(more.begin(), more.end(), std::back_inserter(to));
   }
 
   const plan::Plan& plan_;
-  const std::map<std::size_t, std::size_t>& places_;  ///< of numbers that vary
   PlaceNames names_;
+  StartText start_;
   Literals literals_;
   Statements statements_;
   bool small_;

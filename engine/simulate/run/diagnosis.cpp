@@ -5,6 +5,7 @@
 
 #include "engine/model/signal/diagnostic.hpp"
 #include "engine/simulate/run/executor.hpp"
+#include "engine/simulate/run/finite.hpp"
 
 namespace stepwire::run {
 
@@ -110,6 +111,19 @@ std::vector<RaisedDiagnostic> Executor::diagnostics() const {
     }
   }
   return raised;
+}
+
+bool Executor::is_finite() const {
+  for (const Piece& piece : checked_)
+    if (!piece.active || *piece.active != 0.0)
+      if (!all_finite(values() + piece.first, piece.end - piece.first)) return false;
+  return true;
+}
+
+bool Executor::diagnostic_ends_run() const {
+  for (std::size_t offset : ending_diagnostics_)
+    if (workspace_.values[offset] != Diagnostic::never) return true;
+  return false;
 }
 
 }  // namespace stepwire::run

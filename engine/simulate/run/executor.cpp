@@ -9,7 +9,6 @@
 
 #include "engine/model/plan/active_pieces.hpp"
 #include "engine/model/signal/diagnostic.hpp"
-#include "engine/simulate/run/finite.hpp"
 
 namespace stepwire::run {
 
@@ -284,19 +283,6 @@ const std::vector<solve::StatePiece>& Executor::moving_states() const {
 void Executor::step_states(const solve::TimeStep& step) {
   if (guards_) equations_->find_moving();
   solver_->advance(*equations_, step);
-}
-
-bool Executor::is_finite() const {
-  for (const Piece& piece : checked_)
-    if (!piece.active || *piece.active != 0.0)
-      if (!all_finite(values() + piece.first, piece.end - piece.first)) return false;
-  return true;
-}
-
-bool Executor::diagnostic_ends_run() const {
-  for (std::size_t offset : ending_diagnostics_)
-    if (workspace_.values[offset] != Diagnostic::never) return true;
-  return false;
 }
 
 }  // namespace stepwire::run
