@@ -212,8 +212,11 @@ class Flattener {
     const ParameterSpec& spec = block.type().parameters[index];
     Value value = spec.get(block.block.get());
     if (spec.kind == ParameterKind::file) return written_filled_in(file_name_(*value.text()));
-    if (std::find(block.spread.begin(), block.spread.end(), index) != block.spread.end())
-      value.content = one(std::get<Eigen::VectorXd>(value.content)[0]);
+    if (std::find(block.spread.begin(), block.spread.end(), index) != block.spread.end()) {
+      const auto& elements = std::get<Eigen::VectorXd>(value.content);
+      if (elements.size() == 0) return std::nullopt;  // of a signal without elements
+      value.content = one(elements[0]);
+    }
     for (const auto& [matrix, columns] : block.matrices)
       if (matrix == index)
         return written_numbers(std::get<Eigen::VectorXd>(value.content), dimension, columns);

@@ -52,6 +52,21 @@ void record_all(const Scope& scope, const std::string& prefix, const Origin& ori
   }
 }
 
+/// All signals, and of what is off at times that which others read of it.
+void record_all(const Scope& scope, const Origin& origin, const Resolver& resolver, RecordRequest& request,
+                Report& report) {
+  const std::vector<DiagramBlock>& blocks = report.diagram().blocks;
+  const std::size_t known = request.signals.size();
+  record_all(scope, "", origin, request, report.diagram());
+  const auto stands_for_output = [](const DiagramBlock& block) {
+    return &block.type() == &guarded_output_type();
+  };
+  if (std::ranges::none_of(blocks, stands_for_output)) return;
+  for (std::size_t i = known; i < request.signals.size(); ++i)
+    if (const auto signal = resolver.signal(request.signals[i].name, scope, origin, "record"))
+      request.signals[i].signal = *signal;
+}
+
 /// Signals under names of the file's own: {position: rig.x, force: push.force}.
 void read_named(const yaml::Node& map, const Scope& scope, const Resolver& resolver, RecordRequest& request,
                 Report& report) {
@@ -76,7 +91,7 @@ void read_signal(const yaml::Node& node, const Scope& scope, const Resolver& res
   const Origin origin = scope.at(node.mark);
   if (node.is_map()) return read_named(node, scope, resolver, request, report);
   if (!node.is_scalar()) return report.add(origin, "record", "names signals, as [rig.x, limit]");
-  if (node.text == "all") return record_all(scope, "", origin, request, report.diagram());
+  if (node.text == "all") return record_all(scope, origin, resolver, request, report);
   record_named(node.text, node, scope, resolver, request, report);
 }
 

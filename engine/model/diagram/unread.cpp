@@ -1,6 +1,7 @@
 #include "engine/model/diagram/unread.hpp"
 
 #include "engine/model/diagram/external_input.hpp"
+#include "engine/model/diagram/guard_types.hpp"
 
 namespace stepwire::diagram {
 
@@ -11,10 +12,13 @@ std::vector<bool> read_in(const Diagram& diagram) {
   const auto mark = [&](int block) {
     if (block >= 0) read[static_cast<std::size_t>(block)] = true;
   };
-  for (const DiagramBlock& block : diagram.blocks) {
-    mark(block.guard);
+  const auto mark_inputs = [&](const DiagramBlock& block) {
     for (const auto& sources : block.inputs)
       for (const Source& source : sources) mark(source.block);
+  };
+  for (const DiagramBlock& block : diagram.blocks) {
+    mark(block.guard);
+    if (&block.type() != &guarded_output_type()) mark_inputs(block);
   }
   for (const RecordRequest& request : diagram.records)
     for (const RecordedSignal& signal : request.signals) mark(signal.signal.block);
@@ -25,13 +29,16 @@ std::vector<bool> read_in(const Diagram& diagram) {
     for (const auto& [name, signal] : bus.fields) mark(signal.block);
   if (diagram.stop_when)
     for (const SignalRef& signal : diagram.stop_when->variables) mark(signal.block);
+  for (std::size_t b = 0; b < read.size(); ++b)  // what stands for an output is read in its place
+    if (const DiagramBlock& block = diagram.blocks[b]; read[b] && &block.type() == &guarded_output_type())
+      mark_inputs(block);
   return read;
 }
 
 /// Does it act, or show itself, without being read?
 bool acts(const BlockType& type) {
   return type.outputs.empty() || type.outline || type.file_output || !type.diagnostics.empty() ||
-         &type == &external_input_type();
+         &type == &external_input_type() || find_guard_type(type.name) == &type;
 }
 
 }  // namespace

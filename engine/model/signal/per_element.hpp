@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "engine/model/signal/numbers.hpp"
 
 namespace stepwire {
@@ -16,7 +18,7 @@ class PerElement {
   /// Elements behind their number with a minus, `{-3.0, 1.0, 2.0, 3.0}`, which outlive this object and
   /// whatever is copied from it.
   static PerElement view(const double* counted) {
-    PerElement elements(counted[1]);
+    PerElement elements(counted[0] == 0.0 ? 0.0 : counted[1]);
     elements.many_ = counted + 1;
     return elements;
   }
@@ -67,7 +69,7 @@ class PerElement {
     std::copy_n(elements, size, counted + 1);
     return counted + 1;
   }
-  bool owns() const { return many_ && many_[-1] >= 0.0; }
+  bool owns() const { return many_ && !std::signbit(many_[-1]); }  // -0.0: a view of none
 
   double one_;                    ///< the first number
   const double* many_ = nullptr;  ///< where there is not just one; the element before them is their number

@@ -39,4 +39,14 @@ TEST_CASE("a block of the file that feeds nothing and is not recorded is noted, 
   CHECK_THAT(notes[0].text(), Catch::Contains("dead: feeds nothing and is not recorded"));
 }
 
+TEST_CASE("an output that is reset while off is no block of the file that feeds nothing") {
+  const std::string text =
+      "blocks:\n  on: {block: Clock}\n"
+      "  d: {block: Demux, u: [1, 2], sizes: [1, 1], enable: {when: on, outputs: reset}}\nrecord: ";
+  CHECK(unread_blocks(plan_text(text + "[d.y1]\n").diagram).empty());
+  const auto notes = unread_blocks(plan_text(text + "[on]\n").diagram);
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0].text(), Catch::Contains("d: feeds nothing and is not recorded"));
+}
+
 }  // namespace stepwire::diagram

@@ -3,6 +3,7 @@
 #include "engine/model/signal/diagnostic.hpp"
 #include "engine/model/signal/input.hpp"
 #include "engine/model/signal/numbers.hpp"
+#include "engine/model/signal/per_element.hpp"
 #include "engine/model/signal/signal.hpp"
 
 namespace stepwire {
@@ -60,6 +61,13 @@ TEST_CASE("a notice keeps the time at which it was raised first") {
   diagnostic.raise(3.0);
   CHECK(diagnostic.raised());
   CHECK(first == 2.0);
+}
+
+TEST_CASE("a view of no elements has none, and owns nothing") {
+  const double none[] = {-0.0};
+  const PerElement view = PerElement::view(none), copy = view;
+  CHECK(view.size() == 0);
+  CHECK(copy.begin() == copy.end());
 }
 
 }  // namespace stepwire

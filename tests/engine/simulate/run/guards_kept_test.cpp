@@ -84,3 +84,29 @@ TEST_CASE("blocks of a part that is off lie in one row, which is passed over in 
     if (plan.outputs[i].active != plan.outputs[i - 1].active) ++changes;
   CHECK(changes <= 2);
 }
+
+TEST_CASE("all that is recorded of a part with outputs that are reset is what others read of it") {
+  const Rig rig;
+  const std::string blocks =
+      "  t: {diagram: tank.yaml, flow: 1, enable: {when: on, outputs: reset}}\n"
+      "  x: {block: Integrator, u: 1, enable: {when: on, outputs: 4}}\n";
+  const table::Table all = rig.run(blocks, "all");
+  const table::Table named = rig.run(blocks, "[t.level, t.twice, x]");
+  for (const char* name : {"t.level", "t.twice", "x"}) CHECK(column(all, name) == column(named, name));
+  CHECK(column(all, "x").front() == 4.0);
+  CHECK(all.find("x.y_shown") == nullptr);
+}
+
+TEST_CASE("a block with outputs that are empty has them reset, too") {
+  const Rig rig;
+  rig.folder.write("all.yaml", Rig::text("  a: {block: Mux, u: [1, 2, 3]}\n"
+                                         "  d: {block: Demux, u: a, sizes: [1, 2], enable: {when: on, "
+                                         "outputs: reset}}\n",
+                                         "[d.y1, d.y2]", ""));
+  const plan::Plan plan = rig.folder.plan("all.yaml");
+  rig.folder.write("flat.yaml", diagram::flattened_text(plan.diagram));
+  const table::Table first = rig.folder.run("all.yaml"), second = rig.folder.run("flat.yaml");
+  CHECK(column(first, "d.y2.2") == column(second, "d.y2.2"));
+  CHECK(column(first, "d.y2.2").at(20) == 3.0);
+  CHECK(column(first, "d.y2.2").front() == 0.0);
+}
