@@ -52,6 +52,16 @@ void bind_inputs(const BlockType& type, const plan::PlannedBlock& planned, void*
   }
 }
 
+/// The values with which the states of a block begin.
+void write_states(const plan::Plan& plan, std::size_t index, double* values) {
+  const diagram::DiagramBlock& from = plan.diagram.blocks[index];
+  const auto& states = plan.blocks[index].states;
+  for (std::size_t s = 0; s < states.size(); ++s)
+    std::fill_n(values + states[s].offset, states[s].size, from.type().states[s].initial);
+  for (const diagram::InitialValue& initial : from.initial)
+    write(states[static_cast<std::size_t>(initial.state)], initial.value, values);
+}
+
 }  // namespace
 
 /// The continuous part of the diagram at a solver's stage.
@@ -182,16 +192,8 @@ void Executor::reset() {
   write_constants();
   std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(plan_.layout.diagnostics),
               plan_.layout.diagnostic_count, Diagnostic::never);
-  for (int block : plan_.memory_order) {
-    const auto index = static_cast<std::size_t>(block);
-    const diagram::DiagramBlock& from = plan_.diagram.blocks[index];
-    const auto& states = plan_.blocks[index].states;
-    for (std::size_t s = 0; s < states.size(); ++s)
-      std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(states[s].offset), states[s].size,
-                  from.type().states[s].initial);
-    for (const diagram::InitialValue& initial : from.initial)
-      write(states[static_cast<std::size_t>(initial.state)], initial.value, values.data());
-  }
+  for (const int block : plan_.memory_order)
+    write_states(plan_, static_cast<std::size_t>(block), values.data());
   for (const auto& [slot, value] : initial_) write(slot, value, values.data());
   for (int block : plan_.memory_order) {
     const auto index = static_cast<std::size_t>(block);
