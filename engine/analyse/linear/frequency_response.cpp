@@ -79,7 +79,7 @@ std::vector<double> FrequencyResponse::frequencies(std::size_t per_decade) const
   for (const Mode& corner : corners_)
     for (int k = -20; k <= 20; ++k)
       all.push_back(corner.frequency * (1.0 + 0.25 * k * std::min(0.1, std::abs(corner.damping))));
-  std::erase_if(all, [&](double w) { return !(w >= first && w <= last); });
+  std::erase_if(all, [first = first, last = last](double w) { return !(w >= first && w <= last); });
   std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
