@@ -53,10 +53,11 @@ void add_buses(const Analysis& analysis, bool inside, std::vector<KnownSignal>& 
     const auto name = local(bus.name, analysis.prefix);
     if (!name || (!inside && name->find('.') != std::string::npos)) continue;
     signals.push_back({*name, std::nullopt, "bus"});
-    for (const auto& [field, signal] : bus.fields)
-      if (std::ranges::none_of(signals,
-                               [&](const KnownSignal& known) { return known.name == *name + "." + field; }))
-        signals.push_back({*name + "." + field, unit_of(diagram, signal), "field of a bus"});
+    for (const auto& [field, signal] : bus.fields) {
+      const std::string full = *name + "." + field;
+      if (std::ranges::count(signals, full, &KnownSignal::name) == 0)
+        signals.push_back({full, unit_of(diagram, signal), "field of a bus"});
+    }
   }
 }
 
