@@ -19,7 +19,7 @@ namespace {
 Done interrupted(const Scratch& folder, const std::vector<std::string>& arguments) {
   Call call;
   call.arguments = arguments;
-  call.interrupt_after = 0.5;
+  call.interrupt_after = 1.5;  // [s] also on a busy machine some rows have been computed by then
   return run_program(folder, call);
 }
 
