@@ -4,9 +4,9 @@ import assert from "node:assert/strict";
 import {test} from "node:test";
 import {figureOf, loaded, skip, text, until, withPage} from "./views_page.mjs";
 
-test("figures are drawn again as the run goes on, and not while nobody sees them", {skip}, async () => {
-  let asked = 0;
-  const answers = {"run.load": () => ({...loaded, figures: 1}), figures: () => ({figures: [figureOf(100 * ++asked)]})};
+test("figures are drawn again as the run goes on, and not while they are out of sight", {skip}, async () => {
+  let drawings = 0;
+  const answers = {"run.load": () => ({...loaded, figures: 1}), figures: () => ({figures: [figureOf(100 * ++drawings)]})};
   await withPage(answers, "figures", {}, async ({page, news}) => {
     await page.waitForSelector(".figure svg");
     assert.match(await page.locator(".figure-sheet").getAttribute("aria-label"), /position \[mm\] from −1 to 1 over time \[s\]/);
@@ -15,9 +15,9 @@ test("figures are drawn again as the run goes on, and not while nobody sees them
     await until(async () => (await drawnPoints()) >= 300, "it grows");
     await page.locator("#tab-scene").click();
     await page.waitForTimeout(500);
-    const before = asked;
+    const before = drawings;
     await page.waitForTimeout(1200);
-    assert.equal(asked, before);
+    assert.equal(drawings, before);
   });
 });
 

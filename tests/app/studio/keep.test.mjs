@@ -5,20 +5,10 @@ import {execFileSync} from "node:child_process";
 import {existsSync} from "node:fs";
 import {join} from "node:path";
 import {test} from "node:test";
+import {cartText} from "./cart.mjs";
 import {missing, Studio} from "./studio.mjs";
 
-const text = `stepwire: 1
-title: a cart
-step: 1 ms
-stop: 2 s
-solver: rk4
-parameters:
-  mass: {value: 2 kg, at_least: 1 kg, at_most: 9 kg}
-record: [cart.position]
-blocks:
-  cart: {block: Mass, mass: $mass, force: spring, initial_position: 0.1 m}
-  spring: {block: Gain, gain: -200 N/m, u: cart.position}
-`;
+const text = cartText("cart.position");
 
 /** To a time, as fast as it goes, by a drag of the slider of time. */
 async function to(page, share) {

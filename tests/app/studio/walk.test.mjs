@@ -2,20 +2,10 @@
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
+import {cartText} from "./cart.mjs";
 import {missing, Studio} from "./studio.mjs";
 
-const text = `stepwire: 1
-title: a cart
-step: 1 ms
-stop: 2 s
-solver: rk4
-parameters:
-  mass: {value: 2 kg, at_least: 1 kg, at_most: 9 kg}
-record: [cart.position, spring]
-blocks:
-  cart: {block: Mass, mass: $mass, force: spring, initial_position: 0.1 m}
-  spring: {block: Gain, gain: -200 N/m, u: cart.position}
-`;
+const text = cartText("cart.position, spring");
 /** Height and width that a finger meets, of controls that do not stand in a line of text [px]; WCAG 2.2, target size (minimum). */
 const target = 24;
 

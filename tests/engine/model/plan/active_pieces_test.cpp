@@ -29,14 +29,14 @@ TEST_CASE("numbers that stand still while something is off are pieces of their o
                "  gate: {block: Pulse, period: 1 s}\n  off: {diagram: part.yaml, u: gate, enable: gate}\n"
                "  y: {block: Lag, tau: 1 s, u: gate}\nrecord: [y]\n");
   const Plan guarded = folder.plan("all.yaml");
-  std::size_t asked = 0, all = 0;
+  std::size_t in_guard = 0, all = 0;
   for (const ActivePiece& piece : active_pieces(guarded, guarded.layout.states, guarded.layout.derivatives)) {
     all += piece.end - piece.first;
-    if (piece.active >= 0) asked += piece.end - piece.first;
+    if (piece.active >= 0) in_guard += piece.end - piece.first;
     if (piece.active >= 0) CHECK(static_cast<std::size_t>(piece.active) == guarded.guards.front().active);
   }
   CHECK(all == guarded.layout.state_count);
-  CHECK(asked == 40);
+  CHECK(in_guard == 40);
 }
 
 TEST_CASE("without conditions there is one piece") {
