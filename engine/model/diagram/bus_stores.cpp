@@ -24,6 +24,9 @@ class BusStores {
   BusStores(Scope& root, std::deque<PendingInput>& pending, std::deque<yaml::Node>& written, Report& report)
       : pending_(pending), written_(written), report_(report) {
     name_blocks(root);
+    for (const PendingInput& input : pending)
+      if (passes(block_of(input.block).type(), static_cast<std::size_t>(input.input)))
+        carriers_[input.block].push_back(input);
   }
 
   void run() {
@@ -64,10 +67,10 @@ class BusStores {
   const std::vector<std::string>& fields_of(int block, int hops) {
     const auto [known, is_new] = fields_.try_emplace(block);
     if (!is_new) return known->second;
-    const BlockType& type = block_of(block).type();
+    const auto carriers = carriers_.find(block);
+    if (carriers == carriers_.end()) return known->second;
     const Resolver resolver(report_, [this](int other, int deeper) { return fields_of(other, deeper); });
-    for (const PendingInput& input : pending_) {
-      if (input.block != block || !passes(type, static_cast<std::size_t>(input.input))) continue;
+    for (const PendingInput& input : carriers->second) {
       const auto fields = resolver.fields(*input.node, *input.scope, hops + 1);
       if (known->second.empty()) known->second = fields;
       if (!fields.empty() && known->second != fields) refuse(block, input, known->second, fields);
@@ -177,6 +180,8 @@ class BusStores {
   std::deque<PendingInput>& pending_;
   std::deque<yaml::Node>& written_;
   Report& report_;
+  std::map<int, std::vector<PendingInput>>
+      carriers_;  ///< as written: the inputs through which a block passes a bus
   std::map<int, Scope::Named*> names_;
   std::map<int, Shown> shown_;                      ///< blocks that stand for outputs while these are off
   std::set<int> guarded_;                           ///< blocks with a condition of their own
