@@ -1,6 +1,7 @@
 #include "blocks/register.hpp"
 
 #include "blocks/continuous/register.hpp"
+#include "blocks/cosimulation/register.hpp"
 #include "blocks/discrete/register.hpp"
 #include "blocks/haptics/register.hpp"
 #include "blocks/hardware/register.hpp"
@@ -29,6 +30,7 @@ Registry blocks() {
   register_operators(registry);
   register_plants(registry);
   register_hardware(registry);
+  register_cosimulation(registry);
   return registry;
 }
 

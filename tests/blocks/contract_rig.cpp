@@ -10,13 +10,24 @@
 #include "blocks/register.hpp"
 #include "engine/model/diagram/load.hpp"
 #include "tests/blocks/contract_tables.hpp"
+#include "tests/engine/base/table/scratch.hpp"
+#include "tests/support/units/units.hpp"
 
 namespace stepwire {
 
 namespace {
 
+/// A unit, packed once for all blocks that need one.
+std::string unit_file() {
+  static const Scratch scratch;
+  static const std::string path =
+      testing::write_zip(scratch.path("contract.fmu"), testing::unit_of_3("dahlquist"));
+  return path;
+}
+
 std::string value_given(const BlockType& type, const ParameterSpec& spec) {
   const std::string name = type.name + "." + spec.name;
+  if (name == "Fmu.file") return unit_file();
   if (const auto known = contract_values.find(name); known != contract_values.end()) return known->second;
   if (spec.kind == ParameterKind::word && !spec.words.empty()) return "\"" + spec.words.front() + "\"";
   if (spec.kind == ParameterKind::number || spec.kind == ParameterKind::integer ||

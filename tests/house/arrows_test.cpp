@@ -69,6 +69,7 @@ bool block_may_include(const std::string& file, const std::string& included) {
   const std::string folder = folder_of(file);
   if (folder == "blocks/records" && included == "engine/base/yaml") return true;
   if (folder == "blocks/sources" && included == "blocks/records") return true;
+  if (folder == "blocks/cosimulation" && included == "engine/base/fmi") return true;
   if (folder == "blocks/haptics" && included == "blocks/haptics/region") return true;
   if (folder == "blocks" && included == "engine/stepwire") return true;
   if (included.starts_with("engine/")) return seen_by_blocks.contains(included.substr(7));

@@ -28,6 +28,8 @@ const std::vector<Home> homes{
     {"CLI/", "engine/app/cli"},
     {"ceres/", "engine/analyse/estimation"},
     {"glog/", "engine/analyse/estimation"},
+    {"zip.h", "engine/base/fmi"},
+    {"pugixml", "engine/base/fmi"},
     {"xxhash", "engine/base/hash"},
 };
 

@@ -12,6 +12,7 @@
 
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/resources.hpp"
+#include "engine/model/block/typed_by_file.hpp"
 #include "engine/model/diagram/external_input.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
@@ -128,6 +129,7 @@ void require_headers(const plan::Plan& plan) {
     const diagram::DiagramBlock& block = plan.diagram.blocks[b];
     const BlockType& type = block.type();
     const char* why = type.file_output ? "it writes files"
+                      : find_typed_by_file(type.name) ? "it is a foreign unit, of which nothing but a binary is known"
                       : type.header.empty() && &type != &diagram::external_input_type()
                           ? "no header declares its struct"
                           : nullptr;

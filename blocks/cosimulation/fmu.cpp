@@ -1,0 +1,132 @@
+#include "blocks/cosimulation/fmu.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "blocks/cosimulation/fmu_setup.hpp"
+#include "engine/model/block/declare.hpp"
+
+namespace stepwire {
+
+void Fmu::begin() {
+  unit.start(t);
+  unit_moves = 0.0;
+  unit_state = 0.0;
+  keep();
+}
+
+void Fmu::keep() {
+  if (!unit.works() || unit.kept() == 0 || !unit.run(fmi::Operation::save)) return;
+  std::memcpy(unit_state.data(), unit.exchange().kept(), unit.kept() * sizeof(double));
+  std::memcpy(unit.last_kept.data(), unit.exchange().kept(), unit.kept() * sizeof(double));
+}
+
+void Fmu::hand_over() {
+  double* numbers = unit.exchange().inputs();
+  const auto& sizes = unit.input_sizes();
+  for (std::size_t i = 0; i < sizes.size(); numbers += sizes[i++])
+    if (inputs[i].connected()) std::copy_n(inputs[i].data(), sizes[i], numbers);
+}
+
+void Fmu::show(const double* numbers) {
+  for (std::size_t i = 0; i < unit.output_count(); numbers += results[i++].size())
+    std::copy_n(numbers, results[i].size(), results[i].data());
+}
+
+void Fmu::follow() {
+  if (!unit.works()) return;
+  // As bytes: they are numbers in name only.
+  const bool same = static_cast<double>(unit.moves) == unit_moves &&
+                    std::memcmp(unit.last_kept.data(), unit_state.data(), unit.kept() * sizeof(double)) == 0;
+  if (same) return;
+  if (unit.kept() == 0)
+    return unit.refuse(
+        "the run was put back to an earlier moment, and the unit cannot save and restore its state");
+  std::memcpy(unit.exchange().kept(), unit_state.data(), unit.kept() * sizeof(double));
+  unit.run(fmi::Operation::load);
+  std::memcpy(unit.last_kept.data(), unit_state.data(), unit.kept() * sizeof(double));
+  unit.moves = static_cast<long>(unit_moves);
+}
+
+void Fmu::settle() {
+  if (unit.works()) {
+    unit_moves = static_cast<double>(++unit.moves);
+    keep();
+  }
+  if (!unit.works()) return unit_failed.raise(t);
+  if (unit.exchange().ended) unit_over.raise(t);
+}
+
+void SteppedFmu::start() {
+  begin();
+  if (unit.works()) std::copy_n(unit.exchange().outputs(), unit.numbers_shown(), unit_outputs.data());
+}
+
+void SteppedFmu::update() {
+  follow();
+  if (unit.works()) {
+    hand_over();
+    unit.exchange().time = t;
+    unit.exchange().length = period;
+    if (unit.run(fmi::Operation::step))
+      std::copy_n(unit.exchange().outputs(), unit.numbers_shown(), unit_outputs.data());
+  }
+  settle();
+}
+
+void ContinuousFmu::start() {
+  begin();
+  if (!unit.works()) return;
+  std::copy_n(unit.exchange().states(), unit_states.size(), unit_states.data());
+  unit_event = unit.exchange().next;
+}
+
+bool ContinuousFmu::at_present(fmi::Operation operation) const {
+  auto& self = const_cast<ContinuousFmu&>(*this);
+  if (!self.unit.works()) return false;
+  self.hand_over();
+  fmi::Exchange& exchange = unit.exchange();
+  exchange.time = t;
+  std::copy_n(unit_states.data(), unit_states.size(), exchange.states());
+  return self.unit.run(operation);
+}
+
+void ContinuousFmu::outputs() {
+  follow();
+  if (at_present(fmi::Operation::outputs)) show(unit.exchange().outputs());
+}
+
+void ContinuousFmu::derivatives() {
+  if (at_present(fmi::Operation::slopes))
+    std::copy_n(unit.exchange().slopes(), unit_states.size(), unit_states.dot.data());
+  else
+    unit_states.dot = 0.0;
+}
+
+void ContinuousFmu::update() {
+  follow();
+  if (at_present(fmi::Operation::act)) {
+    if (unit.exchange().changed)
+      std::copy_n(unit.exchange().states(), unit_states.size(), unit_states.data());
+    unit_event = unit.exchange().next;
+  }
+  settle();
+}
+
+void ContinuousFmu::crossings(Crossings& zero) const {
+  const bool known = at_present(fmi::Operation::crossings);
+  const std::size_t count = unit.indicator_count();
+  for (std::size_t i = 0; i < count; ++i) zero.add(known ? unit.exchange().indicators()[i] : 1.0);
+  constexpr double far = 1e9;  // an event that never comes is as good as one in 30 years
+  zero.add(known ? std::min(unit.exchange().next - t, far) : 1.0);
+}
+
+void SteppedFmu::configure(Configure& is) {
+  configure_unit(*this, is, fmi::Mode::co_simulation);
+}
+
+void ContinuousFmu::configure(Configure& is) {
+  configure_unit(*this, is, fmi::Mode::model_exchange);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "blocks/cosimulation/running_unit.hpp"
+#include "engine/model/block/block.hpp"
+#include "engine/model/block/tree.hpp"
+#include "engine/model/signal/file_path.hpp"
+
+namespace stepwire {
+
+/// A unit of FMI 2 or 3, whose variables are its ports: what both interfaces have in common.
+struct Fmu {
+  static constexpr std::size_t most_ports = 64;
+  enum class Interface { automatic, co_simulation, model_exchange };
+
+  FilePath file{};
+  Interface interface = Interface::automatic;
+  Tree parameters{};
+  bool isolate = false;
+  std::array<Input<>, most_ports> inputs{};
+  std::array<Output<>, most_ports> results{};
+  DiscreteState<> unit_state{};    ///< bytes of the unit's state, as numbers; one where it cannot be saved
+  DiscreteState<1> unit_moves{};  ///< how often the unit has moved on
+  Diagnostic unit_failed{}, unit_over{};
+  Time t{};
+  RunningUnit unit{};
+
+  std::string reason() const { return unit.message(); }
+
+ protected:
+  /// Before the first tick.
+  void begin();
+  /// Saves the unit's state in that of the block.
+  void keep();
+  /// Hands the inputs over that are wired.
+  void hand_over();
+  void show(const double* numbers);
+  /// Puts the unit back to where the run was put back to.
+  void follow();
+  /// Notes that the unit has moved on, and what became of it.
+  void settle();
+};
+
+/// A unit that has its own solver: it goes from tick to tick.
+struct SteppedFmu : Fmu {
+  DiscreteState<> unit_outputs{};  ///< its outputs after the last step
+  Period period{};
+
+  void outputs() {
+    follow();
+    show(unit_outputs.data());
+  }
+  void update();
+  void start();
+  void configure(Configure& is);
+  static void declare(Declare<SteppedFmu>& is);
+};
+
+/// A unit whose states our solvers integrate.
+struct ContinuousFmu : Fmu {
+  State<> unit_states{};
+  DiscreteState<1> unit_event{};  ///< time of its next event [s]
+
+  void outputs();
+  void derivatives();
+  void update();
+  void crossings(Crossings& zero) const;
+  void start();
+  void configure(Configure& is);
+  static void declare(Declare<ContinuousFmu>& is);
+
+ private:
+  bool at_present(fmi::Operation operation) const;
+};
+
+}  // namespace stepwire

@@ -1,0 +1,156 @@
+// Types of units: as many as there are files, each with the ports of its own.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <set>
+#include <utility>
+
+#include "blocks/cosimulation/fmu.hpp"
+#include "blocks/cosimulation/fmu_types.hpp"
+#include "engine/base/fmi/unit_error.hpp"
+#include "engine/model/block/declare.hpp"
+
+namespace stepwire {
+
+namespace {
+
+using BindInput = void (*)(void*, const double*, Eigen::Index);
+using BindOutput = void (*)(void*, double*, Eigen::Index);
+
+// A declaration binds its ports by functions, so there is one for each that a unit may have.
+template <class Block, std::size_t... k>
+constexpr auto input_binders(std::index_sequence<k...>) {
+  return std::array<BindInput, sizeof...(k)>{[](void* block, const double* data, Eigen::Index size) {
+    static_cast<Block*>(block)->inputs[k].bind(data, size);
+  }...};
+}
+
+template <class Block, std::size_t... k>
+constexpr auto output_binders(std::index_sequence<k...>) {
+  return std::array<BindOutput, sizeof...(k)>{[](void* block, double* data, Eigen::Index size) {
+    static_cast<Block*>(block)->results[k].bind(data, size);
+  }...};
+}
+
+using All = std::make_index_sequence<Fmu::most_ports>;
+
+std::string doc_of(const fmi::Variable& variable) {
+  return variable.description.empty() ? variable.name
+                                      : fmt::format("{}: {}", variable.name, variable.description);
+}
+
+void require_few(const std::vector<const fmi::Variable*>& ports, const char* what) {
+  if (ports.size() > Fmu::most_ports)
+    throw fmi::UnitError(
+        fmt::format("the unit has {} {}, and at most {} can be ports", ports.size(), what, Fmu::most_ports));
+}
+
+template <class Block>
+void add_ports(BlockType& type, const fmi::Description& description) {
+  static constexpr auto bind_input = input_binders<Block>(All());
+  static constexpr auto bind_output = output_binders<Block>(All());
+  const auto inputs = ports_of(description, fmi::Causality::input);
+  const auto outputs = ports_of(description, fmi::Causality::output);
+  require_few(inputs, "inputs");
+  require_few(outputs, "outputs");
+  const bool stepped = std::is_same_v<Block, SteppedFmu>;
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    InputSpec spec{inputs[k]->port, inputs[k]->unit, std::to_string(inputs[k]->size), doc_of(*inputs[k])};
+    spec.member = fmt::format("inputs[{}]", k);
+    spec.feedthrough = !stepped && description.feeds_through(*inputs[k]);
+    spec.optional = true;
+    spec.bind = bind_input[k];
+    type.inputs.push_back(std::move(spec));
+  }
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    OutputSpec spec{outputs[k]->port, outputs[k]->unit, std::to_string(outputs[k]->size), doc_of(*outputs[k])};
+    spec.member = fmt::format("results[{}]", k);
+    spec.bind = bind_output[k];
+    type.outputs.push_back(std::move(spec));
+  }
+}
+
+/// No key of the block may be one of its ports.
+void refuse_taken_names(const BlockType& type) {
+  std::set<std::string> taken{"block", "every", "enable", "trigger", "preset", "guard"};
+  for (const ParameterSpec& parameter : type.parameters) taken.insert(parameter.name);
+  for (const InputSpec& input : type.inputs)
+    if (!taken.insert(input.name).second)
+      throw fmi::UnitError(
+          fmt::format("its input '{}' has the name of a key of the block; it cannot be wired", input.name));
+}
+
+template <class Block>
+BlockType declared() {
+  Declare<Block> is;
+  Block::declare(is);
+  BlockType type = is.take();
+  type.folder = "cosimulation";
+  type.header.clear();  // code cannot be made of what is foreign
+  return type;
+}
+
+void set_shape(BlockType& type, std::string_view state, std::size_t size) {
+  const auto index = static_cast<std::size_t>(type.state(state));
+  if (size == 0)
+    type.states.erase(type.states.begin() + static_cast<std::ptrdiff_t>(index));
+  else
+    type.states[index].shape = std::to_string(size);
+}
+
+BlockType type_of(const fmi::Description& description, fmi::Mode mode) {
+  const bool stepped = mode == fmi::Mode::co_simulation;
+  BlockType type = stepped ? declared<SteppedFmu>() : declared<ContinuousFmu>();
+  std::size_t shown = 0;
+  for (const fmi::Variable* output : ports_of(description, fmi::Causality::output)) shown += output->size;
+  if (stepped) {
+    add_ports<SteppedFmu>(type, description);
+    set_shape(type, "unit_outputs", shown);
+    type.timing = Timing::discrete;
+  } else {
+    add_ports<ContinuousFmu>(type, description);
+    set_shape(type, "unit_states", description.state_count);
+    type.timing = Timing::continuous;
+    CrossingSpec crossing{"an event of the unit", std::to_string(description.indicator_count + 1), {}};
+    for (const InputSpec& input : type.inputs) crossing.inputs.push_back(input.name);
+    type.crossings.push_back(std::move(crossing));
+  }
+  refuse_taken_names(type);
+  return type;
+}
+
+/// The interface that a word names, or the one that the unit has.
+fmi::Mode mode_of(const fmi::Description& description, const std::string& word) {
+  const bool steps = !description.co_simulation.identifier.empty();
+  const bool exchanges = !description.model_exchange.identifier.empty();
+  if (word == "co_simulation" && !steps)
+    throw fmi::UnitError("the unit has no co-simulation; its interface is model_exchange");
+  if (word == "model_exchange" && !exchanges)
+    throw fmi::UnitError("the unit has no model exchange; its interface is co_simulation");
+  return word == "model_exchange" || !steps ? fmi::Mode::model_exchange : fmi::Mode::co_simulation;
+}
+
+}  // namespace
+
+BlockType any_fmu_type() {
+  return declared<SteppedFmu>();
+}
+
+const BlockType& fmu_type(const std::string& file, const std::string& word) {
+  using Known = std::pair<std::shared_ptr<const fmi::Package>, std::string>;
+  static std::mutex mutex;
+  // The packages stay open, so that no other one comes to lie in the place of one whose type is known.
+  static std::map<Known, std::unique_ptr<const BlockType>> known;
+  const auto package = fmi::open_package(file);
+  const std::lock_guard lock(mutex);
+  auto& type = known[{package, word}];
+  if (!type) {
+    const fmi::Description& description = package->description();
+    type = std::make_unique<const BlockType>(type_of(description, mode_of(description, word)));
+  }
+  return *type;
+}
+
+}  // namespace stepwire

@@ -1,0 +1,90 @@
+#include "engine/base/fmi/archive.hpp"
+
+#include <fmt/format.h>
+#include <zip.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "engine/base/fmi/unit_error.hpp"
+
+namespace stepwire::fmi {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr zip_uint64_t max_bytes = 1u << 30u;
+
+bool leads_out(const std::string& name) {
+  if (name.empty() || name[0] == '/' || name.find('\\') != name.npos || name.find('\0') != name.npos)
+    return true;
+  return std::ranges::any_of(fs::path(name), [](const fs::path& part) { return part == ".."; });
+}
+
+void write(const fs::path& file, const std::string& bytes) {
+  fs::create_directories(file.parent_path());
+  std::ofstream out(file, std::ios::binary);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (!out) throw UnitError(fmt::format("cannot be unpacked: {} cannot be written", file.string()));
+}
+
+}  // namespace
+
+struct Archive::Handle {
+  explicit Handle(zip_t* opened) : zip(opened) {}
+  Handle(const Handle&) = delete;
+  ~Handle() { zip_discard(zip); }
+  zip_t* zip;
+};
+
+Archive::Archive(const std::string& path) : path_(path) {
+  int reason = 0;
+  zip_t* opened = zip_open(path.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &reason);
+  if (!opened) {
+    zip_error_t error;
+    zip_error_init_with_code(&error, reason);
+    const std::string text = zip_error_strerror(&error);
+    zip_error_fini(&error);
+    throw UnitError(fmt::format("{} is no unit that can be read: {}; a unit is a zip archive", path, text));
+  }
+  handle_ = std::make_unique<Handle>(opened);
+  const zip_int64_t count = zip_get_num_entries(opened, 0);
+  for (zip_int64_t i = 0; i < count; ++i) {
+    const char* name = zip_get_name(opened, static_cast<zip_uint64_t>(i), 0);
+    names_.emplace_back(name ? name : "");
+    if (leads_out(names_.back()))
+      throw UnitError(fmt::format("{} has an entry '{}' that leads out of the archive; nothing of it is used",
+                                  path, names_.back()));
+  }
+}
+
+Archive::~Archive() = default;
+
+bool Archive::contains(const std::string& name) const {
+  return std::ranges::find(names_, name) != names_.end();
+}
+
+std::string Archive::read(const std::string& name) const {
+  zip_stat_t about;
+  if (zip_stat(handle_->zip, name.c_str(), 0, &about) != 0)
+    throw UnitError(fmt::format("{} has no {}", path_, name));
+  if (about.size > max_bytes) throw UnitError(fmt::format("{} in {} is larger than 1 GiB", name, path_));
+  std::string bytes(about.size, '\0');
+  zip_file_t* file = zip_fopen(handle_->zip, name.c_str(), 0);
+  const zip_int64_t count = file ? zip_fread(file, bytes.data(), about.size) : -1;
+  // The sum of an entry is checked at its end alone.
+  char beyond = 0;
+  const bool whole = count == static_cast<zip_int64_t>(about.size) && zip_fread(file, &beyond, 1) == 0;
+  if (file) zip_fclose(file);
+  if (!whole) throw UnitError(fmt::format("{} in {} is damaged", name, path_));
+  return bytes;
+}
+
+void Archive::unpack(const std::string& start, const fs::path& folder) const {
+  for (const std::string& name : names_)
+    if (name.starts_with(start) && !name.ends_with('/')) write(folder / name, read(name));
+}
+
+}  // namespace stepwire::fmi

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stepwire::fmi {
+
+/// A zip archive that is read; none of its entries may lead out of the folder that it is unpacked into.
+class Archive {
+ public:
+  /// Throws UnitError for what is no zip archive, and for paths that lead out of it.
+  explicit Archive(const std::string& path);
+  ~Archive();
+  Archive(const Archive&) = delete;
+  Archive& operator=(const Archive&) = delete;
+
+  const std::vector<std::string>& names() const { return names_; }
+  bool contains(const std::string& name) const;
+  /// All bytes of an entry. Throws UnitError where it is missing, damaged or larger than 1 GiB.
+  std::string read(const std::string& name) const;
+  /// Writes the entries that begin with `start` under a folder. Throws UnitError.
+  void unpack(const std::string& start, const std::filesystem::path& folder) const;
+
+ private:
+  struct Handle;
+  std::string path_;
+  std::unique_ptr<Handle> handle_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace stepwire::fmi

@@ -1,0 +1,16 @@
+#include "engine/base/fmi/calls.hpp"
+
+#include "engine/base/fmi/calls_of.hpp"
+
+namespace stepwire::fmi {
+
+std::unique_ptr<Calls> instantiate(const Package& package, Mode mode, const std::string& name) {
+  return package.description().version == 2 ? instance_of_2(package, mode, name)
+                                            : instance_of_3(package, mode, name);
+}
+
+const Interface& interface_of(const Description& description, Mode mode) {
+  return mode == Mode::co_simulation ? description.co_simulation : description.model_exchange;
+}
+
+}  // namespace stepwire::fmi

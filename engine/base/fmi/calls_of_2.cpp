@@ -1,0 +1,230 @@
+// The calls of FMI 2.
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+
+#include "engine/base/fmi/calls_of.hpp"
+#include "engine/base/fmi/fmi2.h"
+#include "engine/base/fmi/library.hpp"
+#include "engine/base/fmi/log_text.hpp"
+
+namespace stepwire::fmi {
+
+namespace {
+
+constexpr int ends_at = 2;  // of statuses, Discard and all after it are faults
+
+void log(fmi2ComponentEnvironment environment, fmi2String, fmi2Status status, fmi2String, fmi2String message,
+         ...) {
+  if (status < ends_at) return;
+  char text[400];
+  va_list values;
+  va_start(values, message);
+  std::vsnprintf(text, sizeof text, message, values);
+  va_end(values);
+  static_cast<LogText*>(environment)->take(text);
+}
+
+struct Functions {
+  explicit Functions(const Library& library) {
+    library.find(make, "fmi2Instantiate");
+    library.find(free_instance, "fmi2FreeInstance");
+    library.find(set_up, "fmi2SetupExperiment");
+    library.find(enter_initialization, "fmi2EnterInitializationMode");
+    library.find(exit_initialization, "fmi2ExitInitializationMode");
+    library.find(terminate, "fmi2Terminate");
+    library.find(get_real, "fmi2GetReal");
+    library.find(set_real, "fmi2SetReal");
+    library.find(get_integer, "fmi2GetInteger");
+    library.find(set_integer, "fmi2SetInteger");
+    library.find(get_boolean, "fmi2GetBoolean");
+    library.find(set_boolean, "fmi2SetBoolean");
+    library.find(get_state, "fmi2GetFMUstate");
+    library.find(set_state, "fmi2SetFMUstate");
+    library.find(free_state, "fmi2FreeFMUstate");
+    library.find(state_size, "fmi2SerializedFMUstateSize");
+    library.find(serialize, "fmi2SerializeFMUstate");
+    library.find(deserialize, "fmi2DeSerializeFMUstate");
+  }
+  decltype(fmi2Instantiate)* make;
+  decltype(fmi2FreeInstance)* free_instance;
+  decltype(fmi2SetupExperiment)* set_up;
+  decltype(fmi2EnterInitializationMode)* enter_initialization;
+  decltype(fmi2ExitInitializationMode)* exit_initialization;
+  decltype(fmi2Terminate)* terminate;
+  decltype(fmi2GetReal)* get_real;
+  decltype(fmi2SetReal)* set_real;
+  decltype(fmi2GetInteger)* get_integer;
+  decltype(fmi2SetInteger)* set_integer;
+  decltype(fmi2GetBoolean)* get_boolean;
+  decltype(fmi2SetBoolean)* set_boolean;
+  decltype(fmi2GetFMUstate)* get_state;
+  decltype(fmi2SetFMUstate)* set_state;
+  decltype(fmi2FreeFMUstate)* free_state;
+  decltype(fmi2SerializedFMUstateSize)* state_size;
+  decltype(fmi2SerializeFMUstate)* serialize;
+  decltype(fmi2DeSerializeFMUstate)* deserialize;
+};
+
+struct ModelFunctions {
+  explicit ModelFunctions(const Library& library) {
+    library.find(set_time, "fmi2SetTime");
+    library.find(set_states, "fmi2SetContinuousStates");
+    library.find(get_states, "fmi2GetContinuousStates");
+    library.find(get_slopes, "fmi2GetDerivatives");
+    library.find(get_indicators, "fmi2GetEventIndicators");
+    library.find(complete_step, "fmi2CompletedIntegratorStep");
+    library.find(enter_event, "fmi2EnterEventMode");
+    library.find(update, "fmi2NewDiscreteStates");
+    library.find(leave_event, "fmi2EnterContinuousTimeMode");
+  }
+  decltype(fmi2SetTime)* set_time;
+  decltype(fmi2SetContinuousStates)* set_states;
+  decltype(fmi2GetContinuousStates)* get_states;
+  decltype(fmi2GetDerivatives)* get_slopes;
+  decltype(fmi2GetEventIndicators)* get_indicators;
+  decltype(fmi2CompletedIntegratorStep)* complete_step;
+  decltype(fmi2EnterEventMode)* enter_event;
+  decltype(fmi2NewDiscreteStates)* update;
+  decltype(fmi2EnterContinuousTimeMode)* leave_event;
+};
+
+class Second : public Calls {
+ public:
+  Second(const Package& package, Mode mode, const std::string& name)
+      : library_(package.binary(interface_of(package.description(), mode))), f_(library_) {
+    if (mode == Mode::co_simulation)
+      library_.find(step_, "fmi2DoStep");
+    else
+      model_.emplace(library_);
+    callbacks_.logger = log;
+    callbacks_.allocateMemory = std::calloc;
+    callbacks_.freeMemory = std::free;
+    callbacks_.stepFinished = nullptr;
+    callbacks_.componentEnvironment = &log_;
+    unit_ = f_.make(name.c_str(), mode == Mode::co_simulation ? fmi2CoSimulation : fmi2ModelExchange,
+                    package.description().token.c_str(), package.resources_uri().c_str(), &callbacks_, fmi2False,
+                    fmi2False);
+    if (!unit_)
+      throw UnitError("its binary refuses to be instantiated" + (log_.empty() ? "" : ": " + log_.text()));
+  }
+  ~Second() override {
+    if (started_ && !failed_) f_.terminate(unit_);
+    f_.free_instance(unit_);
+  }
+
+  bool set_up(double start) override {
+    return check(f_.set_up(unit_, fmi2False, 0.0, start, fmi2False, 0.0), "fmi2SetupExperiment") &&
+           check(f_.enter_initialization(unit_), "fmi2EnterInitializationMode");
+  }
+  bool initialize() override {
+    return started_ = check(f_.exit_initialization(unit_), "fmi2ExitInitializationMode");
+  }
+  bool get(Type type, const std::uint32_t* references, std::size_t count, void* values, std::size_t) override {
+    if (type == Type::float64)
+      return check(f_.get_real(unit_, references, count, static_cast<fmi2Real*>(values)), "fmi2GetReal");
+    if (type == Type::int32)
+      return check(f_.get_integer(unit_, references, count, static_cast<fmi2Integer*>(values)),
+                   "fmi2GetInteger");
+    return check(f_.get_boolean(unit_, references, count, static_cast<fmi2Boolean*>(values)), "fmi2GetBoolean");
+  }
+  bool set(Type type, const std::uint32_t* references, std::size_t count, const void* values,
+           std::size_t) override {
+    if (type == Type::float64)
+      return check(f_.set_real(unit_, references, count, static_cast<const fmi2Real*>(values)), "fmi2SetReal");
+    if (type == Type::int32)
+      return check(f_.set_integer(unit_, references, count, static_cast<const fmi2Integer*>(values)),
+                   "fmi2SetInteger");
+    return check(f_.set_boolean(unit_, references, count, static_cast<const fmi2Boolean*>(values)),
+                 "fmi2SetBoolean");
+  }
+
+  bool set_time(double time) override { return check(model_->set_time(unit_, time), "fmi2SetTime"); }
+  bool set_states(const double* states, std::size_t count) override {
+    return check(model_->set_states(unit_, states, count), "fmi2SetContinuousStates");
+  }
+  bool get_states(double* states, std::size_t count) override {
+    return check(model_->get_states(unit_, states, count), "fmi2GetContinuousStates");
+  }
+  bool get_slopes(double* slopes, std::size_t count) override {
+    return check(model_->get_slopes(unit_, slopes, count), "fmi2GetDerivatives");
+  }
+  bool get_indicators(double* indicators, std::size_t count) override {
+    return check(model_->get_indicators(unit_, indicators, count), "fmi2GetEventIndicators");
+  }
+  bool complete_step(StepInfo& info) override {
+    fmi2Boolean enters = fmi2False, ends = fmi2False;
+    const bool done =
+        check(model_->complete_step(unit_, fmi2True, &enters, &ends), "fmi2CompletedIntegratorStep");
+    info = {ends != fmi2False, enters != fmi2False};
+    return done;
+  }
+  bool enter_event() override { return check(model_->enter_event(unit_), "fmi2EnterEventMode"); }
+  bool update(EventInfo& info) override {
+    fmi2EventInfo told{};
+    const bool done = check(model_->update(unit_, &told), "fmi2NewDiscreteStates");
+    info = {told.newDiscreteStatesNeeded != fmi2False, told.terminateSimulation != fmi2False,
+            told.valuesOfContinuousStatesChanged != fmi2False, told.nextEventTimeDefined != fmi2False,
+            told.nextEventTime};
+    return done;
+  }
+  bool leave_event() override { return check(model_->leave_event(unit_), "fmi2EnterContinuousTimeMode"); }
+
+  bool step(double time, double length, StepInfo&) override {
+    return check(step_(unit_, time, length, fmi2False), "fmi2DoStep");
+  }
+
+  std::size_t state_size() override {
+    fmi2FMUstate state = nullptr;
+    std::size_t size = 0;
+    const bool done = check(f_.get_state(unit_, &state), "fmi2GetFMUstate") &&
+                      check(f_.state_size(unit_, state, &size), "fmi2SerializedFMUstateSize");
+    if (state) f_.free_state(unit_, &state);
+    return done ? size : 0;
+  }
+  bool save(char* bytes, std::size_t count) override {
+    fmi2FMUstate state = nullptr;
+    const bool done = check(f_.get_state(unit_, &state), "fmi2GetFMUstate") &&
+                      check(f_.serialize(unit_, state, bytes, count), "fmi2SerializeFMUstate");
+    if (state) f_.free_state(unit_, &state);
+    return done;
+  }
+  bool load(const char* bytes, std::size_t count) override {
+    fmi2FMUstate state = nullptr;
+    const bool done = check(f_.deserialize(unit_, bytes, count, &state), "fmi2DeSerializeFMUstate") &&
+                      check(f_.set_state(unit_, state), "fmi2SetFMUstate");
+    if (state) f_.free_state(unit_, &state);
+    return done;
+  }
+
+  std::string message() const override {
+    return log_.empty() ? std::string(call_) + " failed, and the unit gives no reason" : log_.text();
+  }
+
+ private:
+  bool check(fmi2Status status, const char* call) {
+    if (status < ends_at) return true;
+    failed_ = true;
+    call_ = call;
+    return false;
+  }
+
+  LogText log_;
+  fmi2CallbackFunctions callbacks_{};
+  Library library_;
+  Functions f_;
+  std::optional<ModelFunctions> model_;
+  decltype(fmi2DoStep)* step_ = nullptr;
+  fmi2Component unit_ = nullptr;
+  bool started_ = false, failed_ = false;
+  const char* call_ = "";
+};
+
+}  // namespace
+
+std::unique_ptr<Calls> instance_of_2(const Package& package, Mode mode, const std::string& name) {
+  return std::make_unique<Second>(package, mode, name);
+}
+
+}  // namespace stepwire::fmi

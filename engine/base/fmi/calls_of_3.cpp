@@ -1,0 +1,224 @@
+// The calls of FMI 3.
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "engine/base/fmi/calls_of.hpp"
+#include "engine/base/fmi/fmi3.h"
+#include "engine/base/fmi/library.hpp"
+#include "engine/base/fmi/log_text.hpp"
+
+namespace stepwire::fmi {
+
+namespace {
+
+constexpr int ends_at = 2;  // of statuses, Discard and all after it are faults
+
+void log(fmi3InstanceEnvironment environment, fmi3Status status, fmi3String, fmi3String message) {
+  if (status >= ends_at) static_cast<LogText*>(environment)->take(message);
+}
+
+/// The functions that both interfaces have, by the names of the standard.
+struct Functions {
+  explicit Functions(const Library& library) {
+    library.find(free_instance, "fmi3FreeInstance");
+    library.find(enter_initialization, "fmi3EnterInitializationMode");
+    library.find(exit_initialization, "fmi3ExitInitializationMode");
+    library.find(terminate, "fmi3Terminate");
+    library.find(get_state, "fmi3GetFMUState");
+    library.find(set_state, "fmi3SetFMUState");
+    library.find(free_state, "fmi3FreeFMUState");
+    library.find(state_size, "fmi3SerializedFMUStateSize");
+    library.find(serialize, "fmi3SerializeFMUState");
+    library.find(deserialize, "fmi3DeserializeFMUState");
+  }
+  decltype(fmi3FreeInstance)* free_instance;
+  decltype(fmi3EnterInitializationMode)* enter_initialization;
+  decltype(fmi3ExitInitializationMode)* exit_initialization;
+  decltype(fmi3Terminate)* terminate;
+  decltype(fmi3GetFMUState)* get_state;
+  decltype(fmi3SetFMUState)* set_state;
+  decltype(fmi3FreeFMUState)* free_state;
+  decltype(fmi3SerializedFMUStateSize)* state_size;
+  decltype(fmi3SerializeFMUState)* serialize;
+  decltype(fmi3DeserializeFMUState)* deserialize;
+};
+
+/// Functions for the values of one type; all of them have the same form, and pointers of one form.
+using Get = fmi3Status (*)(fmi3Instance, const fmi3ValueReference*, size_t, void*, size_t);
+using Set = fmi3Status (*)(fmi3Instance, const fmi3ValueReference*, size_t, const void*, size_t);
+
+constexpr const char* type_names[] = {"Float64", "Float32", "Int8",  "UInt8",  "Int16",  "UInt16",
+                                      "Int32",   "UInt32",  "Int64", "UInt64", "Boolean"};
+constexpr std::size_t type_count = std::size(type_names);
+
+struct ValueFunctions {
+  explicit ValueFunctions(const Library& library) {
+    for (std::size_t i = 0; i < type_count; ++i) {
+      library.find(get[i], fmt::format("fmi3Get{}", type_names[i]).c_str());
+      library.find(set[i], fmt::format("fmi3Set{}", type_names[i]).c_str());
+    }
+  }
+  Get get[type_count];
+  Set set[type_count];
+};
+
+/// The place of a type in these tables.
+std::size_t place_of(Type type) {
+  return type == Type::boolean ? type_count - 1 : static_cast<std::size_t>(type);
+}
+
+struct ModelFunctions {
+  explicit ModelFunctions(const Library& library) {
+    library.find(set_time, "fmi3SetTime");
+    library.find(set_states, "fmi3SetContinuousStates");
+    library.find(get_states, "fmi3GetContinuousStates");
+    library.find(get_slopes, "fmi3GetContinuousStateDerivatives");
+    library.find(get_indicators, "fmi3GetEventIndicators");
+    library.find(complete_step, "fmi3CompletedIntegratorStep");
+    library.find(enter_event, "fmi3EnterEventMode");
+    library.find(update, "fmi3UpdateDiscreteStates");
+    library.find(leave_event, "fmi3EnterContinuousTimeMode");
+  }
+  decltype(fmi3SetTime)* set_time;
+  decltype(fmi3SetContinuousStates)* set_states;
+  decltype(fmi3GetContinuousStates)* get_states;
+  decltype(fmi3GetContinuousStateDerivatives)* get_slopes;
+  decltype(fmi3GetEventIndicators)* get_indicators;
+  decltype(fmi3CompletedIntegratorStep)* complete_step;
+  decltype(fmi3EnterEventMode)* enter_event;
+  decltype(fmi3UpdateDiscreteStates)* update;
+  decltype(fmi3EnterContinuousTimeMode)* leave_event;
+};
+
+class Third : public Calls {
+ public:
+  Third(const Package& package, Mode mode, const std::string& name)
+      : library_(package.binary(interface_of(package.description(), mode))), f_(library_), values_(library_) {
+    const std::string& token = package.description().token;
+    const std::string resources = package.resources();
+    if (mode == Mode::co_simulation) {
+      library_.find(step_, "fmi3DoStep");
+      decltype(fmi3InstantiateCoSimulation)* make;
+      library_.find(make, "fmi3InstantiateCoSimulation");
+      unit_ = make(name.c_str(), token.c_str(), resources.c_str(), false, false, false, false, nullptr, 0, &log_,
+                   log, nullptr);
+    } else {
+      model_.emplace(library_);
+      decltype(fmi3InstantiateModelExchange)* make;
+      library_.find(make, "fmi3InstantiateModelExchange");
+      unit_ = make(name.c_str(), token.c_str(), resources.c_str(), false, false, &log_, log);
+    }
+    if (!unit_)
+      throw UnitError("its binary refuses to be instantiated" + (log_.empty() ? "" : ": " + log_.text()));
+  }
+  ~Third() override {
+    if (started_ && !failed_) f_.terminate(unit_);
+    f_.free_instance(unit_);
+  }
+
+  bool set_up(double start) override {
+    return check(f_.enter_initialization(unit_, false, 0.0, start, false, 0.0), "fmi3EnterInitializationMode");
+  }
+  bool initialize() override {
+    return started_ = check(f_.exit_initialization(unit_), "fmi3ExitInitializationMode");
+  }
+  bool get(Type type, const std::uint32_t* references, std::size_t count, void* values,
+           std::size_t numbers) override {
+    return check(values_.get[place_of(type)](unit_, references, count, values, numbers), "a fmi3Get function");
+  }
+  bool set(Type type, const std::uint32_t* references, std::size_t count, const void* values,
+           std::size_t numbers) override {
+    return check(values_.set[place_of(type)](unit_, references, count, values, numbers), "a fmi3Set function");
+  }
+
+  bool set_time(double time) override { return check(model_->set_time(unit_, time), "fmi3SetTime"); }
+  bool set_states(const double* states, std::size_t count) override {
+    return check(model_->set_states(unit_, states, count), "fmi3SetContinuousStates");
+  }
+  bool get_states(double* states, std::size_t count) override {
+    return check(model_->get_states(unit_, states, count), "fmi3GetContinuousStates");
+  }
+  bool get_slopes(double* slopes, std::size_t count) override {
+    return check(model_->get_slopes(unit_, slopes, count), "fmi3GetContinuousStateDerivatives");
+  }
+  bool get_indicators(double* indicators, std::size_t count) override {
+    return check(model_->get_indicators(unit_, indicators, count), "fmi3GetEventIndicators");
+  }
+  bool complete_step(StepInfo& info) override {
+    return check(model_->complete_step(unit_, true, &info.enters_event, &info.terminates),
+                 "fmi3CompletedIntegratorStep");
+  }
+  bool enter_event() override { return check(model_->enter_event(unit_), "fmi3EnterEventMode"); }
+  bool update(EventInfo& info) override {
+    bool nominals = false;
+    return check(model_->update(unit_, &info.again, &info.terminates, &nominals, &info.states_changed,
+                                &info.has_next, &info.next),
+                 "fmi3UpdateDiscreteStates");
+  }
+  bool leave_event() override { return check(model_->leave_event(unit_), "fmi3EnterContinuousTimeMode"); }
+
+  bool step(double time, double length, StepInfo& info) override {
+    bool early = false;
+    double last = time + length;
+    return check(step_(unit_, time, length, false, &info.enters_event, &info.terminates, &early, &last),
+                 "fmi3DoStep") &&
+           (!early || info.terminates || check(fmi3Discard, "fmi3DoStep, which returned early,"));
+  }
+
+  std::size_t state_size() override {
+    fmi3FMUState state = nullptr;
+    std::size_t size = 0;
+    const bool done = check(f_.get_state(unit_, &state), "fmi3GetFMUState") &&
+                      check(f_.state_size(unit_, state, &size), "fmi3SerializedFMUStateSize");
+    if (state) f_.free_state(unit_, &state);
+    return done ? size : 0;
+  }
+  bool save(char* bytes, std::size_t count) override {
+    fmi3FMUState state = nullptr;
+    const bool done = check(f_.get_state(unit_, &state), "fmi3GetFMUState") &&
+                      check(f_.serialize(unit_, state, reinterpret_cast<fmi3Byte*>(bytes), count),
+                            "fmi3SerializeFMUState");
+    if (state) f_.free_state(unit_, &state);
+    return done;
+  }
+  bool load(const char* bytes, std::size_t count) override {
+    fmi3FMUState state = nullptr;
+    const bool done =
+        check(f_.deserialize(unit_, reinterpret_cast<const fmi3Byte*>(bytes), count, &state),
+              "fmi3DeserializeFMUState") &&
+        check(f_.set_state(unit_, state), "fmi3SetFMUState");
+    if (state) f_.free_state(unit_, &state);
+    return done;
+  }
+
+  std::string message() const override {
+    return log_.empty() ? std::string(call_) + " failed, and the unit gives no reason" : log_.text();
+  }
+
+ private:
+  bool check(fmi3Status status, const char* call) {
+    if (status < ends_at) return true;
+    failed_ = true;
+    call_ = call;
+    return false;
+  }
+
+  LogText log_;
+  Library library_;
+  Functions f_;
+  ValueFunctions values_;
+  std::optional<ModelFunctions> model_;
+  decltype(fmi3DoStep)* step_ = nullptr;
+  fmi3Instance unit_ = nullptr;
+  bool started_ = false, failed_ = false;
+  const char* call_ = "";
+};
+
+}  // namespace
+
+std::unique_ptr<Calls> instance_of_3(const Package& package, Mode mode, const std::string& name) {
+  return std::make_unique<Third>(package, mode, name);
+}
+
+}  // namespace stepwire::fmi

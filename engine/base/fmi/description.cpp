@@ -1,0 +1,79 @@
+#include "engine/base/fmi/description.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <pugixml.hpp>
+
+#include "engine/base/fmi/read_variables.hpp"
+#include "engine/base/fmi/unit_error.hpp"
+
+namespace stepwire::fmi {
+
+namespace {
+
+Interface read_interface(const pugi::xml_node& node, int version) {
+  Interface read;
+  read.identifier = node.attribute("modelIdentifier").value();
+  const bool two = version == 2;
+  const bool saves = node.attribute(two ? "canGetAndSetFMUstate" : "canGetAndSetFMUState").as_bool();
+  read.keeps_state =
+      saves && node.attribute(two ? "canSerializeFMUstate" : "canSerializeFMUState").as_bool();
+  read.only_once = node.attribute("canBeInstantiatedOnlyOncePerProcess").as_bool();
+  read.needs_tool = node.attribute("needsExecutionTool").as_bool();
+  return read;
+}
+
+bool is_identifier(const std::string& text) {
+  return text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") ==
+         text.npos;
+}
+
+int read_version(const pugi::xml_node& root) {
+  const std::string version = root.attribute("fmiVersion").value();
+  if (version == "2.0") return 2;
+  if (version == "3.0" || version.starts_with("3.0.")) return 3;
+  throw UnitError(fmt::format("its modelDescription.xml has fmiVersion \"{}\"; versions 2.0 and 3.0 are read",
+                              version));
+}
+
+}  // namespace
+
+const Variable* Description::find(std::uint32_t reference) const {
+  const auto found = std::ranges::find(variables, reference, &Variable::reference);
+  return found == variables.end() ? nullptr : &*found;
+}
+
+bool Description::feeds_through(const Variable& input) const {
+  return std::ranges::any_of(variables, [&](const Variable& output) {
+    if (output.causality != Causality::output) return false;
+    const auto about = std::ranges::find(dependencies, output.reference,
+                                         [](const auto& dependency) { return dependency.first; });
+    return about == dependencies.end() || std::ranges::find(about->second, input.reference) != about->second.end();
+  });
+}
+
+Description read_description(const std::string& xml) {
+  pugi::xml_document document;
+  const pugi::xml_parse_result result = document.load_buffer(xml.data(), xml.size());
+  if (!result)
+    throw UnitError(fmt::format("its modelDescription.xml is no XML: {} at byte {}", result.description(),
+                                result.offset));
+  const pugi::xml_node root = document.child("fmiModelDescription");
+  if (!root) throw UnitError("its modelDescription.xml has no fmiModelDescription");
+  Description read;
+  read.version = read_version(root);
+  read.name = root.attribute("modelName").value();
+  read.token = root.attribute(read.version == 2 ? "guid" : "instantiationToken").value();
+  read.co_simulation = read_interface(root.child("CoSimulation"), read.version);
+  read.model_exchange = read_interface(root.child("ModelExchange"), read.version);
+  for (const Interface* one : {&read.co_simulation, &read.model_exchange})
+    if (!is_identifier(one->identifier))
+      throw UnitError(fmt::format("its modelIdentifier '{}' is no name of C", one->identifier));
+  if (read.co_simulation.identifier.empty() && read.model_exchange.identifier.empty())
+    throw UnitError("it has neither CoSimulation nor ModelExchange; scheduled execution is not run");
+  read_variables(root, read);
+  return read;
+}
+
+}  // namespace stepwire::fmi

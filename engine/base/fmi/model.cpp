@@ -1,0 +1,218 @@
+#include "engine/base/fmi/model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "engine/base/fmi/unit_error.hpp"
+
+namespace stepwire::fmi {
+
+namespace {
+
+constexpr int most_iterations = 100;
+constexpr double never = std::numeric_limits<double>::infinity();
+
+std::vector<std::size_t> discrete_numbers(const Description& description) {
+  std::vector<std::size_t> places;
+  std::size_t place = 0;
+  for (const Variable* input : ports_of(description, Causality::input))
+    for (std::size_t i = 0; i < input->size; ++i, ++place)
+      if (input->discrete) places.push_back(place);
+  return places;
+}
+
+}  // namespace
+
+std::vector<const Variable*> ports_of(const Description& description, Causality causality) {
+  std::vector<const Variable*> ports;
+  for (const Variable& variable : description.variables)
+    if (variable.causality == causality && variable.type != Type::other) ports.push_back(&variable);
+  return ports;
+}
+
+Counts counts_of(const Setup& setup) {
+  const Description& description = setup.package->description();
+  const bool continuous = setup.mode == Mode::model_exchange;
+  return {ValueGroups(ports_of(description, Causality::input)).count(),
+          ValueGroups(ports_of(description, Causality::output)).count(),
+          continuous ? description.state_count : 0, continuous ? description.indicator_count : 0, 0};
+}
+
+Model::Model(const Setup& setup, Exchange& exchange)
+    : setup_(setup),
+      exchange_(exchange),
+      inputs_(ports_of(setup.package->description(), Causality::input)),
+      continuous_inputs_(ports_of(setup.package->description(), Causality::input),
+                         ValueGroups::Which::continuous),
+      outputs_(ports_of(setup.package->description(), Causality::output)),
+      discrete_(discrete_numbers(setup.package->description())),
+      signs_(exchange.counts.indicators) {
+  last_.resize(discrete_.size());
+}
+
+Model::~Model() {
+  leave();
+}
+
+void Model::leave() {
+  if (calls_) --setup_.package->instances();
+  calls_.reset();
+}
+
+void Model::enter() {
+  const bool only_once = interface_of(setup_.package->description(), setup_.mode).only_once;
+  if (setup_.package->instances()++ > 0 && only_once) {
+    --setup_.package->instances();
+    throw UnitError(
+        "a process may have but one instance of the unit, and has one; with isolate: true each has a process");
+  }
+  try {
+    calls_ = instantiate(*setup_.package, setup_.mode, setup_.name);
+  } catch (...) {
+    --setup_.package->instances();
+    throw;
+  }
+}
+
+void Model::fail(const std::string& message) {
+  exchange_.ok = 0;
+  const std::size_t length = std::min(message.size(), sizeof exchange_.message - 1);
+  std::memcpy(exchange_.message, message.data(), length);
+  exchange_.message[length] = '\0';
+}
+
+void Model::run() {
+  exchange_.ok = 1;
+  try {
+    if (exchange_.operation == Operation::start)
+      start();
+    else if (!perform())
+      fail(calls_->message());
+  } catch (const std::exception& error) {
+    fail(error.what());
+  }
+}
+
+void Model::start() {
+  leave();
+  enter();
+  if (!assign() || !calls_->set_up(exchange_.time) || !assign() || !calls_->initialize() || !begin())
+    return fail(calls_->message());
+  const Interface& about = interface_of(setup_.package->description(), setup_.mode);
+  exchange_.state_bytes = about.keeps_state ? calls_->state_size() : 0;
+  exchange_.kept_numbers =
+      exchange_.state_bytes == 0 ? 0 : (exchange_.state_bytes + 7) / 8 + 1 + signs_.size() + last_.size();
+}
+
+bool Model::assign() {
+  return std::ranges::all_of(setup_.assignments, [&](const Assignment& assignment) {
+    return ValueGroups({assignment.variable}).set(*calls_, assignment.numbers.data());
+  });
+}
+
+bool Model::begin() {
+  exchange_.next = never;
+  exchange_.changed = exchange_.ended = 0;
+  if (!inputs_.get(*calls_, exchange_.inputs())) return false;
+  for (std::size_t i = 0; i < discrete_.size(); ++i) last_[i] = exchange_.inputs()[discrete_[i]];
+  if (setup_.mode == Mode::model_exchange) {
+    if (!iterate_events() || !calls_->get_states(exchange_.states(), exchange_.counts.states)) return false;
+  }
+  return outputs_.get(*calls_, exchange_.outputs());
+}
+
+/// From event mode on: until nothing follows any more, then on to continuous time.
+bool Model::iterate_events() {
+  EventInfo info{.again = true};
+  for (int i = 0; info.again; ++i) {
+    info = {};
+    if (i == most_iterations) {
+      fail("its events do not come to an end");
+      return true;
+    }
+    if (!calls_->update(info)) return false;
+    exchange_.changed |= info.states_changed ? 1u : 0u;
+    exchange_.ended |= info.terminates ? 1u : 0u;
+    if (info.terminates) return true;
+  }
+  exchange_.next = info.has_next ? info.next : never;
+  if (!calls_->leave_event()) return false;
+  if (exchange_.counts.indicators == 0) return true;
+  if (!calls_->get_indicators(exchange_.indicators(), exchange_.counts.indicators)) return false;
+  for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = exchange_.indicators()[i] > 0.0;
+  return true;
+}
+
+bool Model::move_to(double time) {
+  return calls_->set_time(time) &&
+         (exchange_.counts.states == 0 || calls_->set_states(exchange_.states(), exchange_.counts.states)) &&
+         continuous_inputs_.set(*calls_, exchange_.inputs());
+}
+
+bool Model::act() {
+  exchange_.changed = exchange_.ended = 0;
+  StepInfo info;
+  if (!move_to(exchange_.time) || !calls_->complete_step(info)) return false;
+  if (info.terminates) exchange_.ended = 1;
+  bool due = info.enters_event || exchange_.time >= exchange_.next - 1e-9 * std::abs(exchange_.next);
+  if (!signs_.empty()) {
+    if (!calls_->get_indicators(exchange_.indicators(), signs_.size())) return false;
+    for (std::size_t i = 0; i < signs_.size(); ++i) due |= (exchange_.indicators()[i] > 0.0) != bool(signs_[i]);
+  }
+  for (std::size_t i = 0; i < discrete_.size(); ++i) {
+    const double now = exchange_.inputs()[discrete_[i]];
+    due |= now != last_[i];
+    last_[i] = now;
+  }
+  if (!due) return true;
+  if (!calls_->enter_event() || !inputs_.set(*calls_, exchange_.inputs()) || !iterate_events()) return false;
+  return !exchange_.changed || calls_->get_states(exchange_.states(), exchange_.counts.states);
+}
+
+bool Model::step() {
+  exchange_.ended = 0;
+  StepInfo info;
+  if (!inputs_.set(*calls_, exchange_.inputs())) return false;
+  if (!calls_->step(exchange_.time, exchange_.length, info)) return false;
+  if (info.terminates) exchange_.ended = 1;
+  return outputs_.get(*calls_, exchange_.outputs());
+}
+
+// Behind the bytes of the unit stands what is remembered of its events.
+bool Model::save() {
+  double* behind = exchange_.kept() + (exchange_.state_bytes + 7) / 8;
+  if (!calls_->save(reinterpret_cast<char*>(exchange_.kept()), exchange_.state_bytes)) return false;
+  *behind++ = exchange_.next;
+  behind = std::ranges::copy(signs_, behind).out;
+  std::ranges::copy(last_, behind);
+  return true;
+}
+
+bool Model::load() {
+  const double* behind = exchange_.kept() + (exchange_.state_bytes + 7) / 8;
+  exchange_.next = *behind++;
+  for (char& sign : signs_) sign = *behind++ != 0.0;
+  for (double& number : last_) number = *behind++;
+  return calls_->load(reinterpret_cast<const char*>(exchange_.kept()), exchange_.state_bytes);
+}
+
+bool Model::perform() {
+  switch (exchange_.operation) {
+    case Operation::outputs: return move_to(exchange_.time) && outputs_.get(*calls_, exchange_.outputs());
+    case Operation::slopes:
+      return move_to(exchange_.time) && calls_->get_slopes(exchange_.slopes(), exchange_.counts.states);
+    case Operation::crossings:
+      return move_to(exchange_.time) &&
+             (signs_.empty() || calls_->get_indicators(exchange_.indicators(), signs_.size()));
+    case Operation::act: return act();
+    case Operation::step: return step();
+    case Operation::save: return save();
+    case Operation::load: return load();
+    default: return true;
+  }
+}
+
+}  // namespace stepwire::fmi

@@ -1,0 +1,116 @@
+#include "engine/base/fmi/package.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <set>
+#include <tuple>
+
+#include "engine/base/fmi/archive.hpp"
+#include "engine/base/fmi/unit_error.hpp"
+
+namespace stepwire::fmi {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folder of binaries for this machine, as each version calls it.
+std::string platform(int version) {
+#if defined(__aarch64__)
+  return version == 2 ? "aarch64-linux" : "aarch64-linux";
+#else
+  return version == 2 ? "linux64" : "x86_64-linux";
+#endif
+}
+
+std::string platforms_of(const Archive& archive) {
+  std::set<std::string> found;
+  for (const std::string& name : archive.names()) {
+    const std::size_t end = name.find('/', 9);
+    if (name.starts_with("binaries/") && end != name.npos) found.insert(name.substr(9, end - 9));
+  }
+  return found.empty() ? "no binaries at all" : fmt::format("binaries for {}", fmt::join(found, ", "));
+}
+
+fs::path new_folder() {
+  std::string pattern = (fs::temp_directory_path() / "stepwire-unit-XXXXXX").string();
+  if (!mkdtemp(pattern.data())) throw UnitError("cannot be unpacked: there is no folder for it in " + pattern);
+  return pattern;
+}
+
+/// Says which file a sentence is about.
+[[noreturn]] void refuse(const std::string& path, const UnitError& error) {
+  const std::string text = error.what();
+  throw UnitError(text.starts_with(path) ? text : fmt::format("{} cannot be used: {}", path, text));
+}
+
+/// A file at a moment.
+using FileState = std::tuple<std::string, std::uintmax_t, fs::file_time_type>;
+
+FileState state_of(const std::string& path) {
+  std::error_code none;
+  const fs::path whole = fs::canonical(path, none);
+  if (none || !fs::is_regular_file(whole)) throw UnitError(fmt::format("there is no file {}", path));
+  return {whole.string(), fs::file_size(whole), fs::last_write_time(whole)};
+}
+
+}  // namespace
+
+Package::Package(const std::string& path) : path_(path) {
+  try {
+    const Archive archive(path);
+    if (!archive.contains("modelDescription.xml"))
+      throw UnitError("it has no modelDescription.xml; a unit of FMI 2 or 3 has one at its root");
+    description_ = read_description(archive.read("modelDescription.xml"));
+    folder_ = new_folder();
+    for (const Interface* one : {&description_.co_simulation, &description_.model_exchange})
+      if (!one->identifier.empty()) unpack_binaries(archive, *one);
+    archive.unpack("resources/", folder_);
+  } catch (const UnitError& error) {
+    std::error_code none;
+    if (!folder_.empty()) fs::remove_all(folder_, none);
+    refuse(path, error);
+  }
+}
+
+Package::~Package() {
+  std::error_code none;
+  fs::remove_all(folder_, none);
+}
+
+void Package::unpack_binaries(const Archive& archive, const Interface& of) {
+  const std::string here = platform(description_.version);
+  if (!archive.contains(fmt::format("binaries/{}/{}.so", here, of.identifier)))
+    throw UnitError(fmt::format("it has {}, and none for this platform: binaries/{}/{}.so is missing",
+                                platforms_of(archive), here, of.identifier));
+  archive.unpack(fmt::format("binaries/{}/", here), folder_);
+}
+
+std::string Package::binary(const Interface& of) const {
+  return (folder_ / "binaries" / platform(description_.version) / (of.identifier + ".so")).string();
+}
+
+std::string Package::resources() const {
+  return (folder_ / "resources").string() + "/";
+}
+
+std::string Package::resources_uri() const {
+  return "file://" + (folder_ / "resources").string();
+}
+
+std::shared_ptr<const Package> open_package(const std::string& path) {
+  static std::mutex mutex;
+  static std::map<FileState, std::weak_ptr<const Package>> open;
+  const FileState state = state_of(path);
+  const std::lock_guard lock(mutex);
+  auto& slot = open[state];
+  if (auto known = slot.lock()) return known;
+  auto made = std::make_shared<const Package>(path);
+  slot = made;
+  return made;
+}
+
+}  // namespace stepwire::fmi

@@ -1,0 +1,238 @@
+#include "engine/base/fmi/read_variables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <pugixml.hpp>
+#include <set>
+#include <sstream>
+
+#include "engine/base/fmi/unit_error.hpp"
+#include "engine/base/fmi/unit_table.hpp"
+
+namespace stepwire::fmi {
+
+namespace {
+
+const std::map<std::string, Type>& types(int version) {
+  static const std::map<std::string, Type> two{{"Real", Type::float64},
+                                               {"Integer", Type::int32},
+                                               {"Enumeration", Type::int32},
+                                               {"Boolean", Type::wide_boolean},
+                                               {"String", Type::other}};
+  static const std::map<std::string, Type> three{
+      {"Float64", Type::float64}, {"Float32", Type::float32}, {"Int8", Type::int8},
+      {"UInt8", Type::uint8},     {"Int16", Type::int16},     {"UInt16", Type::uint16},
+      {"Int32", Type::int32},     {"UInt32", Type::uint32},   {"Int64", Type::int64},
+      {"UInt64", Type::uint64},   {"Enumeration", Type::int64}, {"Boolean", Type::boolean},
+      {"String", Type::other},    {"Binary", Type::other},    {"Clock", Type::other}};
+  return version == 2 ? two : three;
+}
+
+UnitTable read_units(const pugi::xml_node& root) {
+  UnitTable units;
+  for (const pugi::xml_node& node : root.child("UnitDefinitions").children("Unit")) {
+    const std::string name = node.attribute("name").value();
+    const pugi::xml_node base = node.child("BaseUnit");
+    BaseExponents exponents;
+    for (const char* key : {"kg", "m", "s", "A", "K", "mol", "cd", "rad"})
+      exponents[key] = base.attribute(key).as_int();
+    units[name] = base ? base_unit(exponents, base.attribute("factor").as_double(1.0),
+                                   base.attribute("offset").as_double(0.0))
+                       : named_unit(name);
+  }
+  return units;
+}
+
+/// What types that are declared by name say: unit and limits, by the attributes' names.
+using DeclaredTypes = std::map<std::string, pugi::xml_node>;
+
+DeclaredTypes read_types(const pugi::xml_node& root, int version) {
+  DeclaredTypes declared;
+  for (const pugi::xml_node& node : root.child("TypeDefinitions").children())
+    declared[node.attribute("name").value()] = version == 2 ? node.first_child() : node;
+  return declared;
+}
+
+std::string port_name(const std::string& name) {
+  std::string port;
+  for (const char c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '_') {
+      port += c;
+    } else if (!port.empty() && port.back() != '_') {
+      port += '_';
+    }
+  while (port.size() > 1 && port.back() == '_') port.pop_back();
+  if (port.empty() || std::isdigit(static_cast<unsigned char>(port[0]))) port = "_" + port;
+  return port;
+}
+
+Causality causality_of(const std::string& word) {
+  static const std::map<std::string, Causality> words{{"parameter", Causality::parameter},
+                                                      {"calculatedParameter", Causality::calculated},
+                                                      {"input", Causality::input},
+                                                      {"output", Causality::output},
+                                                      {"independent", Causality::independent},
+                                                      {"structuralParameter", Causality::structural}};
+  const auto found = words.find(word);
+  return found == words.end() ? Causality::local : found->second;
+}
+
+/// Reads the variables one after the other.
+class Reader {
+ public:
+  Reader(const pugi::xml_node& root, Description& into)
+      : root_(root), into_(into), units_(read_units(root)), declared_(read_types(root, into.version)) {}
+
+  void read() {
+    for (const pugi::xml_node& node : root_.child("ModelVariables").children())
+      if (into_.version == 2) {
+        for (const pugi::xml_node& inner : node.children())
+          if (types(2).contains(inner.name())) add(node, inner);
+      } else if (types(3).contains(node.name())) {
+        add(node, node);
+      }
+    read_structure();
+  }
+
+ private:
+  void add(const pugi::xml_node& node, const pugi::xml_node& typed) {
+    Variable variable;
+    variable.name = node.attribute("name").value();
+    variable.description = node.attribute("description").value();
+    variable.port = port_name(variable.name);
+    variable.reference = node.attribute("valueReference").as_uint();
+    variable.type = types(into_.version).at(typed.name());
+    variable.causality = causality_of(node.attribute("causality").value());
+    const std::string variability = node.attribute("variability").value();
+    const bool real = variable.type == Type::float64 || variable.type == Type::float32;
+    variable.discrete = variability == "discrete" || (variability.empty() && !real);
+    variable.constant = variability == "constant";
+    const std::string initial = node.attribute("initial").value();
+    const bool has_start = typed.attribute("start") || typed.child("Start");
+    variable.starts_exact = has_start && initial != "calculated" && !variable.constant &&
+                            variable.causality != Causality::independent;
+    take_unit(variable, typed, real);
+    if (!names_.insert(variable.port).second && is_port(variable))
+      throw UnitError(fmt::format("two of its variables would be called '{}' as ports; '{}' is one of them",
+                                  variable.port, variable.name));
+    nodes_.push_back(node);
+    into_.variables.push_back(std::move(variable));
+  }
+
+  static bool is_port(const Variable& variable) {
+    return variable.causality == Causality::input || variable.causality == Causality::output;
+  }
+
+  /// An attribute of the variable, or of its declared type.
+  pugi::xml_attribute attribute(const pugi::xml_node& typed, const char* name) const {
+    if (const auto own = typed.attribute(name)) return own;
+    const auto type = declared_.find(typed.attribute("declaredType").value());
+    return type == declared_.end() ? pugi::xml_attribute() : type->second.attribute(name);
+  }
+
+  void take_unit(Variable& variable, const pugi::xml_node& typed, bool real) {
+    const std::string name = attribute(typed, "unit").value();
+    if (real && !name.empty()) {
+      const auto known = units_.find(name);
+      const ScaledUnit unit = known == units_.end() ? named_unit(name) : known->second;
+      variable.unit = unit.name;
+      variable.factor = unit.factor;
+      variable.offset = attribute(typed, "relativeQuantity").as_bool() ? 0.0 : unit.offset;
+    }
+    const auto si = [&](const pugi::xml_attribute& limit) -> std::optional<double> {
+      if (!limit) return {};
+      return variable.offset + variable.factor * limit.as_double();
+    };
+    variable.at_least = si(attribute(typed, "min"));
+    variable.at_most = si(attribute(typed, "max"));
+  }
+
+  /// The sizes of arrays, which may stand in structural parameters.
+  void take_sizes() {
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      for (const pugi::xml_node& dimension : nodes_[i].children("Dimension"))
+        into_.variables[i].size *= dimension_of(dimension);
+  }
+  std::size_t dimension_of(const pugi::xml_node& dimension) const {
+    if (const auto start = dimension.attribute("start")) return start.as_uint();
+    const unsigned reference = dimension.attribute("valueReference").as_uint();
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (into_.variables[i].reference == reference) return nodes_[i].attribute("start").as_uint();
+    throw UnitError(fmt::format("a dimension names the variable {}, which is not there", reference));
+  }
+
+  void read_structure() {
+    take_sizes();
+    const pugi::xml_node structure = root_.child("ModelStructure");
+    into_.version == 2 ? read_second(structure) : read_third(structure);
+    for (std::uint32_t reference : into_.states) {
+      const Variable* state = into_.find(reference);
+      if (!state) throw UnitError(fmt::format("its state {} is no variable", reference));
+      into_.state_count += state->size;
+    }
+  }
+
+  void read_third(const pugi::xml_node& structure) {
+    for (const pugi::xml_node& node : structure.children("Output")) depend(node, "valueReference");
+    for (const pugi::xml_node& node : structure.children("ContinuousStateDerivative"))
+      add_state(node.attribute("valueReference").as_uint());
+    for (const pugi::xml_node& node : structure.children("EventIndicator")) {
+      const Variable* indicator = into_.find(node.attribute("valueReference").as_uint());
+      into_.indicator_count += indicator ? indicator->size : 1;
+    }
+  }
+  void add_state(std::uint32_t derivative) {
+    into_.derivatives.push_back(derivative);
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (into_.variables[i].reference == derivative)
+        if (const auto state = nodes_[i].attribute("derivative"))
+          return into_.states.push_back(state.as_uint());
+    throw UnitError(fmt::format("its derivative {} does not say of which state it is", derivative));
+  }
+
+  /// FMI 2 names variables by their place, from 1.
+  std::size_t at_place(unsigned place) const {
+    if (place < 1 || place > nodes_.size())
+      throw UnitError(fmt::format("its ModelStructure names the variable {} of {}", place, nodes_.size()));
+    return place - 1;
+  }
+  void read_second(const pugi::xml_node& structure) {
+    for (const pugi::xml_node& node : structure.child("Outputs").children("Unknown")) depend(node, "index");
+    for (const pugi::xml_node& node : structure.child("Derivatives").children("Unknown")) {
+      const std::size_t derivative = at_place(node.attribute("index").as_uint());
+      const unsigned state = nodes_[derivative].child("Real").attribute("derivative").as_uint();
+      into_.derivatives.push_back(into_.variables[derivative].reference);
+      into_.states.push_back(into_.variables[at_place(state)].reference);
+    }
+    into_.indicator_count = root_.attribute("numberOfEventIndicators").as_uint();
+  }
+
+  void depend(const pugi::xml_node& node, const char* key) {
+    if (!node.attribute("dependencies")) return;
+    const auto reference = [&](unsigned number) {
+      return into_.version == 2 ? into_.variables[at_place(number)].reference : number;
+    };
+    auto& [output, inputs] = into_.dependencies.emplace_back();
+    output = reference(node.attribute(key).as_uint());
+    std::istringstream list(node.attribute("dependencies").value());
+    for (unsigned number = 0; list >> number;) inputs.push_back(reference(number));
+  }
+
+  pugi::xml_node root_;
+  Description& into_;
+  UnitTable units_;
+  DeclaredTypes declared_;
+  std::vector<pugi::xml_node> nodes_;  ///< of the variables
+  std::set<std::string> names_;        ///< of ports
+};
+
+}  // namespace
+
+void read_variables(const pugi::xml_node& root, Description& description) {
+  Reader(root, description).read();
+}
+
+}  // namespace stepwire::fmi

@@ -1,0 +1,45 @@
+#include "engine/base/fmi/runner.hpp"
+
+#include <new>
+
+#include "engine/base/fmi/isolated.hpp"
+
+namespace stepwire::fmi {
+
+namespace {
+
+/// In this process.
+class Inside : public Runner {
+ public:
+  Inside(const Setup& setup, const Counts& counts)
+      : setup_(setup), memory_(new (std::align_val_t(alignof(Exchange))) char[Exchange::bytes(counts)]()) {
+    exchange_ = new (memory_.get()) Exchange;
+    exchange_->counts = counts;
+    model_ = std::make_unique<Model>(setup_, *exchange_);
+  }
+
+  bool run(Operation operation) override {
+    exchange_->operation = operation;
+    model_->run();
+    return exchange_->ok != 0;
+  }
+
+ private:
+  struct Free {
+    void operator()(char* memory) const { ::operator delete[](memory, std::align_val_t(alignof(Exchange))); }
+  };
+  Setup setup_;
+  std::unique_ptr<char[], Free> memory_;
+  std::unique_ptr<Model> model_;
+};
+
+}  // namespace
+
+std::unique_ptr<Runner> make_runner(const Setup& setup, bool isolated, std::size_t kept) {
+  Counts counts = counts_of(setup);
+  counts.kept = kept;
+  if (isolated) return std::make_unique<Isolated>(setup, counts);
+  return std::make_unique<Inside>(setup, counts);
+}
+
+}  // namespace stepwire::fmi
