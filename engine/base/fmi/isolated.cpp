@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstring>
 #include <new>
@@ -53,9 +54,10 @@ Isolated::~Isolated() {
   if (!ended_) {
     exchange_->operation = Operation::quit;
     pass_turn(exchange_->turn, exchange_->sleepers, of_unit);
-    for (int i = 0; i < patience && !has_ended(); ++i)
-      await_turn(exchange_->turn, exchange_->sleepers, ours);
-    if (!ended_) kill(child_, SIGKILL);
+    bool freed = false;
+    for (int i = 0; i < patience && !freed && !has_ended(); ++i)
+      freed = await_turn(exchange_->turn, exchange_->sleepers, ours);
+    if (!ended_ && !freed) kill(child_, SIGKILL);
     if (!ended_) waitpid(child_, &status_, 0);
   }
   munmap(exchange_, bytes_);
@@ -73,6 +75,7 @@ void Isolated::live(pid_t parent) {
       pass_turn(exchange_->turn, exchange_->sleepers, ours);
     }
   }
+  pass_turn(exchange_->turn, exchange_->sleepers, ours);
   _exit(0);
 }
 

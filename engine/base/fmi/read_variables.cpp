@@ -115,7 +115,7 @@ class Reader {
     variable.starts_exact = has_start && initial != "calculated" && !variable.constant &&
                             variable.causality != Causality::independent;
     take_unit(variable, typed, real);
-    if (!names_.insert(variable.port).second && is_port(variable))
+    if (is_port(variable) && !names_.insert(variable.port).second)
       throw UnitError(fmt::format("two of its variables would be called '{}' as ports; '{}' is one of them",
                                   variable.port, variable.name));
     nodes_.push_back(node);

@@ -1,5 +1,8 @@
 #include "engine/model/diagram/type_by_file.hpp"
 
+#include <optional>
+#include <stdexcept>
+
 #include "engine/base/yaml/message.hpp"
 #include "engine/model/block/typed_by_file.hpp"
 
@@ -14,7 +17,7 @@ const BlockType* type_by_file(const BlockType& type, const yaml::Node& map, cons
   const auto path = reader.read_for(*spec, {}, *file, subject + ".file");
   if (!path) return nullptr;
   const yaml::Node* interface = map.find("interface");
-  const auto word = interface ? reader.fill_in(*interface, subject + ".interface") : "";
+  const auto word = interface ? reader.fill_in(*interface, subject + ".interface") : std::optional<std::string>("");
   if (!word) return nullptr;
   try {
     return &of(*path->value.text(), *word);
