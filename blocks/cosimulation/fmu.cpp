@@ -10,7 +10,7 @@ namespace stepwire {
 
 void Fmu::begin() {
   unit.start(t);
-  unit_moves = 0.0;
+  unit_moves = static_cast<double>(unit.moves);
   unit_state = 0.0;
   keep();
 }
@@ -39,6 +39,8 @@ void Fmu::follow() {
   const bool same = static_cast<double>(unit.moves) == unit_moves &&
                     std::memcmp(unit.last_kept.data(), unit_state.data(), unit.kept() * sizeof(double)) == 0;
   if (same) return;
+  if (unit_moves == 0.0)  // a guard has put 0 there
+    return unit.refuse("its condition has reset it, and a unit starts but once; give `enable` states: hold");
   if (unit.kept() == 0)
     return unit.refuse(
         "the run was put back to an earlier moment, and the unit cannot save and restore its state");

@@ -23,7 +23,7 @@ void RunningUnit::prepare(fmi::Setup setup, bool isolated) {
 void RunningUnit::start(double time) {
   works_ = true;
   refused_ = nullptr;
-  moves = 0;
+  moves = 1;
   last_kept.assign(kept_, 0.0);
   try {
     if (!runner_) runner_ = fmi::make_runner(setup_, isolated_, kept_);

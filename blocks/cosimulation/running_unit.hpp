@@ -35,7 +35,7 @@ class RunningUnit {
   std::string message() const;
   fmi::Exchange& exchange() const { return runner_->exchange(); }
 
-  long moves = 0;                  ///< since the start
+  long moves = 1;                 ///< since the start, from 1: a guard that resets states writes 0
   std::vector<double> last_kept;  ///< its state after the last of them
 
  private:
