@@ -57,18 +57,16 @@ void add_ports(BlockType& type, const fmi::Description& description) {
   require_few(outputs, "outputs");
   const bool stepped = std::is_same_v<Block, SteppedFmu>;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
-    InputSpec spec{inputs[k]->port, inputs[k]->unit, std::to_string(inputs[k]->size), doc_of(*inputs[k])};
-    spec.member = fmt::format("inputs[{}]", k);
+    InputSpec spec{inputs[k]->port, inputs[k]->unit, std::to_string(inputs[k]->size), doc_of(*inputs[k]),
+                   fmt::format("inputs[{}]", k)};
     spec.feedthrough = !stepped && description.feeds_through(*inputs[k]);
     spec.optional = true;
     spec.bind = bind_input[k];
     type.inputs.push_back(std::move(spec));
   }
   for (std::size_t k = 0; k < outputs.size(); ++k) {
-    OutputSpec spec{outputs[k]->port, outputs[k]->unit, std::to_string(outputs[k]->size), doc_of(*outputs[k])};
-    spec.member = fmt::format("results[{}]", k);
-    spec.bind = bind_output[k];
-    type.outputs.push_back(std::move(spec));
+    type.outputs.push_back({outputs[k]->port, outputs[k]->unit, std::to_string(outputs[k]->size),
+                            doc_of(*outputs[k]), fmt::format("results[{}]", k), "", bind_output[k]});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 
 #include "engine/base/table/table_file.hpp"
 #include "tests/engine/base/table/scratch.hpp"
@@ -114,7 +115,7 @@ TEST_CASE("a unit hands over every type of number") {
                            "UInt64", "Boolean"})
     keys += fmt::format(", {}_input: source", type);
   const auto run = run_text(diagram(scratch, "feedthrough", keys, "step: 0.1 s\nstop: 1 s") +
-                            "  source: {block: Constant, value: 300.4}\nrecord: [unit]\n");
+                            "  source: {block: Constant, value: 300.4}\nrecord: all\n");
   CHECK(column(run, "unit.Float64_output").back() == 300.4);
   CHECK(column(run, "unit.Float32_output").back() == static_cast<double>(300.4f));
   CHECK(column(run, "unit.Int8_output").back() == 127.0);
@@ -125,7 +126,7 @@ TEST_CASE("a unit hands over every type of number") {
 
 TEST_CASE("numbers of a unit become SI by its factors") {
   const Scratch scratch;
-  const auto run = run_text(diagram(scratch, "dahlquist", "", "step: 0.1 s\nstop: 0.1 s") + "record: [unit]\n");
+  const auto run = run_text(diagram(scratch, "dahlquist", "", "step: 0.1 s\nstop: 0.1 s") + "record: [unit.shown_mm]\n");
   CHECK(column(run, "unit.shown_mm")[0] == 0.001);
 }
 

@@ -18,26 +18,26 @@ std::string bytes_of(const std::string& path) {
 
 const std::map<std::string, std::string> variables{
     {"dahlquist",
-     R"(<Float64 name="x" valueReference="1" causality="output" initial="exact" start="1"/>
+     R"xml(<Float64 name="x" valueReference="1" causality="output" initial="exact" start="1"/>
 <Float64 name="der(x)" valueReference="2" derivative="1"/>
 <Float64 name="k" valueReference="3" causality="parameter" variability="tunable" start="1" min="0" max="100" unit="1/s"/>
-<Float64 name="shown [mm]" valueReference="1" causality="output" unit="mm"/>)"},
+<Float64 name="shown [mm]" valueReference="1" causality="output" unit="mm"/>)xml"},
     {"ball",
-     R"(<Float64 name="h" valueReference="1" causality="output" initial="exact" start="1" unit="m"/>
+     R"xml(<Float64 name="h" valueReference="1" causality="output" initial="exact" start="1" unit="m"/>
 <Float64 name="der(h)" valueReference="2" derivative="1" unit="m/s"/>
 <Float64 name="v" valueReference="3" causality="output" initial="exact" start="0" unit="m/s"/>
 <Float64 name="der(v)" valueReference="4" derivative="3"/>
 <Float64 name="e" valueReference="5" causality="parameter" start="0.7"/>
-<Float64 name="z" valueReference="7"/>)"},
-    {"stair", R"(<Int32 name="counter" valueReference="1" causality="output" initial="exact" start="1"/>)"},
-    {"fails", R"(<Float64 name="y" valueReference="1" causality="output"/>)"},
-    {"crashes", R"(<Float64 name="y" valueReference="1" causality="output"/>)"}};
+<Float64 name="z" valueReference="7"/>)xml"},
+    {"stair", R"xml(<Int32 name="counter" valueReference="1" causality="output" initial="exact" start="1"/>)xml"},
+    {"fails", R"xml(<Float64 name="y" valueReference="1" causality="output"/>)xml"},
+    {"crashes", R"xml(<Float64 name="y" valueReference="1" causality="output"/>)xml"}};
 
 const std::map<std::string, std::string> structure{
-    {"dahlquist", R"(<ContinuousStateDerivative valueReference="2"/>)"},
+    {"dahlquist", R"xml(<ContinuousStateDerivative valueReference="2"/>)xml"},
     {"ball",
-     R"(<ContinuousStateDerivative valueReference="2"/><ContinuousStateDerivative valueReference="4"/>
-<EventIndicator valueReference="7"/>)"}};
+     R"xml(<ContinuousStateDerivative valueReference="2"/><ContinuousStateDerivative valueReference="4"/>
+<EventIndicator valueReference="7"/>)xml"}};
 
 std::string feedthrough_variables() {
   std::string text;
@@ -73,9 +73,9 @@ std::string write_zip(const std::string& path, const Entries& entries) {
 Entries unit_of_3(const std::string& kind) {
   const std::string listed = kind == "feedthrough" ? feedthrough_variables() : text_of(variables, kind);
   const std::string interface =
-      R"(modelIdentifier="unit" canGetAndSetFMUState="true" canSerializeFMUState="true"/>)";
+      R"xml(modelIdentifier="unit" canGetAndSetFMUState="true" canSerializeFMUState="true"/>)xml";
   const std::string description = fmt::format(
-      R"(<?xml version="1.0"?>
+      R"xml(<?xml version="1.0"?>
 <fmiModelDescription fmiVersion="3.0" modelName="{0}" instantiationToken="{0}">
 <ModelExchange {1}<CoSimulation {1}
 <UnitDefinitions>
@@ -85,7 +85,7 @@ Entries unit_of_3(const std::string& kind) {
 <ModelVariables><Float64 name="time" valueReference="0" causality="independent"/>
 {2}</ModelVariables>
 <ModelStructure>{3}</ModelStructure>
-</fmiModelDescription>)",
+</fmiModelDescription>)xml",
       kind, interface, listed, text_of(structure, kind));
   return {{"modelDescription.xml", description},
           {"binaries/x86_64-linux/unit.so", bytes_of(UNIT_OF_3)},
