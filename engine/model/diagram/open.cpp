@@ -109,10 +109,7 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
   const BlockType* type = loader_.registry().find(kind->text);
   if (!type && !(type = find_guard_type(kind->text)))
     return fail(scope, entry, kind->mark, no_block_type(kind->text, loader_.registry()));
-  const ValueReader reader(scope.parameters, report_, scope.index);
-  type = type_by_file(*type, map, reader, report_, scope.prefix + entry.key);
-  if (!type) return static_cast<void>(scope.failed.insert(entry.key));
-  make_block(scope, entry, *type);
+  if ((type = type_by_file(*type, entry, scope, report_))) make_block(scope, entry, *type);
 }
 
 /// Is this a block that other files have for an `enable` or `trigger`?

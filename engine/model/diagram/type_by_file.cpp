@@ -5,26 +5,38 @@
 
 #include "engine/base/yaml/message.hpp"
 #include "engine/model/block/typed_by_file.hpp"
+#include "engine/model/diagram/parameters.hpp"
 
 namespace stepwire::diagram {
 
-const BlockType* type_by_file(const BlockType& type, const yaml::Node& map, const ValueReader& reader,
-                              Report& report, const std::string& subject) {
-  const TypeOfFile of = find_typed_by_file(type.name);
-  const ParameterSpec* spec = type.parameter("file");
-  const yaml::Node* file = map.find("file");
-  if (!of || !spec || !file) return &type;
-  const auto path = reader.read_for(*spec, {}, *file, subject + ".file");
-  if (!path) return nullptr;
-  const yaml::Node* interface = map.find("interface");
-  const auto word = interface ? reader.fill_in(*interface, subject + ".interface") : std::optional<std::string>("");
-  if (!word) return nullptr;
+namespace {
+
+const BlockType* read(const BlockType& type, TypeOfFile of, const yaml::Entry& entry, const Scope& scope,
+                      Report& report) {
+  const ValueReader reader(scope.parameters, report, scope.index);
+  const std::string subject = scope.prefix + entry.key;
+  const yaml::Node& file = *entry.value.find("file");
+  const yaml::Node* interface = entry.value.find("interface");
+  const auto path = reader.read_for(*type.parameter("file"), {}, file, subject + ".file");
+  const auto word =
+      interface ? reader.fill_in(*interface, subject + ".interface") : std::optional<std::string>("");
+  if (!path || !word) return nullptr;
   try {
     return &of(*path->value.text(), *word);
   } catch (const std::runtime_error& error) {
-    report.add(reader.at(file->mark), subject + ".file", yaml::fault_text("{}", error.what()));
+    report.add(reader.at(file.mark), subject + ".file", yaml::fault_text("{}", error.what()));
     return nullptr;
   }
+}
+
+}  // namespace
+
+const BlockType* type_by_file(const BlockType& type, const yaml::Entry& entry, Scope& scope, Report& report) {
+  const TypeOfFile of = find_typed_by_file(type.name);
+  if (!of || !type.parameter("file") || !entry.value.find("file")) return &type;
+  const BlockType* found = read(type, of, entry, scope, report);
+  if (!found) scope.failed.insert(entry.key);
+  return found;
 }
 
 }  // namespace stepwire::diagram

@@ -123,17 +123,24 @@ std::vector<std::string> include_options(const IncludedHeaders& headers) {
   return options;
 }
 
+namespace {
+
+/// Null where code can be made of the blocks of a type.
+const char* why_not_generated(const BlockType& type) {
+  if (type.file_output) return "it writes files";
+  if (find_typed_by_file(type.name)) return "it is a foreign unit, of which nothing but a binary is known";
+  const bool declared = !type.header.empty() || &type == &diagram::external_input_type();
+  return declared ? nullptr : "no header declares its struct";
+}
+
+}  // namespace
+
 void require_headers(const plan::Plan& plan) {
   yaml::Faults faults;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
     const diagram::DiagramBlock& block = plan.diagram.blocks[b];
     const BlockType& type = block.type();
-    const char* why = type.file_output ? "it writes files"
-                      : find_typed_by_file(type.name) ? "it is a foreign unit, of which nothing but a binary is known"
-                      : type.header.empty() && &type != &diagram::external_input_type()
-                          ? "no header declares its struct"
-                          : nullptr;
-    if (why)
+    if (const char* why = why_not_generated(type))
       faults.add(plan.diagram.fault(block.origin, block.name,
                                     fmt::format("{} cannot be generated: {}", type.name, why)));
   }
