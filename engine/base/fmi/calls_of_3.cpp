@@ -44,23 +44,51 @@ struct Functions {
   decltype(fmi3DeserializeFMUState)* deserialize;
 };
 
-/// Functions for the values of one type; all of them have the same form, and pointers of one form.
-using Get = fmi3Status (*)(fmi3Instance, const fmi3ValueReference*, size_t, void*, size_t);
-using Set = fmi3Status (*)(fmi3Instance, const fmi3ValueReference*, size_t, const void*, size_t);
+using AnyFunction = void (*)();
 
-constexpr const char* type_names[] = {"Float64", "Float32", "Int8",  "UInt8",  "Int16",  "UInt16",
-                                      "Int32",   "UInt32",  "Int64", "UInt64", "Boolean"};
-constexpr std::size_t type_count = std::size(type_names);
+/// Calls a function of the standard with pointers to its own type of values.
+template <class Value>
+fmi3Status get_values(AnyFunction function, fmi3Instance unit, const fmi3ValueReference* references, size_t count,
+                      void* values, size_t numbers) {
+  using Get = fmi3Status (*)(fmi3Instance, const fmi3ValueReference*, size_t, Value*, size_t);
+  return reinterpret_cast<Get>(function)(unit, references, count, static_cast<Value*>(values), numbers);
+}
+
+template <class Value>
+fmi3Status set_values(AnyFunction function, fmi3Instance unit, const fmi3ValueReference* references, size_t count,
+                      const void* values, size_t numbers) {
+  using Set = fmi3Status (*)(fmi3Instance, const fmi3ValueReference*, size_t, const Value*, size_t);
+  return reinterpret_cast<Set>(function)(unit, references, count, static_cast<const Value*>(values), numbers);
+}
+
+/// A type of values: what the names of its functions end in, and how they are called.
+struct ValueType {
+  const char* name;
+  decltype(&get_values<fmi3Float64>) get;
+  decltype(&set_values<fmi3Float64>) set;
+};
+
+template <class Value>
+constexpr ValueType value_type(const char* name) {
+  return {name, &get_values<Value>, &set_values<Value>};
+}
+
+constexpr ValueType value_types[] = {
+    value_type<fmi3Float64>("Float64"), value_type<fmi3Float32>("Float32"), value_type<fmi3Int8>("Int8"),
+    value_type<fmi3UInt8>("UInt8"),     value_type<fmi3Int16>("Int16"),     value_type<fmi3UInt16>("UInt16"),
+    value_type<fmi3Int32>("Int32"),     value_type<fmi3UInt32>("UInt32"),   value_type<fmi3Int64>("Int64"),
+    value_type<fmi3UInt64>("UInt64"),   value_type<fmi3Boolean>("Boolean")};
+constexpr std::size_t type_count = std::size(value_types);
 
 struct ValueFunctions {
   explicit ValueFunctions(const Library& library) {
     for (std::size_t i = 0; i < type_count; ++i) {
-      library.find(get[i], fmt::format("fmi3Get{}", type_names[i]).c_str());
-      library.find(set[i], fmt::format("fmi3Set{}", type_names[i]).c_str());
+      library.find(get[i], fmt::format("fmi3Get{}", value_types[i].name).c_str());
+      library.find(set[i], fmt::format("fmi3Set{}", value_types[i].name).c_str());
     }
   }
-  Get get[type_count];
-  Set set[type_count];
+  AnyFunction get[type_count];
+  AnyFunction set[type_count];
 };
 
 /// The place of a type in these tables.
@@ -125,11 +153,15 @@ class Third : public Calls {
   }
   bool get(Type type, const std::uint32_t* references, std::size_t count, void* values,
            std::size_t numbers) override {
-    return check(values_.get[place_of(type)](unit_, references, count, values, numbers), "a fmi3Get function");
+    const std::size_t place = place_of(type);
+    return check(value_types[place].get(values_.get[place], unit_, references, count, values, numbers),
+                 "a fmi3Get function");
   }
   bool set(Type type, const std::uint32_t* references, std::size_t count, const void* values,
            std::size_t numbers) override {
-    return check(values_.set[place_of(type)](unit_, references, count, values, numbers), "a fmi3Set function");
+    const std::size_t place = place_of(type);
+    return check(value_types[place].set(values_.set[place], unit_, references, count, values, numbers),
+                 "a fmi3Set function");
   }
 
   bool set_time(double time) override { return check(model_->set_time(unit_, time), "fmi3SetTime"); }
