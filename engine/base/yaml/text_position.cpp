@@ -31,16 +31,22 @@ std::string_view LineIndex::text_at(std::size_t position) const {
   return text_.substr(std::min(position, text_.size()));
 }
 
-std::optional<int> LineIndex::tab_in_indentation(std::size_t position) const {
+std::optional<int> LineIndex::tab_in_indentation(std::size_t position) {
   const std::string_view line = text_.substr(lines_[line_of(position)]);
   const std::size_t first = line.find_first_not_of(' ');
   if (first == std::string_view::npos || line[first] != '\t') return std::nullopt;
   return static_cast<int>(first) + 1;
 }
 
-std::size_t LineIndex::line_of(std::size_t position) const {
-  const auto behind = std::upper_bound(lines_.begin(), lines_.end(), position);
-  return static_cast<std::size_t>(behind - lines_.begin()) - 1;
+// Positions come mostly in order: the line of the last one is looked at first.
+std::size_t LineIndex::line_of(std::size_t position) {
+  const bool same = lines_[last_line_] <= position &&
+                    (last_line_ + 1 == lines_.size() || position < lines_[last_line_ + 1]);
+  if (!same) {
+    const auto behind = std::upper_bound(lines_.begin(), lines_.end(), position);
+    last_line_ = static_cast<std::size_t>(behind - lines_.begin()) - 1;
+  }
+  return last_line_;
 }
 
 // Positions come mostly in order, so that a long line is counted once and not once per position.

@@ -22,14 +22,15 @@ class LineIndex {
   std::string_view text() const { return text_; }
   std::string_view text_at(std::size_t position) const;
   /// Column of the first tab among the blanks that start the line.
-  std::optional<int> tab_in_indentation(std::size_t position) const;
+  std::optional<int> tab_in_indentation(std::size_t position);
 
  private:
-  std::size_t line_of(std::size_t position) const;
+  std::size_t line_of(std::size_t position);
   int characters(std::size_t from, std::size_t to);
 
   std::string_view text_;
   std::vector<std::size_t> lines_;  ///< where each begins
+  std::size_t last_line_ = 0;
   std::size_t counted_from_ = 0, counted_to_ = 0;
   int count_ = 0;
 };

@@ -30,6 +30,8 @@ std::size_t spot_of(const YAML::Mark& mark) {
 /// The library makes one byte each of the escapes \N and \_, which stand for U+0085 and U+00A0. What the file
 /// itself holds is UTF-8.
 std::string with_whole_escapes(const std::string& text) {
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  if (std::ranges::all_of(text, is_ascii)) return text;
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = text::utf8_length(std::string_view(text).substr(i));

@@ -1,0 +1,44 @@
+// What holds for the picture of every diagram file of the folder of diagrams/ that DIAGRAMS names, closed and opened.
+
+import assert from "node:assert/strict";
+import {spawnSync} from "node:child_process";
+import {readdirSync} from "node:fs";
+import {join} from "node:path";
+import {test} from "node:test";
+
+import {checkApart, checkBlocks, checkDrawnOnce, checkEnds, checkPortOrder, checkTips, checkWhole, checkWires, count, drawing, elk,
+        root} from "./picture_checks.mjs";
+const {arrange, svgOf} = await import(join(drawing, "draw.mjs"));
+
+const folder = join(root, "diagrams", process.env.DIAGRAMS);
+const files = readdirSync(folder).filter((name) => name.endsWith(".yaml")).map((name) => join(folder, name));
+assert.ok(files.length > 0, `${folder} has no diagram`);
+
+/** The graph of a file; nothing where its data are not on this machine. */
+function graphOf(file, depth) {
+  const {status, stdout, stderr} = spawnSync(process.env.STEPWIRE_PROGRAM, ["draw", file, "--json", "--depth", depth]);
+  if (status === 3) return undefined;
+  assert.equal(status, 0, String(stderr));
+  return JSON.parse(stdout);
+}
+
+const known = new Map();  // parts that have been laid out, of all files
+
+for (const file of files)
+  for (const depth of [0, 9])
+    test(`${file.slice(root.length + 1)} is drawn well ${depth ? "with its parts opened" : "as it is"}`, async (context) => {
+      const graph = graphOf(file, depth);
+      if (!graph) return context.skip("its data are not here");
+      const picture = await arrange(graph, elk, known);
+      checkBlocks(picture);
+      checkWires(picture);
+      checkEnds(picture);
+      checkWhole(picture);
+      checkTips(picture);
+      checkPortOrder(picture);
+      checkApart(picture);
+      assert.equal(picture.wires.filter((wire) => wire.to).length, count(graph, "wires"));
+      checkDrawnOnce(svgOf(picture));
+      if (depth === 0 && file.includes("/thesis/"))
+        assert.equal(svgOf(picture), svgOf(await arrange(graph, elk)), "drawn twice it differs");
+    });
