@@ -37,7 +37,9 @@ class CommandLine {
       return fmt::format("stepwire: {}; stepwire --help and stepwire VERB --help tell more\n",
                          text::visible(error.what()));
     });
-    app_.set_version_flag("--version", "stepwire " + session::program_version());
+    app_.set_version_flag(
+            "--version", [this] { return version(); }, "print the version; with --json also what compiled it")
+        ->group("Options");
     for (const Verb& verb : verbs()) {
       CLI::App* words = app_.add_subcommand(verb.name, verb.about);
       words->footer(verb.footer);
@@ -52,6 +54,8 @@ class CommandLine {
   ExitCode run(int argc, char** argv, Registry registry) {
     if (argc > 1 && *argv[1] != '-' && !is_verb(argv[1])) return refuse_verb(argv[1]);
     try {
+      json_ =
+          std::ranges::count(std::span(argv, static_cast<std::size_t>(argc)), std::string_view("--json")) > 0;
       require_values(argc, argv);
       app_.parse(argc, argv);
       const ExitCode loaded = load_blocks(registry);
@@ -67,6 +71,14 @@ class CommandLine {
     for (const std::string_view word : std::span(argv, static_cast<std::size_t>(argc)))
       if (word.starts_with("--") && word.find('=') == word.size() - 1)
         throw CLI::ValidationError(std::string(word), no_value);
+  }
+
+  std::string version() const {
+    if (!json_) return "stepwire " + session::program_version();
+    return json::Json::object()
+        .set("version", session::program_version())
+        .set("compiler", session::compiler_version())
+        .text();
   }
 
   static void refuse_empty_values(CLI::App& app) {
@@ -124,6 +136,7 @@ class CommandLine {
   CLI::App app_{"Block diagrams in text, run at a fixed step."};
   BlocksetOptions blocksets_;
   Action action_;
+  bool json_ = false;  ///< whether `--json` is among the words of the call
 };
 
 }  // namespace
