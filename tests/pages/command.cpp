@@ -31,18 +31,22 @@ bool has_placeholder(const std::string& command) {
   return std::regex_search(command, std::regex(R"((^|[ =])[A-Z][A-Z_]+\b)"));
 }
 
+/// Is it done by the wrapper, and no verb of the program? It takes minutes.
+bool is_of_wrapper(const std::vector<std::string>& words) {
+  return has(words, "test") || has(words, "install") || has(words, "package");
+}
+
 /// For minutes, or until somebody ends it.
 bool goes_on(const std::vector<std::string>& words) {
   const bool whole_study = has(words, "study") && std::ranges::any_of(words, [](const std::string& word) {
                              return word.starts_with("diagrams/thesis/");
                            });
   const bool serves = has(words, "studio") || has(words, "lsp") || has(words, "--watch");
-  return has(words, "test") || has(words, "install") || (has(words, "thesis") && !has(words, "--only")) ||
-         whole_study || serves;
+  return is_of_wrapper(words) || (has(words, "thesis") && !has(words, "--only")) || whole_study || serves;
 }
 
 std::string fault_of_own(const std::vector<std::string>& words, const std::string& command) {
-  if (words.size() < 2 || words[1] == "test" || words[1] == "install" || has_placeholder(words[1]) ||
+  if (words.size() < 2 || is_of_wrapper({words[1]}) || has_placeholder(words[1]) ||
       words[1].starts_with("--"))
     return "";
   if (std::find(verbs().begin(), verbs().end(), words[1]) == verbs().end()) return "no verb " + words[1];
