@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import {existsSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
 import {test} from "node:test";
+import {until} from "./browser.mjs";
 import {missing, Studio} from "./studio.mjs";
 
 const text = "stepwire: 1\nstep: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  one: {block: Constant, value: 1}\nrecord: [one]\n";
@@ -30,14 +31,10 @@ async function withStudio(action) {
 /** Waits until what was typed is on the disk as a draft, under its own name: it is written under another one first. */
 async function drafted(studio, words) {
   const state = join(studio.folder, "state"), has = () => readdirSync(state, {recursive: true, withFileTypes: true}).some((one) => one.isFile() && one.name.endsWith(".draft") && readFileSync(join(one.parentPath ?? one.path, one.name), "utf8").includes(words));
-  for (let i = 0; i < 100; ++i) {
-    if (existsSync(state) && has()) return;
-    await studio.page.waitForTimeout(100);
-  }
-  assert.fail(`there is no draft with ${words}`);
+  await until(() => existsSync(state) && has(), `there is no draft with ${words}`);
 }
 
-test("a draft is there at the next start after kill -9 in the middle of typing, and the file is as it was", {skip: missing, timeout: 120000}, () => withStudio(async (studio) => {
+test("a draft is there at the next start after kill -9 in the middle of typing, and the file is as it was", {skip: missing}, () => withStudio(async (studio) => {
   await type(studio.page, "  # a first word");
   await drafted(studio, "# a first word");
   studio.server.removeAllListeners("exit");
@@ -50,7 +47,7 @@ test("a draft is there at the next start after kill -9 in the middle of typing, 
   assert.equal(studio.file, text);
 }));
 
-test("two pages on one file have the same text, also where both type, and one undo takes back what was typed there", {skip: missing, timeout: 120000}, () => withStudio(async (studio) => {
+test("two pages on one file have the same text, also where both type, and one undo takes back what was typed there", {skip: missing}, () => withStudio(async (studio) => {
   const first = studio.page, second = await studio.visit(first.context());
   await type(first, "  # from the first");
   await textHas(second, "# from the first");
@@ -69,7 +66,7 @@ test("two pages on one file have the same text, also where both type, and one un
   assert.deepEqual(studio.errors, []);
 }));
 
-test("a file that another program writes is shown at once where nothing is unsaved, else both texts are", {skip: missing, timeout: 120000}, () => withStudio(async (studio) => {
+test("a file that another program writes is shown at once where nothing is unsaved, else both texts are", {skip: missing}, () => withStudio(async (studio) => {
   const {page} = studio;
   writeFileSync(studio.path, text.replace("value: 1", "value: 12"));
   await textHas(page, "value: 12");

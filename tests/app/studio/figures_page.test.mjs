@@ -2,7 +2,8 @@
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
-import {figureOf, loaded, skip, text, until, withPage} from "./views_page.mjs";
+import {until} from "./browser.mjs";
+import {figureOf, loaded, skip, text, withPage} from "./views_page.mjs";
 
 test("figures are drawn again as the run goes on, and not while they are out of sight", {skip}, async () => {
   let drawings = 0;

@@ -2,7 +2,8 @@
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
-import {figureOf, info, loaded, more, skip, text, until, withPage} from "./views_page.mjs";
+import {until} from "./browser.mjs";
+import {figureOf, info, loaded, more, skip, text, withPage} from "./views_page.mjs";
 
 const entries = [{entry: 0, name: "01-first-diagram", title: "A first diagram", group: "Examples"}, {entry: 1, name: "fig38-virtual-environment-inside", title: "Virtual environment", group: "Thesis", caption: "the ball in the ring"}];
 test("an example is found, copied and opened", {skip}, () => {

@@ -16,7 +16,7 @@ async function to(page, share) {
   await page.waitForFunction((time) => document.querySelector(".run-time").textContent === `${time} s`, (2 * share).toFixed(3));
 }
 
-test("a run is kept beside its file, with a value that was set on its way", {skip: missing, timeout: 120000}, async () => {
+test("a run is kept beside its file, with a value that was set on its way", {skip: missing}, async () => {
   const studio = await Studio.opened(text, {name: "cart.yaml"}), {page} = studio, folder = join(studio.folder, "cart-run");
   try {
     await page.getByRole("button", {name: "No, thank you"}).click();

@@ -26,7 +26,7 @@ function observe() {
     const picture = document.querySelector(".picture");
     if (!picture) return;
     clearInterval(watch);
-    new MutationObserver(() => { window.seen.drawn = performance.now(); }).observe(picture, {childList: true});
+    new MutationObserver(() => { window.seen.drawn = performance.now(); }).observe(picture, {childList: true, subtree: true});
   }, 20);
 }
 

@@ -2,7 +2,9 @@
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
-import {built, openPage, skip, until} from "./two_blocks.mjs";
+import {until} from "./browser.mjs";
+import {openPage} from "./scene_page.mjs";
+import {built, skip} from "./two_blocks.mjs";
 
 /** Bins of a fourth of an octave around a time, with counts that fall off by ten. */
 function histogram(middle, counts) {
@@ -22,7 +24,6 @@ const answers = (loop) => ({
 async function withLoop(loop, action, options) {
   const opened = await openPage(built, answers(loop), options);
   try {
-    opened.page.setDefaultTimeout(15000);
     await action(opened);
     assert.deepEqual(opened.errors, []);
   } finally {
@@ -30,7 +31,7 @@ async function withLoop(loop, action, options) {
   }
 }
 
-test("a loop is in front: its deadlines, times and costs, in numbers and as a picture with a description", {skip, timeout: 60000}, () => withLoop(() => timing(), async ({page}) => {
+test("a loop is in front: its deadlines, times and costs, in numbers and as a picture with a description", {skip}, () => withLoop(() => timing(), async ({page}) => {
   await page.getByText("Every deadline was kept.").waitFor();
   assert.equal(await page.getByRole("tab", {name: "Loop"}).getAttribute("aria-selected"), "true");
   const facts = await page.locator(".loop-facts").textContent();
@@ -45,7 +46,7 @@ test("a loop is in front: its deadlines, times and costs, in numbers and as a pi
   for (const one of [".run-buttons select", ".scrub", "[aria-label='One tick']"]) assert.equal(await page.locator(one).isVisible(), false, one);
 }));
 
-test("misses are shown and announced as they come", {skip, timeout: 60000}, () => withLoop(() => timing(), async ({page, news}) => {
+test("misses are shown and announced as they come", {skip}, () => withLoop(() => timing(), async ({page, news}) => {
   await page.getByText("Every deadline was kept.").waitFor();
   news({news: "loop", ...timing({missed: 7, late: 5, dropped: 2, longest: 3, response: histogram(900e-6, [10, 1900, 17000, 1000, 80, 9, 5])})});
   await page.getByText("7 of 20,002 deadlines were missed.").waitFor();
@@ -54,7 +55,7 @@ test("misses are shown and announced as they come", {skip, timeout: 60000}, () =
   assert.ok(bars.x + bars.width > line.x);
 }));
 
-test("a studio without a loop has no such pane, and a loop that has not begun says so", {skip, timeout: 60000}, async () => {
+test("a studio without a loop has no such pane, and a loop that has not begun says so", {skip}, async () => {
   await withLoop(() => timing({served: 0, costs: [], lateness: histogram(1e-6, []), response: histogram(1e-6, []), step: histogram(1e-6, [])}), async ({page}) => {
     await page.getByText("The loop has not begun: play begins it.").waitFor();
   }, {width: 400, height: 800});
@@ -66,7 +67,7 @@ test("a studio without a loop has no such pane, and a loop that has not begun sa
   }
 });
 
-test("who watches the file's own hand loads the run so, and is the hand again by the same button", {skip, timeout: 60000}, async () => {
+test("who watches the file's own hand loads the run so, and is the hand again by the same button", {skip}, async () => {
   const loads = [], load = (wanted) => { loads.push(wanted.hand); return {run: 1, step: 0.001, stop: 1, columns: [], parameters: [], scopes: [], inputs: [], scene: true, figures: 0, claims: []}; };
   const scene = () => ({scene: {x: [0, 0.1], y: [0, 0.1], background: "#101820", objects: [], pointer: {name: "pointer", held: "pointer_held", text: "", hand: loads.at(-1)}}});
   const {page, errors, close} = await openPage(built, {"run.load": load, scene, "scene.watch": () => ({})});

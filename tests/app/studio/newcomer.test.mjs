@@ -82,7 +82,7 @@ async function save(page) {
   await page.waitForFunction(() => document.querySelector(".bar-file button").disabled);
 }
 
-test("a newcomer mends, connects, runs, looks, tunes and saves, and the file gives the bits that were seen", {skip: missing, timeout: 300000}, async () => {
+test("a newcomer mends, connects, runs, looks, tunes and saves, and the file gives the bits that were seen", {skip: missing}, async () => {
   const studio = await Studio.opened(text), {page} = studio;
   try {
     await mend(page);

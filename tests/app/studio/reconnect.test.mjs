@@ -2,11 +2,12 @@
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
-import {skip, until, withPage} from "./two_blocks.mjs";
+import {until} from "./browser.mjs";
+import {skip, withPage} from "./two_blocks.mjs";
 
 const lines = (page) => page.locator(".cm-content").evaluate((content) => [...content.querySelectorAll(".cm-line")].map((line) => line.textContent).join("\n"));
 
-test("a page that lost its server says so, keeps what is typed, and goes on once it is there again", {skip, timeout: 120000}, () => withPage(async ({page, diagram, calls, cut, news}) => {
+test("a page that lost its server says so, keeps what is typed, and goes on once it is there again", {skip}, () => withPage(async ({page, diagram, calls, cut, news}) => {
   let isBack = false;
   cut(() => isBack);
   await page.getByText("no connection, trying again").waitFor();
@@ -28,7 +29,7 @@ test("a page that lost its server says so, keeps what is typed, and goes on once
   assert.equal(await lines(page), diagram.text);
 }));
 
-test("where the server has another text after it was lost, what was typed is not lost, and nothing is doubled", {skip, timeout: 120000}, () => withPage(async ({page, diagram, cut}) => {
+test("where the server has another text after it was lost, what was typed is not lost, and nothing is doubled", {skip}, () => withPage(async ({page, diagram, cut}) => {
   let isBack = false;
   cut(() => isBack);
   await page.getByText("no connection, trying again").waitFor();

@@ -5,7 +5,7 @@ import {createReadStream, existsSync} from "node:fs";
 import {createServer} from "node:http";
 import {readFile} from "node:fs/promises";
 import {extname, join, normalize} from "node:path";
-import {chromium} from "playwright-core";
+import {newContext} from "./browser.mjs";
 
 const types = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml", ".json": "application/json"};
 const policy = (nonce) =>
@@ -53,8 +53,8 @@ export const usual = {
  * touch. Returns {page, calls, news(message), faults(), close()}: all calls that came, and errors of the page.
  */
 export async function openPage(folder, answers = {}, {width = 1400, height = 900, colorScheme = "light", hasTouch = false, reducedMotion = "no-preference"} = {}) {
-  const server = await serve(folder), browser = await chromium.launch({executablePath: process.env.STEPWIRE_CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"]});
-  const page = await browser.newPage({viewport: {width, height}, colorScheme, hasTouch, reducedMotion}), all = {...usual, ...answers}, calls = [], errors = [];
+  const server = await serve(folder), context = await newContext({viewport: {width, height}, colorScheme, hasTouch, reducedMotion});
+  const page = await context.newPage(), all = {...usual, ...answers}, calls = [], errors = [];
   let socket, whether = () => true;
   page.on("pageerror", (error) => errors.push(error.stack ?? String(error)));
   page.on("console", (message) => { if (message.type() === "error") errors.push(message.text()); });
@@ -74,16 +74,22 @@ export async function openPage(folder, answers = {}, {width = 1400, height = 900
       }
     });
   });
-  await page.goto(`http://127.0.0.1:${server.address().port}/`);
-  await page.waitForSelector(".panes");
+  const close = async () => {
+    await context.close();
+    server.close();
+  };
+  try {
+    await page.goto(`http://127.0.0.1:${server.address().port}/`);
+    await page.waitForSelector(".panes");
+  } catch (thrown) {
+    await close();
+    throw thrown;
+  }
   return {
     page, calls, errors, news: (message) => socket.send(JSON.stringify(message)),
     frame: (frame) => socket.send(frameBytes(frame)),
     /** Ends the connection, as a server does that ends; the page may connect again once `isBack` says so. */
     cut: (isBack) => { whether = isBack; socket.close(); },
-    close: async () => {
-      await browser.close();
-      server.close();
-    },
+    close,
   };
 }

@@ -2,7 +2,8 @@
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
-import {info, instant, loaded, skip, text, until, withPage, withScene} from "./views_page.mjs";
+import {until} from "./browser.mjs";
+import {info, instant, loaded, skip, text, withPage, withScene} from "./views_page.mjs";
 
 const samplesOf = (calls) => calls.filter(({call}) => call === "run.input").flatMap(({samples}) => samples);
 

@@ -4,6 +4,7 @@
 import {mkdirSync, readFileSync, writeFileSync} from "node:fs";
 import {dirname, join} from "node:path";
 import {fileURLToPath} from "node:url";
+import {newContext} from "./browser.mjs";
 import {Studio} from "./studio.mjs";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "../../.."), [folder, ...only] = process.argv.slice(2);
@@ -95,11 +96,11 @@ async function pictures(name, colorScheme) {
 
 /** All pictures of a view side by side. */
 async function sheet(name, paths) {
-  const browser = await Studio.launched(), page = await browser.newPage({viewport: {width: 2000, height: 1400}});
+  const context = await newContext({viewport: {width: 2000, height: 1400}}), page = await context.newPage();
   const images = paths.map((path) => `<img style="height:640px;margin:4px;border:1px solid #888" src="data:image/png;base64,${readFileSync(path).toString("base64")}">`).join("");
   await page.setContent(`<body style="margin:0;background:#777">${images}</body>`);
   await page.screenshot({path: join(folder, `sheet-${name}.png`), fullPage: true});
-  await browser.close();
+  await context.close();
 }
 
 mkdirSync(folder, {recursive: true});

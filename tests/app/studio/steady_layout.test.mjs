@@ -39,17 +39,19 @@ const some = (all) => all.filter((_, i) => i % Math.ceil(all.length / Math.min(a
 
 test("unchanged blocks keep their column in 95 % of single edits", {skip}, async (context) => {
   let edits = 0, kept = 0;
+  const drawn = await Promise.all(examples.map(async (name) => {
+    const graph = graphOf(name);
+    return {name, graph, before: await arrangeRow(graph, elk)};
+  }));
   for (const [kind, make] of Object.entries(kinds)) {
     let ofKind = 0, steady = 0;
-    for (const name of examples) {
-      const graph = graphOf(name), before = await arrangeRow(graph, elk);
+    for (const {name, graph, before} of drawn)
       for (const edit of some([...make(graph)])) {
         const after = await arrangeLike(before.like, edit.graph, elk), found = moved(before, after, edit.own);
         ++ofKind;
         if (found.moved.length === 0) ++steady;
         else if (process.env.STEADY_ALL) console.log(name, edit.what, found.moved.join(" "));
       }
-    }
     context.diagnostic(`${kind}: ${steady} of ${ofKind}`);
     edits += ofKind;
     kept += steady;

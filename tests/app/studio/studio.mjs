@@ -4,15 +4,13 @@ import {execFileSync, spawn} from "node:child_process";
 import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {extname, join} from "node:path";
+import * as browser from "./browser.mjs";
 
-const playwright = await import("playwright-core").then((all) => all.default ?? all, () => undefined);
-const executablePath = [process.env.STEPWIRE_CHROMIUM, "/usr/bin/chromium"].find((path) => path && existsSync(path));
 const program = process.env.STEPWIRE_PROGRAM;
 
 /** Why there is no page to be tested here; false where there is one. */
 export const missing = !program ? "STEPWIRE_PROGRAM names the program"
-  : !playwright ? "playwright-core is not installed: npm ci in tests/app/studio"
-  : !executablePath ? "chromium is not installed; on Debian it is the package chromium"
+  : browser.missing ? browser.missing
   : process.env.STUDIO_PAGE && !existsSync(join(process.env.STUDIO_PAGE, "index.html")) ? "the page is not built: npm is missing"
   : false;
 
@@ -51,16 +49,19 @@ export class Studio {
     return studio.seen(options);
   }
 
-  static launched = () => playwright.chromium.launch({executablePath, args: ["--no-sandbox", "--disable-gpu"]});
-
   /** What the studio keeps for its user lies in the folder, so that nothing of who runs the test is read. `seen` runs in the page first. */
   async seen({width = 1400, height = 900, colorScheme = "light", seen, more = []} = {}) {
-    await this.start(more);
-    this.browser = await Studio.launched();
-    const context = await this.browser.newContext({viewport: {width, height}, colorScheme});
-    if (seen) await context.addInitScript(seen);
-    this.page = await this.visit(context);
-    return this;
+    this.context = browser.newContext({viewport: {width, height}, colorScheme});
+    try {
+      await this.start(more);
+      const context = await this.context;
+      if (seen) await context.addInitScript(seen);
+      this.page = await this.visit(context);
+      return this;
+    } catch (thrown) {
+      await this.close();
+      throw thrown;
+    }
   }
 
   async start(more = []) {
@@ -72,7 +73,6 @@ export class Studio {
   /** Another page on the same file. */
   async visit(context) {
     const page = await context.newPage();
-    page.setDefaultTimeout(30000);
     // A page that was just built, before it is in the program.
     if (process.env.STUDIO_ASSETS) await context.route(/\/assets\//, async (route) => {
       const path = join(process.env.STUDIO_ASSETS, new URL(route.request().url()).pathname), types = {".js": "text/javascript", ".css": "text/css"};
@@ -98,7 +98,7 @@ export class Studio {
   }
 
   async close() {
-    await this.browser?.close();
+    await this.context?.then((context) => context.close(), () => {});
     const {server} = this;
     server?.removeAllListeners("exit");
     if (server && server.exitCode === null && server.signalCode === null) {

@@ -5,7 +5,9 @@ import {readdirSync, readFileSync} from "node:fs";
 import {join} from "node:path";
 import {test} from "node:test";
 import {gzipSync} from "node:zlib";
-import {box, built, Diagram, missing, openPage, skip, text, until, withPage} from "./two_blocks.mjs";
+import {until} from "./browser.mjs";
+import {openPage} from "./scene_page.mjs";
+import {box, built, Diagram, missing, skip, text, withPage} from "./two_blocks.mjs";
 
 const shape = (page, id) => page.locator(`[data-shape="${id}"]`);
 const isSelected = (page, id) => page.waitForFunction((one) => document.querySelector(`[data-shape="${one}"]`)?.classList.contains("selected"), id);

@@ -4,13 +4,13 @@ import assert from "node:assert/strict";
 import {existsSync} from "node:fs";
 import {dirname, join} from "node:path";
 import {fileURLToPath} from "node:url";
+import * as browser from "./browser.mjs";
+import {openPage} from "./scene_page.mjs";
 
 const root = join(dirname(fileURLToPath(import.meta.url)), "../../..");
 export const built = [process.env.STUDIO_PAGE, join(root, "build/studio"), join(root, "engine/app/studio/page/dist")].find((one) => one && existsSync(join(one, "index.html")));
-export const missing = !built ? "the studio's page is not built: npx vite build in engine/app/studio/page"
-  : !existsSync(process.env.STEPWIRE_CHROMIUM ?? "/usr/bin/chromium") ? "chromium is not installed; on Debian it is the package chromium" : false;
-export const {openPage} = await import("./scene_page.mjs").catch(() => ({}));
-export const skip = openPage ? missing : "playwright-core is not installed: npm ci in tests/app/studio";
+export const missing = built ? false : "the page is not built: npx vite build in engine/app/studio/page";
+export const skip = browser.missing || missing;
 
 export const text = "stepwire: 1\nblocks:\n  source: {block: Constant, value: 2}\n  lag: {block: Lag, u: source, tau: 0.4 s}\nrecord: [lag]\n";
 export const box = (id, type, lines, inputs = []) => ({id, name: id, type, outline: "box", lines, inputs: inputs.map((port) => ({port})), outputs: [{port: "y"}]});
@@ -63,16 +63,10 @@ export class Diagram {
 export async function withPage(action, options) {
   const diagram = new Diagram(), opened = await openPage(built, diagram.answers(), options);
   try {
-    opened.page.setDefaultTimeout(15000);
     await opened.page.waitForSelector("[data-shape='lag']");
     await action({...opened, diagram});
     assert.deepEqual(opened.errors, []);
   } finally {
     await opened.close();
   }
-}
-
-export async function until(condition) {
-  for (let i = 0; i < 200 && !condition(); ++i) await new Promise((resolve) => setTimeout(resolve, 50));
-  assert.ok(condition(), String(condition));
 }

@@ -1,19 +1,12 @@
 // What tests of scene, figures, mechanism and examples share: the built page in Chromium, STUDIO_PAGE=FOLDER or that of build/.
 
 import assert from "node:assert/strict";
-import {built as folder, openPage, skip} from "./two_blocks.mjs";
+import {openPage} from "./scene_page.mjs";
+import {built as folder, skip} from "./two_blocks.mjs";
 
 export {skip};
 export const loaded = {run: 1, step: 0.001, stop: 1, columns: [], parameters: [], scopes: [], inputs: [], scene: false, figures: 0, claims: []};
 export const text = (page, selector) => page.locator(selector).first().textContent();
-/** Waits until something holds, and says what does not. */
-export async function until(holds, what) {
-  for (let i = 0; i < 600; ++i) {
-    if (await holds()) return;
-    await new Promise((done) => setTimeout(done, 50));
-  }
-  assert.fail(what);
-}
 
 /** Opens the page with a pane in front, and closes it whatever happens. */
 export async function withPage(answers, pane, view, run) {

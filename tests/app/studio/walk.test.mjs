@@ -39,7 +39,7 @@ async function atSize(width, height, action) {
 }
 
 for (const [width, height] of [[1400, 900], [400, 800]])
-  test(`each control has a name and is large enough at ${width} px, in every pane`, {skip: missing, timeout: 120000}, () => atSize(width, height, async (page) => {
+  test(`each control has a name and is large enough at ${width} px, in every pane`, {skip: missing}, () => atSize(width, height, async (page) => {
     for (const tab of await page.getByRole("tab").all()) {
       if (!await tab.isVisible()) continue;
       await tab.click();
@@ -53,7 +53,7 @@ for (const [width, height] of [[1400, 900], [400, 800]])
     }
   }));
 
-test("Tab reaches every control of the page and goes round, and each shows that it has the focus", {skip: missing, timeout: 120000}, () => atSize(1400, 900, async (page) => {
+test("Tab reaches every control of the page and goes round, and each shows that it has the focus", {skip: missing}, () => atSize(1400, 900, async (page) => {
   const seen = new Set();
   await page.locator(".bar select").first().focus();
   for (let i = 0; i < 120; ++i) {
@@ -71,7 +71,7 @@ test("Tab reaches every control of the page and goes round, and each shows that 
   for (const place of ["bar", "pane-text", "pane-drawing", "tabs", "pane-scopes", "pane-tuning"]) assert.ok(all.includes(place), `${place} is not reached: ${all}`);
 }));
 
-test("a block is inserted, connected, changed and deleted without a mouse", {skip: missing, timeout: 120000}, () => atSize(1400, 900, async (page) => {
+test("a block is inserted, connected, changed and deleted without a mouse", {skip: missing}, () => atSize(1400, 900, async (page) => {
   const content = () => page.locator(".cm-content").evaluate((one) => [...one.querySelectorAll(".cm-line")].map((line) => line.textContent).join("\n"));
   await page.locator(".canvas").focus();
   await page.keyboard.press("i");

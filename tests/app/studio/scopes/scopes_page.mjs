@@ -1,35 +1,27 @@
 // The page of scopes, run bar and tuning in a browser, on a run that is made up.
 
 import assert from "node:assert/strict";
-import {existsSync} from "node:fs";
 import {after, before} from "node:test";
+import {missing, newContext} from "../browser.mjs";
 import {served} from "./bundled.mjs";
 
-const playwright = await import("playwright-core").then((all) => all.default ?? all, () => undefined);
-const executablePath = [process.env.STEPWIRE_CHROMIUM, "/usr/bin/chromium"].find((path) => path && existsSync(path));
-const skip = !playwright ? "playwright-core is not installed: npm ci in tests/app/studio" : !executablePath ? "chromium is not installed" : false;
-export const options = {skip, timeout: 120_000};
-let browser, site;
+export const options = {skip: missing};
+let site;
 
 before(async () => {
-  if (skip) return;
-  site = await served();
-  browser = await playwright.chromium.launch({executablePath, args: ["--no-sandbox", "--disable-gpu"]});
+  if (!missing) site = await served();
 });
-after(async () => {
-  await browser?.close();
-  site?.close();
-});
+after(() => site?.close());
 
-/** A page whose run stands at `until` [s]. */
-export async function at(until, action, {query = "", ...more} = {}) {
-  const context = await browser.newContext({viewport: {width: 1200, height: 800}, acceptDownloads: true, permissions: ["clipboard-read", "clipboard-write"], ...more});
+/** A page whose run stands at `until` [s], where it has come at this rate; 0 is as fast as it goes. */
+export async function at(until, action, {query = "", rate = 5, ...more} = {}) {
+  const context = await newContext({viewport: {width: 1200, height: 800}, acceptDownloads: true, permissions: ["clipboard-read", "clipboard-write"], ...more});
   const page = await context.newPage(), errors = [];
   page.on("pageerror", (error) => errors.push(error.message));
   try {
     await page.goto(`${site.address}?${query}`);
     await page.waitForFunction(() => window.studio?.board.scopes.length > 0);
-    if (until > 0) await run(page, until);
+    if (until > 0) await run(page, until, rate);
     await action(page);
     assert.deepEqual(errors, []);
   } finally {
@@ -37,8 +29,8 @@ export async function at(until, action, {query = "", ...more} = {}) {
   }
 }
 
-export async function run(page, until) {
-  await page.evaluate(() => studio.context.run.play(5));
+export async function run(page, until, rate = 5) {
+  await page.evaluate((one) => studio.context.run.play(one), rate);
   await page.waitForFunction((time) => studio.context.run.news.time >= time, until);
   await page.evaluate(() => studio.context.run.pause());
   await page.waitForFunction((time) => studio.context.run.news.state === "paused" && studio.board.scopes[0].feed.frame?.newest >= time, until);

@@ -4,9 +4,10 @@ import assert from "node:assert/strict";
 import {execFileSync, spawnSync} from "node:child_process";
 import {readFileSync} from "node:fs";
 import {test} from "node:test";
+import {until} from "../browser.mjs";
 import {missing, Studio} from "../studio.mjs";
 
-const options = {skip: missing, timeout: 150_000};
+const options = {skip: missing};
 const cart = `stepwire: 1
 title: A cart on a spring
 step: 1 ms
@@ -42,7 +43,7 @@ async function ended(action, text = cart) {
   const studio = await Studio.opened(text), {page} = studio;
   try {
     await page.locator(".scope .trace").first().waitFor();
-    await page.getByRole("button", {name: "No, thank you"}).click({timeout: 5000}).catch(() => {});
+    await page.getByRole("button", {name: "No, thank you"}).click();
     await toEnd(page);
     await action(studio, page);
     assert.deepEqual(studio.errors, []);
@@ -81,8 +82,7 @@ test("a claim made by a click holds in `run`, and statistics are those of its sa
     await page.waitForFunction((count) => (document.querySelector(".cm-content").textContent.match(/that:/g) ?? []).length === count, i + 2);
   }
   await page.keyboard.press("Control+s");
-  for (let i = 0; i < 200 && (studio.file.match(/that:/g) ?? []).length < 6; ++i) await page.waitForTimeout(100);
-  assert.equal(studio.file.match(/that:/g).length, 6);
+  await until(() => studio.file.match(/that:/g).length === 6, "the file has all claims");
   const said = execFileSync(process.env.STEPWIRE_PROGRAM, ["run", studio.path], {encoding: "utf8"});
   assert.equal(said.match(/^ +ok /gm).length, 6, said);
 }));
@@ -140,10 +140,7 @@ test("a peak of one tick is seen among 200,000", options, () => ended(async (stu
     }
     return columns;
   });
-  let found = [];
-  for (let i = 0; i < 100 && found.length === 0; ++i) {
-    await page.waitForTimeout(100);
-    found = await seen();
-  }
-  assert.ok(found.length >= 1 && found.every((share) => Math.abs(share - 123.456 / 300) < 0.01), `columns ${found}`);
+  let found;
+  await until(async () => (found = await seen()).length > 0, "there is a peak");
+  assert.ok(found.every((share) => Math.abs(share - 123.456 / 300) < 0.01), `columns ${found}`);
 }, peak));

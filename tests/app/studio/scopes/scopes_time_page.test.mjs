@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
+import {until} from "../browser.mjs";
 import {at, options, over, state} from "./scopes_page.mjs";
 
 test("wheel stops following while data go on, F follows again", options, () => at(2, async (page) => {
@@ -50,14 +51,12 @@ test("a peak of one sample is drawn to its height, near and far", options, () =>
   });
   for (const width of [30, 10, 100]) {
     await page.evaluate((seconds) => studio.board.shared.window.look({low: 0, high: seconds}), width);
-    let fed, range;
-    for (let i = 0; i < 100 && !(fed > 0.065 && range.high > fed); ++i) {
-      await page.waitForTimeout(50);
-      ({fed, range} = await peak());
-    }
-    assert.ok(fed > 0.065 && range.high > fed, `${width} s: ${fed}, ${range.high}`);
+    await until(async () => {
+      const {fed, range} = await peak();
+      return fed > 0.065 && range.high > fed;
+    }, `the peak is seen in ${width} s`);
   }
-}));
+}, {rate: 0}));
 
 test("arrows move the cursor, which is said with its values", options, () => at(3, async (page) => {
   await page.locator(".scope").first().focus();

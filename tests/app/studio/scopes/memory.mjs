@@ -1,0 +1,39 @@
+// What memory the studio takes while a run goes on in real time: the page's heap after a collection, and what of the server lies in memory; 100 signals
+// at 1 kHz, of which 20 are drawn in 6 scopes of 60 s. Prints lines of JSON with the goals; bench/studio --long makes a table of them.
+// node memory.mjs [--minutes 5]
+
+import {readFileSync} from "node:fs";
+import {parseArgs} from "node:util";
+import {Studio} from "../studio.mjs";
+import {hundredSignals} from "./hundred_signals.mjs";
+
+const {values} = parseArgs({options: {minutes: {type: "string", default: "5"}}}), minutes = Number(values.minutes);
+/** After so long all buffers have what they hold at most: 65,536 samples of each signal [s of the run]. */
+const filled = 70;
+const workload = `run of ${minutes} min in real time, 100 signals at 1 kHz`;
+const print = (by, unit, value, goal) => console.log(JSON.stringify({workload, by, unit, value: Number(value.toPrecision(3)), goal}));
+
+const studio = await Studio.opened(hundredSignals());
+try {
+  const {page, server} = studio, session = await page.context().newCDPSession(page);
+  const heap = async () => {
+    await session.send("HeapProfiler.collectGarbage");
+    return (await session.send("Runtime.getHeapUsage")).usedSize / 1e6;
+  };
+  const resident = () => Number(/^VmRSS:\s+(\d+) kB/m.exec(readFileSync(`/proc/${server.pid}/status`, "utf8"))[1]) / 1e3;
+  const at = (seconds) => page.waitForFunction((time) => parseFloat(document.querySelector(".run-time").textContent) >= time, seconds, {timeout: 0, polling: 500});
+  await page.getByRole("button", {name: "No, thank you"}).click();
+  await page.waitForFunction(() => document.querySelectorAll(".scope .trace").length === 20);
+  await page.getByLabel("How much time is seen").selectOption("60");
+  await page.locator(".play").click();
+  await at(filled);
+  const first = {heap: await heap(), resident: resident()};
+  await at(60 * minutes);
+  const last = {heap: await heap(), resident: resident()};
+  print("page's heap at the end", "MB", last.heap);
+  print(`page's heap, grown since ${filled} s`, "MB", last.heap - first.heap, 5);
+  print("server in memory at the end", "MB", last.resident);
+  print(`server in memory, grown since ${filled} s`, "MB", last.resident - first.resident);
+} finally {
+  await studio.close();
+}
