@@ -21,7 +21,8 @@ export default defineConfig({
     modulePreload: false,
     chunkSizeWarningLimit: 2000,
     rollupOptions: {
-      output: {entryFileNames: "assets/[name].js", chunkFileNames: "assets/[name].js", assetFileNames: named},
+      // Scripts of a few hundred letters go into those that load them.
+      output: {entryFileNames: "assets/[name].js", chunkFileNames: "assets/[name].js", assetFileNames: named, experimentalMinChunkSize: 4000},
     },
   },
   worker: {format: "es", rollupOptions: {output: {entryFileNames: "assets/[name].js", assetFileNames: named}}},

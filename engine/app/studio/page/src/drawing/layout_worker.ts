@@ -1,4 +1,4 @@
-// Lays out graphs beside the page: a layout may take seconds. A newer order stops an older search before its next layout.
+// Lays out graphs beside the page: a layout may take seconds. A newer order ends an older search.
 
 import ELK from "elkjs/lib/elk-api.js";
 import elkAddress from "elkjs/lib/elk-worker.min.js?url";
@@ -10,7 +10,8 @@ class Stopped extends Error {}
 const newElk = () => new ELK({workerFactory: () => new Worker(elkAddress)});
 /** What is drawn while somebody edits does not wait for the search. */
 const elk = newElk();
-let searching: ReturnType<typeof newElk> | undefined;
+let searcher: ReturnType<typeof newElk> | undefined;
+let isSearching = false;
 /** Pictures of parts, by their graphs: they seldom change. */
 let known = new Map<string, string>();
 const mostKnown = 400;
@@ -56,8 +57,18 @@ async function sketched({id, graph, like}: Order & {want: "sketch"}): Promise<Pi
   return pictureOf(id, picture, same !== undefined);
 }
 
+/** Ends a search in the middle of a layout, which would take a processor from what somebody waits for. */
+function endSearch(): void {
+  if (!isSearching) return;
+  searcher?.terminateWorker();
+  searcher = undefined;
+  isSearching = false;
+}
+
 async function best(id: number, graph: Graph): Promise<Picture> {
-  const picture = await arrangeRow(graph as any, elkOf(id, searching ??= newElk()), known);
+  isSearching = true;
+  const picture = await arrangeRow(graph as any, elkOf(id, searcher ??= newElk()), known);
+  isSearching = false;
   keep(id, graph, picture);
   return pictureOf(id, picture, false);
 }
@@ -82,6 +93,7 @@ void warmUp();
 
 self.onmessage = async ({data}: MessageEvent<Order>) => {
   newest = data.id;
+  endSearch();
   try {
     self.postMessage(await done(data));
   } catch (thrown) {

@@ -68,8 +68,10 @@ export class Selection {
   private select(key: string, announce = true): void {
     this.key = key;
     for (const [own, {element}] of this.shapes.placed) {
+      const isSelected = String(own === key);
+      if (element.getAttribute("aria-selected") === isSelected) continue;
       element.classList.toggle("selected", own === key);
-      element.setAttribute("aria-selected", String(own === key));
+      element.setAttribute("aria-selected", isSelected);
     }
     const {current} = this;
     if (current) this.canvas.setAttribute("aria-activedescendant", current.element.id);

@@ -23,34 +23,82 @@ export interface Laid {
   element: SVGGElement;
 }
 
+function dressShape(shape: Shape, element: SVGGElement): void {
+  const {x, y, width, height} = shape, by = shape.isFrame ? 0 : 4, dot = (kind: string) => (port: Shape["inputs"][number]) =>
+    svg("circle", {class: `port port-${kind}`, cx: x + port.x, cy: y + port.y, r: 5, "data-port": port.port});
+  const given = {class: `shape${shape.isFrame ? " frame" : ""}${shape.isPart ? " part" : ""}`, "data-shape": keyOf(shape), id: idOf("shape", keyOf(shape)), role: "option"};
+  for (const [name, value] of Object.entries(given)) element.setAttribute(name, value);
+  element.prepend(svg("rect", {class: "halo", x: x - by, y: y - by, width: width + 2 * by, height: height + 2 * by, rx: 4}));
+  element.append(svg("text", {class: "warning", x: x + width, y: y - 2, "text-anchor": "middle"}, "!"),
+    ...shape.inputs.map(dot("input")), ...shape.outputs.map(dot("output")));
+}
+
+function dressWire(wire: Wire, element: SVGGElement): void {
+  element.setAttribute("class", "wire");
+  element.setAttribute("data-wire", "");
+  element.append(svg("path", {class: "grip", d: wire.points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${x} ${y}`).join("")}));
+}
+
+function dress(piece: Wire | Shape | {svg: string}, element: SVGGElement): void {
+  if ("points" in piece) dressWire(piece, element);
+  else if ("id" in piece) dressShape(piece, element);
+}
+
+/** Gives a group these children; those that it has already stay in it. */
+function fill(group: SVGGElement, children: SVGGElement[]): void {
+  const wanted = new Set<Element>(children);
+  for (const child of [...group.children]) if (!wanted.has(child)) child.remove();
+  let next = group.firstElementChild;
+  for (const child of children) {
+    if (child === next) next = next.nextElementSibling;
+    else group.insertBefore(child, next);
+  }
+}
+
+/** The elements of a picture: of its wires, its shapes, its forks. */
+type Elements = SVGGElement[];
+
 export class Shapes {
-  readonly root = svg("svg", {class: "picture", width: "100%", height: "100%"});
+  readonly root = svg("svg", {class: "picture", width: "100%", height: "100%", "font-family": "Helvetica, Arial, sans-serif"});
   placed = new Map<string, Placed>();
   laid: Laid[] = [];
+  /** What is shown, by all that it is made of. */
+  private shown = new Map<string, SVGGElement>();
+  private readonly frames = svg("g", {class: "frames"});
+  private readonly wires = svg("g", {class: "wires"});
+  private readonly blocks = svg("g", {class: "blocks"});
   private readonly over = svg("g", {class: "over"});
 
-  /** Makes the elements of a picture, some at a time, so that the page answers meanwhile: of its wires, its shapes, its forks. */
-  async made(picture: Picture): Promise<SVGGElement[]> {
-    const texts = [...picture.wires, ...picture.shapes].map(({svg: text}) => text).concat(picture.forks), groups: SVGGElement[] = [];
-    for (let from = 0, begin = performance.now(); from < texts.length; from += slice) {
-      groups.push(...[...svgElement(frame(texts.slice(from, from + slice))).children] as SVGGElement[]);
+  constructor() {
+    this.root.append(this.frames, this.wires, this.blocks, this.over);
+  }
+
+  /** Finds the elements of a picture among those that are shown, and makes the others, some at a time, so that the page answers meanwhile. */
+  async made({wires, shapes, forks}: Picture): Promise<Elements> {
+    const pieces = [...wires, ...shapes, {svg: forks}], known = new Map(this.shown), keys = pieces.map((piece) => JSON.stringify(piece));
+    const elements = keys.map((key) => (known.delete(key) ? this.shown.get(key) : undefined)), fresh = elements.flatMap((element, i) => (element ? [] : i));
+    for (let from = 0, begin = performance.now(); from < fresh.length; from += slice) {
+      const some = fresh.slice(from, from + slice), made = [...svgElement(frame(some.map((i) => pieces[i].svg))).children] as SVGGElement[];
+      some.forEach((i, k) => dress(pieces[i], elements[i] = made[k]));
       if (performance.now() - begin < longest) continue;
       await new Promise((resolve) => setTimeout(resolve));
       begin = performance.now();
     }
-    return groups;
+    return elements as Elements;
   }
 
   /** Shows a picture by its elements; what was there before moves to its new place unless `isStill`. */
-  show(picture: Picture, groups: SVGGElement[], describe: (shape: Shape) => string, isStill: boolean): void {
-    const before = this.placed, count = picture.wires.length;
-    this.root.setAttribute("font-family", "Helvetica, Arial, sans-serif");
-    this.laid = picture.wires.map((wire, i) => ({wire, element: this.wire(wire, groups[i])}));
-    this.placed = new Map(picture.shapes.map((shape, i) => [keyOf(shape), {shape, element: this.shape(shape, groups[count + i], describe(shape))}]));
+  show({wires, shapes, forks}: Picture, elements: Elements, describe: (shape: Shape) => string, isStill: boolean): void {
+    const before = this.placed, count = wires.length;
+    this.shown = new Map([...wires, ...shapes, {svg: forks}].map((piece, i) => [JSON.stringify(piece), elements[i]]));
+    this.laid = wires.map((wire, i) => ({wire, element: elements[i]}));
+    this.placed = new Map(shapes.map((shape, i) => [keyOf(shape), {shape, element: elements[count + i]}]));
+    for (const {shape, element} of this.placed.values()) element.setAttribute("aria-label", describe(shape));
     const of = (isFrame: boolean) => [...this.placed.values()].filter(({shape}) => shape.isFrame === isFrame).map(({element}) => element);
-    const wires = svg("g", {class: "wires"}, ...this.laid.map(({element}) => element), groups[groups.length - 1]);
-    this.root.replaceChildren(svg("g", {class: "frames"}, ...of(true)), wires, svg("g", {class: "blocks"}, ...of(false)), this.over);
-    if (before.size > 0 && !isStill) this.animate(before, wires);
+    fill(this.frames, of(true));
+    fill(this.wires, [...elements.slice(0, count), elements[elements.length - 1]]);
+    fill(this.blocks, of(false));
+    if (before.size > 0 && !isStill) this.animate(before);
   }
 
   /** What is drawn above all, such as the wire that is dragged. */
@@ -84,29 +132,7 @@ export class Shapes {
     return this.laid.find((one) => one.element === element);
   }
 
-  private shape(shape: Shape, element: SVGGElement, text: string): SVGGElement {
-    const {x, y, width, height} = shape, by = shape.isFrame ? 0 : 4, dot = (kind: string) => (port: Shape["inputs"][number]) =>
-      svg("circle", {class: `port port-${kind}`, cx: x + port.x, cy: y + port.y, r: 5, "data-port": port.port});
-    element.setAttribute("class", `shape${shape.isFrame ? " frame" : ""}${shape.isPart ? " part" : ""}`);
-    element.setAttribute("data-shape", keyOf(shape));
-    element.setAttribute("id", idOf("shape", keyOf(shape)));
-    element.setAttribute("role", "option");
-    element.setAttribute("aria-label", text);
-    element.prepend(svg("rect", {class: "halo", x: x - by, y: y - by, width: width + 2 * by, height: height + 2 * by, rx: 4}));
-    element.append(svg("text", {class: "warning", x: x + width, y: y - 2, "text-anchor": "middle"}, "!"),
-      ...shape.inputs.map(dot("input")), ...shape.outputs.map(dot("output")));
-    return element;
-  }
-
-  private wire(wire: Wire, element: SVGGElement): SVGGElement {
-    element.setAttribute("class", "wire");
-    element.setAttribute("data-wire", "");
-    const d = wire.points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${x} ${y}`).join("");
-    element.append(svg("path", {class: "grip", d}));
-    return element;
-  }
-
-  private animate(before: Map<string, Placed>, wires: SVGGElement): void {
+  private animate(before: Map<string, Placed>): void {
     const options = {duration: moveTime, easing: "ease-out"};
     let isMoved = false;
     for (const [key, {shape, element}] of this.placed) {
@@ -115,6 +141,6 @@ export class Shapes {
       else if (old.x !== shape.x || old.y !== shape.y) element.animate([{transform: `translate(${old.x - shape.x}px, ${old.y - shape.y}px)`}, {transform: "none"}], options);
       isMoved ||= !old || old.x !== shape.x || old.y !== shape.y;
     }
-    if (isMoved) wires.animate([{opacity: 0}, {opacity: 0.2, offset: 0.6}, {opacity: 1}], options);
+    if (isMoved) this.wires.animate([{opacity: 0}, {opacity: 0.2, offset: 0.6}, {opacity: 1}], options);
   }
 }

@@ -11,13 +11,20 @@ export class Viewport {
   private x = 0;
   private y = 0;
   private picture = {width: 1, height: 1};
+  /** Of the host, as it was laid out last: to ask it would lay out the page anew. */
+  private size: {width: number; height: number};
   /** Does the picture fill the pane, until somebody zooms? */
   private isFitted = true;
   private readonly pointers = new Map<number, {x: number; y: number}>();
   private readonly observer: ResizeObserver;
 
   constructor(private readonly host: HTMLElement, private readonly root: SVGSVGElement) {
-    this.observer = new ResizeObserver(() => (this.isFitted ? this.fit() : this.apply()));
+    this.size = {width: host.clientWidth, height: host.clientHeight};
+    this.observer = new ResizeObserver(([{contentRect}]) => {
+      this.size = contentRect;
+      if (this.isFitted) this.fit();
+      else this.apply();
+    });
     this.observer.observe(host);
     listen(host, "wheel", (event: WheelEvent) => this.wheel(event), {passive: false});
     listen(host, "pointerdown", (event: PointerEvent) => this.press(event));
@@ -48,13 +55,13 @@ export class Viewport {
   }
 
   private put(smallest: number): void {
-    const {clientWidth, clientHeight} = this.host;
-    if (clientWidth === 0 || clientHeight === 0) return;
-    const whole = Math.min((clientWidth - 2 * margin) / this.picture.width, (clientHeight - 2 * margin) / this.picture.height);
+    const {width, height} = this.size;
+    if (width === 0 || height === 0) return;
+    const whole = Math.min((width - 2 * margin) / this.picture.width, (height - 2 * margin) / this.picture.height);
     this.scale = Math.min(1.25, Math.max(smallest, whole));
     if (whole < smallest) this.isFitted = false;
-    this.x = whole < smallest ? -margin / this.scale : (this.picture.width - clientWidth / this.scale) / 2;
-    this.y = (this.picture.height - clientHeight / this.scale) / 2;
+    this.x = whole < smallest ? -margin / this.scale : (this.picture.width - width / this.scale) / 2;
+    this.y = (this.picture.height - height / this.scale) / 2;
     this.apply();
   }
 
@@ -79,7 +86,7 @@ export class Viewport {
 
   /** Brings a box into view if it is out of it. */
   reveal({x, y, width, height}: Box): void {
-    const seen = {width: this.host.clientWidth / this.scale, height: this.host.clientHeight / this.scale}, by = 20 / this.scale;
+    const seen = {width: this.size.width / this.scale, height: this.size.height / this.scale}, by = 20 / this.scale;
     const shift = (from: number, size: number, at: number, room: number) =>
       from < at ? from - by - at : from + size > at + room ? Math.min(from - by, from + size + by - room) - at : 0;
     const dx = shift(x, width, this.x, seen.width), dy = shift(y, height, this.y, seen.height);
@@ -93,9 +100,8 @@ export class Viewport {
   }
 
   private apply(): void {
-    const {clientWidth, clientHeight} = this.host;
-    if (clientWidth > 0 && clientHeight > 0)
-      this.root.setAttribute("viewBox", `${this.x} ${this.y} ${clientWidth / this.scale} ${clientHeight / this.scale}`);
+    const {width, height} = this.size;
+    if (width > 0 && height > 0) this.root.setAttribute("viewBox", `${this.x} ${this.y} ${width / this.scale} ${height / this.scale}`);
   }
 
   private wheel(event: WheelEvent): void {
