@@ -1,10 +1,12 @@
 // How long it takes from a key in a text of 100 blocks to the new drawing, in Chromium on the program's own page; and for how long the page
 // does not answer meanwhile. Prints lines of JSON with the goals; bench/studio makes a table of them.
+// node layout_times.mjs [--edits 12] [--settle 12] [--short]: seconds until the search for the best layout is over
 
 import {Studio} from "./studio.mjs";
+import {given, print, printQuantiles, quantile} from "./times.mjs";
 
-const quantile = (list, share) => [...list].sort((a, b) => a - b)[Math.floor(share * (list.length - 1))];
-const print = (workload, by, unit, value, goal) => console.log(JSON.stringify({workload, by, unit, value: Number(value.toPrecision(3)), goal}));
+const {edits, settle} = given({edits: [12, 6], settle: [12, 1]});
+const warmUp = 2;
 
 /** 100 blocks in which each hears one or two that stand before it. */
 function hundredBlocks() {
@@ -30,31 +32,36 @@ function observe() {
   }, 20);
 }
 
-/** Types a line at the end of the text; resolves to the time from its last key until the block is drawn [ms]. */
+/** Types a line at the end of the text; resolves to the time from its last key until the block is drawn [ms]. Long tasks are those of all of it. */
 async function typed(page, line, name) {
+  await page.evaluate(() => { window.seen.long.length = 0; });
   await page.keyboard.press("Control+End");
   await page.keyboard.insertText(line.slice(0, -1));
   await page.waitForTimeout(1500);
   const before = await page.evaluate(() => performance.now());
   await page.keyboard.insertText(line.slice(-1));
-  await page.waitForFunction((one) => document.querySelector(`[data-shape="${one}"]`), name, {polling: 5, timeout: 30000});
+  await page.waitForFunction((one) => document.querySelector(`[data-shape="${one}"]`), name, {polling: 5});
   await page.keyboard.insertText("\n");
   return await page.evaluate(() => window.seen.drawn) - before;
 }
 
-const studio = await Studio.opened(hundredBlocks(), {seen: observe});
+const studio = await Studio.opened(hundredBlocks(), {seen: observe}), times = [], longest = [];
 try {
-  const {page} = studio, times = [];
-  await page.waitForSelector("[data-shape='b99']", {timeout: 60000});
-  await page.getByRole("button", {name: "No, thank you"}).click({timeout: 5000}).catch(() => {});  // the tour, at a first visit
-  await page.waitForTimeout(12000);  // until the search for the best layout is over
+  const {page} = studio;
+  await page.waitForSelector("[data-shape='b99']");
+  await page.getByRole("button", {name: "No, thank you"}).click();
+  await page.waitForTimeout(1000 * settle);
   await page.locator(".cm-content").focus();
-  await page.evaluate(() => { window.seen.long.length = 0; });
-  for (let i = 0; i < 12; ++i) times.push(await typed(page, `  n${i}: {block: Gain, gain: 2, u: b${(37 * i) % 100}}`, `n${i}`));
-  const workload = "a block is typed into a diagram of 100", long = await page.evaluate(() => window.seen.long);
-  print(workload, "key to drawing, p50", "ms", quantile(times, 0.5), 300);
-  print(workload, "key to drawing, p95", "ms", quantile(times, 0.95));
-  print(workload, "page does not answer, at most", "ms", Math.max(0, ...long), 50);
+  for (let i = 0; i < warmUp + edits; ++i) {
+    const time = await typed(page, `  n${i}: {block: Gain, gain: 2, u: b${(37 * i) % 100}}`, `n${i}`);
+    if (i < warmUp) continue;
+    times.push(time);
+    longest.push(await page.evaluate(() => Math.max(0, ...window.seen.long)));
+  }
 } finally {
   await studio.close();
 }
+const workload = "a block is typed into a diagram of 100";
+printQuantiles(workload, "key to drawing", "ms", times, 300);
+print(workload, "page does not answer, most of an edit, p50", "ms", quantile(longest, 0.5), 50);
+print(workload, "page does not answer, at most", "ms", Math.max(...longest), 50, true);

@@ -1,18 +1,15 @@
 // How long the server alone takes for a stretch of what was recorded: from the request for 20 signals in 6 views to their frames, without
 // a browser. Prints lines of JSON with the goal; bench/studio makes a table of them.
-// node zoom_times.mjs [--seconds 100]: of 100 signals at 1 kHz
+// node zoom_times.mjs [--seconds 100] [--short]: of 100 signals at 1 kHz
 
 import {mkdtempSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
-import {parseArgs} from "node:util";
 import {Page, startStudio} from "./raw_page.mjs";
 import {hundredSignals} from "./scopes/hundred_signals.mjs";
+import {given, printQuantiles} from "./times.mjs";
 
-const {values} = parseArgs({options: {seconds: {type: "string", default: "100"}}}), seconds = Number(values.seconds);
-const quantile = (list, share) => [...list].sort((a, b) => a - b)[Math.floor(share * (list.length - 1))];
-const print = (by, value, goal) =>
-  console.log(JSON.stringify({workload: `server: zoom in ${Math.round(seconds * 1e5).toLocaleString("en")} samples`, by, unit: "ms", value: Number(value.toPrecision(3)), goal}));
+const {seconds} = given({seconds: [100, 20]}), workload = `server: zoom in ${Math.round(seconds * 1e5).toLocaleString("en")} samples`;
 
 const folder = mkdtempSync(join(tmpdir(), "zoom-times-")), file = join(folder, "hundred.yaml");
 writeFileSync(file, hundredSignals());
@@ -42,9 +39,8 @@ for (let i = 0; i < 200; ++i) {
   last.push(performance.now() - sent);
   await new Promise((resolve) => setTimeout(resolve, 30));
 }
-print("first view, p95", quantile(first, 0.95), 5);
-print("all 6 views, p50", quantile(last, 0.5));
-print("all 6 views, p95", quantile(last, 0.95));
+printQuantiles(workload, "first view", "ms", first, 5);
+printQuantiles(workload, "all 6 views", "ms", last);
 page.close();
 server.kill("SIGINT");
 await new Promise((resolve) => server.on("exit", resolve));

@@ -3,15 +3,14 @@
 // node memory.mjs [--minutes 5]
 
 import {readFileSync} from "node:fs";
-import {parseArgs} from "node:util";
 import {Studio} from "../studio.mjs";
+import {given, print} from "../times.mjs";
 import {hundredSignals} from "./hundred_signals.mjs";
 
-const {values} = parseArgs({options: {minutes: {type: "string", default: "5"}}}), minutes = Number(values.minutes);
+const {minutes} = given({minutes: [5, 5]});
 /** After so long all buffers have what they hold at most: 65,536 samples of each signal [s of the run]. */
 const filled = 70;
 const workload = `run of ${minutes} min in real time, 100 signals at 1 kHz`;
-const print = (by, unit, value, goal) => console.log(JSON.stringify({workload, by, unit, value: Number(value.toPrecision(3)), goal}));
 
 const studio = await Studio.opened(hundredSignals());
 try {
@@ -30,10 +29,10 @@ try {
   const first = {heap: await heap(), resident: resident()};
   await at(60 * minutes);
   const last = {heap: await heap(), resident: resident()};
-  print("page's heap at the end", "MB", last.heap);
-  print(`page's heap, grown since ${filled} s`, "MB", last.heap - first.heap, 5);
-  print("server in memory at the end", "MB", last.resident);
-  print(`server in memory, grown since ${filled} s`, "MB", last.resident - first.resident);
+  print(workload, "page's heap at the end", "MB", last.heap);
+  print(workload, `page's heap, grown since ${filled} s`, "MB", last.heap - first.heap, 5);
+  print(workload, "server in memory at the end", "MB", last.resident);
+  print(workload, `server in memory, grown since ${filled} s`, "MB", last.resident - first.resident);
 } finally {
   await studio.close();
 }
