@@ -20,7 +20,7 @@ TEST_CASE("a page's socket gives messages in both directions, and the site sees 
     served.server->send_bytes(1, std::string("\0\xff", 2));
     CHECK(page.receive() == std::string("\0\xff", 2));
     served.server->send_text(2, "nobody");
-    CHECK(served.site.open == std::set<int>{1});
+    CHECK(served.site.wait_until([&] { return served.site.open == std::set<int>{1}; }));
   }
   CHECK(served.site.wait_until([&] { return served.site.open.empty(); }));
 }
