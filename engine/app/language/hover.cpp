@@ -36,9 +36,9 @@ std::string fact(const char* name, const std::string& text) {
 }
 
 std::string key_markdown(const std::string& name, const yaml::Key& key) {
-  const bool section = key.form == yaml::Key::Form::section;
+  const bool section = key.form == yaml::Key::Form::section, any = key.form == yaml::Key::Form::value;
   std::string text = fmt::format("{}: {}", code(name), reference::escaped(key.doc));
-  text += fact("value", section ? "see `stepwire format " + key.refers + "`" : reference::form_text(key));
+  if (!any) text += fact("value", section ? "see `stepwire format " + key.refers + "`" : reference::form_text(key));
   text += fact("unit", key.unit);
   text +=
       fact("range", reference::range_text(key).empty() && !section ? key.refers : reference::range_text(key));

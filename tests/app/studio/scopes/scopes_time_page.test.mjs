@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 import {until} from "../browser.mjs";
-import {at, options, over, state} from "./scopes_page.mjs";
+import {at, options, over, run, state} from "./scopes_page.mjs";
 
 test("wheel stops following while data go on, F follows again", options, () => at(2, async (page) => {
   await page.evaluate(() => studio.context.run.play(1));
@@ -84,4 +84,15 @@ test("what lies between the cursors becomes a line of claims by a click", option
   const {section, text} = await page.evaluate(() => window.inserted);
   assert.equal(section, "claims");
   assert.match(text, /^\{that: the greatest cart.position from 1 s to 2 s is 6\d\.\d+ mm, where: time >= 1 s && time <= 2 s, max: cart.position, equals: 6\d\.\d+ mm, within: 1 %\}$/);
+}));
+
+test("numbers between the cursors follow the run until it has passed them", options, () => at(0.5, async (page) => {
+  await page.evaluate(() => {
+    studio.board.shared.cursors.put("a", 0.2, 0.001);
+    studio.board.shared.cursors.put("b", 2, 0.001);
+  });
+  const atB = page.locator(".statistics tbody tr").first().locator("td").nth(1);
+  await atB.getByText("–").waitFor();
+  await run(page, 2.5);
+  await atB.getByText(/mm$/).waitFor();
 }));

@@ -41,3 +41,16 @@ test("dragging the time of the run goes back, and play goes on from there", opti
   await page.evaluate(() => studio.context.run.play(1));
   await page.waitForFunction(() => studio.context.run.news.time > 2.05 && studio.context.run.news.time < 3.9);
 }));
+
+test("the list of claims goes away by Esc and by a click elsewhere", options, () => at(0, async (page) => {
+  const list = page.getByText("the cart stays within 60 mm"), claims = page.locator(".verdict-counts");
+  await claims.focus();
+  await page.keyboard.press("Enter");
+  await list.waitFor();
+  await page.keyboard.press("Escape");
+  await list.waitFor({state: "hidden"});
+  await claims.click();
+  await list.waitFor();
+  await page.locator(".scope").first().click({position: {x: 5, y: 5}});
+  await list.waitFor({state: "hidden"});
+}));

@@ -1,4 +1,4 @@
-import {h} from "../shell/dom";
+import {h, listen} from "../shell/dom";
 import type {Loaded, Verdict} from "./run_types";
 
 const marks: Record<Verdict["verdict"], string> = {ok: "✓", FAIL: "✗", known: "≠", open: "·"};
@@ -10,7 +10,14 @@ export class Verdicts {
   private readonly list = h("ul", {class: "verdict-list"});
   readonly element = h("details", {class: "verdicts", hidden: true}, this.counts, this.list);
 
-  constructor(private readonly announce: (text: string) => void) {}
+  constructor(private readonly announce: (text: string) => void) {
+    listen(document, "pointerdown", ({target}: PointerEvent) => { if (!this.element.contains(target as Node)) this.element.open = false; });
+    listen(this.element, "keydown", (event: KeyboardEvent) => {
+      if (event.key !== "Escape" || !this.element.open) return;
+      event.stopPropagation();
+      this.element.open = false;
+    });
+  }
 
   load({claims}: Loaded): void {
     this.element.hidden = claims.length === 0;

@@ -20,7 +20,7 @@ export function grouped(traces: Trace[], before: AxisGroup[]): AxisGroup[] {
   const groups = new Map<string, AxisGroup>();
   for (const trace of traces) {
     const key = scaleKey(trace), known = groups.get(key) ?? before.find((group) => group.key === key);
-    const group = groups.get(key) ?? {key, traces: [], range: known?.range ?? new YRange(), unit: known?.unit ?? unitOf(trace, 0)};
+    const unit = known?.unit ?? unitOf(trace, 0), group = groups.get(key) ?? {key, traces: [], range: known?.range ?? new YRange(1 / unit.scale), unit};
     group.traces.push(trace);
     groups.set(key, group);
   }

@@ -181,6 +181,7 @@ export class ScopeBoard implements View, ScopeHost {
       scope.draw(at);
       newest = Math.max(newest, scope.feed.frame?.newest ?? -Infinity);
     }
+    this.statistics.passed();
     run.latency.drawn(newest, performance.now());
   }
 

@@ -8,8 +8,8 @@ import type {Shared} from "./shared";
 import {marksText, reducedText, type Reduction, reductions, type Statistics} from "./statistics";
 import {type Trace, unitOf} from "./trace";
 
-/** How long the cursors must rest before the server is asked [ms]. */
-const quiet = 60;
+/** How long the cursors must rest before the server is asked, and how often it is while the run goes on between them [ms]. */
+const quiet = 60, between = 250;
 
 /** JSON has no NaN; null stands for it. */
 const numbers = (one: Statistics): Statistics => Object.fromEntries(Object.entries(one).map(([name, value]) => [name, value ?? NaN])) as unknown as Statistics;
@@ -21,6 +21,9 @@ export class StatisticsTable {
   private readonly table = h("table", {class: "values"});
   private timer: number | undefined;
   private asked = "";
+  private askedAt = 0;
+  /** The time of the run when it was asked last. */
+  private upTo = 0;
   private known = new Map<number, Statistics>();
 
   constructor(private readonly shared: Shared, private readonly scopes: () => Scope[]) {
@@ -28,7 +31,13 @@ export class StatisticsTable {
     this.element.append(h("header", {}, this.head, clear), h("div", {class: "scrolled"}, this.table));
   }
 
-  /** The cursors moved, signals came or went, or the run goes on. */
+  /** The run stands at another time: what lies between the cursors is another unless it had passed them before. */
+  passed(): void {
+    const {context: {run: {news: {time}}}, cursors: {stretch}} = this.shared, hasPassed = stretch && Math.min(this.upTo, time) >= stretch.high;
+    if (stretch && !hasPassed && time !== this.upTo && performance.now() - this.askedAt > between) void this.ask();
+  }
+
+  /** The cursors moved, or signals came or went. */
   update(): void {
     const {a, b} = this.shared.cursors;
     this.element.hidden = a === undefined;
@@ -47,6 +56,8 @@ export class StatisticsTable {
     if (!stretch || columns.length === 0) return this.table.replaceChildren();
     const wanted = JSON.stringify([stretch, columns]);
     this.asked = wanted;
+    this.askedAt = performance.now();
+    this.upTo = this.shared.context.run.news.time;
     try {
       const {statistics} = await this.shared.context.connection.call<{statistics: Statistics[]}>("data.statistics", {columns, from: stretch.low, to: stretch.high});
       if (this.asked !== wanted) return;

@@ -13,11 +13,11 @@ export interface Range {
 
 const width = ({low, high}: Range) => high - low;
 
-/** A range with room above and below; a constant gets room in proportion to itself. */
-export function padded({low, high}: Range): Range {
+/** A range with room above and below; a constant gets room in proportion to itself, and 0 that of `one`. */
+export function padded({low, high}: Range, one = 1): Range {
   const span = high - low;
   const size = Math.max(Math.abs(low), Math.abs(high)), least = leastSpan * size;
-  const room = span === 0 ? size * 0.1 || 1 : Math.max(span * margin, (least - span) / 2);
+  const room = span === 0 ? size * 0.1 || one : Math.max(span * margin, (least - span) / 2);
   return {low: low - room, high: high + room};
 }
 
@@ -30,6 +30,9 @@ export class YRange {
   private recent: {at: number; data: Range}[] = [];
   private shown: Range | undefined;
   private own: Range | undefined;
+
+  /** `one`: what is 1 in the shown unit. */
+  constructor(private readonly one = 1) {}
 
   /** The data now visible. Returns what to show. */
   update(data: Range | undefined, at: number): Range {
@@ -68,7 +71,7 @@ export class YRange {
   }
 
   private follow(needed: Range): void {
-    const meant = padded(needed), shown = this.shown;
+    const meant = padded(needed, this.one), shown = this.shown;
     if (!shown) this.shown = meant;
     else if (needed.low < shown.low || needed.high > shown.high) this.shown = joined(shown, meant);
     else if (width(meant) < worthIt * width(shown)) this.shown = meant;

@@ -58,7 +58,7 @@ export class TuningRow {
     this.refuse(undefined);
     this.show();
     this.echo.textContent = `${valueText(value, this.unit)} from tick ${tick}`;
-    this.echo.title = `${value} in SI`;
+    this.echo.title = `${this.echo.textContent}; ${value} in SI`;
   }
 
   setPinned(isPinned: boolean): void {
