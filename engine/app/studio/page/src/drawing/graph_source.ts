@@ -18,7 +18,7 @@ export interface Shown {
 
 /** A picture that was searched for replaces a quick one where it costs a reader so much less. */
 const worthwhile = 0.85;
-const idle = 700;  // ms without another graph before the search begins
+const idle = 1500;  // ms without another graph before the search begins, which takes a processor
 
 export class GraphSource {
   private readonly layouter = new Layouter();
