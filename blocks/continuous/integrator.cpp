@@ -27,7 +27,6 @@ void Integrator::declare(Declare<Integrator>& is) {
   declare_reset(is, "'u s", "the integral");
   is.crossing("the integral reaches its lower limit");
   is.crossing("it reaches its upper limit");
-  is.crossing<&Integrator::reset>("the reset signal becomes true or false", "1");
   is.derived<&Integrator::slope_is_input, From::no_number>();
   is.derived<&Integrator::limited, From::no_number>();
 }

@@ -40,11 +40,11 @@ struct Integrator : Resettable {
   }
 
   void crossings(Crossings& zero) const {
+    Resettable::crossings(zero);
     for (Index i = 0; i < x.size(); ++i) {
       zero.add(x[i] - lower[i]);
       zero.add(x[i] - upper[i]);
     }
-    zero.add(reset.connected() ? reset : 0.0);
   }
 
   void configure(Configure& is);

@@ -56,6 +56,7 @@ void PID::declare(Declare<PID>& is) {
   is.state<&PID::integral>({.unit = "'k 'u", .doc = "integral part"});
   is.state<&PID::filter>({.unit = "'u", .doc = "what the derivative part sees, filtered", .settable = false});
   declare_reset(is, "'k 'u", "the integral part");
+  is.crossing<&PID::automatic>("the controller takes over, or the hand", "1");
   is.derived<&PID::plain, From::no_number>();
 }
 
@@ -68,6 +69,7 @@ void PID::configure(Configure& is) {
   if (by_hand) is.require<&PID::automatic>("a command by hand is wired");
   if (is.connected<&PID::automatic>()) is.require<&PID::manual>("it says when the command is given by hand");
   plain = !configure_reset(*this, is) && !by_hand;
+  if (plain) is.skip_crossings();
   if (plain && !limits(integral_lower, integral_upper)) is.skip_update();
 }
 

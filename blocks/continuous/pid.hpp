@@ -45,6 +45,11 @@ struct PID : Resettable {
       integral[i] = std::clamp(integral[i], integral_lower[i], integral_upper[i]);
   }
 
+  void crossings(Crossings& zero) const {
+    Resettable::crossings(zero);
+    zero.add(automatic.connected() ? automatic : 0.0);
+  }
+
   void configure(Configure& is);
   void start() { home = integral; }
   static void declare(Declare<PID>& is);

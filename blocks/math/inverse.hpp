@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "engine/model/block/block.hpp"
@@ -23,20 +25,22 @@ struct Inverse {
 
   void outputs() {
     y = u;
-    std::array<std::uint16_t, most_rows> swapped;  // not set here: a small matrix uses little of it
+    Places from;  // not set here: a small matrix uses little of it
+    for (Index k = 0; k < rows; ++k) from[static_cast<std::size_t>(k)] = static_cast<std::uint16_t>(k);
     for (Index k = 0; k < rows; ++k) {
-      swapped[static_cast<std::size_t>(k)] = static_cast<std::uint16_t>(take_pivot(k));
+      const Index best = take_pivot(k);
+      std::swap(from[static_cast<std::size_t>(k)], from[static_cast<std::size_t>(best)]);
+      if (is_rounding(at(k, k), from[static_cast<std::size_t>(k)], k)) singular.raise(t);
       eliminate(k);
     }
-    for (Index k = rows - 1; k >= 0; --k)
-      for (Index row = 0; row < rows; ++row)
-        std::swap(at(row, k), at(row, swapped[static_cast<std::size_t>(k)]));
+    put_columns_back(from);
   }
 
-  void update() {
-    for (Index i = 0; i < y.size(); ++i)
-      if (!std::isfinite(y[i])) singular.raise(t);
-  }
+  static void declare(Declare<Inverse>& is);
+
+ private:
+  /// Where each row stood.
+  using Places = std::array<std::uint16_t, most_rows>;
 
   /// Brings the largest number of a column up; returns in which row it was.
   Index take_pivot(Index k) {
@@ -45,6 +49,26 @@ struct Inverse {
       if (std::abs(at(row, k)) > std::abs(at(best, k))) best = row;
     for (Index column = 0; column < rows; ++column) std::swap(at(k, column), at(best, column));
     return best;
+  }
+
+  /// Is a pivot no more than what rounding leaves of its row and column, whatever their units?
+  bool is_rounding(double pivot, Index row, Index column) const {
+    double in_row = 0.0, in_column = 0.0;
+    for (Index k = 0; k < rows; ++k) {
+      in_row = std::max(in_row, std::abs(u[k * rows + row]));
+      in_column = std::max(in_column, std::abs(u[column * rows + k]));
+    }
+    const double rounding = static_cast<double>(rows) * std::numeric_limits<double>::epsilon();
+    return std::abs(pivot) <= rounding * std::min(in_row, in_column);
+  }
+
+  void put_columns_back(Places& from) {
+    for (Index k = 0; k < rows; ++k)
+      for (std::uint16_t& place = from[static_cast<std::size_t>(k)]; place != k;) {
+        const Index to = place;
+        for (Index row = 0; row < rows; ++row) std::swap(at(row, k), at(row, to));
+        std::swap(place, from[static_cast<std::size_t>(to)]);
+      }
   }
 
   void eliminate(Index k) {
@@ -58,8 +82,6 @@ struct Inverse {
       for (Index column = 0; column < rows; ++column) at(row, column) -= factor * at(k, column);
     }
   }
-
-  static void declare(Declare<Inverse>& is);
 };
 
 }  // namespace stepwire

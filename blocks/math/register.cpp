@@ -8,6 +8,7 @@
 #include "blocks/math/dot.hpp"
 #include "blocks/math/expression.hpp"
 #include "blocks/math/gain.hpp"
+#include "blocks/math/initial_guess.hpp"
 #include "blocks/math/inverse.hpp"
 #include "blocks/math/inverse_polynomial.hpp"
 #include "blocks/math/lookup_table.hpp"
@@ -61,6 +62,7 @@ void register_functions(Registry& registry) {
   registry.add<Polynomial>("math");
   registry.add<InversePolynomial>("math");
   registry.add<ExpressionBlock>("math");
+  registry.add<InitialGuess>("math");
 }
 
 void register_vectors(Registry& registry) {

@@ -23,6 +23,7 @@ struct Backlash : Resettable {
   }
 
   void crossings(Crossings& zero) const {
+    Resettable::crossings(zero);
     for (Index i = 0; i < u.size(); ++i) {
       zero.add(beyond(u[i] - width[i] / 2.0 - last[i]));
       zero.add(beyond(last[i] - u[i] - width[i] / 2.0));

@@ -214,7 +214,7 @@ TEST_CASE("outputs are computed or are continuous states, and states have what m
       INFO(state.name);
       CHECK((state.continuous ? type->run_derivatives : type->run_update));
     }
-    if (!type->diagnostics.empty()) CHECK(type->run_update);
+    if (!type->diagnostics.empty()) CHECK((type->run_update || type->run_outputs));
   }
 }
 

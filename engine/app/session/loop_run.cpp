@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "engine/app/session/loop_files.hpp"
 #include "engine/base/io/file.hpp"
@@ -23,10 +24,15 @@ constexpr double seconds_in_ring = 4.0;  // that the writer may be late
 constexpr double min_numbers = 1 << 16, max_numbers = 1 << 23;
 constexpr double slice = 1.0;  // [s] of each in turn with a baseline
 
-/// A loop runs the file once with its own values, so its sweep, figures and claims are left alone.
-plan::Plan plan_for_loop(const LoopCall& call, const Registry& registry, const LoopSettings& settings) {
+/// A loop runs the file once with its own values, so its sweep, figures and claims are left alone. Its steps
+/// are not split: how often that would be the case bounds no time that a deadline could hold.
+plan::Plan plan_for_loop(const LoopCall& call, const Registry& registry, const LoopSettings& settings,
+                         const Monitor& monitor) {
   diagram::Loader loader(registry, call.load.limits);
-  plan::Plan plan = plan::make_plan(loader.load_point(call.file, call.load.settings));
+  diagram::Diagram diagram = loader.load_point(call.file, call.load.settings);
+  if (std::exchange(diagram.events.locate, false) && monitor.diagnostic)
+    monitor.diagnostic("'events: locate' does not hold in a loop, which finds at its ticks what crosses");
+  plan::Plan plan = plan::make_plan(std::move(diagram));
   run::require_solver_memory(plan);
   realtime::ticks_per_period(plan.diagram, settings.rate);
   realtime::require_fit_for_loop(plan);
@@ -106,7 +112,7 @@ realtime::Served serve_all(realtime::Loop& loop, const LoopSettings& settings,
 void run_loop(const LoopCall& call, const Registry& registry, const Monitor& monitor,
               const std::function<void(const LoopOutcome&)>& report) {
   const LoopSettings settings = read_loop_settings(call.words);
-  const plan::Plan plan = plan_for_loop(call, registry, settings);
+  const plan::Plan plan = plan_for_loop(call, registry, settings, monitor);
   std::optional<realtime::Cyclictest> baseline;
   if (call.baseline) baseline.emplace(settings.rate, settings.policy, settings.cpu);
   std::optional<LoopFolder> folder;

@@ -44,6 +44,7 @@ struct BlockType {
   std::vector<DiagnosticSpec> diagnostics;
   std::vector<CrossingSpec> crossings;
   bool steady = false;  ///< are its outputs constant between crossings?
+  bool torn = false;    ///< are algebraic loops through it solved for its outputs?
   std::vector<PresetSpec> presets;
   std::vector<MemberSpec> members;  ///< that a run reads and never changes
   std::vector<ClockSpec> clocks;

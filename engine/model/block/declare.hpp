@@ -72,6 +72,7 @@ class Declare {
     type_.not_real_time = std::move(options.not_real_time);
     type_.symbol = std::move(options.symbol);
     type_.steady = options.steady;
+    type_.torn = options.torn;
     if (options.timing != Timing::inherited) type_.timing = options.timing;
   }
 
@@ -243,6 +244,9 @@ class Declare {
     type_.presets.push_back(
         {std::move(name), std::move(doc), [](void* block) { set(*static_cast<Block*>(block)); }});
   }
+
+  /// Is one of the states declared up to now continuous?
+  bool has_continuous_state() const { return type_.has_continuous_state(); }
 
   BlockType take() { return std::move(type_); }
 

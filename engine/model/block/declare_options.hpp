@@ -20,6 +20,8 @@ struct BlockOptions {
   Symbol symbol{};
   /// Are the outputs constant between crossings?
   bool steady = false;
+  /// Are algebraic loops through it solved for its outputs? They begin with what start() leaves there.
+  bool torn = false;
   /// The header that declares the struct, from the folder of the source that declares the block; needed where
   /// it has another name, or lies in another folder.
   std::string header = "";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 
 #include "engine/model/block/declare.hpp"
 #include "engine/model/block/resettable.hpp"
@@ -8,6 +9,7 @@
 namespace stepwire {
 
 /// Declares the members of ResetInput, behind the states of the block. `what` goes back: "the integral".
+/// A reset of continuous states is located.
 template <class Block>
 void declare_reset_input(Declare<Block>& is, const std::string& what = "the states") {
   is.template parameter<&Block::trigger>(
@@ -22,6 +24,8 @@ void declare_reset_input(Declare<Block>& is, const std::string& what = "the stat
   is.template state<&Block::side>(
       {.doc = "last reset signal: -1 false, 1 true, 0 none yet", .settable = false});
   is.template derived<&Block::resets, From::no_number>();
+  if (is.has_continuous_state())
+    is.template crossing<&Block::reset>("the reset signal becomes true or false", "1");
 }
 
 /// Declares the members of Resettable, of the unit and shape of the state that goes back.
@@ -41,9 +45,18 @@ void declare_reset(Declare<Block>& is, const std::string& unit, const std::strin
   is.template state<&Block::home>({.unit = unit, .shape = shape, .doc = "initial value", .settable = false});
 }
 
+/// Without a reset a block without crossings of its own crosses nothing.
+template <class Block>
+void configure_reset_crossing(Configure& is) {
+  using Inherited = void (ResetInput::*)(Crossings&) const;
+  if (std::is_same_v<decltype(&Block::crossings), Inherited> && !is.connected<&Block::reset>())
+    is.skip_crossings();
+}
+
 /// Finds, in configure(), whether anything resets; false: neither start() nor update() has anything to do.
 template <class Block>
 bool configure_reset_input(Block& block, Configure& is) {
+  configure_reset_crossing<Block>(is);
   block.resets = is.connected<&Block::reset>();
   return block.resets;
 }
@@ -52,6 +65,7 @@ template <class Block>
 bool configure_reset(Block& block, Configure& is) {
   if (!is.connected<&Block::reset>() && is.connected<&Block::value>())
     is.require<&Block::reset>("a value to reset to is wired");
+  configure_reset_crossing<Block>(is);
   block.resets = is.connected<&Block::reset>() || is.connected<&Block::initial_>();
   return block.resets;
 }

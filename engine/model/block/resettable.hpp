@@ -20,6 +20,8 @@ struct ResetInput {
   /// Does a level hold the states between ticks? As it was at the last tick, for the whole step: a signal that
   /// falls within one would spoil the solver's order.
   bool held() const { return resets && trigger == Trigger::level && reset.connected() && side > 0.0; }
+  /// Of what declare_reset() declares; a block that has crossings of its own calls it first.
+  void crossings(Crossings& zero) const { zero.add(reset.connected() ? reset : 0.0); }
   /// The last thing in update().
   void remember_reset() {
     if (resets) side = reset.connected() && reset > 0.0 ? 1.0 : -1.0;

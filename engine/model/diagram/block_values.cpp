@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <regex>
 
+#include "engine/base/expression/expression.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/parameters.hpp"
@@ -71,6 +72,24 @@ std::string unknown_unit(const std::string& text) {
   return end == text.c_str() || unit.empty() || unit::parse_unit(unit) ? "" : unit;
 }
 
+/// What is wrong with a formula where a number is needed: a name that stands for no parameter, "3*kk", or that
+/// it is the text of a parameter, for want of a '='; nothing where the text is no formula.
+std::optional<yaml::Message> formula_fault(const std::string& text, const yaml::Node& node,
+                                           const ParameterScope& parameters) {
+  try {
+    const expression::Expression formula(text);
+    if (!node.is_scalar() || node.quoted || formula.variables().empty()) return std::nullopt;
+    for (const std::string& name : formula.variables())
+      if (!parameters.knows(name) && name != text)
+        return fmt::format("there is no parameter '{}'", name) +
+               yaml::did_you_mean(name, parameters.names());
+    if (node.text.starts_with('$') && formula.variables().front() != text)
+      return yaml::fault_text("'{0}' is a text there; a formula of parameters is written '= {0}'", text);
+  } catch (const expression::ExpressionError&) {
+  }
+  return std::nullopt;
+}
+
 bool is_text(ParameterKind kind) {
   return kind == ParameterKind::word || kind == ParameterKind::text || kind == ParameterKind::file ||
          kind == ParameterKind::texts || kind == ParameterKind::tree;
@@ -93,6 +112,18 @@ std::string mixed_rates(const std::string& written, const std::string& unit) {
   if (unit == "rad/s" && std::regex_search(written, periods))
     return "counts periods per time, of which each has 2*pi rad";
   return "";
+}
+
+/// What is wrong with a value that is none of the kind.
+yaml::Message no_value(const ParameterSpec& spec, const WrittenValue& written, const yaml::Node& node,
+                       const ParameterScope& parameters) {
+  if (auto fault = formula_fault(written.text, node, parameters)) return *fault;
+  if (const std::string unit = unknown_unit(written.text); !unit.empty())
+    return yaml::fault_text("'{}' is no unit; a product of units is written N s or N.s", unit);
+  if (node.is_list() && node.items.empty())
+    return fmt::format("the list is empty; it must be {}", wanted(spec.kind));
+  const std::string what = node.is_scalar() ? "'" + written.text + "'" : written.text;
+  return yaml::fault_text("{} is not allowed; it must be {}", what, wanted(spec.kind));
 }
 
 }  // namespace
@@ -150,13 +181,7 @@ std::optional<Value> ValueReader::convert(const ParameterSpec& spec, const Writt
     if (auto matrix = as_matrix(value)) return matrix;
   if (spec.kind != ParameterKind::flag && refuse_given(written)) return std::nullopt;
   if (node.quoted && unit::parse_quantity(node.text)) return refuse(node, subject, quoted_number(node.text));
-  if (const std::string unit = unknown_unit(written.text); !unit.empty())
-    return refuse(node, subject,
-                  yaml::fault_text("'{}' is no unit; a product of units is written N s or N.s", unit));
-  if (node.is_list() && node.items.empty())
-    return refuse(node, subject, fmt::format("the list is empty; it must be {}", wanted(spec.kind)));
-  const std::string what = node.is_scalar() ? "'" + written.text + "'" : written.text;
-  return refuse(node, subject, yaml::fault_text("{} is not allowed; it must be {}", what, wanted(spec.kind)));
+  return refuse(node, subject, no_value(spec, written, node, parameters_));
 }
 
 bool ValueReader::in_range(const ParameterSpec& spec, const WrittenValue& written, const yaml::Node& node,

@@ -18,6 +18,18 @@ bool is_among(const std::vector<std::string>& keys, const std::string& key) {
 
 }  // namespace
 
+std::vector<std::string> words_given_to(const BlockType& type, const yaml::Node& keys) {
+  std::vector<std::string> words;
+  for (const ParameterSpec& spec : type.parameters) {
+    const yaml::Node* given = keys.find(spec.name);
+    if (given && spec.kind == ParameterKind::texts)
+      for (const yaml::Node& word : given->as_list()) words.push_back(word.text);
+    if (given && spec.kind == ParameterKind::tree && spec.formulas.empty())
+      for (const yaml::Entry& named : given->entries) words.push_back(named.key);
+  }
+  return words;
+}
+
 std::string name_parameters(const std::string& text, const ParameterScope& parameters,
                             const std::function<bool(const std::string& name)>& has_meaning) {
   if (text.find('$') != std::string::npos) return text;
@@ -42,10 +54,12 @@ yaml::Node name_parameters(const yaml::Node& node, const std::vector<std::string
   if (node.is_scalar() && is_among(keys, ""))
     result.text = name_parameters(node.text, parameters, has_meaning);
   for (yaml::Node& item : result.items) item = name_parameters(item, keys, type, words, parameters);
+  // What stands below a map of formulas, as a guard below its target, is a formula whatever its name.
+  const bool all = node.is_map() && is_among(keys, "");
   for (yaml::Entry& entry : result.entries) {
-    const bool is_expression = is_among(keys, entry.key) && entry.value.is_scalar();
-    entry.value = is_expression ? name_parameters(entry.value, {""}, type, words, parameters)
-                                : name_parameters(entry.value, keys, type, words, parameters);
+    const bool are_formulas = all || (is_among(keys, entry.key) && !entry.value.is_list());
+    entry.value = name_parameters(entry.value, are_formulas ? std::vector<std::string>{""} : keys, type,
+                                  words, parameters);
   }
   return result;
 }

@@ -9,6 +9,9 @@
 
 namespace stepwire::diagram {
 
+/// What lists of words, and maps without formulas, of a block hold: names that its formulas may use.
+std::vector<std::string> words_given_to(const BlockType& type, const yaml::Node& keys);
+
 /// An expression with a '$' before each name that is a parameter and nothing else: `k*u1` becomes `$k*u1`,
 /// which is filled in. What cannot be read is left as it is.
 std::string name_parameters(const std::string& text, const ParameterScope& parameters,

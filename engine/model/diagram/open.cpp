@@ -27,15 +27,6 @@ yaml::Message no_block_type(const std::string& name, const Registry& registry) {
   return message + yaml::did_you_mean(name, registry.names(), "'stepwire blocks' lists them");
 }
 
-/// What lists of words of a block hold: names that its formulas may use.
-std::vector<std::string> words_given_to(const BlockType& type, const yaml::Node& keys) {
-  std::vector<std::string> words;
-  for (const ParameterSpec& spec : type.parameters)
-    if (const yaml::Node* list = spec.kind == ParameterKind::texts ? keys.find(spec.name) : nullptr)
-      for (const yaml::Node& word : list->as_list()) words.push_back(word.text);
-  return words;
-}
-
 /// What is wrong with the word of a key that is a condition elsewhere: `trigger: index` of a block whose
 /// reset has a trigger. Empty where nothing is.
 std::string meant_as_condition(const ParameterSpec& spec, const yaml::Node& node) {

@@ -98,7 +98,9 @@ int Opener::add_condition(Scope& scope, const std::string& name, const yaml::Nod
   };
   set("expression", {text, node.mark.line, node.mark.column});
   set("variables", {std::move(variables)});
-  if (!sources.items.empty()) pending_.push_back({index, condition_type().input("u"), &sources, &scope});
+  const int u = condition_type().input("u");
+  block.input_marks[static_cast<std::size_t>(u)] = node.mark;
+  if (!sources.items.empty()) pending_.push_back({index, u, &sources, &scope});
   return index;
 }
 

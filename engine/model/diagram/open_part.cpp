@@ -119,8 +119,11 @@ void Opener::declare_output(Scope& scope, const yaml::Entry& port) {
     HeadReading(scope.prefix + port.key, scope, report_).check_unknown(port.value, output_form().of.back());
   const yaml::Node* signal = port.value.is_map() ? port.value.find("signal") : &port.value;
   if (!signal || !signal->is_scalar()) {
+    const bool is_bus = port.value.is_map() && port.value.find("fields") && !signal;
     report_.add(scope.at(port.value.mark), scope.prefix + port.key,
-                "names no signal; write the output of a block, as lag.y");
+                is_bus ? "names no signal; a bus is made among the blocks, 'wrench: {fields: {force: f}}', and "
+                         "named here"
+                       : "names no signal; write the output of a block, as lag.y");
     signal = nullptr;
   }
   const yaml::Node* safe = port.value.is_map() ? port.value.find("safe") : nullptr;

@@ -188,13 +188,14 @@ void refuse_loop(Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) 
 }
 
 LoopOrder order_loop(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) {
-  std::vector<std::size_t> sizes;
+  std::vector<std::size_t> sizes, given;
   for (const std::size_t node : nodes) {
     const auto [block, output] = graph.owners[node];
     sizes.push_back(static_cast<std::size_t>(draft.blocks[block].output_sizes[output]));
+    if (draft.type(block).torn) given.push_back(node);
   }
   LoopOrder order;
-  order.tears = tear(graph, nodes, sizes);
+  order.tears = tear(graph, nodes, sizes, given);
   order.blocks = TornOrder(graph, nodes, order.tears).run();
   return order;
 }

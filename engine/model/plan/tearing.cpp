@@ -135,8 +135,11 @@ class Search {
 }  // namespace
 
 std::vector<std::size_t> tear(const OrderGraph& graph, const std::vector<std::size_t>& nodes,
-                              const std::vector<std::size_t>& sizes) {
-  const std::set<std::size_t> torn = Search().run(Remaining(graph, nodes, sizes));
+                              const std::vector<std::size_t>& sizes,
+                              const std::vector<std::size_t>& given) {
+  Remaining start(graph, nodes, sizes);
+  for (const std::size_t node : given) start.tear(node);
+  const std::set<std::size_t> torn = Search().run(start);
   return {torn.begin(), torn.end()};
 }
 

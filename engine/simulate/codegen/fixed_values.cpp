@@ -68,8 +68,21 @@ std::string FixedValues::reason_of(const diagram::Target& target) const {
 std::string FixedValues::reason_of(const diagram::ValueText& text) const {
   const ValueTexts all_vary(plan_.diagram, [](std::size_t) { return "x"; });
   if (all_vary.numbers(text.node, text.names)) return "";
-  return fmt::format("{} has a unit of its own, is no number, or is computed of matrices",
+  if (const std::string formula = matrix_formula(text.node, text.names); !formula.empty())
+    return fmt::format("'{}' is a formula of matrices, which is computed before a run only", formula);
+  return fmt::format("{} has a unit of its own, or is no number",
                      text.node.is_scalar() ? "'" + text.node.text + "'" : "what follows from it");
+}
+
+/// The first one in a value; empty where there is none.
+std::string FixedValues::matrix_formula(const yaml::Node& node, int scope) const {
+  for (const yaml::Node& item : node.items)
+    if (std::string formula = matrix_formula(item, scope); !formula.empty()) return formula;
+  if (const yaml::Node* value = node.is_map() ? node.find("value") : nullptr)
+    return matrix_formula(*value, scope);
+  const ValueTexts all_vary(plan_.diagram, [](std::size_t) { return "x"; });
+  const bool is_formula = node.is_scalar() && node.text.starts_with('=');
+  return is_formula && !all_vary.numbers(node, scope) ? node.text : "";
 }
 
 std::string FixedValues::reason_of_bounds(std::size_t definition) const {

@@ -22,6 +22,7 @@ class FixedValues {
  private:
   std::string reason_of(const diagram::Target& target) const;
   std::string reason_of(const diagram::ValueText& text) const;
+  std::string matrix_formula(const yaml::Node& node, int scope) const;
   std::string reason_of_bounds(std::size_t definition) const;
 
   const plan::Plan& plan_;

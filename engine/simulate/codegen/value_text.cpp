@@ -113,16 +113,29 @@ ValueTexts::Numbers ValueTexts::named(const std::string& name, int scope) const 
   return texts;
 }
 
+/// `K` or `-K`; all else that is of matrices only the loader computes.
+ValueTexts::Numbers ValueTexts::of_matrices(std::string text, int scope) const {
+  std::erase(text, ' ');
+  if (!text.starts_with('-')) return named(text, scope);
+  auto numbers = named(text.substr(1), scope);
+  if (numbers)
+    for (NumberText& number : *numbers)
+      number = number.constant ? constant(-*number.constant)
+                               : NumberText{"(-" + number.text + ")", std::nullopt, number.computed};
+  return numbers;
+}
+
 ValueTexts::Numbers ValueTexts::expression(const std::string& text, int scope) const {
   const diagram::ParameterScope& of_file = diagram_.bindings->scopes[static_cast<std::size_t>(scope)];
   const expression::Expression* known = of_file.expression(text);
-  if (!known) return std::nullopt;  // of matrices, which only the loader computes
+  if (!known) return std::nullopt;
   const expression::Expression& expression = *known;
   std::vector<std::string> variables;
   std::vector<double> constants;
   for (const std::string& name : expression.variables()) {
     const auto value = named(name, scope);
-    if (!value || value->size() != 1) return std::nullopt;
+    if (value && value->size() != 1) return of_matrices(text, scope);
+    if (!value) return std::nullopt;
     variables.push_back(value->front().text);
     if (value->front().constant) constants.push_back(*value->front().constant);
   }

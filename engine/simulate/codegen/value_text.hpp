@@ -41,6 +41,7 @@ class ValueTexts {
   Numbers rows(const yaml::Node& node, int scope) const;
   Numbers scalar(const yaml::Node& node, int scope) const;
   Numbers expression(const std::string& text, int scope) const;
+  Numbers of_matrices(std::string text, int scope) const;
   /// The numbers of a parameter of a file by its name there.
   Numbers named(const std::string& name, int scope) const;
 

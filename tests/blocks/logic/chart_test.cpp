@@ -104,6 +104,22 @@ record: [m.state]
   CHECK(column(table, "m.state")[1] == 3.0);
 }
 
+TEST_CASE("Parameters have bare names wherever a chart has a formula") {
+  const table::Table table = run_text("parameters: {limit: 4, hold: 2, more: 10, b: 99, n: 99}\n" + head + R"(  of_n: {block: Constant, value: [n, b]}
+  m:
+    block: StateMachine
+    u: t
+    counters: {n: 0}
+    states:
+      a: {to: {b: u >= limit}, exit: {n: n + more}}
+      b: {timeout: {c: hold}, each: {n: n + more/10}}
+      c: {to: [{to: b, when: u > 2*limit, set: {n: n + limit}}]}
+record: [m.state, m.counts]
+)");
+  CHECK(column(table, "m.state") == Values{0, 0, 0, 0, 1, 1, 2, 2, 2, 1, 1, 2});
+  CHECK(column(table, "m.counts") == Values{0, 0, 0, 0, 10, 11, 11, 11, 11, 15, 16, 16});
+}
+
 TEST_CASE("A state that leads to itself is left and entered") {
   const table::Table table = run_text(head + R"(  m:
     block: StateMachine

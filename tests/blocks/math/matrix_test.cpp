@@ -91,7 +91,38 @@ TEST_CASE("a singular matrix has no inverse, which ends the run") {
   A: {block: Inverse, u: [[1, 2], [2, 4]]}
 record: [A]
 )"),
-             Catch::Contains("A"));
+             Catch::Contains("A: the matrix is singular and has no inverse") && Catch::Contains("(at 0 s)") &&
+                 Catch::Contains("'enable'"));
+}
+
+TEST_CASE("a matrix that becomes singular ends the run by its own words, and not as what is not finite") {
+  // [[t, 1], [1, t]] is singular at 1 s; the state behind it would be the first that is not finite.
+  const auto rig = [](const std::string& condition) {
+    return R"(step: 1 ms
+stop: 2 s
+solver: rk4
+blocks:
+  t: {block: Clock}
+  one: {block: Stack, u: [t, 1]}
+  two: {block: Stack, u: [1, t]}
+  A: {block: Concatenate, u: [one, two]}
+  x: {block: Integrator, u: B.1.1}
+  B: {block: Inverse, u: A)" + condition + "}\nrecord: [x]\n";
+  };
+  CHECK_THAT(error_of(rig("")), Catch::Contains("B: the matrix is singular") && Catch::Contains("(at 1 s)"));
+  CHECK(error_of(rig(", enable: abs(t - 1) > 1.5e-3")).empty());
+}
+
+TEST_CASE("a singular matrix is found where rounding leaves a pivot, and none where units differ alone") {
+  const auto refused = [](const std::string& matrix) {
+    return !error_of(head + "  A: {block: Inverse, u: " + matrix + "}\nrecord: [A]\n").empty();
+  };
+  // Of rank 1, and of rank 2: the numbers of its last row are 0.1 and 0.7 times those above.
+  CHECK(refused("[[0.1, 0.7], [0.3, 2.1]]"));
+  CHECK(refused("[[0.1, 0.2, 0.3], [1.3, -1.7, 0.9], [0.92, -1.17, 0.66]]"));
+  CHECK_FALSE(refused("[[1, 0], [0, 1e-20]]"));
+  CHECK_FALSE(refused("[[1e9, 1], [1, 1e-8]]"));
+  CHECK_FALSE(refused("[[1, 1], [1, 1.00000001]]"));
 }
 
 TEST_CASE("matrices stand side by side and one below the other") {

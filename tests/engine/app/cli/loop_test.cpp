@@ -88,6 +88,26 @@ TEST_CASE("what a loop leaves is verified bit by bit, inputs and dropped deadlin
   CHECK_THAT(done.out, Contains("1 signal in " + std::to_string(ticks) + " rows: all bits agree"));
 }
 
+TEST_CASE("a diagram whose events are located runs in a loop from tick to tick, which is reported and verified") {
+  const Scratch folder;
+  const Done done = loop(folder, R"(stepwire: 1
+title: A lag that a sine resets
+step: 1 ms
+stop: 0.1 s
+solver: rk4
+events: locate
+blocks:
+  wave: {block: Sine, frequency: 33 Hz}
+  lag: {block: Lag, u: 1, tau: 0.05 s, reset: wave}
+record: [lag]
+)",
+                         {"--duration", "0.2", "--policy", "other", "--out", "out"});
+  INFO(done.err << done.out);
+  CHECK(done.code == 0);
+  CHECK_THAT(done.err, Contains("'events: locate' does not hold in a loop"));
+  CHECK(run_program(folder, {"verify", "out"}).code == 0);
+}
+
 TEST_CASE("a loop of compiled code gives the bits that the interpreter gives") {
   if (!stepwire::codegen::Compiler().found()) {
     WARN("there is no C++ compiler here; nothing was compared");

@@ -31,6 +31,16 @@ TEST_CASE("a definition without '=' is a text, which may be the formula of a blo
               "g") == 4.0);
 }
 
+TEST_CASE("the text of a parameter that would be a formula is refused with the '=' that it lacks") {
+  CHECK_THAT(faults_of("parameters: {m: 4, two: 2*m}\nblocks:\n  g: {block: Constant, value: $two}\n")[0],
+             Catch::Contains("g.value: '2*m' is a text there; a formula of parameters is written '= 2*m'"));
+}
+
+TEST_CASE("a formula in which a name stands for nothing is refused by that name") {
+  CHECK_THAT(faults_of("parameters: {speed: 4}\nblocks:\n  g: {block: Constant, value: 2*spede}\n")[0],
+             Catch::Contains("g.value: there is no parameter 'spede'; did you mean 'speed'?"));
+}
+
 TEST_CASE("a number of a block is a parameter by its name, or a formula of some") {
   CHECK(value("  k: 4\n", "  one: {block: Constant, value: 1}\n  g: {block: Gain, u: one, gain: k}\n", "g") ==
         4.0);

@@ -59,6 +59,17 @@ TEST_CASE("a loop that is solved is torn at as few signals as can be") {
                  "  d: {block: Gain, u: c}\n") == std::vector<std::size_t>{1, 1});
 }
 
+TEST_CASE("a loop is torn at its guesses, and nowhere else where these are enough") {
+  const Plan plan = plan_text(
+      "blocks:\n  a: {block: Gain, u: c}\n  b: {block: InitialGuess, guess: 3, u: a}\n"
+      "  c: {block: Gain, u: b}\nalgebraic_loops: solve\n");
+  REQUIRE(plan.loops.size() == 1);
+  REQUIRE(plan.loops[0].tears.size() == 1);
+  CHECK(plan.diagram.blocks[static_cast<std::size_t>(plan.loops[0].tears[0].block)].name == "b");
+  CHECK(tears_of("  a: {block: Sum, u: [b, c]}\n  b: {block: InitialGuess, guess: 1, u: a}\n"
+                 "  c: {block: Gain, u: a}\n") == std::vector<std::size_t>{2});
+}
+
 TEST_CASE("of a loop's signals that with the fewest elements is torn") {
   const Plan plan = plan_text(R"(blocks:
   v: {block: Gain, gain: 0.1, u: three}

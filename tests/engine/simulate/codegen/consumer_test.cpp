@@ -163,6 +163,29 @@ TEST_CASE("a generated program shows which parameters cannot change, and why") {
   CHECK(header.find("double lift_{};") < header.find("double force_[2]{};"));
 }
 
+TEST_CASE("what is in a formula of matrices is fixed, and a gain that only changes its sign is not") {
+  const plan::Plan plan = plan_text(R"yaml(solver: rk4
+parameters:
+  m: 2
+  A: [[0, 1], [-4, -1/m]]
+  K: = place(A, [0, 1/m], [-1, -2])
+  two: = 2*m
+blocks:
+  s: {block: StateSpace, A: $A, B: "[0, 1/m]", C: eye(2), u: f, initial: [1, 0]}
+  f: {block: MatrixGain, gain: -K, u: s}
+  g: {block: Gain, gain: $two, u: f}
+)yaml");
+  const Tuning tuning = tuning_of(plan);
+  REQUIRE(tuning.fixed.size() == 2);
+  for (const auto& fixed : tuning.fixed) {
+    CHECK((fixed.name == "m" || fixed.name == "A"));
+    CHECK(fixed.reason ==
+          "'= place(A, [0, 1/m], [-1, -2])' is a formula of matrices, which is computed before a run only");
+  }
+  CHECK_THAT(program_files(plan, tuning, {"rig", "a test", false}).at("rig.cpp"),
+             Catch::Contains("{(-p.K_[0][0]), (-p.K_[0][1])}"));
+}
+
 TEST_CASE("with no parameters to change every number stands in the code") {
   const plan::Plan plan = plan_text(
       "parameters: {k: 0.5}\nblocks:\n  wave: {block: Sine}\n  half: {block: Gain, gain: $k, u: wave}\n");

@@ -200,6 +200,12 @@ TEST_CASE("a condition in the place of the word for a reset is refused with the 
   CHECK(faults[0].find("rising, falling, either, level") != std::string::npos);
 }
 
+TEST_CASE("a condition on several numbers is refused where it stands") {
+  CHECK_THAT(faults_of("blocks:\n  v: {block: Constant, value: [1, 2]}\n"
+                       "  g: {block: Gain, u: v, enable: v > 1}\n")[0],
+             Catch::Contains(":3:34: g.enable_when.u: has 2 elements; 1 would fit"));
+}
+
 TEST_CASE("a condition that follows from what it guards is an algebraic loop, and says so") {
   const Rig rig;
   const auto faults = rig.faults("  c: {diagram: counter.yaml, enable: c.count < 5}\n");

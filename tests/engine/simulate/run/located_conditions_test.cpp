@@ -37,6 +37,48 @@ double passing(double level, double period, int n) {
 
 }  // namespace
 
+TEST_CASE("a reset is located in every block whose states the solver moves") {
+  // The signal is a parabola that becomes true at 0.43217 s, in the middle of a step.
+  const double at = 0.43217;
+  const std::string signal = "  t: {block: Clock}\n  r: {block: Expression, u: t, expression: u^2 - 0.43217^2}\n";
+  const auto end = [&](const std::string& block) {
+    return last(run_text(text(signal + "  y: {block: " + block + ", reset: r}\n", "[y]")), "y");
+  };
+  const double since = 1.0 - at;
+  CHECK(end("Integrator, u: 2, initial: 5") == Approx(5.0 + 2.0 * since).epsilon(1e-11));
+  CHECK(end("Lag, u: 3, tau: 0.4, initial: 1") == Approx(3.0 - 2.0 * std::exp(-since / 0.4)).epsilon(1e-9));
+  const double second = 1.0 - std::exp(-since) * (1.0 + since);  // 1/(s + 1)^2
+  CHECK(end("TransferFunction, u: 1, denominator: [1, 2, 1]") == Approx(second).epsilon(1e-9));
+  CHECK(end("StateSpace, u: 1, A: [[-2, -1], [1, 0]], B: [1, 0], C: [[0, 1]]") ==
+        Approx(second).epsilon(1e-9));
+  CHECK(end("PID, u: 0.5, kp: 2, ki: 3") == Approx(1.0 + 1.5 * since).epsilon(1e-11));
+  CHECK(end("Derivative, u: 3, tau: 0.2") == Approx(15.0 * std::exp(-since / 0.2)).epsilon(1e-6));
+  CHECK(end("LuenbergerObserver, measured: 1, A: [[0]], C: [[1]], L: [[2]]") ==
+        Approx(1.0 - std::exp(-2.0 * since)).epsilon(1e-9));
+}
+
+TEST_CASE("a level holds a lag from the instant at which it becomes true to that at which it ends") {
+  const table::Table run = run_text(text("  r: {block: Sine, frequency: 1 Hz, bias: 0.123}\n"
+                                         "  y: {block: Lag, u: 1, tau: 0.5, reset: r, trigger: level}\n",
+                                         "[y]"));
+  const double ends = 0.5 + std::asin(0.123) / (2.0 * std::numbers::pi);
+  const double begins = 1.0 - (ends - 0.5);
+  CHECK(last(run, "y") == 0.0);
+  const auto &time = column(run, "time"), &y = column(run, "y");
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    const bool free = time[k] > ends && time[k] < begins;
+    CHECK(y[k] == Approx(free ? 1.0 - std::exp(-(time[k] - ends) / 0.5) : 0.0).margin(1e-8));
+  }
+}
+
+TEST_CASE("a controller takes over at the instant at which it is switched on") {
+  const table::Table run = run_text(text("  t: {block: Clock}\n  on: {block: Sum, signs: \"+-\", u: [t, 0.43217]}\n"
+                                         "  y: {block: PID, u: 1, kp: 1, ki: 4, manual: 2, automatic: on}\n",
+                                         "[y]"));
+  // By hand it gives 2; from then on it goes on from there, 4 higher in each second.
+  CHECK(last(run, "y") == Approx(2.0 + 4.0 * (1.0 - 0.43217)).epsilon(1e-11));
+}
+
 TEST_CASE("a run ends where its stop condition becomes true, and its last row is there") {
   const table::Table run = run_text("events: locate\nstop_when: x < 0\n" + fall);
   const double end = std::sqrt(2.0 / 9.81);
