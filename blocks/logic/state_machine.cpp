@@ -151,7 +151,7 @@ void StateMachine::declare(Declare<StateMachine>& is) {
   is.parameter<&StateMachine::states>(
       {.doc = "the states, each with its output and transitions",
        .required = true,
-       .formulas = {"to", "when", "timeout", "enter", "exit", "each", "set"}});
+       .formulas = {"to.", "when", "timeout", "enter", "exit", "each", "set"}});
   is.parameter<&StateMachine::counters>(
       {.doc = "numbers that states set and guards read, with their first values: {tries: 0}"});
   is.parameter<&StateMachine::variables>({.doc = "names of the inputs in formulas, in their order: "

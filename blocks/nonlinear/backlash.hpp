@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "engine/model/block/resettable.hpp"
 
@@ -25,8 +27,9 @@ struct Backlash : Resettable {
   void crossings(Crossings& zero) const {
     Resettable::crossings(zero);
     for (Index i = 0; i < u.size(); ++i) {
-      zero.add(beyond(u[i] - width[i] / 2.0 - last[i]));
-      zero.add(beyond(last[i] - u[i] - width[i] / 2.0));
+      const double rounding = epsilon * (std::abs(u[i]) + std::abs(last[i]) + width[i]);
+      zero.add(u[i] - width[i] / 2.0 - last[i] + rounding);
+      zero.add(last[i] - u[i] - width[i] / 2.0 + rounding);
     }
   }
 
@@ -36,8 +39,8 @@ struct Backlash : Resettable {
   static void declare(Declare<Backlash>& is);
 
  private:
-  /// As long as it is pushed it stands at 0, which counts as beyond.
-  static double beyond(double way) { return way + 1e-300; }
+  /// As long as it is pushed it stands at 0, give or take some rounding, which counts as beyond.
+  static constexpr double epsilon = 4.0 * std::numeric_limits<double>::epsilon();
   double pushed(Index i) const {
     const double half = width[i] / 2.0;
     return std::clamp(resetting() ? target(i) : last[i], u[i] - half, u[i] + half);

@@ -54,10 +54,11 @@ yaml::Node name_parameters(const yaml::Node& node, const std::vector<std::string
   if (node.is_scalar() && is_among(keys, ""))
     result.text = name_parameters(node.text, parameters, has_meaning);
   for (yaml::Node& item : result.items) item = name_parameters(item, keys, type, words, parameters);
-  // What stands below a map of formulas, as a guard below its target, is a formula whatever its name.
+  // What stands in a map of formulas, as a guard below its target, is a formula whatever its name.
   const bool all = node.is_map() && is_among(keys, "");
   for (yaml::Entry& entry : result.entries) {
-    const bool are_formulas = all || (is_among(keys, entry.key) && !entry.value.is_list());
+    const bool are_formulas = all || (!entry.value.is_list() && is_among(keys, entry.key)) ||
+                              (entry.value.is_map() && is_among(keys, entry.key + "."));
     entry.value = name_parameters(entry.value, are_formulas ? std::vector<std::string>{""} : keys, type,
                                   words, parameters);
   }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -77,6 +78,31 @@ TEST_CASE("a controller takes over at the instant at which it is switched on") {
                                          "[y]"));
   // By hand it gives 2; from then on it goes on from there, 4 higher in each second.
   CHECK(last(run, "y") == Approx(2.0 + 4.0 * (1.0 - 0.43217)).epsilon(1e-11));
+}
+
+TEST_CASE("play that is pushed to and fro keeps to its closed form, and no rounding of its ends is an event") {
+  for (const char* const step : {"5 ms", "1 ms", "0.2 ms"}) {
+    INFO(step);
+    const table::Table run = run_text(std::string("events: locate\nsolver: rk4\nstop: 2 s\nstep: ") + step + R"(
+blocks:
+  u: {block: Sine, frequency: 2.3 Hz, phase: 1}
+  y: {block: Backlash, u: u, width: 0.3}
+record: [u, y]
+)");
+    const auto &time = column(run, "time"), &u = column(run, "u"), &y = column(run, "y");
+    // Between two turns of the input it is where it was at the first, unless an end of the gap pushes it. A
+    // turn is up to half a step from the nearest tick, which misses so much of a peak.
+    const double way = 2.0 * std::numbers::pi * 2.3 * 0.5 * time[1], missed = 0.5 * way * way;
+    double held = std::clamp(0.0, u[0] - 0.15, u[0] + 0.15);
+    int turn = 0;
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      for (; (turn + 0.5) * std::numbers::pi < 2.0 * std::numbers::pi * 2.3 * time[k] + 1.0; ++turn) {
+        const double end = turn % 2 == 0 ? 1.0 : -1.0;
+        held = std::clamp(held, end - 0.15, end + 0.15);
+      }
+      CHECK(y[k] == Approx(std::clamp(held, u[k] - 0.15, u[k] + 0.15)).margin(missed));
+    }
+  }
 }
 
 TEST_CASE("a run ends where its stop condition becomes true, and its last row is there") {
