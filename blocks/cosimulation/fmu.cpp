@@ -55,8 +55,7 @@ void Fmu::settle() {
     unit_moves = static_cast<double>(++unit.moves);
     keep();
   }
-  if (!unit.works()) return unit_failed.raise(t);
-  if (unit.exchange().ended) unit_over.raise(t);
+  if (!unit.works()) unit_failed.raise(t);
 }
 
 void SteppedFmu::start() {
@@ -64,8 +63,10 @@ void SteppedFmu::start() {
   if (unit.works()) std::copy_n(unit.exchange().outputs(), unit.numbers_shown(), unit_outputs.data());
 }
 
+// What a unit ends with a step is over behind the tick that the step leads to.
 void SteppedFmu::update() {
   follow();
+  if (unit.works() && unit.exchange().ended) return unit_over.raise(t);
   if (unit.works()) {
     hand_over();
     unit.exchange().time = t;
@@ -111,6 +112,7 @@ void ContinuousFmu::update() {
     if (unit.exchange().changed)
       std::copy_n(unit.exchange().states(), unit_states.size(), unit_states.data());
     unit_event = unit.exchange().next;
+    if (unit.exchange().ended) unit_over.raise(t);
   }
   settle();
 }

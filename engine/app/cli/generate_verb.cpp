@@ -6,6 +6,7 @@
 
 #include "engine/app/cli/call_options.hpp"
 #include "engine/app/cli/console.hpp"
+#include "engine/app/cli/generate_unit.hpp"
 #include "engine/app/cli/load_words.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/session/version.hpp"
@@ -26,6 +27,7 @@ struct GenerateCall {
   std::string name;  ///< of the program; empty: that of the file
   bool c_interface = false;
   bool constant_parameters = false;
+  int fmi = 0;  ///< version of a unit; 0: no unit
 };
 
 /// What of the file is no part of the program, as words; empty where it is all there.
@@ -47,11 +49,8 @@ std::string left_out(const session::LoadedModel& model) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-ExitCode generate(const GenerateCall& call, const Registry& registry) {
-  const session::LoadedModel model = session::load_model(registry, call.file, load_options(call.words));
-  const std::string name = call.name.empty() ? std::filesystem::path(call.file).stem().string() : call.name;
-  const codegen::Tuning tuning =
-      call.constant_parameters ? codegen::Tuning{} : codegen::tuning_of(model.job.plan);
+ExitCode write_program(const GenerateCall& call, const std::string& name, const session::LoadedModel& model,
+                       const codegen::Tuning& tuning) {
   const auto files = codegen::program_files(
       model.job.plan, tuning, {name, "stepwire " + session::program_version(), call.c_interface});
   const io::OwnedFolder owned(call.out, [&] { return replay::files_read(model.job); });
@@ -63,21 +62,35 @@ ExitCode generate(const GenerateCall& call, const Registry& registry) {
   const std::string folder = text::shell_word(call.out), build = text::shell_word(call.out + "/build");
   say("{}: {} blocks written to {}; cmake -S {} -B {} && cmake --build {} makes a program\n", call.file,
       model.job.plan.blocks.size(), call.out, folder, build, build);
+  return ExitCode::done;
+}
+
+ExitCode generate(const GenerateCall& call, const Registry& registry) {
+  const session::LoadedModel model = session::load_model(registry, call.file, load_options(call.words));
+  const std::string name = call.name.empty() ? std::filesystem::path(call.file).stem().string() : call.name;
+  const codegen::Tuning tuning =
+      call.constant_parameters ? codegen::Tuning{} : codegen::tuning_of(model.job.plan);
+  const ExitCode code = call.fmi == 0
+                            ? write_program(call, name, model, tuning)
+                            : generate_unit({call.file, call.out, name, call.fmi}, registry, model, tuning);
   for (const codegen::FixedParameter& fixed : tuning.fixed)
     say("  {} cannot be changed there: {}\n", fixed.name, fixed.reason);
   if (const std::string parts = left_out(model); !parts.empty()) fmt::print("  left out: {}\n", parts);
-  fmt::print(
-      "  the flags -ffp-contract=off and -fno-builtin-... of its CMakeLists.txt keep the bits of a run\n");
-  return ExitCode::done;
+  fmt::print("  the flags -ffp-contract=off and -fno-builtin-... of its {}CMakeLists.txt keep the bits of a run\n",
+             call.fmi == 0 ? "" : "sources/");
+  return code;
 }
 
 Action declare_generate(CLI::App& verb) {
   const auto call = std::make_shared<GenerateCall>();
   verb.add_option("FILE", call->file, "a diagram file")->required();
   add_load_options(verb, call->words);
-  verb.add_option("-o,--out", call->out, "folder for the program")->required();
+  verb.add_option("-o,--out", call->out, "folder for the program, or with --fmi the file of the unit")->required();
   verb.add_option("--name", call->name, "name of the program, in place of that of the file");
-  verb.add_flag("--c-api", call->c_interface, "write a header and a source to call it from C as well");
+  auto* c = verb.add_flag("--c-api", call->c_interface, "write a header and a source to call it from C as well");
+  verb.add_option("--fmi", call->fmi, "make a unit of FMI of this version, 3 or 2, with a binary for this machine")
+      ->check(CLI::IsMember({3, 2}))
+      ->excludes(c);
   verb.add_flag("--constant-parameters", call->constant_parameters,
                 "write parameters as numbers into the code, which is faster; none can be changed then");
   return [call](const Registry& registry) { return generate(*call, registry); };
@@ -86,8 +99,10 @@ Action declare_generate(CLI::App& verb) {
 }  // namespace
 
 Verb generate_verb() {
-  return {"generate", "write a diagram as C++ that is built without stepwire",
-          "Example:\n  stepwire generate controller.yaml -o controller", declare_generate};
+  return {"generate", "write a diagram as C++ that is built without stepwire, or as a unit of FMI",
+          "Examples:\n  stepwire generate controller.yaml -o controller\n"
+          "  stepwire generate controller.yaml --fmi 3 -o controller.fmu",
+          declare_generate};
 }
 
 }  // namespace stepwire::cli

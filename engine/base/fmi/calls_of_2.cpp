@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "engine/base/fmi/calls_of.hpp"
-#include "engine/base/fmi/fmi2.h"
+#include "engine/base/fmi/fmi2_unit.h"
 #include "engine/base/fmi/library.hpp"
 #include "engine/base/fmi/log_text.hpp"
 
@@ -94,10 +94,12 @@ class Second : public Calls {
  public:
   Second(const Package& package, Mode mode, const std::string& name)
       : library_(package.binary(interface_of(package.description(), mode))), f_(library_) {
-    if (mode == Mode::co_simulation)
+    if (mode == Mode::co_simulation) {
       library_.find(step_, "fmi2DoStep");
-    else
+      library_.find(get_boolean_status_, "fmi2GetBooleanStatus");
+    } else {
       model_.emplace(library_);
+    }
     callbacks_.logger = log;
     callbacks_.allocateMemory = std::calloc;
     callbacks_.freeMemory = std::free;
@@ -171,8 +173,9 @@ class Second : public Calls {
   }
   bool leave_event() override { return check(model_->leave_event(unit_), "fmi2EnterContinuousTimeMode"); }
 
-  bool step(double time, double length, StepInfo&) override {
-    return check(step_(unit_, time, length, fmi2False), "fmi2DoStep");
+  bool step(double time, double length, StepInfo& info) override {
+    const fmi2Status status = step_(unit_, time, length, fmi2False);
+    return (status == fmi2Discard && (info.terminates = wants_end())) || check(status, "fmi2DoStep");
   }
 
   std::size_t state_size() override {
@@ -203,6 +206,12 @@ class Second : public Calls {
   }
 
  private:
+  /// Has it discarded a step since its run is over?
+  bool wants_end() const {
+    fmi2Boolean terminated = fmi2False;
+    return get_boolean_status_(unit_, fmi2Terminated, &terminated) == fmi2OK && terminated != fmi2False;
+  }
+
   bool check(fmi2Status status, const char* call) {
     if (status < ends_at) return true;
     failed_ = true;
@@ -216,6 +225,7 @@ class Second : public Calls {
   Functions f_;
   std::optional<ModelFunctions> model_;
   decltype(fmi2DoStep)* step_ = nullptr;
+  decltype(fmi2GetBooleanStatus)* get_boolean_status_ = nullptr;
   fmi2Component unit_ = nullptr;
   bool started_ = false, failed_ = false;
   const char* call_ = "";

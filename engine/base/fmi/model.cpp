@@ -195,6 +195,7 @@ bool Model::save() {
 
 bool Model::load() {
   const double* behind = exchange_.kept() + (exchange_.state_bytes + 7) / 8;
+  exchange_.ended = 0;
   exchange_.next = *behind++;
   for (char& sign : signs_) sign = *behind++ != 0.0;
   for (double& number : last_) number = *behind++;

@@ -17,15 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder of binaries for this machine, as each version calls it.
-std::string platform(int version) {
-#if defined(__aarch64__)
-  return version == 2 ? "aarch64-linux" : "aarch64-linux";
-#else
-  return version == 2 ? "linux64" : "x86_64-linux";
-#endif
-}
-
 std::string platforms_of(const Archive& archive) {
   std::set<std::string> found;
   for (const std::string& name : archive.names()) {
@@ -59,6 +50,14 @@ FileState state_of(const std::string& path) {
 
 }  // namespace
 
+std::string binary_folder([[maybe_unused]] int version) {
+#if defined(__aarch64__)
+  return "binaries/aarch64-linux/";
+#else
+  return version == 2 ? "binaries/linux64/" : "binaries/x86_64-linux/";
+#endif
+}
+
 Package::Package(const std::string& path) : path_(path) {
   try {
     const Archive archive(path);
@@ -82,15 +81,15 @@ Package::~Package() {
 }
 
 void Package::unpack_binaries(const Archive& archive, const Interface& of) {
-  const std::string here = platform(description_.version);
-  if (!archive.contains(fmt::format("binaries/{}/{}.so", here, of.identifier)))
-    throw UnitError(fmt::format("it has {}, and none for this platform: binaries/{}/{}.so is missing",
+  const std::string here = binary_folder(description_.version);
+  if (!archive.contains(fmt::format("{}{}.so", here, of.identifier)))
+    throw UnitError(fmt::format("it has {}, and none for this platform: {}{}.so is missing",
                                 platforms_of(archive), here, of.identifier));
-  archive.unpack(fmt::format("binaries/{}/", here), folder_);
+  archive.unpack(here, folder_);
 }
 
 std::string Package::binary(const Interface& of) const {
-  return (folder_ / "binaries" / platform(description_.version) / (of.identifier + ".so")).string();
+  return (folder_ / binary_folder(description_.version) / (of.identifier + ".so")).string();
 }
 
 std::string Package::resources() const {

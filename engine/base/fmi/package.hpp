@@ -9,6 +9,9 @@
 
 namespace stepwire::fmi {
 
+/// The folder of binaries for this machine, as a version of FMI calls it: "binaries/x86_64-linux/".
+std::string binary_folder(int version);
+
 /// A unit's file, unpacked: what it says of itself, its binary and its resources.
 class Package {
  public:

@@ -69,7 +69,8 @@ bool ValueGroups::get(Calls& calls, double* numbers) {
       const auto* values = reinterpret_cast<const decltype(zero)*>(group.room.data());
       for (std::size_t i = 0; i < size; ++i) {
         const Place& place = group.places[i];
-        numbers[place.number] = place.offset + place.factor * static_cast<double>(values[i]);
+        const double scaled = place.factor * static_cast<double>(values[i]);
+        numbers[place.number] = place.offset == 0.0 ? scaled : place.offset + scaled;  // -0 stays what it is
       }
     });
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/base/hash/hash.hpp"
+#include "engine/simulate/codegen/between_ticks.hpp"
 #include "engine/simulate/codegen/cpp_words.hpp"
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/names.hpp"
@@ -227,22 +228,31 @@ std::string states_definitions(const plan::Plan& plan, const Group& states) {
                : fmt::format("  w_[{}] = 0.0;\n", plan.layout.events + solve::EventReport::ahead)));
 }
 
+std::string save_definitions(const plan::Plan& plan, const Tuned& tuned) {
+  return fmt::format(
+      "void Diagram::save(State& state) const {{\n  state.layout = {0};\n  state.tick = tick;\n"
+      "  std::memcpy(state.numbers, w_, sizeof w_);\n}}\n\n"
+      "bool Diagram::restore(const State& state) {{\n  if (state.layout != {0}) return false;\n"
+      "  tick = state.tick;\n  std::memcpy(w_, state.numbers, sizeof w_);\n{1}  return true;\n}}\n\n",
+      layout_key(plan), tuned.restore);
+}
+
 }  // namespace
 
 std::string struct_text(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
-                        const std::string& name) {
+                        const std::string& name, bool between_ticks) {
   const bool tunes = !tuning.parameters.empty();
   return fmt::format(struct_head, name, cpp_comment(plan.diagram.title), number_text(plan.diagram.step)) +
          group_text(groups.inputs) + group_text(groups.outputs) + group_text(groups.recorded) +
          group_text(groups.parameters) + fixed_text(tuning) + (tunes ? parameter_members : "") +
-         states_text(groups.states) +
+         states_text(groups.states) + (between_ticks ? between_ticks_members(plan) : "") +
          fmt::format(struct_members, tunes ? ";" : " { reset(); }", number_text(plan.diagram.step),
                      plan.layout.size, tuned(plan, tuning).members, name,
                      plan.loops.empty() ? "" : unsolved_member, stopped_time(plan));
 }
 
 std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
-                               const std::string& name) {
+                               const std::string& name, bool between_ticks) {
   const plan::Layout& layout = plan.layout;
   const Tuned tuned = codegen::tuned(plan, tuning);
   return fmt::format("namespace {} {{\n\n", name) + tuned.functions +
@@ -252,13 +262,11 @@ std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, con
              "[[gnu::flatten]] void Diagram::advance() {{\n  ::advance(w_, {1}, tick);\n  ++tick;\n}}\n\n",
              tuned.check, tuned.numbers, copies(groups.inputs, true), copies(groups.inputs, false),
              copies(groups.outputs, true), copies(groups.recorded, true)) +
-         fmt::format(
-             "void Diagram::save(State& state) const {{\n  state.layout = {0};\n  state.tick = tick;\n"
-             "  std::memcpy(state.numbers, w_, sizeof w_);\n}}\n\n"
-             "bool Diagram::restore(const State& state) {{\n  if (state.layout != {0}) return false;\n"
-             "  tick = state.tick;\n  std::memcpy(w_, state.numbers, sizeof w_);\n{1}  return true;\n}}\n\n",
-             layout_key(plan), tuned.restore) +
+         save_definitions(plan, tuned) +
          states_definitions(plan, groups.states) + unsolved_text(plan) +
+         (between_ticks ? between_ticks_definitions(plan, tuned.numbers, tuned.check + copies(groups.inputs, false),
+                                                    copies(groups.outputs, true) + copies(groups.recorded, true))
+                        : "") +
          fmt::format(
              "bool Diagram::finite() const {{\n"
              "  std::uint64_t bits = 0;  // a product with 0 is 0 for what is finite and nan for the rest\n"

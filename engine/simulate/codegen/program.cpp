@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "engine/simulate/codegen/between_ticks.hpp"
 #include "engine/simulate/codegen/event_text.hpp"
 #include "engine/simulate/codegen/functions.hpp"
 #include "engine/simulate/codegen/guard_text.hpp"
@@ -71,6 +72,19 @@ class Maker {
                     "  w[at::timed] = {};\n  once(w, numbers);\n{}}}\n",
                     start_.constants(), number_text(plan::Layout::never),
                     plan_.rest.empty() ? "" : "  w[" + ahead_place() + "] = 0.0;\n"));
+  }
+
+  /// What a block finds wrong holds for this evaluation alone.
+  void add_between_ticks() {
+    std::vector<Code> code{{plan_.timed.empty() ? "" : "  follow_time(w, numbers);\n"}};
+    append(code, outputs_of(plan_.outputs));
+    functions_.add("outputs_here", state_parameters, state_arguments, code);
+    functions_.add_text(
+        fmt::format("inline void evaluate_here(double* w, const double* numbers) {{\n"
+                    "  for (int i = {0}; i < {1}; ++i) w[i] = Diagnostic::never;\n"
+                    "  outputs_here(w, numbers, 0);\n{2}}}\n\n",
+                    plan_.layout.diagnostics, plan_.layout.diagnostics + plan_.layout.diagnostic_count,
+                    evaluate_here_text(plan_)));
   }
 
   GeneratedProgram program() const;
@@ -259,10 +273,11 @@ GeneratedProgram Maker::program() const {
 
 }  // namespace
 
-GeneratedProgram make_program(const plan::Plan& plan, const Tuning& tuning) {
+GeneratedProgram make_program(const plan::Plan& plan, const Tuning& tuning, bool between_ticks) {
   require_headers(plan);
   Maker maker(plan, tuning.variable, tuning.places);
   maker.add_steps();
+  if (between_ticks) maker.add_between_ticks();
   maker.add_reset();
   if (tuning.parameters.empty()) return maker.program();
   maker.add_follow();

@@ -23,7 +23,11 @@ struct GeneratedProgram {
 /// with their lines. What may change is read from `numbers`, those of the tuning; then there is also
 ///
 ///     void follow_values(double* w, const double* numbers)   what follows from the numbers alone, once more
-GeneratedProgram make_program(const plan::Plan& plan, const Tuning& tuning = {});
+///
+/// With `between_ticks`, for which why_ticks_only() has to be empty, also
+///
+///     void evaluate_here(double* w, const double* numbers)   outputs and slopes for the time and the states in w
+GeneratedProgram make_program(const plan::Plan& plan, const Tuning& tuning = {}, bool between_ticks = false);
 
 /// The steps alone, for runs that begin in the interpreter: without reset(), and `variable` members read from
 /// a NumberTable.

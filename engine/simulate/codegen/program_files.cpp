@@ -19,22 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a program is called in its own files. Each is a word that is none of C++, of a library or of CMake.
-struct OwnNames {
-  explicit OwnNames(const std::string& of_file)
-      : stem(cpp_identifier(of_file)),
-        space(stem + "_diagram"),
-        header(stem + ".hpp"),
-        main(stem + "-main.cpp"),
-        c_header(stem + "-c.h"),
-        c_source(stem + "-c.cpp") {}
-
-  std::string stem;   ///< "rig", of files and of the program
-  std::string space;  ///< the namespace
-  std::string header;
-  std::string main, c_header, c_source;  ///< no identifier has a '-'
-};
-
 bool uses_eigen(const std::map<std::string, std::string>& files) {
   return std::ranges::any_of(
       files, [](const auto& file) { return file.second.find("#include <Eigen/") != std::string::npos; });
@@ -115,7 +99,7 @@ constexpr char cmake_form[] =
     "  set_target_properties({0}_main PROPERTIES EXCLUDE_FROM_ALL TRUE)\n"
     "endif()\n";
 
-std::string cmake_text(const OwnNames& names, const std::vector<std::string>& folders, bool c_interface,
+std::string cmake_text(const ProgramNames& names, const std::vector<std::string>& folders, bool c_interface,
                        bool uses_eigen) {
   std::string more;
   for (const std::string& folder : folders)
@@ -129,7 +113,7 @@ std::string cmake_text(const OwnNames& names, const std::vector<std::string>& fo
       c_interface ? " " + names.c_source : "", more);
 }
 
-std::string source_text(const GeneratedProgram& program, const OwnNames& names, const HeaderFiles& headers,
+std::string source_text(const GeneratedProgram& program, const ProgramNames& names, const HeaderFiles& headers,
                         const std::string& definitions) {
   std::string text = fmt::format(
       "#include \"{}\"\n\n#include <bit>\n#include <cmath>\n#include <cstring>\n#include <limits>\n\n"
@@ -143,10 +127,19 @@ std::string source_text(const GeneratedProgram& program, const OwnNames& names, 
 
 }  // namespace
 
+ProgramNames::ProgramNames(const std::string& name)
+    : stem(cpp_identifier(name)),
+      space(stem + "_diagram"),
+      header(stem + ".hpp"),
+      source(stem + ".cpp"),
+      main(stem + "-main.cpp"),
+      c_header(stem + "-c.h"),
+      c_source(stem + "-c.cpp") {}
+
 std::map<std::string, std::string> program_files(const plan::Plan& plan, const Tuning& tuning,
                                                  const ProgramOptions& options) {
-  const GeneratedProgram program = make_program(plan, tuning);
-  const OwnNames names(options.name);
+  const GeneratedProgram program = make_program(plan, tuning, options.between_ticks);
+  const ProgramNames names(options.name);
   const IncludedHeaders included = with_included(program.headers);
   const HeaderFiles headers(included);
   const Groups groups(plan, tuning);
@@ -154,9 +147,10 @@ std::map<std::string, std::string> program_files(const plan::Plan& plan, const T
       cpp_comment(fmt::format("{} made this from {}", options.made_by, plan.diagram.file));
   const std::string note = "// " + made + "\n\n";
   std::map<std::string, std::string> files;
-  files[names.header] = note + struct_text(plan, tuning, groups, names.space);
-  files[names.stem + ".cpp"] =
-      note + source_text(program, names, headers, struct_definitions(plan, tuning, groups, names.space));
+  files[names.header] = note + struct_text(plan, tuning, groups, names.space, options.between_ticks);
+  files[names.source] =
+      note + source_text(program, names, headers,
+                         struct_definitions(plan, tuning, groups, names.space, options.between_ticks));
   files[names.main] = note + main_text(plan, names.header, names.space);
   if (options.c_interface) {
     const CInterface c = c_interface(plan, tuning, groups, names.space, names.header, names.c_header);
@@ -166,6 +160,11 @@ std::map<std::string, std::string> program_files(const plan::Plan& plan, const T
   headers.add_to(files);
   files["CMakeLists.txt"] = cmake_text(names, headers.folders(), options.c_interface, uses_eigen(files));
   return files;
+}
+
+std::vector<std::string> header_folders(const plan::Plan& plan) {
+  const IncludedHeaders included = with_included(headers_of(plan));
+  return HeaderFiles(included).folders();
 }
 
 }  // namespace stepwire::codegen

@@ -1,0 +1,80 @@
+#include "engine/app/cli/generate_unit.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "engine/app/cli/console.hpp"
+#include "engine/app/fmu/unit_export.hpp"
+#include "engine/app/session/version.hpp"
+#include "engine/base/fmi/archive_bytes.hpp"
+#include "engine/base/io/environment_error.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/base/subprocess/process.hpp"
+#include "engine/view/drawing/draw.hpp"
+
+namespace stepwire::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* converter = "rsvg-convert";
+
+/// The icon, as PNG; empty without the program that makes it.
+std::string icon_of(const std::string& drawing, std::string& left_out) {
+  const std::string program = subprocess::find_program(converter);
+  if (program.empty()) {
+    left_out = fmt::format("the icon, since {} is not installed; on Debian it is the package librsvg2-bin",
+                           converter);
+    return "";
+  }
+  return subprocess::run_helper(
+             converter,
+             {.command = {program, "--format=png", "--width=256", "--keep-aspect-ratio"}, .input = drawing})
+      .output;
+}
+
+/// A unit is as good without its pictures: where they cannot be made, `left_out` has why.
+void draw(const UnitCall& call, const Registry& registry, fmu::ExportOptions& options,
+          std::string& left_out) {
+  try {
+    diagram::Loader loader(registry);
+    options.drawing = drawing::draw_picture(drawing::DrawnFile(loader, call.file).view().graph({}));
+    options.icon = icon_of(options.drawing, left_out);
+  } catch (const subprocess::ProcessStopped&) {
+    throw;
+  } catch (const std::exception& error) {
+    left_out = fmt::format("the drawing: {}", error.what());
+  }
+}
+
+/// Refuses a target early that cannot be written.
+void require_target(const std::string& out) {
+  if (fs::is_directory(out))
+    throw io::EnvironmentError(out + ": is a folder; a unit is a file, such as " + out + "/unit.fmu");
+  const fs::path folder = fs::path(out).parent_path();
+  if (!folder.empty()) io::require_folder(folder.string());
+}
+
+}  // namespace
+
+ExitCode generate_unit(const UnitCall& call, const Registry& registry, const session::LoadedModel& model,
+                       const codegen::Tuning& tuning) {
+  require_target(call.out);
+  const codegen::Compiler compiler;
+  fmu::ExportOptions options{
+      .version = call.version, .name = call.name, .made_by = "stepwire " + session::program_version()};
+  std::string left_out;
+  if (compiler.found()) draw(call, registry, options, left_out);
+  const fmu::UnitExport made = fmu::export_unit(model.job.plan, tuning, options, compiler);
+  io::write_file(call.out, fmi::archive_bytes(made.files));
+  say("{}: {} blocks written to {}, a unit of FMI {} for co-simulation{}\n", call.file,
+      model.job.plan.blocks.size(), call.out, call.version,
+      made.no_exchange.empty() ? " and model exchange" : "");
+  if (!made.no_exchange.empty()) say("  no model exchange: {}\n", made.no_exchange);
+  if (!left_out.empty()) say("  left out: {}\n", left_out);
+  return ExitCode::done;
+}
+
+}  // namespace stepwire::cli

@@ -1,0 +1,174 @@
+#include "engine/app/fmu/description.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "engine/app/fmu/units.hpp"
+
+namespace stepwire::fmu {
+
+namespace {
+
+std::string joined(const std::vector<double>& numbers) {
+  std::vector<std::string> words;
+  for (const double number : numbers) words.push_back(xml_number(number));
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+/// Do all names follow the grammar of structured names?
+bool structured(const std::vector<Variable>& variables) {
+  static const std::regex name(
+      R"(([A-Za-z_]\w*(\.[A-Za-z_]\w*)*(\[\d+(,\d+)*\])?)|(der\([A-Za-z_]\w*(\.[A-Za-z_]\w*)*(\[\d+(,\d+)*\])?\)))");
+  return std::ranges::all_of(variables,
+                             [](const Variable& variable) { return std::regex_match(variable.name, name); });
+}
+
+class Writer {
+ public:
+  Writer(const UnitAbout& about, const std::vector<Variable>& variables)
+      : about_(about), variables_(variables), third_(about.version == 3) {}
+
+  Element root() const {
+    Element root{"fmiModelDescription"};
+    root.set("fmiVersion", third_ ? "3.0" : "2.0")
+        .set("modelName", about_.name)
+        .set(third_ ? "instantiationToken" : "guid", about_.token)
+        .set("description", about_.title)
+        .set("generationTool", about_.made_by)
+        .set("variableNamingConvention", structured(variables_) ? "structured" : "flat");
+    if (!third_) root.set("numberOfEventIndicators", std::to_string(about_.exchange ? about_.crossings : 0));
+    if (about_.exchange) root.add(interface("ModelExchange"));
+    root.add(interface("CoSimulation"));
+    root.add_filled(unit_definitions(variables_));
+    root.add_filled(type_definitions(variables_, about_.version));
+    root.add({"LogCategories"})
+        .add({"Category"})
+        .set("name", "logStatusError")
+        .set("description", "what is wrong with a call, or what has ended the run");
+    root.add({"DefaultExperiment"})
+        .set("startTime", 0.0)
+        .set("stopTime", about_.stop)
+        .set("stepSize", about_.step);
+    Element& list = root.add({"ModelVariables"});
+    for (std::size_t i = 0; i < variables_.size(); ++i) list.add(variable(i));
+    root.add(third_ ? structure_of_3() : structure_of_2());
+    return root;
+  }
+
+ private:
+  Element interface(const char* kind) const {
+    Element element{kind};
+    element.set("modelIdentifier", about_.identifier);
+    const bool steps = kind == std::string_view("CoSimulation");
+    if (steps) element.set("canHandleVariableCommunicationStepSize", "true");
+    if (steps && third_) element.set("fixedInternalStepSize", about_.step);
+    element.set(third_ ? "canGetAndSetFMUState" : "canGetAndSetFMUstate", "true")
+        .set(third_ ? "canSerializeFMUState" : "canSerializeFMUstate", "true")
+        .set(third_ ? "providesDirectionalDerivatives" : "providesDirectionalDerivative", "true");
+    if (!third_) element.add({"SourceFiles"}).add({"File"}).set("name", about_.source);
+    return element;
+  }
+
+  /// What the type of a variable says of it.
+  void set_typed(Element& element, const Variable& variable) const {
+    const std::string unit = unit_name(variable);
+    if (!unit.empty()) element.set("declaredType", type_name(unit)).set("unit", unit);
+    if (!variable.shown_in.empty()) element.set("displayUnit", variable.shown_in);
+    if (variable.at_least) element.set("min", *variable.at_least);
+    if (variable.at_most) element.set("max", *variable.at_most);
+    if (variable.derivative_of >= 0)
+      element.set("derivative", std::to_string(variable.derivative_of + (third_ ? 0 : 1)));
+    if (!variable.start.empty()) element.set("start", joined(variable.start));
+  }
+
+  Element variable(std::size_t i) const {
+    const Variable& variable = variables_[i];
+    Element element{third_ ? "Float64" : "ScalarVariable"};
+    element.set("name", variable.name).set("valueReference", std::to_string(i));
+    if (!variable.about.empty()) element.set("description", variable.about);
+    element.set("causality", variable.causality).set("variability", variable.variability);
+    if (variable.causality == "parameter") element.set("initial", "exact");
+    if (variable.causality == "output" || variable.causality == "local") element.set("initial", "calculated");
+    if (third_) {
+      set_typed(element, variable);
+      for (const Index size : variable.sizes) element.add({"Dimension"}).set("start", std::to_string(size));
+    } else {
+      set_typed(element.add({"Real"}), variable);
+    }
+    return element;
+  }
+
+  /// The numbers by which the description names variables, those on which one depends.
+  std::string dependencies(const Variable& variable) const {
+    std::vector<std::string> words;
+    for (std::size_t i = 0; i < variables_.size(); ++i) {
+      const Variable& known = variables_[i];
+      const bool is_known = known.kind == Kind::input || known.kind == Kind::state;
+      if (is_known && variable.depends_on.contains(known.block)) words.push_back(number(i));
+    }
+    return fmt::format("{}", fmt::join(words, " "));
+  }
+  std::string number(std::size_t i) const { return std::to_string(i + (third_ ? 0 : 1)); }
+
+  Element unknown(const char* name, std::size_t i) const {
+    Element element{name};
+    element.set(third_ ? "valueReference" : "index", number(i));
+    return element;
+  }
+
+  template <class Add>
+  void each(Kind kind, const Add& add) const {
+    for (std::size_t i = 0; i < variables_.size(); ++i)
+      if (variables_[i].kind == kind) add(i);
+  }
+
+  void add_outputs(Element& to, const char* name) const {
+    for (std::size_t i = 0; i < variables_.size(); ++i)
+      if (variables_[i].causality == "output")
+        to.add(unknown(name, i)).set("dependencies", dependencies(variables_[i]));
+  }
+  void add_slopes(Element& to, const char* name) const {
+    each(Kind::slope,
+         [&](std::size_t i) { to.add(unknown(name, i)).set("dependencies", dependencies(variables_[i])); });
+  }
+  void add_initial(Element& to, const char* name) const {
+    for (std::size_t i = 0; i < variables_.size(); ++i) {
+      const Kind kind = variables_[i].kind;
+      if (variables_[i].causality == "output" || kind == Kind::state || kind == Kind::slope)
+        to.add(unknown(name, i));
+    }
+  }
+
+  Element structure_of_3() const {
+    Element structure{"ModelStructure"};
+    add_outputs(structure, "Output");
+    add_slopes(structure, "ContinuousStateDerivative");
+    add_initial(structure, "InitialUnknown");
+    each(Kind::indicator, [&](std::size_t i) { structure.add(unknown("EventIndicator", i)); });
+    return structure;
+  }
+
+  Element structure_of_2() const {
+    Element structure{"ModelStructure"}, outputs{"Outputs"}, slopes{"Derivatives"},
+        initial{"InitialUnknowns"};
+    add_outputs(outputs, "Unknown");
+    add_slopes(slopes, "Unknown");
+    add_initial(initial, "Unknown");
+    for (Element* one : {&outputs, &slopes, &initial}) structure.add_filled(std::move(*one));
+    return structure;
+  }
+
+  const UnitAbout& about_;
+  const std::vector<Variable>& variables_;
+  bool third_;
+};
+
+}  // namespace
+
+std::string description_text(const UnitAbout& about, const std::vector<Variable>& variables) {
+  return xml_text(Writer(about, variables).root());
+}
+
+}  // namespace stepwire::fmu

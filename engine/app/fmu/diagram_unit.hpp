@@ -1,0 +1,265 @@
+#pragma once
+
+// Part of the sources of every exported unit: the standard library alone is included.
+
+#include <cmath>
+#include <cstring>
+#include <new>
+#include <type_traits>
+
+#include "engine/app/fmu/difference.hpp"
+
+namespace stepwire::fmu {
+
+/// A unit of a generated diagram. `Source` has Diagram, the struct; step [s]; layout, by which states of one
+/// unit are known; variables and their count.
+template <class Source>
+class DiagramUnit final : public ExportedUnit {
+  using Diagram = typename Source::Diagram;
+  using Moving = MovingDiagram<Source>;
+  static_assert(std::is_trivially_copyable_v<Moving> && std::is_trivially_destructible_v<Moving>);
+  static constexpr bool can_exchange = requires(Diagram & d) { d.evaluate_at(0.0); };
+
+ public:
+  DiagramUnit(bool exchange, void* caller, Log log) : ExportedUnit(caller, log), moving_(exchange) {}
+
+  Phase phase() const override { return moving_.phase; }
+  bool exchanges() const override { return moving_.exchange; }
+  std::size_t state_count() const override {
+    if constexpr (can_exchange) return Diagram::state_count;
+    return 0;
+  }
+  std::size_t crossing_count() const override {
+    if constexpr (requires(Diagram & d) { d.crossings(nullptr); }) return Diagram::crossing_count;
+    return 0;
+  }
+
+  Status enter_initialization(double start) override {
+    if (!allows(0u | Phase::made, "EnterInitializationMode")) return Status::error;
+    const double ticks = std::round(start / Source::step);
+    if (!(std::fabs(ticks - start / Source::step) < near) || ticks < 0.0)
+      return refuse("it cannot begin at %g s, which is no whole number of its steps of %g s", start,
+                    Source::step);
+    moving_.first_tick = static_cast<std::int64_t>(ticks);
+    moving_.time = start;
+    moving_.phase = Phase::initializing;
+    return Status::ok;
+  }
+  Status leave_initialization() override {
+    if (!allows(0u | Phase::initializing, "ExitInitializationMode")) return Status::error;
+    moving_.evaluate();
+    moving_.phase = moving_.exchange ? Phase::at_event : Phase::stepping;
+    return Status::ok;
+  }
+  Status terminate() override {
+    if (!allows(Phase::at_event | Phase::continuous | Phase::stepping, "Terminate")) return Status::error;
+    moving_.phase = Phase::ended;
+    return Status::ok;
+  }
+  Status reset() override {
+    const bool exchange = moving_.exchange;
+    ::new (static_cast<void*>(&moving_)) Moving(exchange);
+    return Status::ok;
+  }
+
+  std::ptrdiff_t numbers_of(References references) const override {
+    std::ptrdiff_t numbers = 0;
+    for (std::size_t i = 0; i < references.count; ++i) {
+      if (references.of[i] >= Source::count) return -1;
+      numbers += Source::variables[references.of[i]].size;
+    }
+    return numbers;
+  }
+
+  Status get(References references, double* values, std::size_t numbers) override {
+    constexpr unsigned phases = Phase::initializing | Phase::at_event | Phase::continuous | Phase::stepping |
+                                Phase::ended | Phase::failed;
+    if (!allows(phases, "a Get function") || !fit(references, numbers)) return Status::error;
+    moving_.evaluate();
+    moving_.read(references, values);
+    return Status::ok;
+  }
+
+  Status set(References references, const double* values, std::size_t numbers) override {
+    constexpr unsigned phases =
+        Phase::made | Phase::initializing | Phase::at_event | Phase::continuous | Phase::stepping;
+    if (!allows(phases, "a Set function") || !fit(references, numbers)) return Status::error;
+    bool parameters = false;
+    for (std::size_t i = 0; i < references.count; ++i) {
+      const UnitVariable& variable = Source::variables[references.of[i]];
+      if (variable.kind != Kind::parameter && variable.kind != Kind::input)
+        return refuse("%s is neither an input nor a parameter, and cannot be set", variable.name);
+      parameters |= variable.kind == Kind::parameter;
+    }
+    if (parameters && phase() == Phase::continuous)
+      return refuse("a parameter can be set in event mode, not in continuous-time mode");
+    if (parameters) return set_parameters(references, values);
+    moving_.write(references, values);
+    return Status::ok;
+  }
+
+  Status derivative(References unknowns, References knowns, const double* seed, double* sensitivity) override;
+  Status step(double time, double length, StepEnd& end) override;
+
+  Status set_time(double time) override {
+    if (!allows(Phase::at_event | Phase::continuous, "SetTime")) return Status::error;
+    moving_.time = time;
+    moving_.evaluated = false;
+    return Status::ok;
+  }
+  Status set_states(const double* states, std::size_t count) override {
+    if (!allows(Phase::at_event | Phase::continuous, "SetContinuousStates") || !are_states(count))
+      return Status::error;
+    if constexpr (can_exchange)
+      std::memcpy(moving_.diagram.continuous_states(), states, count * sizeof *states);
+    moving_.evaluated = false;
+    return Status::ok;
+  }
+  Status get_states(double* states, std::size_t count) override {
+    if (!allows(looked_at, "GetContinuousStates") || !are_states(count)) return Status::error;
+    moving_.evaluate();
+    if constexpr (can_exchange)
+      std::memcpy(states, moving_.diagram.continuous_states(), count * sizeof *states);
+    return Status::ok;
+  }
+  Status get_slopes(double* slopes, std::size_t count) override {
+    if (!allows(looked_at, "a call for derivatives") || !are_states(count)) return Status::error;
+    moving_.evaluate();
+    if constexpr (can_exchange) std::memcpy(slopes, moving_.diagram.slopes(), count * sizeof *slopes);
+    return Status::ok;
+  }
+  Status get_crossings(double* numbers, std::size_t count) override {
+    if (!allows(looked_at, "GetEventIndicators")) return Status::error;
+    if (count != crossing_count())
+      return refuse("it has %zu event indicators, not %zu", crossing_count(), count);
+    moving_.evaluate();
+    if constexpr (requires(Diagram & d) { d.crossings(numbers); }) moving_.diagram.crossings(numbers);
+    return Status::ok;
+  }
+  Status complete_step(bool& terminates) override {
+    if (!allows(0u | Phase::continuous, "CompletedIntegratorStep")) return Status::error;
+    moving_.evaluate();
+    if constexpr (can_exchange) moving_.diagram.complete_step();
+    terminates = moving_.diagram.stops();
+    return sound(true);
+  }
+  Status enter_event() override {
+    if (!allows(Phase::continuous | Phase::at_event, "EnterEventMode")) return Status::error;
+    moving_.phase = Phase::at_event;
+    return Status::ok;
+  }
+  Status update(bool& terminates) override {
+    if (!allows(0u | Phase::at_event, "a call for discrete states")) return Status::error;
+    moving_.evaluate();
+    terminates = moving_.diagram.stops();
+    return Status::ok;
+  }
+  Status leave_event() override {
+    if (!allows(0u | Phase::at_event, "EnterContinuousTimeMode")) return Status::error;
+    moving_.phase = Phase::continuous;
+    return Status::ok;
+  }
+
+  std::size_t state_bytes() const override { return sizeof Source::layout + sizeof moving_; }
+  void save(void* bytes) const override {
+    std::memcpy(bytes, &Source::layout, sizeof Source::layout);
+    std::memcpy(static_cast<char*>(bytes) + sizeof Source::layout, &moving_, sizeof moving_);
+  }
+  Status check_state(const void* bytes, std::size_t count) override {
+    const bool same =
+        count == state_bytes() && std::memcmp(bytes, &Source::layout, sizeof Source::layout) == 0;
+    return same ? Status::ok : refuse("this is no state of this unit");
+  }
+  Status load(const void* bytes) override {
+    if (check_state(bytes, state_bytes()) != Status::ok) return Status::error;
+    std::memcpy(static_cast<void*>(&moving_), static_cast<const char*>(bytes) + sizeof Source::layout,
+                sizeof moving_);
+    return Status::ok;
+  }
+
+ private:
+  static constexpr double near = 1e-3;  // of a step: what rounding may do to a time
+  static constexpr unsigned looked_at =
+      Phase::initializing | Phase::at_event | Phase::continuous | Phase::ended;
+
+  bool fit(References references, std::size_t numbers) {
+    for (std::size_t i = 0; i < references.count; ++i)
+      if (references.of[i] >= Source::count)
+        return refuse("it has no variable with the value reference %u", references.of[i]) == Status::ok;
+    const auto own = static_cast<std::size_t>(numbers_of(references));
+    return own == numbers || refuse("these variables are %zu numbers, not %zu", own, numbers) == Status::ok;
+  }
+  bool are_states(std::size_t count) {
+    if (!moving_.exchange) return refuse("it was made for co-simulation, and shows no states") == Status::ok;
+    return count == state_count() ||
+           refuse("it has %zu continuous states, not %zu", state_count(), count) == Status::ok;
+  }
+
+  Status set_parameters(References references, const double* values) {
+    if constexpr (requires(Diagram & d) { d.parameters; }) {
+      const auto former = moving_.diagram.parameters;
+      moving_.write(references, values);
+      if (const char* why = moving_.diagram.check(moving_.diagram.parameters)) {
+        moving_.diagram.parameters = former;
+        return refuse("%s", why);
+      }
+    }
+    moving_.begins |= phase() == Phase::made || phase() == Phase::initializing;
+    return Status::ok;
+  }
+
+  /// Fails where a number is none, or, after a step, where a block has ended it.
+  Status sound(bool stepped) {
+    const char* why = moving_.diagram.finite() ? nullptr : "a signal or a state is no finite number";
+    if (!why && stepped) why = moving_.diagram.fault();
+    if (!why) return Status::ok;
+    moving_.phase = Phase::failed;
+    return refuse("%s, at %g s", why, moving_.now());
+  }
+
+  Moving moving_;
+};
+
+template <class Source>
+Status DiagramUnit<Source>::step(double time, double length, StepEnd& end) {
+  if (!allows(0u | Phase::stepping, "DoStep")) return Status::error;
+  const double ticks = std::round(length / Source::step);
+  moving_.evaluate();
+  end = {moving_.diagram.stops(), true, moving_.now()};
+  if (!(std::fabs(time - end.last) < near * Source::step) && !end.terminates)
+    return refuse("it stands at %.17g s, and no step can begin at %.17g s", end.last, time);
+  if (!(std::fabs(ticks - length / Source::step) < near) || ticks < 1.0)
+    return refuse("%g s is no whole number of its steps of %g s", length, Source::step);
+  for (double tick = 0.0; tick < ticks; ++tick) {
+    if (end.terminates) {
+      end.whole = false;
+      break;
+    }
+    moving_.advance();
+    if (sound(true) != Status::ok) return Status::error;
+    moving_.evaluate();
+    if (sound(false) != Status::ok) return Status::error;
+    end = {moving_.diagram.stops(), true, moving_.now()};
+  }
+  return Status::ok;
+}
+
+template <class Source>
+Status DiagramUnit<Source>::derivative(References unknowns, References knowns, const double* seed,
+                                       double* sensitivity) {
+  constexpr unsigned phases = Phase::initializing | Phase::at_event | Phase::continuous | Phase::stepping;
+  if (!allows(phases, "GetDirectionalDerivative")) return Status::error;
+  if (numbers_of(unknowns) < 0 || numbers_of(knowns) < 0)
+    return refuse("a value reference is that of no variable");
+  for (std::size_t i = 0; i < knowns.count; ++i) {
+    const UnitVariable& known = Source::variables[knowns.of[i]];
+    if (known.kind != Kind::input && !(known.kind == Kind::state && moving_.exchange))
+      return refuse("%s is neither an input nor a continuous state", known.name);
+  }
+  moving_.evaluate();
+  Difference<Source> difference(moving_, unknowns, static_cast<std::size_t>(numbers_of(unknowns)));
+  return difference.add_all(knowns, seed, sensitivity) ? Status::ok
+                                                       : refuse("there is no memory for a derivative");
+}
+
+}  // namespace stepwire::fmu

@@ -1,0 +1,69 @@
+#pragma once
+
+// Part of the sources of every exported unit: the standard library alone is included.
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <new>
+
+#include "engine/app/fmu/moving_diagram.hpp"
+
+namespace stepwire::fmu {
+
+/// Directional derivatives of a diagram, by differences to both sides, one number after the other.
+template <class Source>
+class Difference {
+  using Moving = MovingDiagram<Source>;
+
+ public:
+  Difference(const Moving& at, References unknowns, std::size_t numbers)
+      : at_(at),
+        unknowns_(unknowns),
+        count_(numbers),
+        trial_(new (std::nothrow) Moving(at)),
+        high_(new (std::nothrow) double[numbers + 1]),
+        low_(new (std::nothrow) double[numbers + 1]) {}
+
+  /// The sum over all numbers of the derivative by each, times its seed. False without memory.
+  bool add_all(References knowns, const double* seed, double* sum) {
+    if (!trial_ || !high_ || !low_) return false;
+    std::fill_n(sum, count_, 0.0);
+    for (std::size_t i = 0; i < knowns.count; ++i) {
+      const UnitVariable& known = Source::variables[knowns.of[i]];
+      for (int k = 0; k < known.size; ++k, ++seed)
+        if (*seed != 0.0) add(known, k, *seed, sum);
+    }
+    return true;
+  }
+
+ private:
+  void add(const UnitVariable& known, int k, double seed, double* sum) {
+    constexpr double part = 6e-6, least = 1e-3;  // the cube root of what a double resolves; of a size near 0
+    look(known, k, 0.0, nullptr);
+    const double x = trial_->number(known, k);
+    const double h = part * std::fmax(std::fabs(x), least), above = x + h, below = x - h;
+    look(known, k, above, high_.get());
+    look(known, k, below, low_.get());
+    for (std::size_t j = 0; j < count_; ++j) sum[j] += seed * ((high_[j] - low_[j]) / (above - below));
+  }
+
+  /// The unknowns with another value of a known number; without room for them the diagram as it stands.
+  void look(const UnitVariable& known, int k, double value, double* values) {
+    std::memcpy(static_cast<void*>(trial_.get()), &at_, sizeof at_);
+    if (!values) return;
+    trial_->forget();
+    trial_->number(known, k) = value;
+    trial_->evaluate();
+    trial_->read(unknowns_, values);
+  }
+
+  const Moving& at_;
+  References unknowns_;
+  std::size_t count_;
+  std::unique_ptr<Moving> trial_;
+  std::unique_ptr<double[]> high_, low_;
+};
+
+}  // namespace stepwire::fmu

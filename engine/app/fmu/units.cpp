@@ -1,0 +1,88 @@
+#include "engine/app/fmu/units.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace stepwire::fmu {
+
+namespace {
+
+struct UsedUnit {
+  unit::Dimension dimension;
+  std::set<std::string> shown_in;
+};
+
+std::map<std::string, UsedUnit> units_of(const std::vector<Variable>& variables) {
+  std::map<std::string, UsedUnit> units;
+  for (const Variable& variable : variables) {
+    if (!variable.dimension) continue;
+    UsedUnit& used = units[unit_name(variable)];
+    used.dimension = *variable.dimension;
+    if (!variable.shown_in.empty()) used.shown_in.insert(variable.shown_in);
+  }
+  return units;
+}
+
+bool is_whole(double exponent) {
+  return exponent == std::round(exponent);
+}
+
+/// Nothing for a root of a unit: FMI has whole exponents.
+void add_base_unit(Element& to, const unit::Dimension& dimension) {
+  constexpr const char* names[] = {"m", "kg", "s", "A", "K", "mol", "cd"};
+  Element base{"BaseUnit"};
+  for (std::size_t i = 0; i < dimension.exponents.size(); ++i) {
+    if (!is_whole(dimension.exponents[i])) return;
+    if (dimension.exponents[i] != 0.0) base.set(names[i], dimension.exponents[i]);
+  }
+  if (dimension.angle != 0.0 && is_whole(dimension.angle)) base.set("rad", dimension.angle);
+  to.add(std::move(base));
+}
+
+/// FMI computes what is shown from the value: shown = factor * value + offset.
+Element display_unit(const std::string& name) {
+  const unit::Unit unit = *unit::parse_unit(name);
+  Element display{"DisplayUnit"};
+  display.set("name", name).set("factor", static_cast<double>(1.0L / unit.scale));
+  if (unit.offset != 0.0L) display.set("offset", static_cast<double>(-unit.offset / unit.scale));
+  return display;
+}
+
+}  // namespace
+
+std::string unit_name(const Variable& variable) {
+  return variable.dimension ? unit::si_name(*variable.dimension) : "";
+}
+
+std::string type_name(const std::string& unit) {
+  return "in " + unit;
+}
+
+Element unit_definitions(const std::vector<Variable>& variables) {
+  Element definitions{"UnitDefinitions"};
+  for (const auto& [name, used] : units_of(variables)) {
+    Element& one = definitions.add({"Unit"});
+    one.set("name", name);
+    add_base_unit(one, used.dimension);
+    for (const std::string& shown : used.shown_in) one.add(display_unit(shown));
+  }
+  return definitions;
+}
+
+Element type_definitions(const std::vector<Variable>& variables, int version) {
+  Element definitions{"TypeDefinitions"};
+  for (const auto& [name, used] : units_of(variables)) {
+    if (version == 3) {
+      definitions.add({"Float64Type"}).set("name", type_name(name)).set("unit", name);
+    } else {
+      Element& type = definitions.add({"SimpleType"});
+      type.set("name", type_name(name)).add({"Real"}).set("unit", name);
+    }
+  }
+  return definitions;
+}
+
+}  // namespace stepwire::fmu

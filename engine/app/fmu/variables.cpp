@@ -1,0 +1,236 @@
+#include "engine/app/fmu/variables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <numeric>
+
+#include "engine/app/fmu/dependencies.hpp"
+#include "engine/app/fmu/parameter_limits.hpp"
+#include "engine/simulate/run/executor.hpp"
+
+namespace stepwire::fmu {
+
+namespace {
+
+/// C++ for the first number of a member of the generated struct.
+std::string member_place(const std::string& group, const std::string& member) {
+  return fmt::format("reinterpret_cast<double*>(&d.{}.{})", group, member);
+}
+
+class Collector {
+ public:
+  Collector(const plan::Plan& plan, const codegen::Tuning& tuning)
+      : plan_(plan), tuning_(tuning), groups_(plan, tuning), depends_(plan) {}
+
+  std::vector<Variable> collect(bool exchange) {
+    add({.kind = Kind::time,
+         .causality = "independent",
+         .variability = "continuous",
+         .name = "time",
+         .about = "time",
+         .dimension = unit::parse_unit("s")->dimension},
+        plan::SignalSlot{}, {});
+    add_parameters();
+    add_inputs();
+    add_outputs();
+    add_recorded();
+    if (exchange) add_states();
+    if (exchange && plan_.crossing_count > 0) add_indicators();
+    faults_.throw_if_any();
+    return std::move(variables_);
+  }
+
+ private:
+  void add(Variable variable, const plan::SignalSlot& slot, const diagram::Origin& origin) {
+    const auto [known, is_new] = names_.emplace(variable.name, Named{variables_.size(), slot.offset});
+    if (is_new) return variables_.push_back(std::move(variable));
+    if (slot.offset != 0 && known->second.offset == slot.offset) return;  // the same signal once more
+    faults_.add(plan_.diagram.fault(
+        origin, "record",
+        fmt::format("'{}' would have the name of another variable of the unit, {}; give it another name",
+                    variable.name, variables_[known->second.place].about)));
+  }
+
+  void add_parameters() {
+    for (std::size_t i = 0; i < tuning_.parameters.size(); ++i) {
+      const auto d = static_cast<std::size_t>(tuning_.parameters[i]);
+      const diagram::DiagramParameter& parameter = plan_.diagram.parameters[d];
+      const codegen::GroupMember& member = groups_.parameters.members[i];
+      Variable variable{.kind = Kind::parameter,
+                        .causality = "parameter",
+                        .variability = "tunable",
+                        .name = parameter.name,
+                        .about = parameter.doc,
+                        .dimension = parameter.dimension,
+                        .shown_in = written_unit(parameter.text),
+                        .sizes = member.sizes,
+                        .start = member.initial,
+                        .place = member_place("parameters", member.name)};
+      limit(variable.at_least, variable.at_most, plan_.diagram.bindings->definitions[d].bounds);
+      add(std::move(variable), {}, {});
+    }
+  }
+
+  void add_inputs() {
+    const run::Executor start(plan_);
+    for (std::size_t i = 0; i < plan_.diagram.inputs.size(); ++i) {
+      const diagram::DiagramInput& input = plan_.diagram.inputs[i];
+      const auto block = static_cast<std::size_t>(input.block);
+      const plan::SignalSlot& slot = plan_.blocks[block].outputs.front();
+      Variable variable = signal(Kind::input, input.name, input.doc, {input.block, 0, -1}, slot);
+      variable.causality = "input";
+      variable.variability = "continuous";
+      variable.place = member_place("inputs", groups_.inputs.members[i].name);
+      variable.block = input.block;
+      for (Index k = 0; k < slot.size; ++k)  // row by row
+        variable.start.push_back(
+            start.values()[slot.offset +
+                           static_cast<std::size_t>(k % slot.columns * slot.rows() + k / slot.columns)]);
+      add(std::move(variable), slot, plan_.diagram.blocks[block].origin);
+    }
+  }
+
+  void add_outputs() {
+    for (std::size_t i = 0; i < plan_.diagram.outputs.size(); ++i) {
+      const diagram::DiagramOutput& output = plan_.diagram.outputs[i];
+      Variable variable =
+          signal(Kind::output, output.name, output.doc, output.signal, plan_.slot(output.signal));
+      variable.place = member_place("outputs", groups_.outputs.members[i].name);
+      add(std::move(variable), plan_.slot(output.signal), output.origin);
+    }
+  }
+
+  void add_recorded() {
+    for (const diagram::RecordRequest& request : plan_.diagram.records)
+      for (const diagram::RecordedSignal& recorded : request.signals) {
+        Variable variable =
+            signal(Kind::output, recorded.name, "", recorded.signal, plan_.slot(recorded.signal));
+        variable.place = member_place("recorded", codegen::recorded_member(recorded));
+        add(std::move(variable), plan_.slot(recorded.signal), recorded.origin);
+      }
+  }
+
+  /// What is known of a signal; an output until something else is said.
+  Variable signal(Kind kind, const std::string& name, const std::string& doc, const diagram::SignalRef& of,
+                  const plan::SignalSlot& slot) {
+    const auto block = static_cast<std::size_t>(of.block);
+    Variable variable{.kind = kind,
+                      .causality = "output",
+                      .name = name,
+                      .about = doc.empty() ? about(of) : doc,
+                      .dimension = plan_.dimension(of)};
+    variable.variability =
+        plan_.blocks[block].rate.kind == plan::Rate::Kind::continuous ? "continuous" : "discrete";
+    if (slot.columns > 1) {
+      variable.sizes = {slot.rows(), slot.columns};
+      variable.rows = static_cast<int>(slot.rows());
+    } else if (slot.size != 1) {
+      variable.sizes = {slot.size};
+    }
+    if (kind == Kind::output) variable.depends_on = depends_.of(of);
+    return variable;
+  }
+  std::string about(const diagram::SignalRef& of) const {
+    const BlockType& type = plan_.diagram.blocks[static_cast<std::size_t>(of.block)].type();
+    return of.output >= 0 ? type.outputs[static_cast<std::size_t>(of.output)].doc
+                          : type.states[static_cast<std::size_t>(of.state)].doc;
+  }
+
+  void add_states() {
+    for (std::size_t b = 0; b < plan_.blocks.size(); ++b)
+      for (std::size_t s = 0; s < plan_.blocks[b].states.size(); ++s) {
+        const plan::SignalSlot& slot = plan_.blocks[b].states[s];
+        const bool continuous = slot.offset >= plan_.layout.states && slot.offset < plan_.layout.derivatives;
+        if (continuous && slot.size > 0)
+          states_[slot.offset] = {static_cast<int>(b), -1, static_cast<int>(s)};
+      }
+    for (const auto& [offset, state] : states_) add_state(state);  // in the order of the solver's numbers
+  }
+
+  void add_state(const diagram::SignalRef& state) {
+    const diagram::DiagramBlock& block = plan_.diagram.blocks[static_cast<std::size_t>(state.block)];
+    const StateSpec& spec = block.type().states[static_cast<std::size_t>(state.state)];
+    const plan::SignalSlot& slot = plan_.slot(state);
+    const std::string name = block.name + "." + spec.name;
+    std::size_t place = variables_.size();
+    const auto known = names_.find(name);
+    if (known != names_.end() && known->second.offset == slot.offset && slot.columns == 1) {
+      place = known->second.place;
+      variables_[place].kind = Kind::state;
+      variables_[place].variability = "continuous";
+    } else {
+      Variable variable = signal(Kind::state, free_name(name), spec.doc, state, slot);
+      variable.causality = "local";
+      variable.variability = "continuous";
+      as_list(variable);
+      add(std::move(variable), slot, block.origin);
+    }
+    variables_[place].place = fmt::format("(d.continuous_states() + {})", slot.offset - plan_.layout.states);
+    variables_[place].block = state.block;
+    add_slope(state, place);
+  }
+
+  void add_slope(const diagram::SignalRef& state, std::size_t place) {
+    const diagram::DiagramBlock& block = plan_.diagram.blocks[static_cast<std::size_t>(state.block)];
+    const std::string of = variables_[place].name;
+    const plan::SignalSlot& slot = plan_.slot(state);
+    Variable slope = signal(Kind::slope, free_name("der(" + of + ")"), "derivative of " + of, state, slot);
+    slope.causality = "local";
+    slope.variability = "continuous";
+    as_list(slope);
+    if (slope.dimension) slope.dimension = *slope.dimension / unit::parse_unit("s")->dimension;
+    slope.place = fmt::format("(d.slopes() + {})", slot.offset - plan_.layout.states);
+    slope.derivative_of = static_cast<int>(place);
+    slope.depends_on = depends_.of_slopes(state.block);
+    add(std::move(slope), {}, block.origin);
+  }
+
+  /// States of a matrix come in the order of the solver's numbers.
+  static void as_list(Variable& variable) {
+    if (variable.sizes.size() == 2) variable.sizes = {static_cast<Index>(variable.count())};
+    variable.rows = 1;
+  }
+
+  void add_indicators() {
+    Variable variable{.kind = Kind::indicator,
+                      .causality = "local",
+                      .variability = "continuous",
+                      .name = free_name("event_indicators"),
+                      .about = "numbers that change their sign at events"};
+    if (plan_.crossing_count != 1) variable.sizes = {static_cast<Index>(plan_.crossing_count)};
+    add(std::move(variable), {}, {});
+  }
+
+  std::string free_name(std::string name) const {
+    while (names_.contains(name)) name += "_";
+    return name;
+  }
+
+  struct Named {
+    std::size_t place, offset;
+  };
+
+  const plan::Plan& plan_;
+  const codegen::Tuning& tuning_;
+  const codegen::Groups groups_;
+  Dependencies depends_;
+  std::vector<Variable> variables_;
+  std::map<std::string, Named> names_;
+  std::map<std::size_t, diagram::SignalRef> states_;
+  yaml::Faults faults_;
+};
+
+}  // namespace
+
+std::size_t Variable::count() const {
+  return static_cast<std::size_t>(std::accumulate(sizes.begin(), sizes.end(), Index{1}, std::multiplies<>()));
+}
+
+std::vector<Variable> variables_of(const plan::Plan& plan, const codegen::Tuning& tuning, bool exchange) {
+  return Collector(plan, tuning).collect(exchange);
+}
+
+}  // namespace stepwire::fmu

@@ -1,0 +1,87 @@
+#include "engine/simulate/codegen/between_ticks.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/simulate/codegen/literals.hpp"
+
+namespace stepwire::codegen {
+
+namespace {
+
+/// Does a call of updates run this block?
+bool runs(const plan::KernelCall& call, const plan::PlannedBlock& block) {
+  return call.first <= block.memory && block.memory < call.end;
+}
+
+/// The first block whose update changes a state; null where updates only look.
+const diagram::DiagramBlock* first_that_remembers(const plan::Plan& plan) {
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
+    if (plan.diagram.blocks[b].type().states.empty()) continue;
+    for (const plan::KernelCall& call : plan.updates)
+      if (plan.diagram.blocks[b].type().run_update.contains(call.run) && runs(call, plan.blocks[b]))
+        return &plan.diagram.blocks[b];
+  }
+  return nullptr;
+}
+
+/// Of the place of the first state, the place of the first slope, further members.
+constexpr char members_form[] =
+    "  /// For a solver of others: computes outputs and slopes for any time [s], with the inputs, and with "
+    "the\n"
+    "  /// continuous states that stand in their place.\n"
+    "  void evaluate_at(double time);\n"
+    "  /// Lets blocks look at what has become of a whole step, after evaluate_at().\n"
+    "  void complete_step();\n"
+    "  static constexpr int state_count = {2};\n"
+    "  double* continuous_states() {{ return w_ + {0}; }}\n"
+    "  double* slopes() {{ return w_ + {1}; }}\n{3}\n";
+
+}  // namespace
+
+std::string why_ticks_only(const plan::Plan& plan) {
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
+    const plan::Rate& rate = plan.blocks[b].rate;
+    if (rate.kind == plan::Rate::Kind::discrete)
+      return fmt::format("{} works every {} s", plan.diagram.blocks[b].name,
+                         number_text(static_cast<double>(rate.ticks) * plan.diagram.step));
+  }
+  if (!plan.guards.empty())
+    return fmt::format("{} works on condition", plan.diagram.blocks[plan.guards.front().block].name);
+  if (const diagram::DiagramBlock* block = first_that_remembers(plan))
+    return fmt::format("{} remembers at every step", block->name);
+  if (!plan.loops.empty())
+    return fmt::format("the algebraic loop {} is solved on from its last solution", plan.loops.front().path);
+  return "";
+}
+
+std::string between_ticks_members(const plan::Plan& plan) {
+  const std::string crossings =
+      plan.crossing_count == 0
+          ? ""
+          : fmt::format(
+                "  /// Numbers that change their sign at events, after evaluate_at().\n"
+                "  static constexpr int crossing_count = {};\n  void crossings(double* numbers);\n",
+                plan.crossing_count);
+  return fmt::format(members_form, plan.layout.states, plan.layout.derivatives, plan.layout.state_count,
+                     crossings);
+}
+
+std::string evaluate_here_text(const plan::Plan& plan) {
+  return plan.layout.state_count == 0 ? "" : "  derivatives(w, numbers, w + first_derivative);\n";
+}
+
+std::string between_ticks_definitions(const plan::Plan& plan, const std::string& numbers,
+                                      const std::string& before, const std::string& after) {
+  const std::string crossings =
+      plan.crossing_count == 0
+          ? ""
+          : fmt::format("void Diagram::crossings(double* z) {{\n  look(w_, {}, 0, z);\n}}\n\n", numbers);
+  return fmt::format(
+             "void Diagram::evaluate_at(double time) {{\n{1}  w_[{2}] = time;\n  evaluate_here(w_, "
+             "{0});\n{3}}}\n\n"
+             "void Diagram::complete_step() {{\n  ::update(w_, {0}, 0);\n}}\n\n",
+             numbers, before, plan::Layout::time, after) +
+         crossings;
+}
+
+}  // namespace stepwire::codegen
