@@ -17,6 +17,7 @@ namespace stepwire {
 namespace {
 
 using BindInput = void (*)(void*, const double*, Eigen::Index);
+using UnbindInput = void (*)(void*);
 using BindOutput = void (*)(void*, double*, Eigen::Index);
 
 // A declaration binds its ports by functions, so there is one for each that a unit may have.
@@ -25,6 +26,12 @@ constexpr auto input_binders(std::index_sequence<k...>) {
   return std::array<BindInput, sizeof...(k)>{[](void* block, const double* data, Eigen::Index size) {
     static_cast<Block*>(block)->inputs[k].bind(data, size);
   }...};
+}
+
+template <class Block, std::size_t... k>
+constexpr auto input_unbinders(std::index_sequence<k...>) {
+  return std::array<UnbindInput, sizeof...(k)>{
+      [](void* block) { static_cast<Block*>(block)->inputs[k].bind(nullptr, 0); }...};
 }
 
 template <class Block, std::size_t... k>
@@ -50,6 +57,7 @@ void require_few(const std::vector<const fmi::Variable*>& ports, const char* wha
 template <class Block>
 void add_ports(BlockType& type, const fmi::Description& description) {
   static constexpr auto bind_input = input_binders<Block>(All());
+  static constexpr auto unbind_input = input_unbinders<Block>(All());
   static constexpr auto bind_output = output_binders<Block>(All());
   const auto inputs = ports_of(description, fmi::Causality::input);
   const auto outputs = ports_of(description, fmi::Causality::output);
@@ -62,6 +70,7 @@ void add_ports(BlockType& type, const fmi::Description& description) {
     spec.feedthrough = !stepped && description.feeds_through(*inputs[k]);
     spec.optional = true;
     spec.bind = bind_input[k];
+    spec.unbind = unbind_input[k];
     type.inputs.push_back(std::move(spec));
   }
   for (std::size_t k = 0; k < outputs.size(); ++k) {

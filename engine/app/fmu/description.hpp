@@ -14,7 +14,7 @@ struct UnitAbout {
   std::string identifier;  ///< of its binary
   std::string title, made_by;
   std::string token;
-  std::string source;  ///< the one that is compiled
+  std::string source;  ///< the one that is compiled; no identifier, so that it is not that of the diagram
   double step = 0.0, stop = 0.0;
   bool exchange = false;
   std::size_t crossings = 0;

@@ -84,7 +84,7 @@ UnitExport export_unit(const plan::Plan& plan, const codegen::Tuning& tuning, co
                   plan.diagram.title,
                   options.made_by,
                   "{0000000000000000}",
-                  "unit.cpp",
+                  "fmi-unit.cpp",
                   plan.diagram.step,
                   static_cast<double>(plan.steps) * plan.diagram.step,
                   made.no_exchange.empty(),

@@ -16,7 +16,7 @@ namespace {
 
 using Files = std::map<std::string, std::string>;
 
-constexpr const char* map_file = "unit.map";  ///< which symbols the binary shows
+constexpr const char* map_file = "fmi-unit.map";  ///< which symbols the binary shows
 
 const char* kind_word(Kind kind) {
   static constexpr const char* words[] = {"time",  "parameter", "input",    "output",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/model/diagram/external_input.hpp"
 #include "engine/simulate/codegen/literals.hpp"
 
 namespace stepwire::codegen {
@@ -11,6 +12,15 @@ namespace {
 /// Does a call of updates run this block?
 bool runs(const plan::KernelCall& call, const plan::PlannedBlock& block) {
   return call.first <= block.memory && block.memory < call.end;
+}
+
+/// Does a block act at ticks for no other reason than that the inputs of the diagram are read there, or only look?
+bool has_ticks_of_inputs(const plan::Plan& plan, std::size_t b) {
+  const diagram::DiagramBlock& block = plan.diagram.blocks[b];
+  const BlockType& type = block.type();
+  if (plan.blocks[b].rate.ticks != 1 || block.every || !type.states.empty()) return false;
+  return type.timing == Timing::inherited || type.outputs.empty() ||
+         &type == &diagram::external_input_type();
 }
 
 /// The first block whose update changes a state; null where updates only look.
@@ -41,7 +51,7 @@ constexpr char members_form[] =
 std::string why_ticks_only(const plan::Plan& plan) {
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
     const plan::Rate& rate = plan.blocks[b].rate;
-    if (rate.kind == plan::Rate::Kind::discrete)
+    if (rate.kind == plan::Rate::Kind::discrete && !has_ticks_of_inputs(plan, b))
       return fmt::format("{} works every {} s", plan.diagram.blocks[b].name,
                          number_text(static_cast<double>(rate.ticks) * plan.diagram.step));
   }

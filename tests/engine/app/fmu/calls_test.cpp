@@ -25,14 +25,13 @@ inputs: {push: {unit: N, default: 1 N}}
 parameters:
   mass: {value: 2 kg, above: 0 kg}
   k: 8 N/m
-  limit: 3 m
 blocks:
-  spring: {block: Gain, u: cart.position, gain: -$k}
+  spring: {block: Gain, u: cart.position, gain: "= -k"}
   net:    {block: Sum, u: [spring, push]}
-  cart:   {block: Mass, force: net, mass: $mass, initial: {position: 0.5 m}}
+  cart:   {block: Mass, force: net, mass: $mass, initial_position: 0.5 m}
   both:   {block: Mux, u: [push, net]}
   guard:  {block: Assert, u: near}
-  near:   {block: Expression, expression: "u1 < limit ? 1 : 0", u: [cart.position]}
+  near:   {block: Expression, expression: "u1 < u2 ? 1 : 0", u: [cart.position, 3 m]}
 record: [cart.position, net, both]
 )";
 
@@ -41,7 +40,6 @@ enum Ref : fmi3ValueReference {
   time_,
   mass,
   k,
-  limit,
   push,
   position,
   net,
@@ -204,7 +202,7 @@ TEST_CASE("two instances in one process have nothing in common") {
   CHECK(std::fabs(light.get(position) - 0.5) > 0.01);
 }
 
-TEST_CASE("a saved, serialized state goes on with the same bits, in another instance as well") {
+TEST_CASE("a state that was saved and serialized goes on with the same bits in another instance as well") {
   if (!there_is_a_compiler()) return;
   Unit cart, other;
   cart.initialize();
@@ -241,7 +239,7 @@ TEST_CASE("directional derivatives are those of the equations") {
   const fmi3ValueReference unknowns[] = {velocity + 1, net, both}, knowns[] = {push, position};
   const double along_push[] = {1.0, 0.0}, along_position[] = {0.0, 2.0};
   double change[4];
-  const auto* derivative = CALL(fmi3GetDirectionalDerivative);
+  auto* const derivative = CALL(fmi3GetDirectionalDerivative);
   REQUIRE(derivative(cart.unit, unknowns, 3, knowns, 2, along_push, 2, change, 4) == fmi3OK);
   CHECK(change[0] == Approx(1.0 / 2.0));  // by the mass
   CHECK(change[1] == Approx(1.0));

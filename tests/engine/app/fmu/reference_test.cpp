@@ -2,12 +2,14 @@
 // the last printed digit.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <optional>
+#include <sstream>
 
-#include "engine/base/table/table_file.hpp"
 #include "tests/engine/app/fmu/exported.hpp"
 #include "tests/support/run_text.hpp"
 
@@ -15,13 +17,28 @@ namespace stepwire::fmu {
 
 namespace {
 
-std::optional<table::Table> reference(const std::string& name) {
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream text(line);
+  for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+/// A column of a trajectory, beside which stand words.
+std::optional<std::vector<double>> reference(const std::string& name, const std::string& column) {
   const char* data = std::getenv("STEPWIRE_DATA");
-  const std::filesystem::path path =
-      std::filesystem::path(data ? data : "") / "fmi" / "reference" / (name + "_out.csv");
-  if (data && std::filesystem::exists(path)) return table::read_csv(path.string());
-  WARN("no " << name << "_out.csv: STEPWIRE_DATA has no folder fmi/reference; not compared");
-  return std::nullopt;
+  std::ifstream file(std::filesystem::path(data ? data : "") / "fmi" / "reference" / (name + "_out.csv"));
+  if (!data || !file) {
+    WARN("no " << name << "_out.csv: STEPWIRE_DATA has no folder fmi/reference; not compared");
+    return std::nullopt;
+  }
+  std::string line;
+  std::getline(file, line);
+  const std::vector<std::string> head = cells(line);
+  const auto at = static_cast<std::size_t>(std::find(head.begin(), head.end(), column) - head.begin());
+  std::vector<double> numbers;
+  while (std::getline(file, line)) numbers.push_back(std::stod(cells(line).at(at)));
+  return numbers;
 }
 
 /// A unit of FMI: its diagram, how it is stepped, and which of its ports are which column of the trajectory.
@@ -68,7 +85,7 @@ record: [x0, x1]
 title: a ball that bounces
 step: 1 ms
 stop: 3 s
-parameters: {e: 0.7, v_min: 0.1}
+parameters: {bounce: 0.7, v_min: 0.1}
 blocks:
   h: {block: UnitDelay, u: h_new, initial: 1, every: 1 ms}
   v: {block: UnitDelay, u: v_new, initial: 0, every: 1 ms}
@@ -76,9 +93,9 @@ blocks:
   fallen: {block: Expression, expression: "u1 + 0.001 * u2", u: [h, v]}
   faster: {block: Expression, expression: "u1 + 0.001 * u2", u: [v, g]}
   hit:    {block: Expression, expression: "u1 <= 0 && u2 < 0 ? 1 : 0", u: [fallen, faster]}
-  rests:  {block: Expression, expression: "u1 > 0 && -u2 * e < v_min ? 1 : 0", u: [hit, faster]}
+  rests:  {block: Expression, expression: "u1 > 0 && -u2 * bounce < v_min ? 1 : 0", u: [hit, faster]}
   h_new:  {block: Expression, expression: "u1 > 0 ? 2.2250738585072014e-308 : u2", u: [hit, fallen]}
-  v_new:  {block: Expression, expression: "u1 > 0 ? 0 : u2 > 0 ? -u3 * e : u3", u: [rests, hit, faster]}
+  v_new:  {block: Expression, expression: "u1 > 0 ? 0 : u2 > 0 ? -u3 * bounce : u3", u: [rests, hit, faster]}
   g_new:  {block: Expression, expression: "u1 > 0 ? 0 : u2", u: [rests, g]}
 record: [h, v]
 )",
@@ -146,10 +163,10 @@ TEST_CASE("exported diagrams meet the trajectories of the FMI project") {
     const Scratch folder;
     folder.file("y.csv", "time [s],code\n0,97\n1,97\n");
     const table::Table run = imported(folder, of, version);
-    const auto known = reference(of.name);
-    if (!known) continue;
     for (const auto& [port, csv] : of.columns) {
-      const std::vector<double>& expected = column(*known, csv);
+      const auto known = reference(of.name, csv);
+      if (!known) continue;
+      const std::vector<double>& expected = *known;
       const std::vector<double>& shown = column(run, "unit." + port);
       REQUIRE(shown.size() == expected.size());
       for (std::size_t i = 0; i < expected.size(); ++i) {
