@@ -73,6 +73,7 @@ void SteppedFmu::update() {
     unit.exchange().length = period;
     if (unit.run(fmi::Operation::step))
       std::copy_n(unit.exchange().outputs(), unit.numbers_shown(), unit_outputs.data());
+    if (unit.works() && unit.exchange().ended == 2) unit_over.raise(t);
   }
   settle();
 }

@@ -136,8 +136,7 @@ Files unit_sources(const plan::Plan& plan, const codegen::Tuning& tuning, const 
 
 std::vector<std::string> unit_flags(const std::string& folder,
                                     const std::vector<std::string>& header_folders) {
-  std::vector<std::string> flags{"-I", folder, "-Wl,--version-script=" + folder + "/" + map_file,
-                                 "-static-libgcc", "-static-libstdc++"};
+  std::vector<std::string> flags{"-I", folder, "-Wl,--version-script=" + folder + "/" + map_file};
   for (const std::string& of_others : header_folders)
     flags.insert(flags.end(), {"-I", folder + "/" + of_others});
   return flags;

@@ -23,7 +23,11 @@ std::string member_place(const std::string& group, const std::string& member) {
 class Collector {
  public:
   Collector(const plan::Plan& plan, const codegen::Tuning& tuning)
-      : plan_(plan), tuning_(tuning), groups_(plan, tuning), depends_(plan) {}
+      : plan_(plan),
+        tuning_(tuning),
+        groups_(plan, tuning),
+        depends_(plan),
+        signals_(signals_of(plan.diagram)) {}
 
   std::vector<Variable> collect(bool exchange) {
     add({.kind = Kind::time,
@@ -54,15 +58,26 @@ class Collector {
                     variable.name, variables_[known->second.place].about)));
   }
 
+  /// Names of inputs, outputs and recorded signals: a parameter makes room for them.
+  static std::set<std::string> signals_of(const diagram::Diagram& diagram) {
+    std::set<std::string> names;
+    for (const diagram::DiagramInput& input : diagram.inputs) names.insert(input.name);
+    for (const diagram::DiagramOutput& output : diagram.outputs) names.insert(output.name);
+    for (const diagram::RecordRequest& request : diagram.records)
+      for (const diagram::RecordedSignal& recorded : request.signals) names.insert(recorded.name);
+    return names;
+  }
+
   void add_parameters() {
     for (std::size_t i = 0; i < tuning_.parameters.size(); ++i) {
       const auto d = static_cast<std::size_t>(tuning_.parameters[i]);
       const diagram::DiagramParameter& parameter = plan_.diagram.parameters[d];
       const codegen::GroupMember& member = groups_.parameters.members[i];
+      const bool is_signal = signals_.contains(parameter.name);
       Variable variable{.kind = Kind::parameter,
                         .causality = "parameter",
                         .variability = "tunable",
-                        .name = parameter.name,
+                        .name = (is_signal ? "parameter." : "") + parameter.name,
                         .about = parameter.doc,
                         .dimension = parameter.dimension,
                         .shown_in = written_unit(parameter.text),
@@ -217,6 +232,7 @@ class Collector {
   const codegen::Tuning& tuning_;
   const codegen::Groups groups_;
   Dependencies depends_;
+  const std::set<std::string> signals_;
   std::vector<Variable> variables_;
   std::map<std::string, Named> names_;
   std::map<std::size_t, diagram::SignalRef> states_;

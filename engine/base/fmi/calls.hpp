@@ -21,6 +21,7 @@ struct EventInfo {
 /// What a unit says of a step that it has made.
 struct StepInfo {
   bool terminates = false, enters_event = false;
+  bool made = true;  ///< false where the unit has ended before it
 };
 
 /// The calls of one instance, alike for both versions. A call that fails is false, and message() says why.

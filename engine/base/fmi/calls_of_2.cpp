@@ -175,7 +175,9 @@ class Second : public Calls {
 
   bool step(double time, double length, StepInfo& info) override {
     const fmi2Status status = step_(unit_, time, length, fmi2False);
-    return (status == fmi2Discard && (info.terminates = wants_end())) || check(status, "fmi2DoStep");
+    info.terminates = status == fmi2Discard && wants_end();
+    info.made = !info.terminates;
+    return info.terminates || check(status, "fmi2DoStep");
   }
 
   std::size_t state_size() override {

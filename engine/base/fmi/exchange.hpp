@@ -35,7 +35,8 @@ struct Exchange {
   std::atomic<std::uint32_t> turn{0};
   std::atomic<std::uint32_t> sleepers{0};
   Operation operation = Operation::quit;
-  std::uint32_t ok = 1, changed = 0, ended = 0;
+  std::uint32_t ok = 1, changed = 0;
+  std::uint32_t ended = 0;  ///< 1: the unit ends the run where it stands now; 2: it did so before this step
   double time = 0.0, length = 0.0;
   double next = 0.0;  ///< time of the next event [s], infinity where there is none
   std::size_t state_bytes = 0;  ///< after `start`: what the unit's state takes, 0 where it cannot be saved

@@ -179,7 +179,7 @@ bool Model::step() {
   StepInfo info;
   if (!inputs_.set(*calls_, exchange_.inputs())) return false;
   if (!calls_->step(exchange_.time, exchange_.length, info)) return false;
-  if (info.terminates) exchange_.ended = 1;
+  if (info.terminates) exchange_.ended = info.made ? 1 : 2;
   return outputs_.get(*calls_, exchange_.outputs());
 }
 

@@ -1,0 +1,203 @@
+// What stands in an exported unit, and what it is when it is imported, whole or damaged.
+#include "engine/app/fmu/unit_export.hpp"
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "engine/base/fmi/archive_bytes.hpp"
+#include "engine/base/fmi/package.hpp"
+#include "engine/base/fmi/unit_error.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/base/subprocess/process.hpp"
+#include "engine/base/yaml/error.hpp"
+#include "tests/engine/app/fmu/exported.hpp"
+#include "tests/support/run_text.hpp"
+#include "tests/support/units/schema.hpp"
+
+namespace stepwire::fmu {
+
+namespace {
+
+using Catch::Contains;
+
+const std::string head = "stepwire: 1\ntitle: a unit\nstep: 10 ms\nstop: 1 s\nsolver: rk4\n";
+
+std::string import_text(const std::string& path, const std::string& keys = "") {
+  return fmt::format("step: 10 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  unit: {{block: Fmu, file: {}{}}}\n",
+                     path, keys);
+}
+
+std::string refusal(const Scratch& folder, const std::string& yaml) {
+  try {
+    unit_files(folder, "a", yaml, 3);
+  } catch (const yaml::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// What the page of a unit says of its model exchange.
+std::string page_of(const std::string& yaml) {
+  const Scratch folder;
+  return unit_files(folder, "a", yaml, 3).at("documentation/index.html");
+}
+
+const std::string lag = head + "blocks:\n  a: {block: Lag, u: 1, tau: 0.3 s}\nrecord: [a]\n";
+
+}  // namespace
+
+TEST_CASE("texts of a diagram stay texts in the description and on the page") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  const std::string text = R"("<script>alert(1)</script> & \"quotes\" 'and' ]]> --> \e[2J \x01 größe")";
+  auto files = unit_files(folder, "a \"b\" <c> & d",
+                          "stepwire: 1\ntitle: " + text +
+                              "\nstep: 10 ms\nstop: 1 s\ninputs: {u: {default: 0, doc: " + text +
+                              "}}\nparameters: {k: {value: 2, doc: " + text +
+                              "}}\nblocks: {a: {block: Gain, u: u, gain: $k}}\nrecord: [a]\n",
+                          GENERATE(3, 2));
+  for (const char* file : {"modelDescription.xml", "documentation/index.html"}) {
+    INFO(file);
+    CHECK_THAT(files.at(file), Contains("&lt;script&gt;alert(1)&lt;/script&gt; &amp; &quot;quotes&quot;"));
+    CHECK_THAT(files.at(file), !Contains("<script>"));
+  }
+}
+
+TEST_CASE("a parameter makes room for a signal of its name, and two signals of one name are refused") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  const std::string blocks =
+      "parameters: {a: 2}\nblocks:\n  a: {block: Gain, u: b, gain: $a}\n  b: {block: Clock}\n";
+  const std::string xml =
+      unit_files(folder, "a", head + blocks + "record: [a]\n", 3).at("modelDescription.xml");
+  CHECK_THAT(xml, Contains("name=\"parameter.a\"") && Contains("name=\"a\""));
+  const std::string clash =
+      refusal(folder, head + blocks + "outputs: {a: {signal: b, safe: 0}}\nrecord: [a]\n");
+  CHECK_THAT(clash, Contains("a.yaml:") && Contains("'a' would have the name of another variable"));
+}
+
+TEST_CASE("model exchange is left out with the reason where a diagram is more than its equations") {
+  if (!there_is_a_compiler()) return;
+  CHECK_THAT(page_of(lag), Contains("By model exchange"));
+  CHECK_THAT(page_of(head + "blocks:\n  a: {block: UnitDelay, u: 1, every: 20 ms}\nrecord: [a]\n"),
+             Contains("There is no model exchange: a works every 0.02 s"));
+  CHECK_THAT(
+      page_of(head + "blocks:\n  a: {block: Delay, u: t, delay: 50 ms}\n  t: {block: Clock}\nrecord: [a]\n"),
+      Contains("There is no model exchange: a "));
+  CHECK_THAT(page_of(head + "algebraic_loops: solve\nblocks:\n  a: {block: Sum, u: [b, 1]}\n"
+                            "  b: {block: Gain, u: a, gain: -0.5}\nrecord: [a]\n"),
+             Contains("There is no model exchange: the algebraic loop"));
+}
+
+TEST_CASE("by model exchange inputs are those of the instant: the bits are those of the diagram itself") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  const std::string plant = "  a: {block: Lag, u: %, tau: 0.3 s}\n  b: {block: Integrator, u: a}\n";
+  const auto with = [&](const std::string& input) {
+    return std::string(plant).replace(plant.find('%'), 1, input);
+  };
+  const std::string path =
+      exported(folder, "a", head + "inputs: {u: {default: 0}}\nblocks:\n" + with("u") + "record: [a, b]\n",
+               GENERATE(3, 2));
+  const std::string wave = "  wave: {block: Sine, frequency: 2 Hz}\n";
+  const table::Table own =
+      run_text("step: 10 ms\nstop: 1 s\nsolver: rk4\nblocks:\n" + wave + with("wave") + "record: [a, b]\n");
+  const table::Table unit = run_text(import_text(path, ", interface: model_exchange, u: wave") + wave +
+                                     "record: [unit.a, unit.b]\n");
+  CHECK(column(unit, "unit.a") == column(own, "a"));
+  CHECK(column(unit, "unit.b") == column(own, "b"));
+}
+
+TEST_CASE("a unit ends the run at the tick at which its diagram ends") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  const std::string path = exported(
+      folder, "a", head + "stop_when: a > 0.5\nblocks: {a: {block: Clock}}\nrecord: [a]\n", GENERATE(3, 2));
+  const std::string error = error_of(import_text(path, ", interface: co_simulation") + "record: [unit.a]\n");
+  CHECK_THAT(error, Contains("the unit ends the run") && Contains("at 0.51 s"));
+}
+
+TEST_CASE("the sources alone make a binary with the same bits, which shows the functions of FMI alone") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  auto files = unit_files(folder, "a", lag, 3);
+  const std::string before = exported(folder, "before", lag);
+  for (const auto& [path, text] : files) io::write_file(folder.path("unit/" + path), text);
+  CHECK(testing::schema_fault(folder.path("unit/sources/buildDescription.xml"), 3, "BuildDescription") == "");
+  const std::string& build = files.at("sources/buildDescription.xml");
+  const std::size_t at = build.find("compilerOptions=\"") + 17;
+  std::istringstream options(build.substr(at, build.find('"', at) - at));
+  subprocess::ProcessCall call{.command = {"c++"}, .limit = subprocess::compiler_limit()};
+  for (std::string option; options >> option;) call.command.push_back(option);
+  const std::string sources = folder.path("unit/sources"), binary = folder.path("a.so");
+  call.command.insert(call.command.end(),
+                      {"-w", "-fPIC", "-shared", "-I", sources, sources + "/fmi-unit.cpp",
+                       "-Wl,--version-script=" + sources + "/fmi-unit.map", "-o", binary});
+  const subprocess::ProcessResult made = subprocess::run_process(call);
+  INFO(made.errors);
+  REQUIRE(made.succeeded());
+  files[fmi::binary_folder(3) + "a.so"] = io::read_file(binary);
+  io::write_file(folder.path("after.fmu"), fmi::archive_bytes(files));
+  const std::string record = "record: [unit.a]\n";
+  CHECK(column(run_text(import_text(before) + record), "unit.a") ==
+        column(run_text(import_text(folder.path("after.fmu")) + record), "unit.a"));
+  const subprocess::ProcessResult symbols =
+      subprocess::run_process({.command = {"nm", "-D", "--defined-only", binary}});
+  if (!symbols.succeeded()) return;
+  std::istringstream lines(symbols.output);
+  for (std::string line; std::getline(lines, line);) CHECK_THAT(line, Contains(" T fmi3"));
+}
+
+TEST_CASE("the same diagram gives the same bytes") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  const std::string once = io::read_file(exported(folder, "a", lag));
+  CHECK(once == io::read_file(exported(folder, "a", lag)));
+}
+
+TEST_CASE("an exported unit that is cut or changed is refused, and nothing crashes") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  const std::string whole = io::read_file(exported(folder, "a", lag));
+  constexpr std::size_t tries = 100;
+  std::size_t refused = 0;
+  for (std::size_t i = 0; i < tries; ++i) {
+    const std::size_t at = whole.size() * i / tries;
+    std::string changed = whole;
+    changed[at] = static_cast<char>(changed[at] ^ 0x10);
+    for (const std::string& bytes : {whole.substr(0, at), changed}) {
+      const std::string path = folder.file(fmt::format("{}-{}.fmu", i, bytes.size()), bytes);
+      try {
+        fmi::open_package(path);
+      } catch (const fmi::UnitError& error) {
+        CHECK_THAT(error.what(), Contains(path));
+        ++refused;
+      }
+    }
+  }
+  CHECK(refused > tries);
+}
+
+TEST_CASE("a description that does not fit its binary is a fault in one sentence") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  const auto files = unit_files(folder, "a", lag, 3);
+  const auto edited = [&](const std::string& what, const std::string& by) {
+    auto other = files;
+    std::string& xml = other.at("modelDescription.xml");
+    for (std::size_t at = 0; (at = xml.find(what, at)) != std::string::npos; at += by.size())
+      xml.replace(at, what.size(), by);
+    const std::string path = folder.path("edited.fmu");
+    io::write_file(path, fmi::archive_bytes(other));
+    return error_of(import_text(path, ", interface: co_simulation") + "record: [unit.a]\n");
+  };
+  CHECK_THAT(edited("instantiationToken=\"{", "instantiationToken=\"{0"),
+             Contains("token is not that of this unit"));
+  CHECK_THAT(edited("name=\"a\" valueReference=\"1\"", "name=\"a\" valueReference=\"77\""),
+             Contains("value reference 77"));
+  CHECK_THAT(edited("modelIdentifier=\"a\"", "modelIdentifier=\"b\""), Contains("b.so"));
+}
+
+}  // namespace stepwire::fmu
