@@ -169,23 +169,30 @@ class Collector {
     const diagram::DiagramBlock& block = plan_.diagram.blocks[static_cast<std::size_t>(state.block)];
     const StateSpec& spec = block.type().states[static_cast<std::size_t>(state.state)];
     const plan::SignalSlot& slot = plan_.slot(state);
-    const std::string name = block.name + "." + spec.name;
-    std::size_t place = variables_.size();
-    const auto known = names_.find(name);
-    if (known != names_.end() && known->second.offset == slot.offset && slot.columns == 1) {
-      place = known->second.place;
-      variables_[place].kind = Kind::state;
-      variables_[place].variability = "continuous";
-    } else {
-      Variable variable = signal(Kind::state, free_name(name), spec.doc, state, slot);
+    const std::size_t place = output_in(slot);
+    if (place == variables_.size()) {
+      Variable variable = signal(Kind::state, free_name(block.name + "." + spec.name), spec.doc, state, slot);
       variable.causality = "local";
-      variable.variability = "continuous";
       as_list(variable);
       add(std::move(variable), slot, block.origin);
     }
+    variables_[place].kind = Kind::state;
+    variables_[place].variability = "continuous";
     variables_[place].place = fmt::format("(d.continuous_states() + {})", slot.offset - plan_.layout.states);
     variables_[place].block = state.block;
     add_slope(state, place);
+  }
+
+  /// The first output that is what lies there; none: the place behind the last variable.
+  std::size_t output_in(const plan::SignalSlot& slot) const {
+    std::size_t first = variables_.size();
+    for (const auto& [name, named] : names_) {
+      const Variable& variable = variables_[named.place];
+      const bool same = named.offset == slot.offset && variable.kind == Kind::output && slot.columns == 1 &&
+                        variable.count() == static_cast<std::size_t>(slot.size);
+      if (same) first = std::min(first, named.place);
+    }
+    return first;
   }
 
   void add_slope(const diagram::SignalRef& state, std::size_t place) {
