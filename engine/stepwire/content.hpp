@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,11 +12,10 @@
 namespace stepwire {
 
 struct Model::Content {
-  Content(const std::string& path, Registry blocks, const std::vector<diagram::Setting>& settings);
+  /// What owns the job, the registry of its blocks and the loader of its plans lives as long as the content.
+  explicit Content(std::shared_ptr<const run::Job> of);
 
-  Registry registry;
-  diagram::Loader loader;
-  run::Job job;
+  std::shared_ptr<const run::Job> job;
   std::vector<SignalInfo> signals;
   std::vector<InputInfo> inputs;
   std::vector<plan::SignalSlot> slots;  ///< of the signals, in the plan of the job

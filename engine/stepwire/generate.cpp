@@ -13,7 +13,7 @@ const char* version() {
 }
 
 std::map<std::string, std::string> generated_files(const Model& model, const GenerateOptions& options) {
-  const plan::Plan& plan = model.content().job.plan;
+  const plan::Plan& plan = model.content().job->plan;
   const std::string name =
       options.name.empty() ? std::filesystem::path(model.file()).stem().string() : options.name;
   return codegen::program_files(plan,

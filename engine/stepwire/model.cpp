@@ -36,6 +36,16 @@ std::size_t find(const std::vector<Info>& all, const std::string& name, const ch
                   {}});
 }
 
+/// A job with what it was loaded by.
+struct Loaded {
+  Loaded(const std::string& path, Registry blocks, const std::vector<diagram::Setting>& settings)
+      : registry(std::move(blocks)), loader(registry), job(run::make_job(loader, path, settings)) {}
+
+  Registry registry;
+  diagram::Loader loader;
+  run::Job job;
+};
+
 template <class Id>
 std::size_t index_of(Id id, const Model::Content* model) {
   if (id.model != model) throw std::logic_error("a signal or input of another model is used");
@@ -44,10 +54,8 @@ std::size_t index_of(Id id, const Model::Content* model) {
 
 }  // namespace
 
-Model::Content::Content(const std::string& path, Registry blocks,
-                        const std::vector<diagram::Setting>& settings)
-    : registry(std::move(blocks)), loader(registry), job(run::make_job(loader, path, settings)) {
-  const plan::Plan& plan = job.plan;
+Model::Content::Content(std::shared_ptr<const run::Job> of) : job(std::move(of)) {
+  const plan::Plan& plan = job->plan;
   for (const auto& [name, signal] : diagram::named_signals(plan.diagram)) {
     slots.push_back(plan.slot(signal));
     signals.push_back({name, unit_of(plan.dimension(signal)), static_cast<std::size_t>(slots.back().size)});
@@ -95,19 +103,19 @@ void check_size(const InputInfo& input, std::size_t count) {
 }
 
 const std::string& Model::file() const {
-  return content_->job.plan.diagram.file;
+  return content_->job->plan.diagram.file;
 }
 
 double Model::step() const {
-  return content_->job.plan.diagram.step;
+  return content_->job->plan.diagram.step;
 }
 
 double Model::stop() const {
-  return content_->job.plan.diagram.stop;
+  return content_->job->plan.diagram.stop;
 }
 
 std::size_t Model::runs() const {
-  return std::max<std::size_t>(content_->job.points.size(), 1);
+  return std::max<std::size_t>(content_->job->points.size(), 1);
 }
 
 const std::vector<SignalInfo>& Model::signals() const {
@@ -128,13 +136,15 @@ InputId Model::input(const std::string& name) const {
 
 std::vector<ParameterInfo> Model::parameters() const {
   std::vector<ParameterInfo> all;
-  for (const diagram::DiagramParameter& parameter : content_->job.plan.diagram.parameters)
+  for (const diagram::DiagramParameter& parameter : content_->job->plan.diagram.parameters)
     all.push_back({parameter.name, parameter.text, unit_of(parameter.dimension), parameter.doc});
   return all;
 }
 
 Model load(const std::string& path, Registry blocks, const NamedTexts& settings) {
-  return Model(std::make_shared<const Model::Content>(path, std::move(blocks), settings_of(settings)));
+  const auto loaded = std::make_shared<const Loaded>(path, std::move(blocks), settings_of(settings));
+  return Model(
+      std::make_shared<const Model::Content>(std::shared_ptr<const run::Job>(loaded, &loaded->job)));
 }
 
 }  // namespace stepwire

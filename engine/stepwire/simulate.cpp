@@ -3,52 +3,12 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <map>
-#include <mutex>
 
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/stepwire/content.hpp"
+#include "engine/stepwire/shown.hpp"
 
 namespace stepwire {
-
-namespace {
-
-/// Shows the runs to an observer of a user.
-class Shown : public run::RunObserver {
- public:
-  Shown(const Model::Content& model, Observer& to) : model_(model), to_(to) {}
-
-  void begin(const run::ObservedRun& run) override { to_.begin(running(run)); }
-  run::Flow before_tick(const run::ObservedRun& run) override {
-    Running now = running(run);
-    return to_.before_tick(now);
-  }
-  void evaluated(const run::ObservedRun& run) override { to_.evaluated(running(run)); }
-  void row(const run::ObservedRun& run, std::size_t recording, std::span<const double> numbers) override {
-    to_.row(running(run), recording, numbers);
-  }
-  void end(const run::ObservedRun& run) override { to_.end(running(run)); }
-
- private:
-  Running running(const run::ObservedRun& run) {
-    return Running({model_, run.simulation, slots_of(run.simulation.plan()), run.index});
-  }
-
-  /// Points of a sweep may have plans of other structures, in which signals lie elsewhere.
-  const std::vector<plan::SignalSlot>& slots_of(const plan::Plan& plan) {
-    if (&plan == &model_.job.plan) return model_.slots;
-    const std::lock_guard lock(mutex_);
-    const auto known = slots_.find(&plan);
-    return known != slots_.end() ? known->second : slots_.emplace(&plan, model_.slots_in(plan)).first->second;
-  }
-
-  const Model::Content& model_;
-  Observer& to_;
-  std::mutex mutex_;
-  std::map<const plan::Plan*, std::vector<plan::SignalSlot>> slots_;
-};
-
-}  // namespace
 
 Result simulate(const Model& model, const SimulateOptions& options) {
   std::atomic<bool> interrupt = false;
@@ -65,7 +25,7 @@ Result simulate(const Model& model, const SimulateOptions& options) {
     shown.push_back(std::make_unique<Shown>(model.content(), *observer));
     run.observers.push_back(shown.back().get());
   }
-  run::RunResult result = run::run_job(model.content().job, run);
+  run::RunResult result = run::run_job(*model.content().job, run);
   return {std::move(result.recordings),
           std::move(result.faults),
           std::move(result.diagnostics),

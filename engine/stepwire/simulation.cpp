@@ -61,7 +61,7 @@ struct Simulation::State {
     if (code) run.use(*code);
   }
 
-  const plan::Plan& plan() const { return model.content().job.plan; }
+  const plan::Plan& plan() const { return model.content().job->plan; }
 
   /// Leaves a tick that is shown, whose numbers stay to be looked at.
   void leave_tick() {

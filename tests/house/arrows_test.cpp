@@ -77,7 +77,8 @@ bool block_may_include(const std::string& file, const std::string& included) {
 }
 
 bool engine_may_include(const std::string& file, const std::string& included) {
-  if (file == "engine/app/cli/main.cpp" && included.starts_with("blocks")) return true;
+  const bool brings_together = file == "engine/app/cli/main.cpp" || file == "engine/app/python/main.cpp";
+  if (brings_together && included.starts_with("blocks")) return true;
   return included.starts_with("engine/") &&
          reachable_from(folder_of(file).substr(7)).contains(included.substr(7));
 }

@@ -30,6 +30,8 @@ const std::vector<Home> homes{
     {"glog/", "engine/analyse/estimation"},
     {"zip.h", "engine/base/fmi"},
     {"pugixml", "engine/base/fmi"},
+    {"pybind11/", "engine/app/python"},
+    {"Python.h", "engine/app/python"},
     {"xxhash", "engine/base/hash"},
 };
 

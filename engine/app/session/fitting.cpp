@@ -27,7 +27,7 @@ estimation::FitResult fit_model(const Registry& registry, const LoadedModel& mod
   codegen::GeneratedCode code;
   const bool compiles = call.engine == run::ExecutionMode::compiled ||
                         (call.engine == run::ExecutionMode::automatic && worth_compiling(model));
-  diagram::Loader loader(registry, model.options.limits);
+  diagram::Loader loader(registry, model.options.limits, model.options.reader);
   estimation::ModelSource source{loader, model.file, model.options.settings, compiles ? &code : nullptr,
                                  monitor.interrupt};
   if (const auto& stop = model.options.stop) source.settings.push_back({"stop", *stop, "--stop " + *stop});

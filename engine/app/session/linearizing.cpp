@@ -43,7 +43,7 @@ diagram::Diagram diagram_of(diagram::Loader& loader, const LoadedModel& model, s
 
 Analysis linearize_file(const Registry& registry, const std::string& file, const LoadOptions& options,
                         const LinearCall& call) {
-  diagram::Loader loader(registry, options.limits);
+  diagram::Loader loader(registry, options.limits, options.reader);
   diagram::Diagram diagram = loader.load(file, options.settings);
   linear::Request request{written(call.from, "--from"), written(call.to, "--to"),
                           written(call.open, "--open"), call.time, call.size};
@@ -57,7 +57,7 @@ Analysis linearize_file(const Registry& registry, const std::string& file, const
 std::vector<record::Recording> linear_recordings(const LoadedModel& model) {
   std::vector<record::Recording> recordings(model.linear.size());
   if (model.linear.empty()) return recordings;
-  diagram::Loader loader(*model.registry, model.options.limits);
+  diagram::Loader loader(*model.registry, model.options.limits, model.options.reader);
   const run::SweptColumns swept(model.job);
   for (std::size_t point = 0; point < std::max<std::size_t>(1, model.job.points.size()); ++point) {
     const diagram::Diagram diagram = diagram_of(loader, model, point);

@@ -183,7 +183,7 @@ std::string unquoted(const std::string& word) {
 }
 
 LoadedModel load_model(const Registry& registry, const std::string& file, const LoadOptions& options) {
-  diagram::Loader loader(registry, options.limits);
+  diagram::Loader loader(registry, options.limits, options.reader);
   return load_model(loader, file, options);
 }
 

@@ -24,6 +24,7 @@ struct LoadOptions {
   std::optional<std::string> stop;
   yaml::DocumentLimits limits;
   study::StudyWords study{};
+  diagram::DocumentReader reader{};  ///< where the texts of files are; without it files are read
 };
 
 /// A diagram file with all that could be found wrong before its first step looked at.

@@ -66,7 +66,7 @@ study::Experiments make_experiments(const Registry& registry, const LoadedModel&
   if (!request.trials.empty()) return {study::score_recorded(request, model.job.plan.diagram)};
   KeptExperiments kept(model, call.kept);
   const std::vector<std::uint64_t> seeds = kept.missing();
-  diagram::Loader loader(registry, model.options.limits);
+  diagram::Loader loader(registry, model.options.limits, model.options.reader);
   codegen::GeneratedCode code;
   study::TrialSource source = trial_source(
       loader, model, engine_of(model, call, study::study_count(model.job) * seeds.size()), code, monitor);

@@ -31,7 +31,7 @@ linear::TrimResult trim_file(const Registry& registry, const std::string& file, 
   if (!model.trim)
     throw yaml::Error(yaml::Fault{
         {file, {}}, "", "has no section 'trim'; it says which states, inputs and outputs are given", {}});
-  diagram::Loader loader(registry, options.limits);
+  diagram::Loader loader(registry, options.limits, options.reader);
   return linear::trim(loader.load(file, options.settings), *model.trim);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -36,6 +37,7 @@ struct BlockType {
                        ///< is none of ours; empty if there is none
   std::string declared_at;    ///< "blocks/math/gain.cpp:12"
   std::string not_real_time;  ///< why its steps are not fit for a real-time loop; empty: they are
+  std::string not_generated;  ///< why no code can be made of it, where that is no lack of a header
 
   std::vector<ParameterSpec> parameters;
   std::vector<InputSpec> inputs;
@@ -60,7 +62,7 @@ struct BlockType {
   void (*outline)(const void* block, Outline& lines) = nullptr;
 
   std::size_t bytes = 0, alignment = 0;
-  void (*construct)(void* memory) = nullptr;
+  std::function<void(void* memory)> construct;
   void (*copy)(void* memory, const void* block) = nullptr;
   void (*destroy)(void* block) = nullptr;
 

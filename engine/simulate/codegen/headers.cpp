@@ -125,12 +125,13 @@ std::vector<std::string> include_options(const IncludedHeaders& headers) {
 
 namespace {
 
-/// Null where code can be made of the blocks of a type.
-const char* why_not_generated(const BlockType& type) {
+/// Empty where code can be made of the blocks of a type.
+std::string why_not_generated(const BlockType& type) {
+  if (!type.not_generated.empty()) return type.not_generated;
   if (type.file_output) return "it writes files";
   if (find_typed_by_file(type.name)) return "it is a foreign unit, of which nothing but a binary is known";
   const bool declared = !type.header.empty() || &type == &diagram::external_input_type();
-  return declared ? nullptr : "no header declares its struct";
+  return declared ? "" : "no header declares its struct";
 }
 
 }  // namespace
@@ -140,7 +141,7 @@ void require_headers(const plan::Plan& plan) {
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
     const diagram::DiagramBlock& block = plan.diagram.blocks[b];
     const BlockType& type = block.type();
-    if (const char* why = why_not_generated(type))
+    if (const std::string why = why_not_generated(type); !why.empty())
       faults.add(plan.diagram.fault(block.origin, block.name,
                                     fmt::format("{} cannot be generated: {}", type.name, why)));
   }

@@ -1,4 +1,5 @@
-# Debian packages of the components, which `cpack` makes in the build folder: stepwire, libstepwire-dev.
+# Debian packages of the components, which `cpack` makes in the build folder: stepwire, libstepwire-dev and, where the module is built,
+# python3-stepwire.
 set(documents ${CMAKE_CURRENT_BINARY_DIR}/documents)
 file(MAKE_DIRECTORY ${documents})
 # What Debian asks of a package: its licence, and its changes in compressed form, the same bytes each time.
@@ -45,4 +46,19 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "g++, libeigen3-dev, libfmt-dev, li
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "block diagrams in text: library and headers
 Archives, headers and CMake files for programs that run diagrams or have
 blocks of their own, and what the program itself compiles runs with.")
+
+if(TARGET stepwire_python)
+  documents_of(python3-stepwire python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-stepwire)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_minor}), python3-numpy, stepwire (= ${PROJECT_VERSION})")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-pandas")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "block diagrams in text: module for Python
+Loads, runs, sweeps, fits and steps diagrams from Python, with results as
+arrays of NumPy.")
+endif()
 include(CPack)

@@ -1,0 +1,137 @@
+#include "engine/app/python/instance.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <algorithm>
+
+#include "engine/app/python/numbers.hpp"
+
+namespace stepwire::python {
+
+namespace py = pybind11;
+
+namespace {
+
+constexpr std::array<const char*, 3> names{"outputs", "derivatives", "update"};
+
+/// One number; false where Python has raised something.
+bool write_number(PyObject* given, double* to) {
+  const double number = PyFloat_CheckExact(given) ? PyFloat_AS_DOUBLE(given) : PyFloat_AsDouble(given);
+  if (number == -1.0 && PyErr_Occurred()) return false;
+  *to = number;
+  return true;
+}
+
+bool write(PyObject* given, const Target& target, const char* method) {
+  if (target.size == 1 && (PyFloat_CheckExact(given) || !PySequence_Check(given)))
+    return write_number(given, target.numbers);
+  const auto numbers = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
+  if (!numbers) {
+    PyErr_Format(PyExc_TypeError, "%s() gives %R for %s, which takes numbers", method, given, target.name);
+    return false;
+  }
+  if (numbers.size() != target.size) {
+    PyErr_Format(PyExc_ValueError, "%s() gives %zd numbers for %s, which has %zd", method,
+                 static_cast<Py_ssize_t>(numbers.size()), target.name, static_cast<Py_ssize_t>(target.size));
+    return false;
+  }
+  std::copy_n(numbers.data(), target.size, target.numbers);
+  return true;
+}
+
+bool write_several(PyObject* given, const std::vector<Target>& targets, const char* method) {
+  const Held items(PySequence_Fast(given, "several values are given as a tuple or a list"));
+  if (!items) return false;
+  const Py_ssize_t count = PySequence_Fast_GET_SIZE(items.get());
+  if (count != static_cast<Py_ssize_t>(targets.size())) {
+    PyErr_Format(PyExc_ValueError, "%s() gives %zd values and has to give %zd", method, count,
+                 targets.size());
+    return false;
+  }
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    if (!write(PySequence_Fast_GET_ITEM(items.get(), static_cast<Py_ssize_t>(i)), targets[i], method))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+std::shared_ptr<Instance> Instance::make(const PythonClass& of, const Value* parameters) {
+  auto made = std::make_shared<Instance>();
+  try {
+    const py::object kind = py::reinterpret_borrow<py::object>(of.made.get());
+    py::object object = kind.attr("__new__")(kind);
+    for (std::size_t i = 0; i < of.parameters.size(); ++i)
+      object.attr(of.parameters[i].name.c_str()) =
+          py::reinterpret_steal<py::object>(object_of(parameters[i]));
+    object.attr("__init__")();
+    made->object_ = Held(object.release().ptr());
+  } catch (py::error_already_set& error) {
+    error.restore();
+    return nullptr;
+  }
+  return made->bind(of) ? made : nullptr;
+}
+
+bool Instance::bind(const PythonClass& of) {
+  const std::array<const Method*, 3> methods{&of.output_method, &of.slope_method, &of.update_method};
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    if (!methods[i]->exists) continue;
+    methods_[i].method = Held(PyObject_GetAttrString(object_.get(), names[i]));
+    if (!methods_[i].method) return false;
+    methods_[i].shown = methods[i]->shown.c_str();
+    methods_[i].buffers.resize(methods[i]->arguments.size());
+    methods_[i].arguments.resize(methods[i]->arguments.size());
+  }
+  return true;
+}
+
+/// New references to numbers, and arrays that stay.
+bool Instance::fill(Bound& bound) {
+  const std::vector<Given>& given = bound.given;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    Buffer& buffer = bound.buffers[i];
+    if (given[i].size == 1) {
+      buffer.array = Held(PyFloat_FromDouble(*given[i].numbers));
+    } else {
+      if (!buffer.array) {
+        py::array_t<double> array(given[i].size);
+        buffer.numbers = array.mutable_data();
+        py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+        buffer.array = Held(array.release().ptr());
+      }
+      std::copy_n(given[i].numbers, given[i].size, buffer.numbers);
+    }
+    bound.arguments[i] = buffer.array.get();
+    if (!bound.arguments[i]) return false;
+  }
+  return true;
+}
+
+void Instance::connect(std::size_t method, std::vector<Given> given, std::vector<Target> targets) {
+  methods_[method].given = std::move(given);
+  methods_[method].targets = std::move(targets);
+}
+
+bool Instance::call(std::size_t method) {
+  Bound& bound = methods_[method];
+  if (!fill(bound)) return false;
+  const Held result(
+      PyObject_Vectorcall(bound.method.get(), bound.arguments.data(), bound.arguments.size(), nullptr));
+  if (!result) return false;
+  if (bound.targets.empty()) return true;
+  return bound.targets.size() == 1 ? write(result.get(), bound.targets.front(), bound.shown)
+                                   : write_several(result.get(), bound.targets, bound.shown);
+}
+
+std::string text_of(_object* exception) {
+  try {
+    const py::object shown = py::module_::import("stepwire.errors").attr("shown");
+    return py::cast<std::string>(shown(py::reinterpret_borrow<py::object>(exception)));
+  } catch (py::error_already_set&) {
+    return "it raises an exception that has no text";
+  }
+}
+
+}  // namespace stepwire::python

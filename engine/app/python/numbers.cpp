@@ -1,0 +1,56 @@
+#include "engine/app/python/numbers.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+namespace stepwire::python {
+
+namespace py = pybind11;
+
+_object* numbers_of(std::span<const double> numbers) {
+  if (numbers.size() == 1) return PyFloat_FromDouble(numbers[0]);
+  return py::array_t<double>(static_cast<py::ssize_t>(numbers.size()), numbers.data()).release().ptr();
+}
+
+_object* object_of(const Value& value) {
+  if (const auto* number = std::get_if<double>(&value.content)) return PyFloat_FromDouble(*number);
+  if (const auto* flag = std::get_if<bool>(&value.content)) return py::bool_(*flag).release().ptr();
+  if (const auto* text = value.text()) return py::str(*text).release().ptr();
+  if (const auto* list = std::get_if<Eigen::VectorXd>(&value.content))
+    return py::array_t<double>(list->size(), list->data()).release().ptr();
+  const auto* matrix = std::get_if<Eigen::MatrixXd>(&value.content);
+  if (!matrix) return py::none().release().ptr();
+  return py::array_t<double, py::array::f_style>({matrix->rows(), matrix->cols()}, matrix->data())
+      .release()
+      .ptr();
+}
+
+std::vector<double> numbers_in(_object* value, const std::string& name) {
+  if (PyFloat_CheckExact(value)) return {PyFloat_AS_DOUBLE(value)};
+  const auto refuse = [&] {
+    return py::type_error(name + " takes numbers in SI: a number, a list or an array");
+  };
+  if (PyUnicode_Check(value)) throw refuse();
+  const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
+  if (!array || array.ndim() > 1) throw refuse();
+  return {array.data(), array.data() + array.size()};
+}
+
+yaml::Node node_of(_object* value) {
+  const py::handle of(value);
+  yaml::Node node;
+  if (py::isinstance<py::dict>(of)) {
+    node.kind = yaml::Node::Kind::map;
+    for (const auto& [key, item] : py::reinterpret_borrow<py::dict>(of))
+      node.entries.push_back({py::cast<std::string>(key), {}, node_of(item.ptr())});
+  } else if (py::isinstance<py::list>(of)) {
+    node.kind = yaml::Node::Kind::list;
+    for (const py::handle item : of) node.items.push_back(node_of(item.ptr()));
+  } else {
+    node.kind = yaml::Node::Kind::scalar;
+    node.text = py::cast<std::string>(of);
+  }
+  return node;
+}
+
+}  // namespace stepwire::python

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/base/yaml/document.hpp"
+#include "engine/model/block/value.hpp"
+
+struct _object;
+
+namespace stepwire::python {
+
+/// A float for one number, else a new array: a new reference. The lock is held.
+_object* numbers_of(std::span<const double> numbers);
+
+/// A value of a parameter: a float, a bool, a text, an array (n,) or (rows, columns); None for a tree.
+_object* object_of(const Value& value);
+
+/// The numbers of a number, a list or an array. Throws TypeError of Python's.
+std::vector<double> numbers_in(_object* value, const std::string& name);
+
+/// The tree of a dictionary whose values are dictionaries, lists and texts, as a file would have it.
+yaml::Node node_of(_object* value);
+
+}  // namespace stepwire::python

@@ -1,0 +1,33 @@
+"""Stepwire: block diagrams of files, run, swept, fitted, linearized and stepped from Python.
+
+    model = stepwire.load("cart.yaml", mass="8 kg")
+    run = model.run(stop="3 s")
+    run["cart.position"]      # a numpy array, SI
+    run.figures[0]            # shown by Jupyter
+"""
+
+import pathlib as _pathlib
+
+from . import _core
+
+
+def _note_package() -> None:
+    """What comes with the program lies in share/stepwire of the prefix, or of the build folder."""
+    for folder in _pathlib.Path(__file__).absolute().parents:
+        if (folder / "share" / "stepwire" / "headers").exists():
+            return _core.note_package(str(folder / "share" / "stepwire"))
+
+
+_note_package()
+
+from .blocks import block  # noqa: E402
+from .errors import EnvironmentError, Error, Fault, Interrupted, RunError  # noqa: E402
+from .model import Input, Model, Parameter, Signal, load  # noqa: E402
+from .results import Claim, Fit, FittedParameter, Linear, Notice, Run, Study  # noqa: E402
+from .show import Picture  # noqa: E402
+from .simulation import Inputs, Simulation  # noqa: E402
+
+__version__: str = _core.version()
+__all__ = ["Claim", "EnvironmentError", "Error", "Fault", "Fit", "FittedParameter", "Input", "Inputs", "Interrupted",
+           "Linear", "Model", "Notice", "Parameter", "Picture", "Run", "RunError", "Signal", "Simulation", "Study",
+           "block", "load"]

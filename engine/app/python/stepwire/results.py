@@ -1,0 +1,351 @@
+"""What a run, a sweep, a study, a fit or a linear analysis gave."""
+
+from __future__ import annotations
+
+import json
+import warnings
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from . import _core, show
+from .errors import Error, Fault, Interrupted, RunError
+
+if TYPE_CHECKING:
+    import numpy as np
+    import pandas as pd
+
+    from .model import Model
+
+
+@dataclass(frozen=True)
+class Claim:
+    """A claim of the file, judged."""
+
+    that: str  #: the statement
+    check: str  #: its condition
+    value: float  #: SI; nan where it could not be judged
+    shown: str  #: the value with its unit
+    holds: bool
+    fails: bool  #: it does not hold, and the file does not say so
+    disagrees: str  #: why it is known not to hold; else empty
+    note: str  #: why it could not be judged; else empty
+    worst: str  #: which run of several the value is of
+    invariant: bool
+
+
+@dataclass(frozen=True)
+class Notice:
+    """Something that a block had to say during the run."""
+
+    block: str
+    text: str
+    time: float  #: [s]
+
+
+class Run:
+    """What a run, or all runs of a sweep one behind the other, recorded. Never changes.
+
+    ``run["cart.position"]`` is a column as a numpy array (rows,) in SI, a view without copy that keeps the run
+    alive; ``run["time"]`` is in s. A vector signal p is there element by element as p.1, p.2, ..., and as a
+    whole, p, as a copy (rows, n).
+    """
+
+    def __init__(self, results: _core.Results, model: Model):
+        self._results = results
+        self.model = model
+        self._places: dict[str, tuple[int, int]] = {}
+        self._units: dict[str, str] = {}
+        for recording in range(results.recordings):
+            for index, (name, unit) in enumerate(results.columns(recording)):
+                self._places.setdefault(name, (recording, index))
+                self._units.setdefault(name, unit)
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        place = self._places.get(name)
+        if place is not None:
+            return self._results.column(*place)
+        elements = self._elements(name)
+        if not elements:
+            raise KeyError(f"nothing of the name {name!r} is recorded; recorded are: {', '.join(self._places)}")
+        import numpy as np
+        return np.column_stack([self[element] for element in elements])
+
+    def _elements(self, name: str) -> list[str]:
+        count = 1
+        while f"{name}.{count}" in self._places:
+            count += 1
+        return [f"{name}.{index}" for index in range(1, count)]
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._places or bool(self._elements(name))
+
+    def __iter__(self):
+        return iter(self._places)
+
+    def __len__(self) -> int:
+        return len(self._places)
+
+    def keys(self):
+        """The names of all columns."""
+        return self._places.keys()
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The unit of each column, SI; empty where it has none."""
+        return dict(self._units)
+
+    def table(self, recording: int = 0) -> pd.DataFrame:
+        """What one entry of `record` recorded, as a DataFrame: a column for each signal, `time` [s] first; of a
+        sweep with its parameters, the runs one behind the other. ``attrs["units"]`` has the unit of each column."""
+        import pandas as pd
+        columns = self._results.columns(recording)
+        words = self._results.categories(recording)
+        data: dict[str, Any] = {}
+        for index, (name, _) in enumerate(columns):
+            values = self._results.column(recording, index)
+            data[name] = pd.Categorical.from_codes(values.astype(int), words[name]) if _distinct(words.get(name)) else values
+        table = pd.DataFrame(data)
+        table.attrs["units"] = dict(columns)
+        table.attrs["title"] = self.model.title
+        return table
+
+    @property
+    def points(self) -> list[dict[str, str]]:
+        """What each run of a sweep sets, as texts; empty without a sweep."""
+        return self._results.points
+
+    def run(self, index: int) -> dict[str, np.ndarray]:
+        """The columns of one run of a sweep, from 0: views without copy."""
+        count = max(len(self.points), 1)
+        if not -count <= index < count:
+            raise IndexError(f"there are {count} runs")
+        index %= count
+        columns = {}
+        for name, (recording, column) in self._places.items():
+            starts = self._results.starts(recording) + [None]
+            columns[name] = self._results.column(recording, column)[starts[index]:starts[index + 1]]
+        return columns
+
+    @property
+    def claims(self) -> list[Claim]:
+        """The claims and invariants of the file, judged."""
+        return [Claim(*claim) for claim in self._results.claims]
+
+    @property
+    def ok(self) -> bool:
+        """Did it come to its end, and does every claim hold that is expected to?"""
+        return not self.early and not any(claim.fails for claim in self.claims)
+
+    @property
+    def figures(self) -> show.Pictures:
+        """The figures of the file. Empty where the run ended early or the file has none."""
+        pictures = [show.Picture(f"figure {index + 1}", lambda index=index: self._results.figure(index))
+                    for index in range(self._results.figures)]
+        return show.Pictures(pictures, "the run ended early, so there is no picture of it" if self.early
+                             else "the file has no section 'figure'")
+
+    @property
+    def faults(self) -> list[Fault]:
+        """What ended the run before its time, at most one for each run of a sweep."""
+        return [Fault(*fault) for _, _, _, fault in self._results.faults]
+
+    @property
+    def notices(self) -> list[Notice]:
+        """What blocks had to say."""
+        return [Notice(*notice) for notice in self._results.notices]
+
+    @property
+    def early(self) -> bool:
+        """Did a fault or an interruption end it before its time?"""
+        return self._results.early
+
+    @property
+    def interrupted(self) -> bool:
+        return self._results.interrupted
+
+    @property
+    def ticks(self) -> int:
+        """Of all runs together."""
+        return self._results.ticks
+
+    @property
+    def compiled_ticks(self) -> int:
+        """Of them, those that compiled code made."""
+        return self._results.compiled_ticks
+
+    @property
+    def seconds(self) -> float:
+        """How long the run itself took [s]."""
+        return self._results.seconds
+
+    @property
+    def info(self) -> dict:
+        """What was run, as run.json of `stepwire run` has it."""
+        return json.loads(self._results.json)
+
+    def write(self, folder: str) -> None:
+        """Writes all files that `stepwire run --out` writes."""
+        self._results.write(str(folder))
+
+    def __str__(self) -> str:
+        return self._results.words
+
+    def __repr__(self) -> str:
+        rows = len(self["time"]) if "time" in self._places else 0
+        return f"<{type(self).__name__} of {self.model.file}: {len(self)} columns, {rows} rows{', ended early' if self.early else ''}>"
+
+    def _repr_html_(self) -> str:
+        rows = [(claim.that, claim.shown, "holds" if claim.holds else "does not hold") for claim in self.claims]
+        claims = show.table(("claim", "value", ""), rows) if rows else ""
+        return show.heading(repr(self)[1:-1]) + "".join(f"<p>{_escaped(fault)}</p>" for fault in self.faults) + claims
+
+    def __reduce__(self):
+        raise TypeError("a run is not pickled; pickle run.table(), or write the run to a folder")
+
+
+def _escaped(fault: Fault) -> str:
+    import html
+    return html.escape(str(fault))
+
+
+def _distinct(words: list[str] | None) -> bool:
+    return bool(words) and len(set(words)) == len(words)
+
+
+class Study(Run):
+    """What the study of a file gave: a run whose runs are the trials. `data` has all that was found, as
+    study.json of `stepwire study` has it."""
+
+    @property
+    def data(self) -> dict:
+        return json.loads(self._results.study)
+
+
+@dataclass(frozen=True)
+class FittedParameter:
+    """A number that a fit found, in SI."""
+
+    name: str
+    value: float
+    unit: str
+    standard_error: float  #: nan where the records do not tell
+    interval: tuple[float, float]  #: 95 %
+    at_bound: bool
+    record: str = ""  #: whose own it is; empty where all records share it
+
+
+class Fit:
+    """What the fit of a file found. `parameters` by name, `data` as fit.json of `stepwire fit` has it, `figures`
+    of records and residuals, and `model`, which has what was found."""
+
+    def __init__(self, fit: _core.Fit, model: Model):
+        self._fit = fit
+        self._of = model
+        self.data: dict = json.loads(fit.json)
+        self.parameters: dict[str, FittedParameter] = {}
+        for number in self.data["parameters"]:
+            record = number.get("record", "")
+            self.parameters[number["name"] + (f" of {record}" if record else "")] = FittedParameter(
+                number["name"], _number(number["value"]), number["unit"] or "", _number(number["standard_error"]),
+                tuple(_number(end) for end in number["interval"]), number["at_bound"], record)
+
+    def __getitem__(self, name: str) -> float:
+        """The number of a parameter, SI."""
+        if name not in self.parameters:
+            raise KeyError(f"{name!r} was not fitted; fitted are: {', '.join(self.parameters)}")
+        return self.parameters[name].value
+
+    @property
+    def converged(self) -> bool:
+        return self.data["converged"]
+
+    @property
+    def findings(self) -> list[str]:
+        """What cannot be known, is at a bound or is refused."""
+        return self.data["findings"]
+
+    @property
+    def model(self) -> Model:
+        """The model with what was found."""
+        return self._of.with_values(dict(self._fit.settings))
+
+    @property
+    def figures(self) -> show.Pictures:
+        pictures = [show.Picture(name, lambda index=index: self._fit.figure(index))
+                    for index, name in enumerate(self._fit.figures)]
+        return show.Pictures(pictures, "the fit has no pictures")
+
+    def table(self) -> pd.DataFrame:
+        """The parameters as a DataFrame, by their names."""
+        import pandas as pd
+        rows = [{"value": one.value, "unit": one.unit, "standard_error": one.standard_error,
+                 "low": one.interval[0], "high": one.interval[1]} for one in self.parameters.values()]
+        return pd.DataFrame(rows, index=list(self.parameters))
+
+    def __str__(self) -> str:
+        return self._fit.words
+
+    def __repr__(self) -> str:
+        numbers = ", ".join(f"{name}={one.value:g} {one.unit}".strip() for name, one in self.parameters.items())
+        return f"<Fit of {self._of.file}: {numbers}>"
+
+    def _repr_html_(self) -> str:
+        rows = [(name, f"{one.value:.6g}", one.unit, f"{one.interval[0]:.6g} .. {one.interval[1]:.6g}")
+                for name, one in self.parameters.items()]
+        return show.table(("parameter", "value", "unit", "95 %"), rows)
+
+
+def _number(value: float | None) -> float:
+    return float("nan") if value is None else value
+
+
+class Linear:
+    """A linear system near a point of a run: x' = A x + B u, y = C x + D u as arrays (n, n), (n, m), (p, n),
+    (p, m) in SI; sampled where `sample_time` [s] is above 0. `data` has all that was found, as linear.json of
+    `stepwire linearize` has it."""
+
+    def __init__(self, text: str, words: str):
+        import numpy as np
+        self.data: dict = json.loads(text)
+        self._words = words
+        self.states: list[str] = self.data["states"]
+        self.inputs: list[str] = self.data["inputs"]
+        self.outputs: list[str] = self.data["outputs"]
+        n, m, p = len(self.states), len(self.inputs), len(self.outputs)
+        shapes = {"A": (n, n), "B": (n, m), "C": (p, n), "D": (p, m)}
+        self.A, self.B, self.C, self.D = (np.array(self.data[name], dtype=float).reshape(shape)
+                                          for name, shape in shapes.items())
+        self.poles = np.array([complex(*pole) for pole in self.data["poles"]])
+        self.sample_time: float = self.data["sample_time"] or 0.0
+
+    @property
+    def stable(self) -> bool:
+        return self.data["stable"]
+
+    def scipy(self) -> Any:
+        """The system as scipy.signal.StateSpace."""
+        from scipy import signal
+        sampled = {"dt": self.sample_time} if self.sample_time > 0 else {}
+        return signal.StateSpace(self.A, self.B, self.C, self.D, **sampled)
+
+    def __str__(self) -> str:
+        return self._words
+
+    def __repr__(self) -> str:
+        return f"<Linear: {len(self.states)} states, from {', '.join(self.inputs)} to {', '.join(self.outputs)}>"
+
+
+def finished(results: _core.Results, run: Run, check: bool) -> Run:
+    """The run, or what ended it as an exception that has it."""
+    for note in results.notes:
+        warnings.warn(note, RuntimeWarning, stacklevel=4)
+    raised = results.raised
+    if isinstance(raised, KeyboardInterrupt):
+        raise Interrupted(run) from raised
+    if raised is not None:
+        raised.run = run
+        raise raised
+    if check and results.faults:
+        block, _, time, _ = results.faults[0]
+        raise RunError(run.faults, run, block, time) from results.cause
+    return run
