@@ -19,7 +19,7 @@ export class Selection {
   /** The same shape in another picture. */
   restore(): void {
     this.select(this.key, false);
-    this.wire = undefined;
+    this.selectWire(undefined);
   }
 
   /** What a pointer is on. */
