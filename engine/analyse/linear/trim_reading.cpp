@@ -51,6 +51,18 @@ void name_state(const plan::Plan& plan, const Signal& signal, TrimEntry& entry, 
     entry.name.name += fmt::format(".{}", *signal.element + 1);
 }
 
+/// An input follows from nothing else in the diagram.
+void require_given(const plan::Plan& plan, const Signal& signal, const TrimEntry& entry,
+                   yaml::Faults& faults) {
+  if (plan.diagram.blocks[static_cast<std::size_t>(signal.signal.block)].type().inputs.empty()) return;
+  faults.add({entry.name.place,
+              entry.name.subject,
+              yaml::fault_text("'{}' follows from other signals; an input is a constant or an input of the "
+                               "diagram, and what another signal is to be stands under 'outputs'",
+                               signal.name),
+              {}});
+}
+
 void read_entry(const yaml::Entry& written, const plan::Plan& plan, Part part,
                 const query::NamesReading& read, std::vector<TrimEntry>& entries) {
   TrimEntry entry;
@@ -59,6 +71,7 @@ void read_entry(const yaml::Entry& written, const plan::Plan& plan, Part part,
                                           : find_signal(plan.diagram, entry.name, read.faults);
   if (!signal) return;
   if (part == Part::state) name_state(plan, *signal, entry, read.faults);
+  if (part == Part::input) require_given(plan, *signal, entry, read.faults);
   const query::NamesReading inner = yaml::below(read, written.key);
   const EntryTable table = entry_table(unit_of_number(plan, signal->signal));
   if (written.value.is_map())

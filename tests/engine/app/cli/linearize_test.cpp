@@ -89,6 +89,14 @@ TEST_CASE("trim finds a point, whose file puts a run there, and linearize takes 
   CHECK(point["outputs"]["angle"].get<double>() == Approx(0.5).epsilon(1e-9));
 }
 
+TEST_CASE("what follows from other signals is no input of an operating point") {
+  const Scratch folder;
+  folder.file("a.yaml", pendulum_yaml + "trim: {states: {angle: 0.5}, inputs: {turned: free}}\n");
+  const Done done = run_program(folder, {"trim", "a.yaml"});
+  CHECK(done.code == 2);
+  CHECK_THAT(done.err, Contains("a.yaml:19:39: trim.inputs: 'turned' follows from other signals"));
+}
+
 TEST_CASE("a point that is not there is told, and is no point to be linearized at") {
   const Scratch folder;
   folder.file("a.yaml", pendulum_yaml + "trim: {states: {angle.x: 0.5}, inputs: {torque: {bounds: [0 N m, 0.1 N "
