@@ -160,19 +160,20 @@ class DiagramUnit final : public ExportedUnit {
     return Status::ok;
   }
 
-  std::size_t state_bytes() const override { return sizeof Source::layout + sizeof moving_; }
+  std::size_t state_bytes() const override { return sizeof(std::uint64_t) + sizeof moving_; }
   void save(void* bytes) const override {
-    std::memcpy(bytes, &Source::layout, sizeof Source::layout);
-    std::memcpy(static_cast<char*>(bytes) + sizeof Source::layout, &moving_, sizeof moving_);
+    const std::uint64_t key = state_key();
+    std::memcpy(bytes, &key, sizeof key);
+    std::memcpy(static_cast<char*>(bytes) + sizeof key, &moving_, sizeof moving_);
   }
   Status check_state(const void* bytes, std::size_t count) override {
-    const bool same =
-        count == state_bytes() && std::memcmp(bytes, &Source::layout, sizeof Source::layout) == 0;
-    return same ? Status::ok : refuse("this is no state of this unit");
+    const std::uint64_t key = state_key();
+    const bool same = count == state_bytes() && std::memcmp(bytes, &key, sizeof key) == 0;
+    return same ? Status::ok : refuse("this is no state of this unit with this interface");
   }
   Status load(const void* bytes) override {
     if (check_state(bytes, state_bytes()) != Status::ok) return Status::error;
-    std::memcpy(static_cast<void*>(&moving_), static_cast<const char*>(bytes) + sizeof Source::layout,
+    std::memcpy(static_cast<void*>(&moving_), static_cast<const char*>(bytes) + sizeof(std::uint64_t),
                 sizeof moving_);
     return Status::ok;
   }
@@ -181,6 +182,8 @@ class DiagramUnit final : public ExportedUnit {
   static constexpr double near = 1e-3;  // of a step: what rounding may do to a time
   static constexpr unsigned looked_at =
       Phase::initializing | Phase::at_event | Phase::continuous | Phase::ended;
+
+  std::uint64_t state_key() const { return Source::layout ^ (moving_.exchange ? 1u : 0u); }
 
   bool fit(References references, std::size_t numbers) {
     for (std::size_t i = 0; i < references.count; ++i)

@@ -22,14 +22,15 @@ std::string member_place(const std::string& group, const std::string& member) {
 
 class Collector {
  public:
-  Collector(const plan::Plan& plan, const codegen::Tuning& tuning)
+  Collector(const plan::Plan& plan, const codegen::Tuning& tuning, bool exchange)
       : plan_(plan),
         tuning_(tuning),
+        exchange_(exchange),
         groups_(plan, tuning),
         depends_(plan),
         signals_(signals_of(plan.diagram)) {}
 
-  std::vector<Variable> collect(bool exchange) {
+  std::vector<Variable> collect() {
     add({.kind = Kind::time,
          .causality = "independent",
          .variability = "continuous",
@@ -41,8 +42,8 @@ class Collector {
     add_inputs();
     add_outputs();
     add_recorded();
-    if (exchange) add_states();
-    if (exchange && plan_.crossing_count > 0) add_indicators();
+    if (exchange_) add_states();
+    if (exchange_ && plan_.crossing_count > 0) add_indicators();
     faults_.throw_if_any();
     return std::move(variables_);
   }
@@ -97,6 +98,7 @@ class Collector {
       const plan::SignalSlot& slot = plan_.blocks[block].outputs.front();
       Variable variable = signal(Kind::input, input.name, input.doc, {input.block, 0, -1}, slot);
       variable.causality = "input";
+      variable.about = input.doc;
       variable.variability = "continuous";
       variable.place = member_place("inputs", groups_.inputs.members[i].name);
       variable.block = input.block;
@@ -137,8 +139,11 @@ class Collector {
                       .name = name,
                       .about = doc.empty() ? about(of) : doc,
                       .dimension = plan_.dimension(of)};
-    variable.variability =
-        plan_.blocks[block].rate.kind == plan::Rate::Kind::continuous ? "continuous" : "discrete";
+    const plan::Rate::Kind rate = plan_.blocks[block].rate.kind;
+    // With model exchange what has ticks has them for the inputs' sake alone, and these are continuous there.
+    const bool continuous =
+        rate == plan::Rate::Kind::continuous || (exchange_ && rate == plan::Rate::Kind::discrete);
+    variable.variability = continuous ? "continuous" : "discrete";
     if (slot.columns > 1) {
       variable.sizes = {slot.rows(), slot.columns};
       variable.rows = static_cast<int>(slot.rows());
@@ -237,6 +242,7 @@ class Collector {
 
   const plan::Plan& plan_;
   const codegen::Tuning& tuning_;
+  const bool exchange_;
   const codegen::Groups groups_;
   Dependencies depends_;
   const std::set<std::string> signals_;
@@ -253,7 +259,7 @@ std::size_t Variable::count() const {
 }
 
 std::vector<Variable> variables_of(const plan::Plan& plan, const codegen::Tuning& tuning, bool exchange) {
-  return Collector(plan, tuning).collect(exchange);
+  return Collector(plan, tuning, exchange).collect();
 }
 
 }  // namespace stepwire::fmu

@@ -226,6 +226,9 @@ TEST_CASE("a state that was saved and serialized goes on with the same bits in a
   REQUIRE(CALL(fmi3SetFMUState)(other.unit, copy) == fmi3OK);
   other.run(10, 50);
   CHECK(other.get(position) == first);
+  Unit exchange(true);
+  exchange.initialize();
+  CHECK(CALL(fmi3SetFMUState)(exchange.unit, state) == fmi3Error);
   CHECK(CALL(fmi3FreeFMUState)(cart.unit, &state) == fmi3OK);
   CHECK(CALL(fmi3FreeFMUState)(other.unit, &copy) == fmi3OK);
   CHECK(copy == nullptr);

@@ -110,6 +110,28 @@ TEST_CASE("by model exchange inputs are those of the instant: the bits are those
   CHECK(column(unit, "unit.b") == column(own, "b"));
 }
 
+TEST_CASE("what depends on what, and which powers of base units a unit is, stand in the description") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  const std::string xml =
+      unit_files(folder, "a",
+                 head +
+                     "inputs: {f: {unit: N, default: 0 N}, g: {unit: N, default: 0 N}}\n"
+                     "parameters: {m: {value: 500 g, above: 0 kg}}\n"
+                     "blocks:\n  sum:  {block: Sum, u: [f, g]}\n  mass: {block: Mass, force: f, mass: $m}\n"
+                     "record: [sum, mass.velocity]\n",
+                 3)
+          .at("modelDescription.xml");
+  // 0 time, 1 m, 2 f, 3 g, 4 sum, 5 mass.velocity, then the other state and the slopes.
+  CHECK_THAT(xml, Contains("<Output valueReference=\"4\" dependencies=\"2 3\"/>"));
+  CHECK_THAT(xml, Contains("<Output valueReference=\"5\" dependencies=\"5 6\"/>") ||
+                      Contains("<Output valueReference=\"5\" dependencies=\"5 7\"/>"));
+  CHECK_THAT(xml, Contains("dependencies=\"2 5 6\"/>") || Contains("dependencies=\"2 5 7\"/>"));
+  CHECK_THAT(xml, Contains("<BaseUnit m=\"1\" kg=\"1\" s=\"-2\"/>"));
+  CHECK_THAT(xml, Contains("<DisplayUnit name=\"g\" factor=\"1000\"/>"));
+  CHECK_THAT(xml, Contains("displayUnit=\"g\" min=\"0\" start=\"0.5\""));
+}
+
 TEST_CASE("a unit ends the run at the tick at which its diagram ends") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
