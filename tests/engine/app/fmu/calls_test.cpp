@@ -234,6 +234,19 @@ TEST_CASE("a state that was saved and serialized goes on with the same bits in a
   CHECK(copy == nullptr);
 }
 
+TEST_CASE("a run may begin at any tick, and at no time between two") {
+  if (!there_is_a_compiler()) return;
+  Unit cart;
+  CHECK(CALL(fmi3EnterInitializationMode)(cart.unit, false, 0.0, 0.505, false, 0.0) == fmi3Error);
+  CHECK_THAT(cart.message, Contains("cannot begin at 0.505 s"));
+  REQUIRE(CALL(fmi3EnterInitializationMode)(cart.unit, false, 0.0, 0.5, false, 0.0) == fmi3OK);
+  REQUIRE(CALL(fmi3ExitInitializationMode)(cart.unit) == fmi3OK);
+  CHECK(cart.get(time_) == 0.5);
+  CHECK(cart.step(0.0) == fmi3Error);
+  CHECK(cart.step(0.5) == fmi3OK);
+  CHECK(cart.get(time_) == 0.51);
+}
+
 TEST_CASE("directional derivatives are those of the equations") {
   if (!there_is_a_compiler()) return;
   Unit cart(true);
