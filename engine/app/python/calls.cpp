@@ -143,33 +143,31 @@ void add_numbers(py::class_<LoadedFile, Shared>& file) {
       .def_property_readonly("runs", [](const LoadedFile& of) { return of.model().job.points.size(); });
 }
 
-void add_lists(py::class_<LoadedFile, Shared>& file) {
-  file.def_property_readonly("signals",
-                             [](const Shared& of) {
-                               py::list all;
-                               const Model model = LoadedFile::library_model(of);
-                               for (const SignalInfo& signal : model.signals())
-                                 all.append(py::make_tuple(signal.name, signal.unit, signal.size));
-                               return all;
-                             })
-      .def_property_readonly("inputs",
-                             [](const Shared& of) {
-                               py::list all;
-                               const Model model = LoadedFile::library_model(of);
-                               for (const InputInfo& input : model.inputs())
-                                 all.append(py::make_tuple(input.name, input.unit, input.size, input.doc));
-                               return all;
-                             })
-      .def_property_readonly("parameters", [](const Shared& of) {
-        py::list all;
-        const auto& written = of->model().job.plan.diagram.parameters;
-        const std::vector<ParameterInfo> parameters = LoadedFile::library_model(of).parameters();
-        for (std::size_t i = 0; i < parameters.size(); ++i)
-          all.append(py::make_tuple(parameters[i].name, parameters[i].text,
-                                    py::reinterpret_steal<py::object>(object_of(written[i].value)),
-                                    parameters[i].unit, parameters[i].doc));
-        return all;
-      });
+py::list signals_of(const Shared& of) {
+  py::list all;
+  const Model model = LoadedFile::library_model(of);
+  for (const SignalInfo& signal : model.signals())
+    all.append(py::make_tuple(signal.name, signal.unit, signal.size));
+  return all;
+}
+
+py::list inputs_of(const Shared& of) {
+  py::list all;
+  const Model model = LoadedFile::library_model(of);
+  for (const InputInfo& input : model.inputs())
+    all.append(py::make_tuple(input.name, input.unit, input.size, input.doc));
+  return all;
+}
+
+py::list parameters_of(const Shared& of) {
+  py::list all;
+  const auto& written = of->model().job.plan.diagram.parameters;
+  const std::vector<ParameterInfo> parameters = LoadedFile::library_model(of).parameters();
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    all.append(py::make_tuple(parameters[i].name, parameters[i].text,
+                              py::reinterpret_steal<py::object>(object_of(written[i].value)),
+                              parameters[i].unit, parameters[i].doc));
+  return all;
 }
 
 }  // namespace
@@ -177,8 +175,10 @@ void add_lists(py::class_<LoadedFile, Shared>& file) {
 void add_calls(_object* module) {
   py::class_<LoadedFile, Shared> file(module, "File");
   add_numbers(file);
-  add_lists(file);
-  file.def("run", run)
+  file.def_property_readonly("signals", signals_of)
+      .def_property_readonly("inputs", inputs_of)
+      .def_property_readonly("parameters", parameters_of)
+      .def("run", run)
       .def("study", study)
       .def("linearize", linearize_call)
       .def("draw", draw)

@@ -93,7 +93,7 @@ bool Instance::fill(Bound& bound) {
   for (std::size_t i = 0; i < given.size(); ++i) {
     Buffer& buffer = bound.buffers[i];
     if (given[i].size == 1) {
-      buffer.array = Held(PyFloat_FromDouble(*given[i].numbers));
+      buffer.array.put(PyFloat_FromDouble(*given[i].numbers));
     } else {
       if (!buffer.array) {
         py::array_t<double> array(given[i].size);
@@ -117,12 +117,12 @@ void Instance::connect(std::size_t method, std::vector<Given> given, std::vector
 bool Instance::call(std::size_t method) {
   Bound& bound = methods_[method];
   if (!fill(bound)) return false;
-  const Held result(
+  const auto result = py::reinterpret_steal<py::object>(
       PyObject_Vectorcall(bound.method.get(), bound.arguments.data(), bound.arguments.size(), nullptr));
   if (!result) return false;
   if (bound.targets.empty()) return true;
-  return bound.targets.size() == 1 ? write(result.get(), bound.targets.front(), bound.shown)
-                                   : write_several(result.get(), bound.targets, bound.shown);
+  return bound.targets.size() == 1 ? write(result.ptr(), bound.targets.front(), bound.shown)
+                                   : write_several(result.ptr(), bound.targets, bound.shown);
 }
 
 std::string text_of(_object* exception) {

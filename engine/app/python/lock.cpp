@@ -46,6 +46,11 @@ Held Held::one_more(_object* object) {
   return Held(object);
 }
 
+void Held::put(_object* owned) {
+  _object* dropped = std::exchange(object_, owned);
+  Py_XDECREF(dropped);
+}
+
 Held::~Held() {
   if (!object_ || !Py_IsInitialized()) return;
   const Lock lock;

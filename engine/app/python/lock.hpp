@@ -47,6 +47,8 @@ class Held {
     return *this;
   }
 
+  /// Takes over another reference and drops this one; the lock is held, which is faster.
+  void put(_object* owned);
   _object* get() const { return object_; }
   /// Hands the reference over.
   _object* release() { return std::exchange(object_, nullptr); }

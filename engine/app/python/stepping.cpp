@@ -95,17 +95,8 @@ class Stepping {
   Simulation simulation_;
 };
 
-}  // namespace
-
-void add_stepping(_object* module) {
-  py::class_<Snapshot>(module, "Snapshot", "A moment of a simulation, to return to as often as needed.");
-  py::class_<Stepping>(module, "Simulation", "A run of a model, tick by tick; the numbers are SI.")
-      .def(
-          py::init<const std::shared_ptr<LoadedFile>&, const std::string&, const std::vector<std::string>&>())
-      .def("step", &Stepping::step, py::arg("ticks") = 1,
-           "Computes the next tick, at first that of time 0, or so many. Raises Error where a block or the "
-           "solver\n"
-           "ends the run, and where it has ended.")
+void add_looks(py::class_<Stepping>& stepping) {
+  stepping
       .def_property_readonly(
           "time", [](Stepping& of) { return of.simulation().time(); },
           "Of the tick that is shown [s]; 0 before the first one.")
@@ -117,7 +108,22 @@ void add_stepping(_object* module) {
           "Is the next tick computed by compiled code?")
       .def_property_readonly(
           "compile_problem", [](Stepping& of) { return of.simulation().compile_problem(); },
-          "Why there is no compiled code although it was chosen.")
+          "Why there is no compiled code although it was chosen.");
+}
+
+}  // namespace
+
+void add_stepping(_object* module) {
+  py::class_<Snapshot>(module, "Snapshot", "A moment of a simulation, to return to as often as needed.");
+  py::class_<Stepping> stepping(module, "Simulation", "A run of a model, tick by tick; the numbers are SI.");
+  add_looks(stepping);
+  stepping
+      .def(
+          py::init<const std::shared_ptr<LoadedFile>&, const std::string&, const std::vector<std::string>&>())
+      .def("step", &Stepping::step, py::arg("ticks") = 1,
+           "Computes the next tick, at first that of time 0, or so many. Raises Error where a block or the "
+           "solver\n"
+           "ends the run, and where it has ended.")
       .def("__getitem__", &Stepping::signal, py::arg("signal"),
            "The numbers of a signal at the tick that is shown, SI: a float, or a new array (n,).")
       .def("set", &Stepping::set, py::arg("name"), py::arg("value"),
