@@ -24,7 +24,7 @@ struct Derivative : Resettable {
 
   void derivatives() {
     const bool still = held();
-    for (Index i = 0; i < x.size(); ++i) x.dot[i] = still ? 0.0 : (u[i] - x[i]) / tau[i];
+    for (Index i = 0; i < x.size(); ++i) x.derivative[i] = still ? 0.0 : (u[i] - x[i]) / tau[i];
   }
 
   /// Runs only where the start is settled, or something resets.

@@ -24,7 +24,7 @@ struct Integrator : Resettable {
 
   void derivatives() {
     if (slope_is_input) {
-      x.dot = u;
+      x.derivative = u;
     } else {
       integrate_within_limits();
     }
@@ -54,7 +54,7 @@ struct Integrator : Resettable {
  private:
   STEPWIRE_RARE void integrate_within_limits() {
     const bool still = held();
-    for (Index i = 0; i < x.size(); ++i) x.dot[i] = still ? 0.0 : gated(u[i], i);
+    for (Index i = 0; i < x.size(); ++i) x.derivative[i] = still ? 0.0 : gated(u[i], i);
   }
   double limit(double number, Index i) const { return std::clamp(number, lower[i], upper[i]); }
   /// A limit holds for whole steps: found in the middle of one, it would spoil the solver's order.

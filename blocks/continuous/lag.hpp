@@ -21,9 +21,9 @@ struct Lag : Resettable {
 
   void derivatives() {
     if (resets && held()) {
-      x.dot = 0.0;
+      x.derivative = 0.0;
     } else {
-      x.dot.each([&](Index i) { return (gain[i] * u[i] - x[i]) * decay[i]; });
+      x.derivative.each([&](Index i) { return (gain[i] * u[i] - x[i]) * decay[i]; });
     }
   }
 

@@ -24,10 +24,10 @@ struct LuenbergerObserver : Resettable {
   }
 
   void derivatives() {
-    x.dot = 0.0;
+    x.derivative = 0.0;
     if (held()) return;
-    dense::add(A, x, x.dot);
-    if (u.connected()) dense::add(B, u, x.dot);
+    dense::add(A, x, x.derivative);
+    if (u.connected()) dense::add(B, u, x.derivative);
     for (Index k = 0; k < measured.size(); ++k) correct_by(k);
   }
 
@@ -47,7 +47,7 @@ struct LuenbergerObserver : Resettable {
     for (Index j = 0; j < x.size(); ++j) residual -= C(k, j) * x[j];
     if (direct)
       for (Index j = 0; j < u.size(); ++j) residual -= D(k, j) * u[j];
-    for (Index i = 0; i < x.size(); ++i) x.dot[i] += L(i, k) * residual;
+    for (Index i = 0; i < x.size(); ++i) x.derivative[i] += L(i, k) * residual;
   }
 };
 

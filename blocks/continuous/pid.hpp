@@ -28,13 +28,13 @@ struct PID : Resettable {
 
   void derivatives() {
     if (!plain && held()) {
-      integral.dot = 0.0;
-      filter.dot = 0.0;
+      integral.derivative = 0.0;
+      filter.derivative = 0.0;
       return;
     }
     for (Index i = 0; i < integral.size(); ++i) {
-      integral.dot[i] = by_hand() ? 0.0 : integral_rate(i);
-      filter.dot[i] = kd[i] == 0.0 ? 0.0 : slope(i);
+      integral.derivative[i] = by_hand() ? 0.0 : integral_rate(i);
+      filter.derivative[i] = kd[i] == 0.0 ? 0.0 : slope(i);
     }
   }
 

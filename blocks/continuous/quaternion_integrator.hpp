@@ -29,14 +29,14 @@ struct QuaternionIntegrator : Resettable {
 
   void derivatives() {
     if (held()) {
-      x.dot = 0.0;
+      x.derivative = 0.0;
       return;
     }
     const double s = frame == Frame::turned ? 1.0 : -1.0;
-    x.dot[0] = -0.5 * (x[1] * rate[0] + x[2] * rate[1] + x[3] * rate[2]);
-    x.dot[1] = 0.5 * (x[0] * rate[0] + s * (x[2] * rate[2] - x[3] * rate[1]));
-    x.dot[2] = 0.5 * (x[0] * rate[1] + s * (x[3] * rate[0] - x[1] * rate[2]));
-    x.dot[3] = 0.5 * (x[0] * rate[2] + s * (x[1] * rate[1] - x[2] * rate[0]));
+    x.derivative[0] = -0.5 * (x[1] * rate[0] + x[2] * rate[1] + x[3] * rate[2]);
+    x.derivative[1] = 0.5 * (x[0] * rate[0] + s * (x[2] * rate[2] - x[3] * rate[1]));
+    x.derivative[2] = 0.5 * (x[0] * rate[1] + s * (x[3] * rate[0] - x[1] * rate[2]));
+    x.derivative[3] = 0.5 * (x[0] * rate[2] + s * (x[1] * rate[1] - x[2] * rate[0]));
   }
 
   /// Errors of the solver change the length, too; each tick it is 1 again.

@@ -24,10 +24,10 @@ struct StateSpace : Resettable {
   }
 
   void derivatives() {
-    x.dot = 0.0;
+    x.derivative = 0.0;
     if (held()) return;
-    add(A, x, x.dot);
-    add(B, u, x.dot);
+    add(A, x, x.derivative);
+    add(B, u, x.derivative);
   }
 
   /// Runs only where something resets.

@@ -18,11 +18,11 @@ struct TransferFunction : Resettable {
 
   void derivatives() {
     if (held()) {
-      x.dot = 0.0;
+      x.derivative = 0.0;
       return;
     }
-    x.dot[0] = form.head(u, x);
-    for (Index i = 1; i < x.size(); ++i) x.dot[i] = x[i - 1];
+    x.derivative[0] = form.head(u, x);
+    for (Index i = 1; i < x.size(); ++i) x.derivative[i] = x[i - 1];
   }
 
   /// Runs only where something resets.

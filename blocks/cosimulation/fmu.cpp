@@ -102,9 +102,9 @@ void ContinuousFmu::outputs() {
 
 void ContinuousFmu::derivatives() {
   if (at_present(fmi::Operation::slopes))
-    std::copy_n(unit.exchange().slopes(), unit_states.size(), unit_states.dot.data());
+    std::copy_n(unit.exchange().slopes(), unit_states.size(), unit_states.derivative.data());
   else
-    unit_states.dot = 0.0;
+    unit_states.derivative = 0.0;
 }
 
 void ContinuousFmu::update() {

@@ -36,7 +36,7 @@ struct PassivityObserver {
   void derivatives() {
     double power = 0.0;
     for (Index i = 0; i < force.size(); ++i) power += force[i] * velocity[i];
-    energy.dot = power;
+    energy.derivative = power;
   }
   void update() {
     const double lost = lost_now();

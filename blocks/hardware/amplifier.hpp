@@ -19,7 +19,7 @@ struct Amplifier {
   Time time{};
 
   void derivatives() {
-    current_.dot.each([&](Index i) { return (wanted(i) - current_[i]) / tau[i]; });
+    current_.derivative.each([&](Index i) { return (wanted(i) - current_[i]) / tau[i]; });
   }
   void update() {
     for (Index i = 0; i < u.size(); ++i)

@@ -16,7 +16,7 @@ struct BoucWen {
   void derivatives() {
     for (Index i = 0; i < z_.size(); ++i) {
       const BoucWenLaw law = law_of(i);
-      z_.dot[i] = law.rate(velocity[i], z_[i]);
+      z_.derivative[i] = law.rate(velocity[i], z_[i]);
     }
   }
 

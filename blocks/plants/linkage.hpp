@@ -23,8 +23,8 @@ struct Linkage : LinkageCore {
     for_each_link(position_, velocity_, [&](Index k, const Link& link) { add_link(k, link, now); });
     for (Index i = 0; external.connected() && i < dimensions(); ++i) at(now.load, i) += external[i];
     solve(now);
-    position_.dot = velocity_;
-    velocity_.dot.each([&](Index i) { return at(now.load, i); });
+    position_.derivative = velocity_;
+    velocity_.derivative.each([&](Index i) { return at(now.load, i); });
   }
 
   void update() { watch_stroke(); }

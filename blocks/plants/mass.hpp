@@ -12,8 +12,8 @@ struct Mass {
   State<> position_{}, velocity_{};
 
   void derivatives() {
-    position_.dot = velocity_;
-    velocity_.dot.each([&](Index i) { return force[i] / mass[i]; });
+    position_.derivative = velocity_;
+    velocity_.derivative.each([&](Index i) { return force[i] / mass[i]; });
   }
 
   static void declare(Declare<Mass>& is);

@@ -75,14 +75,14 @@ struct MRDamperCore {
 
   void write_rates() {
     if (integration == Integration::exact) {
-      evolution.dot = spring_work.dot = loss.dot = 0.0;
+      evolution.derivative = spring_work.derivative = loss.derivative = 0.0;
       return;
     }
     const double i = acting(current), rate = law().rate(velocity, evolution);
     const double stiffness = 2.0 * spring(i), viscous = polynomial(scaled_c, i) * velocity * velocity;
-    evolution.dot = rate;
-    spring_work.dot = stiffness * evolution * rate;
-    loss.dot = viscous + stiffness * law().lost(velocity, evolution);
+    evolution.derivative = rate;
+    spring_work.derivative = stiffness * evolution * rate;
+    loss.derivative = viscous + stiffness * law().lost(velocity, evolution);
   }
 
   void remember() {

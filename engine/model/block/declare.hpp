@@ -192,10 +192,10 @@ class Declare {
                    continuous,
                    is.settable,
                    is.initial};
-    spec.bind = [](void* block, double* data, double* dot, Eigen::Index size) {
+    spec.bind = [](void* block, double* data, double* derivative, Eigen::Index size) {
       of<member>(block).bind(data, size);
-      if constexpr (continuous) of<member>(block).dot.bind(dot, size);
-      static_cast<void>(dot);
+      if constexpr (continuous) of<member>(block).derivative.bind(derivative, size);
+      static_cast<void>(derivative);
     };
     if (type_.timing == Timing::inherited) type_.timing = Timing::discrete;
     if (continuous) type_.timing = Timing::continuous;

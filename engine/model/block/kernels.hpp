@@ -55,7 +55,7 @@ template <Specialization specialization, class Block>
   if constexpr (specialization == Specialization::nothing) return;
   if constexpr (requires { block.u.size(); }) assume_one_element(block.u);
   if constexpr (requires { block.y.size(); }) assume_one_element(block.y);
-  if constexpr (requires { block.x.dot.size(); }) assume_one_element(block.x.dot);
+  if constexpr (requires { block.x.derivative.size(); }) assume_one_element(block.x.derivative);
   if constexpr (specialization == Specialization::two_in_list)
     if (block.u.count() != 2) __builtin_unreachable();
   if constexpr (specialization == Specialization::three_in_list)

@@ -97,7 +97,7 @@ struct StateSpec {
   bool continuous = true;
   bool settable = true;  ///< may a file give its initial value?
   double initial = 0.0;
-  void (*bind)(void* block, double* data, double* dot, Eigen::Index size) = nullptr;
+  void (*bind)(void* block, double* data, double* derivative, Eigen::Index size) = nullptr;
 };
 
 /// How a diagnostic is declared.

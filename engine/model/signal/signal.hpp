@@ -78,12 +78,12 @@ class Output : public Signal<size_at_build> {
   using Signal<size_at_build>::operator=;
 };
 
-/// A continuous state: its value, and `dot`, its time derivative, which derivatives() writes.
+/// A continuous state: its value, and `derivative`, the one by time, which derivatives() writes.
 template <int size_at_build = any_size>
 class State : public Signal<size_at_build> {
  public:
   using Signal<size_at_build>::operator=;
-  Signal<size_at_build> dot;
+  Signal<size_at_build> derivative;
 };
 
 /// A state that only update() changes: the block's memory between its ticks.

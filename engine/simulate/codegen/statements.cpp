@@ -122,7 +122,7 @@ void Statements::bind_states(std::size_t block, const Places& places, Pieces& pi
     const std::string end = fmt::format(", {});\n", slot.size);
     pieces.push_back(place(fmt::format("    b.{}.bind(", member), slot.offset, end, places));
     if (type.states[s].continuous)
-      pieces.push_back({fmt::format("    b.{}.dot.bind({} + (", member, places.dot), names_.at(slot.offset),
+      pieces.push_back({fmt::format("    b.{}.derivative.bind({} + (", member, places.dot), names_.at(slot.offset),
                         " - states)" + end, static_cast<std::int64_t>(slot.offset)});
   }
 }

@@ -20,7 +20,7 @@ struct Everything {
 
   void outputs() { y = x; }
   void derivatives() {
-    for (Index i = 0; i < x.size(); ++i) x.dot[i] = (u[i] - x[i]) / tau;
+    for (Index i = 0; i < x.size(); ++i) x.derivative[i] = (u[i] - x[i]) / tau;
   }
 
   static void declare(Declare<Everything>& is) {
@@ -103,7 +103,7 @@ TEST_CASE("a kernel runs its phase for blocks that lie side by side") {
   for (int i = 0; i < 2; ++i) {
     blocks[i].u.bind(numbers + i, 1);
     blocks[i].x.bind(numbers + 2 + i, 1);
-    blocks[i].x.dot.bind(numbers + 4 + i, 1);
+    blocks[i].x.derivative.bind(numbers + 4 + i, 1);
   }
   type.run_derivatives[Specialization::nothing](blocks, blocks + 2);
   CHECK(numbers[4] == (1.0 - 10.0) / 0.5);

@@ -19,7 +19,7 @@ struct Damper {
     force = 2.0 * v + x;
     z = x;
   }
-  void derivatives() { x.dot = v - x; }
+  void derivatives() { x.derivative = v - x; }
   void configure(Configure& is) { is.feedthrough<&Damper::v, &Damper::z>(false); }
 
   static void declare(Declare<Damper>& is) {

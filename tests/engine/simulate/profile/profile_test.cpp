@@ -24,7 +24,7 @@ struct Slow {
   }
   void derivatives() {
     now += 3.0;
-    x.dot = u;
+    x.derivative = u;
   }
   static void declare(Declare<Slow>& is) {
     is.block("Slow", {.doc = "a test"});
