@@ -38,8 +38,8 @@ struct ParameterOptions {
   /// generated program keeps it.
   bool structural = false;
   /// Keys of a tree whose texts, and those in a map there, are expressions; "to." for the map alone; {""}
-  /// where the text itself is one. Names of parameters in them are the parameters' numbers, but for those that
-  /// the block gives a meaning: its inputs, what `variables` lists, u1, u2, .. and time.
+  /// where the text itself is one. Names of parameters in them are the parameters' numbers, but for those
+  /// that the block gives a meaning: its inputs, what `variables` lists, u1, u2, .. and time.
   std::vector<std::string> formulas{};
 };
 
