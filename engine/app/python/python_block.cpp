@@ -84,7 +84,7 @@ void PythonBlock::connect(std::size_t method) {
       targets.push_back({results[i].data(), results[i].size(), of->outputs[i].name.c_str()});
   if (method == slope_method)
     for (std::size_t i = 0; i < of->states.size(); ++i)
-      targets.push_back({states[i].dot.data(), states[i].dot.size(), of->states[i].name.c_str()});
+      targets.push_back({states[i].derivative.data(), states[i].derivative.size(), of->states[i].name.c_str()});
   if (method == update_method)
     for (std::size_t i = 0; i < of->memory.size(); ++i)
       targets.push_back({memory[i].data(), memory[i].size(), of->memory[i].name.c_str()});
