@@ -38,9 +38,9 @@ constexpr auto output_binders(std::index_sequence<k...>) {
 template <std::size_t... k>
 constexpr auto state_binders(std::index_sequence<k...>) {
   return std::array<decltype(StateSpec::bind), sizeof...(k)>{
-      [](void* block, double* data, double* dot, Eigen::Index size) {
+      [](void* block, double* data, double* derivative, Eigen::Index size) {
         block_of(block).states[k].bind(data, size);
-        block_of(block).states[k].dot.bind(dot, size);
+        block_of(block).states[k].derivative.bind(derivative, size);
       }...};
 }
 
