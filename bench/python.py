@@ -1,7 +1,7 @@
 """What Python costs beside the program: called by bench/python, which sets the path to the module.
 
     runs      the same run, by model.run() and by `stepwire run`: seconds of the run itself, and of the whole call
-    ticks     a tick by simulation.step(), beside many ticks by one call of it
+    ticks     processor time of a tick by simulation.step(), beside many ticks by one call of it
     blocks    a method of a block in Python, beside the same method called by Python
 """
 
@@ -20,10 +20,15 @@ root = pathlib.Path(__file__).resolve().parent.parent
 W1 = root / "bench" / "w1.yaml"
 
 
-def seconds(act):
-    start = time.perf_counter()
+def seconds(act, clock=time.perf_counter):
+    start = clock()
     act()
-    return time.perf_counter() - start
+    return clock() - start
+
+
+def processor_seconds(act):
+    """Of all threads, which other work on the machine does not change much."""
+    return seconds(act, time.process_time)
 
 
 def run_ratios(rounds):
@@ -47,13 +52,13 @@ def tick_cost(rounds, ticks=200_000):
     model, beyond = stepwire.load(W1, values={"stop": 1e4}), []
     for _ in range(rounds):
         simulation = model.simulation()
-        together = seconds(lambda: simulation.step(ticks))
+        together = processor_seconds(lambda: simulation.step(ticks))
         step = simulation.step
 
         def one_by_one():
             for _ in range(ticks):
                 step()
-        beyond.append((seconds(one_by_one) - together) / ticks * 1e6)
+        beyond.append((processor_seconds(one_by_one) - together) / ticks * 1e6)
     return statistics.median(beyond)
 
 
@@ -86,14 +91,14 @@ def block_cost(rounds):
             pathlib.Path(path).write_text(DIAGRAM % name)
             models.append(stepwire.load(path, blocks=[Gained]))
         for _ in range(rounds):
-            runs = [seconds(lambda: model.run(engine="interpreted")) for model in models]
+            runs = [processor_seconds(lambda: model.run(engine="interpreted")) for model in models]
             block = Gained()
 
             def call():
                 outputs = block.outputs
                 for _ in range(200_001):
                     outputs(0.5)
-            beyond.append((runs[0] - runs[1] - seconds(call)) / 200_001 * 1e6)
+            beyond.append((runs[0] - runs[1] - processor_seconds(call)) / 200_001 * 1e6)
     return statistics.median(beyond)
 
 

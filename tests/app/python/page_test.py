@@ -1,4 +1,4 @@
-"""What the page of the module shows is done, in its order."""
+"""What the pages of the module show is done, in their order."""
 
 import pathlib
 import re
@@ -7,12 +7,13 @@ import pytest
 import stepwire
 
 root = pathlib.Path(__file__).resolve().parents[3]
-PAGE = root / "engine" / "app" / "python" / "README.md"
+PAGES = [root / "engine" / "app" / "python" / name for name in ("README.md", "records.md")]
 
 
 @pytest.fixture
 def fences():
-    return re.findall(r"([^\n]*)\n\n```(\w+)\n(.*?)```", PAGE.read_text(), re.DOTALL)
+    text = "\n".join(page.read_text() for page in PAGES)
+    return re.findall(r"([^\n]*)\n\n```(\w+)\n(.*?)```", text, re.DOTALL)
 
 
 def test_the_page_holds(fences, tmp_path, monkeypatch, capsys):
@@ -23,7 +24,7 @@ def test_the_page_holds(fences, tmp_path, monkeypatch, capsys):
             name = re.search(r"`([\w-]+\.(?:yaml|csv))`", lead)[1]
             pathlib.Path(name).write_text(text)
         elif language == "python":
-            exec(compile(text, f"{PAGE}: {text.splitlines()[0]}", "exec"), names)
+            exec(compile(text, f"page: {text.splitlines()[0]}", "exec"), names)
     assert names["sweep"].points[4] == {"mass": "2 kg", "stiffness": "50"}
     fit = names["fit"]
     assert fit.converged and fit["mass"] == pytest.approx(3.0, rel=0.01)
