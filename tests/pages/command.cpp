@@ -58,7 +58,7 @@ std::string fault_of_own(const std::vector<std::string>& words, const std::strin
 
 /// Targets of CMake are programs of their own, and test_ with the name of a folder of tests.
 bool is_target(const std::string& name) {
-  if (name == "all" || name == "stepwire") return true;
+  if (name == "all" || name == "stepwire" || name == "stepwire_python") return true;
   std::string folder = name.starts_with("test_") ? name.substr(5) : name;
   std::replace(folder.begin(), folder.end(), '_', '/');
   if (folder != name && fs::is_directory(top / "tests" / folder)) return true;

@@ -208,6 +208,36 @@ def test_wrong_classes_are_refused(tmp_path):
         stepwire.load(written(tmp_path, ONE.format(block="Bad, u: one")), blocks=[bad])
 
 
+TWICE = """
+#include <stepwire/block.hpp>
+#include <stepwire/declare.hpp>
+#include <stepwire/registry.hpp>
+
+namespace yard {
+struct Twice {
+  stepwire::Input<1> u{};
+  stepwire::Output<1> y{};
+  void outputs() { y = 2.0 * u; }
+  static void declare(stepwire::Declare<Twice>& is) {
+    is.block("Twice", {.doc = "y = 2 u."});
+    is.input<&Twice::u>({.doc = "input"});
+    is.output<&Twice::y>({.doc = "output"});
+  }
+};
+}
+void register_blocks(stepwire::Registry& known) { known.add<yard::Twice>("yard"); }
+"""
+
+
+def test_blocks_of_a_folder_are_known(tmp_path):
+    (tmp_path / "yard").mkdir()
+    (tmp_path / "yard" / "twice.cpp").write_text(TWICE)
+    file = written(tmp_path, ONE.format(block="Twice, u: one"))
+    assert stepwire.load(file, block_folders=[tmp_path / "yard"]).run(engine="interpreted")["it"][-1] == 2.0
+    with pytest.raises(stepwire.EnvironmentError):
+        stepwire.load(file, block_folders=[tmp_path / "nowhere"])
+
+
 def test_it_is_refused_by_generate_and_loop(tmp_path):
     model = stepwire.load(written(tmp_path, FALL), blocks=[Drag])
     with pytest.raises(stepwire.Error, match="Drag cannot be generated: its methods are Python's"):

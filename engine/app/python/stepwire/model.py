@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -94,6 +95,8 @@ class Model:
         self._texts, self._blocks, self._folders = texts, blocks, folders
         if loaded is None:
             declared = [declaration_of(cls) for cls in blocks]
+            if folders or os.environ.get("STEPWIRE_BLOCKS"):
+                _share_symbols()
             loaded = _core.load(file, list(texts.items()), None, {}, declared, list(folders))
         self._file = loaded
 
@@ -223,6 +226,11 @@ class Model:
 
     def __reduce__(self):
         return (Model, (self.file, self._texts, self._blocks, self._folders))
+
+
+def _share_symbols() -> None:
+    """Blocks from outside use functions of the module, whose symbols Python keeps to it."""
+    ctypes.CDLL(_core.__file__, mode=os.RTLD_GLOBAL | os.RTLD_NOLOAD)
 
 
 def _texts(values: Mapping[str, Value] | None, parameters: Mapping[str, Value]) -> dict[str, str]:
