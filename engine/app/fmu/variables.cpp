@@ -9,6 +9,7 @@
 
 #include "engine/app/fmu/dependencies.hpp"
 #include "engine/app/fmu/parameter_limits.hpp"
+#include "engine/app/fmu/signal_names.hpp"
 #include "engine/simulate/run/executor.hpp"
 
 namespace stepwire::fmu {
@@ -28,7 +29,7 @@ class Collector {
         exchange_(exchange),
         groups_(plan, tuning),
         depends_(plan),
-        signals_(signals_of(plan.diagram)) {}
+        signals_(signal_names(plan.diagram)) {}
 
   std::vector<Variable> collect() {
     add({.kind = Kind::time,
@@ -57,16 +58,6 @@ class Collector {
         origin, "record",
         fmt::format("'{}' would have the name of another variable of the unit, {}; give it another name",
                     variable.name, variables_[known->second.place].about)));
-  }
-
-  /// Names of inputs, outputs and recorded signals: a parameter makes room for them.
-  static std::set<std::string> signals_of(const diagram::Diagram& diagram) {
-    std::set<std::string> names;
-    for (const diagram::DiagramInput& input : diagram.inputs) names.insert(input.name);
-    for (const diagram::DiagramOutput& output : diagram.outputs) names.insert(output.name);
-    for (const diagram::RecordRequest& request : diagram.records)
-      for (const diagram::RecordedSignal& recorded : request.signals) names.insert(recorded.name);
-    return names;
   }
 
   void add_parameters() {
