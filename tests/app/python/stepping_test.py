@@ -227,13 +227,13 @@ def test_other_threads_go_on_while_a_run_does(cart_file):
 
 
 def test_an_interruption_keeps_what_was_recorded(cart_file):
-    model = stepwire.load(cart_file, values={"stop": 1e5})
-    timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
+    model = stepwire.load(cart_file, values={"stop": 2e4})
+    timer = threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT))
     timer.start()
     with pytest.raises(stepwire.Interrupted) as caught:
         model.run(engine="interpreted")
     assert isinstance(caught.value, KeyboardInterrupt)
     run = caught.value.run
-    assert run.interrupted and 0 < len(run["time"]) < 1e8 and run["cart.position"][0] == 1.0
+    assert run.interrupted and 0 < len(run["time"]) < 2e7 and run["cart.position"][0] == 1.0
     assert model.last_run is run
     assert len(model.run(stop=0.1)["time"]) == 101
