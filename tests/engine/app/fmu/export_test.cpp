@@ -11,6 +11,7 @@
 #include "engine/base/fmi/unit_error.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/subprocess/process.hpp"
+#include "engine/base/text/characters.hpp"
 #include "engine/base/yaml/error.hpp"
 #include "tests/engine/app/fmu/exported.hpp"
 #include "tests/support/run_text.hpp"
@@ -206,20 +207,19 @@ TEST_CASE("a description that does not fit its binary is a fault in one sentence
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   const auto files = unit_files(folder, "a", lag, 3);
-  const auto edited = [&](const std::string& what, const std::string& by) {
+  const auto edited = [&](const std::map<std::string, std::string>& changes) {
     auto other = files;
-    std::string& xml = other.at("modelDescription.xml");
-    for (std::size_t at = 0; (at = xml.find(what, at)) != std::string::npos; at += by.size())
-      xml.replace(at, what.size(), by);
+    for (const auto& [what, by] : changes) text::replace_all(other.at("modelDescription.xml"), what, by);
     const std::string path = folder.path("edited.fmu");
     io::write_file(path, fmi::archive_bytes(other));
     return error_of(import_text(path, ", interface: co_simulation") + "record: [unit.a]\n");
   };
-  CHECK_THAT(edited("instantiationToken=\"{", "instantiationToken=\"{0"),
+  CHECK_THAT(edited({{"instantiationToken=\"{", "instantiationToken=\"{0"}}),
              Contains("token is not that of this unit"));
-  CHECK_THAT(edited("name=\"a\" valueReference=\"1\"", "name=\"a\" valueReference=\"77\""),
-             Contains("value reference 77"));
-  CHECK_THAT(edited("modelIdentifier=\"a\"", "modelIdentifier=\"b\""), Contains("b.so"));
+  CHECK_THAT(
+      edited({{"valueReference=\"1\"", "valueReference=\"77\""}, {"derivative=\"1\"", "derivative=\"77\""}}),
+      Contains("value reference 77"));
+  CHECK_THAT(edited({{"modelIdentifier=\"a\"", "modelIdentifier=\"b\""}}), Contains("b.so"));
 }
 
 }  // namespace stepwire::fmu
