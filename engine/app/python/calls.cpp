@@ -122,13 +122,13 @@ void generate(const Shared& of, const std::string& folder, const std::string& na
 std::string loop(const Shared& of, const std::string& duration, const std::string& rate,
                  const std::string& policy, const std::string& out) {
   std::string words;
-  session::LoopCall asked{of->call().file, of->model().options, {}, out};
-  asked.words.duration = duration;
-  asked.words.rate = rate;
-  asked.words.policy = policy;
+  session::LoopCall request{of->call().file, of->model().options, {}, out};
+  request.words.duration = duration;
+  request.words.rate = rate;
+  request.words.policy = policy;
   SessionCall call(of, nullptr, nullptr);
   call.make([&](session::Session& session) {
-    session::run_loop(asked, session.registry(), session.monitor(),
+    session::run_loop(request, session.registry(), session.monitor(),
                       [&](const session::LoopOutcome& outcome) { words = report::loop_text(outcome); });
   });
   call.throw_if_raised();

@@ -50,16 +50,16 @@ std::shared_ptr<Fit> fit_call(const std::shared_ptr<LoadedFile>& of, const std::
                               std::optional<std::size_t> starts, std::optional<std::uint64_t> seed,
                               unsigned threads, _object* progress) {
   require_fit(*of);
-  session::FitCall asked;
-  asked.starts = starts;
-  asked.seed = seed;
-  asked.threads = threads;
-  asked.engine = mode_of(engine);
+  session::FitCall request;
+  request.starts = starts;
+  request.seed = seed;
+  request.threads = threads;
+  request.engine = mode_of(engine);
   const auto fit = std::make_shared<Fit>();
   fit->file = of;
   SessionCall call(of, nullptr, progress);
   call.make([&](session::Session& session) {
-    fit->result = session.fit(of->model(), asked);
+    fit->result = session.fit(of->model(), request);
     if (!fit->result.records.empty()) fit->pictures = session::fit_pictures(*of->model().fit, fit->result);
   });
   fit->notes = call.notes();

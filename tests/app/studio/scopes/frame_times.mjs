@@ -122,7 +122,7 @@ try {
   await page.getByLabel("How much time is seen").selectOption("60");
   const zooms = await page.evaluate(zoomed, 40), workload = `zoom in ${Math.round(zoomAt * 1e5).toLocaleString("en")} samples`;
   printQuantiles(workload, "wheel to drawn", "ms", zooms.map(({all}) => all), 50);
-  printQuantiles(workload, "asked to come", "ms", zooms.map(({server}) => server));
+  printQuantiles(workload, "request to numbers in the page", "ms", zooms.map(({server}) => server));
 } finally {
   await studio.close();
 }
