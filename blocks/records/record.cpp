@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/base/data_file/data_file.hpp"
 #include "engine/base/yaml/error.hpp"
 
 namespace stepwire {
@@ -17,8 +18,7 @@ std::optional<Index> first_uneven(std::span<const double> time) {
 }
 
 std::string place_in_file(const std::string& file, const std::string& column, std::size_t row) {
-  const bool has_lines = !file.ends_with(".mat") && !file.ends_with(".MAT");
-  return has_lines ? fmt::format("{}:{}: {}", file, row + 2, column)
+  return data_file::has_lines(file) ? fmt::format("{}:{}: {}", file, row + 2, column)
                    : fmt::format("{}: element {} of {}", file, row + 1, column);
 }
 

@@ -63,7 +63,7 @@ void FromFile::declare(Declare<FromFile>& is) {
   is.block(
       "FromFile",
       {.doc =
-           "Plays back columns of a data file (CSV with a header line, or MAT): y at t is the record at t + "
+           "Plays back columns of a data file (CSV with a header line, MAT, HDF5, or MCAP): y at t is the record at t + "
            "start. "
            "Numbers become SI by their column's unit. A column without a unit is in SI; where its name ends "
            "in "
@@ -74,15 +74,16 @@ void FromFile::declare(Declare<FromFile>& is) {
            "to 2e-13 of its amplitude.",
        .symbol = {.text = "{file|record}"}});
   is.parameter<&FromFile::file>(
-      {.doc = "path of a .csv or .mat file, beside the diagram or data/...", .required = true});
+      {.doc = "path of a .csv, .mat, .h5 or .mcap file, beside the diagram or data/...", .required = true});
   is.parameter<&FromFile::column>(
-      {.doc = "name of the column, or a list of names for a vector", .required = true});
+      {.doc = "name of the column, or a list of names for a vector; in an HDF5 or MCAP file of several runs with "
+              "its group or channel, as `run-1/cart.position`", .required = true});
   is.parameter<&FromFile::unit>(
       {.doc = "of the columns: one for all or one for each; left out: as the header says "
               "(`x [mm]`), SI where it says nothing"});
   is.parameter<&FromFile::time>({.doc = "column with the times, which must increase; in s unless its header "
-                                        "says else. Left out: `time`, or `t` "
-                                        "where there is none"});
+                                        "says else. Left out: `time`, in the "
+                                        "column's group where there is none else, or `t`"});
   is.parameter<&FromFile::sample_time>(
       {.unit = "s",
        .doc = "time between rows, the first one being at 0, in place of a column of "

@@ -70,10 +70,14 @@ std::string unit_in_name(const std::string& name) {
   return unit && (unit->scale != 1.0L || unit->offset != 0.0L) ? ending : "";
 }
 
-/// The column with the times: as the block says, else `time`, or `t` where there is none.
+/// The column with the times: as the block says, else `time`, that beside the column in its group, or `t`.
 std::string time_name(const FromFile& asked, const table::RecordTable& table) {
   const std::string name(asked.time);
-  return name == "time" && !table.find(name) && table.find("t") ? "t" : name;
+  if (name != "time" || table.find(name)) return name;
+  const std::string& column = asked.column.front();
+  const std::string beside = column.substr(0, column.rfind('/') + 1) + name;
+  if (table.find(beside)) return beside;
+  return table.find("t") ? "t" : name;
 }
 
 /// Times of all rows [s]. A column without a unit is in seconds.

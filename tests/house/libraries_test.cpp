@@ -24,6 +24,7 @@ const std::vector<Home> homes{
     {"yaml-cpp/", "engine/base/yaml"},
     {"udunits2", "engine/base/unit"},
     {"matio", "engine/base/mat"},
+    {"hdf5", "engine/base/hdf5"},
     {"nlohmann/", "engine/base/json"},
     {"CLI/", "engine/app/cli"},
     {"ceres/", "engine/analyse/estimation"},

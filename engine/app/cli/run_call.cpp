@@ -1,6 +1,7 @@
 #include "engine/app/cli/run_call.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -70,7 +71,7 @@ class FileRuns {
     require_section(call_, model);
     const EndDelay delay(EndDelay::Signals::first);
     const std::string folder = folder_of(call_, model.file);
-    const auto owned = session::own_results(folder, model);
+    const auto owned = session::own_results(folder, model, call_.files);
     if (model.study) return study(model, folder, results);
     const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
     return fitted == ExitCode::done ? run(model, folder, results) : fitted;
@@ -103,7 +104,7 @@ class FileRuns {
       return session_.run(model, call_.engine);
     }();
     print_faults(outcome.result);
-    if (!folder.empty()) session::write_outputs(folder, model, outcome);
+    if (!folder.empty()) session::write_outputs(folder, model, outcome, call_.files);
     const std::optional<profile::Profile> profile = wanted_profile(model);
     if (profile && !folder.empty()) write_profile(folder, model, *profile);
     if (call_.models.json) {
@@ -151,7 +152,7 @@ class FileRuns {
       return ExitCode::interrupted;
     }
     if (!folder.empty()) {
-      session::write_outputs(folder, model, outcome);
+      session::write_outputs(folder, model, outcome, call_.files);
       session::write_study(folder, model, *experiments, outcome);
     }
     if (call_.models.json) {
@@ -170,11 +171,36 @@ class FileRuns {
 
 }  // namespace
 
+/// A list of words, each once.
+static session::FileKinds files_of(const std::string& list) {
+  session::FileKinds kinds;
+  for (std::size_t at = 0; at <= list.size();) {
+    const std::size_t end = std::min(list.find(',', at), list.size());
+    const std::string word = list.substr(at, end - at);
+    const auto kind = session::file_kind(word);
+    if (!kind)
+      throw CLI::ValidationError("--files", fmt::format("takes of {}, not '{}'; several are separated by commas",
+                                                        session::file_kind_names(), word));
+    if (std::ranges::find(kinds, *kind) == kinds.end()) kinds.push_back(*kind);
+    at = end + 1;
+  }
+  return kinds;
+}
+
+static void add_files_option(CLI::App& verb, RunCall& call) {
+  verb.add_option_function<std::string>(
+          "--files", [&call](const std::string& list) { call.files = files_of(list); },
+          fmt::format("kinds of files for the recorded signals in --out, of {}; left out: csv,mat",
+                      session::file_kind_names()))
+      ->option_text("KIND,...");
+}
+
 void add_run_options(CLI::App& verb, RunCall& call, const std::string& out) {
   add_model_options(verb, call.models);
   add_engine_option(verb, call.engine,
                     "interpreted, compiled, or auto: compiled once that is worth it; all to the same bits");
   verb.add_option("--out", call.out, out);
+  add_files_option(verb, call);
 }
 
 ExitCode run_models(const RunCall& call, const Registry& registry) {

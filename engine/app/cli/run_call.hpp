@@ -5,6 +5,7 @@
 
 #include "engine/app/cli/model_call.hpp"
 #include "engine/app/session/fitting.hpp"
+#include "engine/app/session/signal_files.hpp"
 #include "engine/app/session/studies.hpp"
 
 namespace stepwire::cli {
@@ -13,6 +14,7 @@ namespace stepwire::cli {
 struct RunCall {
   ModelCall models;
   std::string out;  ///< folder; empty: nothing is written
+  session::FileKinds files = session::usual_files;
   run::ExecutionMode engine = run::ExecutionMode::automatic;
   bool profile = false;          ///< measure what each block costs
   std::string requires_section;  ///< a file without this section is refused; empty: any file will do

@@ -7,7 +7,8 @@
 
 namespace stepwire::session {
 
-std::unique_ptr<io::OwnedFolder> own_results(const std::string& folder, const LoadedModel& model) {
+std::unique_ptr<io::OwnedFolder> own_results(const std::string& folder, const LoadedModel& model,
+                                               const FileKinds& kinds) {
   if (folder.empty()) return nullptr;
   auto owned = std::make_unique<io::OwnedFolder>(folder, [&] {
     std::set<std::string> files = replay::files_read(model.job);
@@ -15,7 +16,9 @@ std::unique_ptr<io::OwnedFolder> own_results(const std::string& folder, const Lo
     if (model.study && !model.study->trials.empty()) files.insert(model.study->trials);
     return files;
   });
-  owned->reserve({"signals.csv", "signals.mat", "claims.json", "run.json"});
+  std::vector<std::string> names = signal_file_names(kinds);
+  names.insert(names.end(), {"claims.json", "run.json"});
+  owned->reserve(names);
   return owned;
 }
 

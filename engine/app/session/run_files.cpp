@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "engine/app/session/version.hpp"
-#include "engine/base/mat/mat_file.hpp"
-#include "engine/base/table/table_file.hpp"
+#include "engine/base/io/file.hpp"
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/view/plot/figure_spec.hpp"
 #include "engine/view/render/figure_file.hpp"
@@ -17,23 +16,6 @@ namespace stepwire::session {
 using json::Json;
 
 namespace {
-
-table::ColumnWords words_of(const record::Recording& recording) {
-  table::ColumnWords words;
-  for (const record::Categories& column : recording.categories)
-    for (const std::string& text : column.texts) words[column.column].push_back(unquoted(text));
-  return words;
-}
-
-/// Swept words stand in their column as numbers: a MAT file keeps these, a table for people has the words.
-void write_recordings(const std::string& folder, const run::RunResult& result) {
-  for (std::size_t i = 0; i < result.recordings.size(); ++i) {
-    const table::Table& table = result.recordings[i].table;
-    table::write_csv(folder + "/" + io::numbered("signals", i, ".csv"), table,
-                     words_of(result.recordings[i]));
-    mat::write_mat(folder + "/" + io::numbered("signals", i, ".mat"), table);
-  }
-}
 
 constexpr std::size_t max_listed = 10'000;  // values of an axis; sweep.csv has all
 
@@ -159,8 +141,8 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
 }
 
 std::vector<std::string> write_outputs(const std::string& folder, const LoadedModel& model,
-                                       const Outcome& outcome) {
-  write_recordings(folder, outcome.result);
+                                       const Outcome& outcome, const FileKinds& kinds) {
+  write_signals(folder, model, outcome.result.recordings, kinds);
   io::write_file(folder + "/claims.json", claims_json(model, outcome).text() + "\n");
   io::write_file(folder + "/run.json", run_json(model, outcome).text() + "\n");
   std::vector<std::string> pictures;

@@ -4,15 +4,16 @@
 #include <vector>
 
 #include "engine/app/session/outcome.hpp"
+#include "engine/app/session/signal_files.hpp"
 #include "engine/base/json/json.hpp"
 
 namespace stepwire::session {
 
-/// Writes all that a run leaves behind into a folder: signals.csv, signals.mat, pictures with their specs
-/// (figure.svg, figure.json), claims.json, run.json. Each file appears whole or not at all. Returns the names
+/// Writes all that a run leaves behind into a folder: its signals as files of these kinds, pictures with their
+/// specs (figure.svg, figure.json), claims.json, run.json. Each file appears whole or not at all. Returns the names
 /// of the pictures. Throws EnvironmentError.
 std::vector<std::string> write_outputs(const std::string& folder, const LoadedModel& model,
-                                       const Outcome& outcome);
+                                       const Outcome& outcome, const FileKinds& kinds = usual_files);
 
 /// The verdicts as a list of {file, figure, that, check, value, holds, disagrees?, note?}.
 json::Json claims_json(const LoadedModel& model, const Outcome& outcome);

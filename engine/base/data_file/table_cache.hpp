@@ -17,7 +17,7 @@ class TableCache {
  public:
   explicit TableCache(std::size_t max_numbers) : recent_(max_numbers) {}
 
-  /// The table in a .csv or .mat file, as read_data_file() reads it and with its errors. What was read
+  /// The table in a data file, as read_data_file() reads it and with its errors. What was read
   /// before is given, the same object, as long as the file has the same size and time of change; a file that
   /// changed within the last two seconds is read anew, since clocks of file systems are coarse.
   std::shared_ptr<const table::RecordTable> read(const std::string& path);

@@ -21,6 +21,8 @@ class AtomicFileWriter {
   /// Writes a piece behind the others. False where the system refuses it: then the file is what it was
   /// before, and a later piece may fit again.
   bool append(std::string_view piece);
+  /// Where the file is until it has its name, for a library that writes it by itself.
+  const std::string& temporary() const { return temporary_; }
   /// "PATH: No space left on device", of the first piece that was refused; empty if none was.
   const std::string& trouble() const { return trouble_; }
   /// Gives the file its name. Throws EnvironmentError with the system's reason.

@@ -60,6 +60,8 @@ class Json {
   bool is_object() const { return std::holds_alternative<Members>(value_); }
   /// The items of a list; none of anything else.
   std::span<const Json> items() const;
+  /// What an object has, in its order; none of anything else.
+  std::span<const std::pair<std::string, Json>> members() const;
   /// What an object has under a key; nullptr where it has not, or where this is no object.
   const Json* find(std::string_view key) const;
   /// The string; nullptr where this is none.

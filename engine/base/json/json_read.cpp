@@ -45,6 +45,11 @@ std::span<const Json> Json::items() const {
   return items ? std::span<const Json>(*items) : std::span<const Json>();
 }
 
+std::span<const std::pair<std::string, Json>> Json::members() const {
+  if (const auto* members = std::get_if<Members>(&value_)) return *members;
+  return {};
+}
+
 const Json* Json::find(std::string_view key) const {
   const auto* members = std::get_if<Members>(&value_);
   if (!members) return nullptr;

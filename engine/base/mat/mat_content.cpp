@@ -81,8 +81,4 @@ std::size_t mat_count(const std::vector<std::size_t>& size) {
   return count;
 }
 
-std::size_t max_unpacked(std::size_t file_size) {
-  return (std::size_t{64} << 20) + 20 * file_size;
-}
-
 }  // namespace stepwire::mat

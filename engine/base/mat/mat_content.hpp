@@ -44,9 +44,6 @@ struct MatContent {
 /// The product of sizes. Throws TableError where it is beyond any memory.
 std::size_t mat_count(const std::vector<std::size_t>& size);
 
-/// How many bytes a file of `file_size` may unpack to: a small file that unpacks to gigabytes is no record.
-std::size_t max_unpacked(std::size_t file_size);
-
 /// These throw TableError, without the name of the file, where an element is cut off, of an unknown type or
 /// does not have as many numbers as its dimensions say. Level 7.3 is read by the libraries for HDF5.
 MatContent read_mat_level_4(std::string_view file);

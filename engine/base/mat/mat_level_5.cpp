@@ -114,7 +114,7 @@ class Level5 {
  public:
   Level5(std::string_view file, bool swap)
       : swap_(swap),
-        budget_(max_unpacked(file.size())),
+        budget_(table::max_unpacked(file.size())),
         most_(budget_),
         elements_(file.substr(file_header), swap) {}
 

@@ -85,7 +85,7 @@ std::string text_of(const matvar_t* cell) {
 /// Reads one file; complaints of the library about it end the reading.
 class Level7 {
  public:
-  Level7(const std::string& path, std::size_t file_size) : budget_(max_unpacked(file_size)), most_(budget_) {
+  Level7(const std::string& path, std::size_t file_size) : budget_(table::max_unpacked(file_size)), most_(budget_) {
     Library::the().listen();
     file_.reset(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
     if (!file_) fail("this is no MAT file");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -15,6 +16,12 @@ class TableError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// How many bytes a data file of `file_size` may unpack to: a small one that unpacks to gigabytes is no
+/// record.
+constexpr std::size_t max_unpacked(std::size_t file_size) {
+  return (std::size_t{64} << 20) + 20 * file_size;
+}
 
 /// Words that the numbers 0, 1, ... of a column stand for, by the column's name.
 using ColumnWords = std::map<std::string, std::vector<std::string>>;

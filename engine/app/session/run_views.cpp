@@ -1,0 +1,41 @@
+#include "engine/app/session/run_views.hpp"
+
+#include <fmt/format.h>
+
+namespace stepwire::session {
+
+RunViews::RunViews(const LoadedModel& model, const record::Recording& recording)
+    : recording_(recording), words_(recording.categories) {
+  if (const auto& sweep = model.job.plan.diagram.sweep; sweep && !model.job.points.empty())
+    for (const diagram::Sweep::Axis& axis : sweep->axes) swept_.insert(axis.parameter);
+  for (record::Categories& column : words_)
+    for (std::string& text : column.texts) text = unquoted(text);
+}
+
+std::span<const std::string> RunViews::words_of(const std::string& column) const {
+  for (const record::Categories& words : words_)
+    if (words.column == column) return words.texts;
+  return {};
+}
+
+table::RunView RunViews::view(std::size_t run) const {
+  const bool only = count() == 1 && swept_.empty();
+  const std::size_t first = only ? 0 : recording_.starts[run];
+  const bool last = only || run + 1 == recording_.starts.size();
+  const std::size_t end = last ? recording_.table.rows() : recording_.starts[run + 1];
+  table::RunView view;
+  if (!only) view.name = fmt::format("run-{}", run + 1);
+  for (const table::Column& column : recording_.table.columns) {
+    const auto words = words_of(column.name);
+    if (!swept_.contains(column.name)) {
+      view.series.push_back({column.name, column.unit, std::span(column.values).subspan(first, end - first), words});
+    } else if (first < end) {
+      const double number = column.values[first];
+      const auto index = static_cast<std::size_t>(number);
+      view.swept.push_back({column.name, column.unit, number, index < words.size() ? words[index] : ""});
+    }
+  }
+  return view;
+}
+
+}  // namespace stepwire::session

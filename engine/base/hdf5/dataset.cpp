@@ -1,0 +1,140 @@
+#include "engine/base/hdf5/dataset.hpp"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <limits>
+#include <vector>
+
+#include "engine/base/hdf5/handle.hpp"
+#include "engine/base/table/table_file.hpp"
+
+namespace stepwire::hdf5 {
+
+namespace {
+
+/// Text of an attribute; empty where there is none or it is no single text.
+std::string text_attribute(hid_t object, const char* name) {
+  if (H5Aexists(object, name) <= 0) return "";
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  const Handle type(H5Aget_type(attribute.id()), H5Tclose), space(H5Aget_space(attribute.id()), H5Sclose);
+  if (!attribute || H5Tget_class(type.id()) != H5T_STRING || H5Sget_simple_extent_npoints(space.id()) != 1)
+    return "";
+  if (H5Tis_variable_str(type.id()) <= 0) {
+    std::string text(H5Tget_size(type.id()), '\0');
+    if (H5Aread(attribute.id(), type.id(), text.data()) < 0) return "";
+    return text.substr(0, text.find('\0'));
+  }
+  char* text = nullptr;
+  if (H5Aread(attribute.id(), type.id(), &text) < 0 || !text) return "";
+  const std::string result = text;
+  H5free_memory(text);
+  return result;
+}
+
+/// Rows and columns; more dimensions, and none, are not there.
+struct Size {
+  std::size_t rows = 1, columns = 1;
+};
+
+/// Reads one dataset.
+class Dataset {
+ public:
+  Dataset(hid_t set, const std::string& name, table::RecordTable& table, std::size_t& budget)
+      : set_(set), name_(name), table_(table), budget_(budget), type_(H5Dget_type(set), H5Tclose),
+        space_(H5Dget_space(set), H5Sclose), unit_(text_attribute(set, "units")) {
+    if (!type_ || !space_) Session::refuse(fmt::format("'{}' is damaged", name));
+    if (unit_.empty()) unit_ = text_attribute(set, "unit");
+  }
+
+  void read() {
+    if (H5Tget_class(type_.id()) == H5T_COMPOUND) return read_members();
+    const std::string problem = problem_of(type_);
+    if (!problem.empty()) return note(name_, problem);
+    read_numbers(name_, {H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose});
+  }
+
+ private:
+  void note(const std::string& name, const std::string& problem) {
+    table_.columns.push_back({name, "", {}});
+    table_.problems[name] = fmt::format("'{}' {}", name, problem);
+  }
+
+  /// Why there are no numbers that a column could hold; empty where there are.
+  std::string problem_of(const Handle& type) const {
+    const H5T_class_t kind = H5Tget_class(type.id());
+    if (kind == H5T_STRING) return "holds text, not numbers";
+    if (kind != H5T_INTEGER && kind != H5T_FLOAT && kind != H5T_ENUM) return "holds no real numbers";
+    const Handle properties(H5Dget_create_plist(set_), H5Pclose);
+    if (H5Pget_external_count(properties.id()) > 0 || H5Pget_layout(properties.id()) == H5D_VIRTUAL)
+      return "lies in other files, which are not read";
+    if (H5Sget_simple_extent_ndims(space_.id()) > 2) return "has more than two dimensions";
+    return H5Sget_simple_extent_npoints(space_.id()) == 0 ? "has no rows" : "";
+  }
+
+  Size size() const {
+    hsize_t counts[2] = {1, 1};
+    H5Sget_simple_extent_dims(space_.id(), counts, nullptr);
+    return {counts[0], counts[1]};
+  }
+
+  void spend(const std::string& name, Size size) {
+    constexpr std::size_t most = std::numeric_limits<std::size_t>::max() / sizeof(double);
+    if (size.columns > max_columns)
+      throw table::TableError(
+          fmt::format("'{}' has {} columns; at most {} are read", name, size.columns, max_columns));
+    if (size.rows > most / size.columns || size.rows * size.columns * sizeof(double) > budget_)
+      throw table::TableError(
+          fmt::format("'{}' has {} x {} numbers, more than a file of this size may unpack to", name, size.rows,
+                      size.columns));
+    budget_ -= size.rows * size.columns * sizeof(double);
+  }
+
+  void read_numbers(const std::string& name, const Handle& as) {
+    const Size count = size();
+    spend(name, count);
+    std::vector<double> all(count.rows * count.columns);
+    if (H5Dread(set_, as.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()) < 0)
+      Session::refuse(fmt::format("'{}' cannot be read; it is damaged, cut off, or packed by a filter that is not installed",
+                         name));
+    if (count.columns == 1 || count.rows == 1) return table_.columns.push_back({name, unit_, std::move(all)});
+    for (std::size_t column = 0; column < count.columns; ++column) {
+      std::vector<double> values(count.rows);
+      for (std::size_t row = 0; row < count.rows; ++row) values[row] = all[row * count.columns + column];
+      table_.columns.push_back({fmt::format("{}({})", name, column + 1), unit_, std::move(values)});
+    }
+  }
+
+  void read_members() {
+    const int count = H5Tget_nmembers(type_.id());
+    for (int i = 0; i < count; ++i) {
+      const auto index = static_cast<unsigned>(i);
+      char* const text = H5Tget_member_name(type_.id(), index);
+      const std::string member = text ? text : "";
+      H5free_memory(text);
+      const Handle of_member(H5Tget_member_type(type_.id(), index), H5Tclose);
+      if (const std::string problem = problem_of(of_member); !problem.empty()) {
+        note(name_ + "." + member, problem);
+        continue;
+      }
+      const Handle alone(H5Tcreate(H5T_COMPOUND, sizeof(double)), H5Tclose);
+      H5Tinsert(alone.id(), member.c_str(), 0, H5T_NATIVE_DOUBLE);
+      read_numbers(name_ + "." + member, alone);
+    }
+  }
+
+  hid_t set_;
+  const std::string& name_;
+  table::RecordTable& table_;
+  std::size_t& budget_;
+  Handle type_, space_;
+  std::string unit_;
+};
+
+}  // namespace
+
+void read_dataset(std::int64_t set, const std::string& name, table::RecordTable& table, std::size_t& budget) {
+  Dataset(set, name, table, budget).read();
+}
+
+}  // namespace stepwire::hdf5

@@ -1,0 +1,116 @@
+#include "engine/base/hdf5/hdf5_read.hpp"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <set>
+#include <vector>
+
+#include "engine/base/hdf5/dataset.hpp"
+#include "engine/base/hdf5/handle.hpp"
+#include "engine/base/io/environment_error.hpp"
+#include "engine/base/io/temporary.hpp"
+#include "engine/base/table/table_file.hpp"
+
+namespace stepwire::hdf5 {
+
+namespace {
+
+constexpr int max_depth = 16;  // groups in groups
+
+/// Names of the links of a group into this file, in the order in which they were made where the group has kept
+/// it. Others may lead to any file of the machine.
+std::vector<std::string> links_of(const Handle& group) {
+  const Handle properties(H5Gget_create_plist(group.id()), H5Pclose);
+  unsigned kept = 0;
+  H5Pget_link_creation_order(properties.id(), &kept);
+  const H5_index_t order = (kept & H5P_CRT_ORDER_INDEXED) != 0 ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
+  std::vector<std::string> names;
+  const auto take = [](hid_t, const char* name, const H5L_info_t* link, void* to) -> herr_t {
+    auto& all = *static_cast<std::vector<std::string>*>(to);
+    if (link->type == H5L_TYPE_HARD) all.emplace_back(name);
+    return all.size() > max_columns ? 1 : 0;
+  };
+  if (H5Literate(group.id(), order, H5_ITER_INC, nullptr, take, &names) < 0) Session::refuse("the file is damaged");
+  return names;
+}
+
+/// Walks through the groups of one file.
+class Reading {
+ public:
+  explicit Reading(std::size_t file_size) : budget_(table::max_unpacked(file_size)) {}
+
+  void read(const Handle& group, const std::string& path, int depth = 0) {
+    if (depth > max_depth)
+      throw table::TableError(fmt::format("its groups lie deeper than {} in each other", max_depth));
+    for (const std::string& name : links_of(group)) {
+      const Handle object(H5Oopen(group.id(), name.c_str(), H5P_DEFAULT), H5Oclose);
+      if (!object) Session::refuse(fmt::format("'{}' is damaged", path + name));
+      take(object, path + name, depth);
+    }
+  }
+
+  table::RecordTable done() {
+    if (table_.columns.empty()) throw table::TableError("there is no dataset in the file");
+    return std::move(table_);
+  }
+
+ private:
+  void take(const Handle& object, const std::string& name, int depth) {
+    const H5I_type_t kind = H5Iget_type(object.id());
+    if (kind == H5I_GROUP && seen_.insert(place_of(object)).second) read(object, name + "/", depth + 1);
+    if (kind == H5I_DATASET) read_dataset(object.id(), name, table_, budget_);
+    if (table_.columns.size() > max_columns)
+      throw table::TableError(fmt::format("it has more than {} columns", max_columns));
+  }
+
+  /// One group may have several names, also one inside of itself.
+  static haddr_t place_of(const Handle& group) {
+    H5O_info_t info{};
+    if (H5Oget_info2(group.id(), &info, H5O_INFO_BASIC) < 0) Session::refuse("the file is damaged");
+    return info.addr;
+  }
+
+  std::size_t budget_;
+  std::set<haddr_t> seen_;
+  table::RecordTable table_;
+};
+
+/// Of a file that may be read.
+std::size_t size_of(const std::string& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error) io::refuse_file(path, error.value());
+  if (::access(path.c_str(), R_OK) != 0) io::refuse_file(path, errno);
+  return size;
+}
+
+table::RecordTable read_open(const std::string& path, std::size_t file_size) {
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!file) {
+    const bool begins_well = H5Fis_hdf5(path.c_str()) > 0;
+    Session::refuse(begins_well ? "the file is damaged or cut off" : "this is no HDF5 file");
+  }
+  Reading reading(file_size);
+  reading.read({H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose}, "");
+  return reading.done();
+}
+
+}  // namespace
+
+table::RecordTable read_hdf5(const std::string& path) {
+  const std::size_t size = size_of(path);
+  const Session session;
+  try {
+    table::RecordTable table = read_open(path, size);
+    for (auto& [column, problem] : table.problems) problem = fmt::format("{}: {}", path, problem);
+    return table;
+  } catch (const table::TableError& error) {
+    throw table::TableError(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
+}  // namespace stepwire::hdf5

@@ -1,0 +1,151 @@
+#include "engine/base/hdf5/hdf5_writer.hpp"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "engine/base/hdf5/handle.hpp"
+#include "engine/base/io/atomic_file_writer.hpp"
+#include "engine/base/io/environment_error.hpp"
+
+namespace stepwire::hdf5 {
+
+namespace {
+
+constexpr hsize_t rows_of_chunk = 8192;
+
+Handle simple_space(hsize_t count) {
+  return {H5Screate_simple(1, &count, nullptr), H5Sclose};
+}
+
+/// Text as UTF-8: of any length, which h5py gives as str in attributes, or of one, which Octave reads in datasets.
+Handle text_type(std::size_t length = H5T_VARIABLE) {
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.id(), length);
+  if (length != H5T_VARIABLE) H5Tset_strpad(type.id(), H5T_STR_NULLPAD);
+  H5Tset_cset(type.id(), H5T_CSET_UTF8);
+  return type;
+}
+
+/// The order in which links were made is kept, and no times.
+Handle group_properties(hid_t of) {
+  Handle properties(H5Pcreate(of), H5Pclose);
+  H5Pset_link_creation_order(properties.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
+  H5Pset_obj_track_times(properties.id(), false);
+  return properties;
+}
+
+Handle dataset_properties(hsize_t rows) {
+  Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_obj_track_times(properties.id(), false);
+  if (rows <= rows_of_chunk) return properties;
+  const double filled = 0.0;  // what lies behind the last row in its chunk would be of any bits
+  H5Pset_chunk(properties.id(), 1, &rows_of_chunk);
+  H5Pset_fill_value(properties.id(), H5T_NATIVE_DOUBLE, &filled);
+  return properties;
+}
+
+}  // namespace
+
+/// The library writes into the temporary file; the names of files are the writer's.
+struct Hdf5Writer::File {
+  io::AtomicFileWriter writer;
+  std::string path;
+  Handle file, root;
+
+  explicit File(const std::string& of) : writer(of), path(of) {
+    file = {H5Fcreate(writer.temporary().c_str(), H5F_ACC_TRUNC, group_properties(H5P_FILE_CREATE).id(),
+                      H5P_DEFAULT),
+            H5Fclose};
+    root = {H5Gopen2(require(file).id(), "/", H5P_DEFAULT), H5Gclose};
+    require(root);
+  }
+
+  void require(bool done) const {
+    if (done) return;
+    const std::string complaint = Session::complaint();
+    throw io::EnvironmentError(fmt::format("{}: {}", path, complaint.empty() ? "cannot be written" : complaint));
+  }
+  const Handle& require(const Handle& handle) const {
+    require(static_cast<bool>(handle));
+    return handle;
+  }
+
+  void put_texts(hid_t object, const char* name, const Handle& space, const std::vector<const char*>& texts) {
+    const Handle type = text_type();
+    const Handle attribute(H5Acreate2(object, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                           H5Aclose);
+    require(H5Awrite(require(attribute).id(), type.id(), texts.data()) >= 0);
+  }
+
+  void put_text(hid_t object, const char* name, const std::string& text) {
+    if (!text.empty()) put_texts(object, name, {H5Screate(H5S_SCALAR), H5Sclose}, {text.c_str()});
+  }
+
+  Handle put(hid_t group, const std::string& name, const Handle& type, const Handle& space, hsize_t rows,
+             const void* content) {
+    Handle set(H5Dcreate2(group, name.c_str(), type.id(), space.id(), H5P_DEFAULT,
+                          dataset_properties(rows).id(), H5P_DEFAULT),
+               H5Dclose);
+    require(set);
+    require(rows == 0 || H5Dwrite(set.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, content) >= 0);
+    return set;
+  }
+
+  void put(hid_t group, const table::SeriesView& series) {
+    const hsize_t rows = series.values.size();
+    const Handle set = put(group, series.name, {H5Tcopy(H5T_IEEE_F64LE), H5Tclose}, simple_space(rows), rows,
+                           series.values.data());
+    put_text(set.id(), "units", series.unit);
+    if (series.words.empty()) return;
+    std::vector<const char*> words;
+    for (const std::string& word : series.words) words.push_back(word.c_str());
+    put_texts(set.id(), "words", simple_space(words.size()), words);
+  }
+
+  void put(hid_t group, const table::SweptValue& value) {
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Handle set = value.word.empty() ? put(group, value.name, {H5Tcopy(H5T_IEEE_F64LE), H5Tclose}, space,
+                                                1, &value.number)
+                                          : put(group, value.name, text_type(value.word.size()), space, 1,
+                                                value.word.data());
+    put_text(set.id(), "units", value.unit);
+  }
+
+  void close() {
+    require(root.close() && H5Fflush(file.id(), H5F_SCOPE_LOCAL) >= 0 && file.close());
+  }
+};
+
+Hdf5Writer::Hdf5Writer(const std::string& path, const std::string& title) {
+  const Session session;
+  file_ = std::make_unique<File>(path);
+  file_->put_text(file_->root.id(), "title", title);
+}
+
+Hdf5Writer::~Hdf5Writer() {
+  const Session session;
+  file_.reset();
+}
+
+void Hdf5Writer::add(const table::RunView& run) {
+  const Session session;
+  Handle group;
+  if (!run.name.empty())
+    group = {H5Gcreate2(file_->root.id(), run.name.c_str(), H5P_DEFAULT,
+                        group_properties(H5P_GROUP_CREATE).id(), H5P_DEFAULT),
+             H5Gclose};
+  const hid_t place = run.name.empty() ? file_->root.id() : file_->require(group).id();
+  for (const table::SweptValue& value : run.swept) file_->put(place, value);
+  for (const table::SeriesView& series : run.series) file_->put(place, series);
+}
+
+void Hdf5Writer::finish() {
+  const Session session;
+  file_->close();
+  file_->writer.finish();
+}
+
+}  // namespace stepwire::hdf5

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "engine/base/table/run_view.hpp"
+
+namespace stepwire::hdf5 {
+
+/// Writes runs into an HDF5 file, which appears whole under its name or not at all. A run's columns are
+/// datasets of doubles with their unit as attribute `units`; a named run is a group with its swept values as
+/// scalars. Longer ones are chunked by 8192 rows. Datasets are listed in the order in which they were written,
+/// and the same runs give the same bytes: no times. Methods throw EnvironmentError where the system refuses.
+class Hdf5Writer {
+ public:
+  /// `title` is an attribute of the file.
+  Hdf5Writer(const std::string& path, const std::string& title);
+  ~Hdf5Writer();
+  Hdf5Writer(const Hdf5Writer&) = delete;
+  Hdf5Writer& operator=(const Hdf5Writer&) = delete;
+
+  void add(const table::RunView& run);
+  /// Gives the file its name.
+  void finish();
+
+ private:
+  struct File;
+  std::unique_ptr<File> file_;
+};
+
+}  // namespace stepwire::hdf5

@@ -1,0 +1,86 @@
+#include "engine/base/mcap/channel_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "engine/base/table/table_file.hpp"
+
+namespace stepwire::mcap {
+
+using json::Json;
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+std::string inside(const std::string& name, const std::string& member) {
+  return name.empty() ? member : name + "." + member;
+}
+
+}  // namespace
+
+ChannelRows::ChannelRows(std::string topic, const std::string& schema) : topic_(std::move(topic)) {
+  try {
+    add_units("", Json::parse(schema));
+  } catch (const json::JsonError&) {  // then nothing is known of units
+  }
+}
+
+void ChannelRows::add_units(const std::string& name, const Json& schema) {
+  if (const Json* unit = schema.find("unit"); unit && unit->as_text()) units_[name] = *unit->as_text();
+  if (const Json* members = schema.find("properties"))
+    for (const auto& [key, member] : members->members()) add_units(inside(name, key), member);
+}
+
+void ChannelRows::add(std::string_view message, std::uint64_t time) {
+  times_.push_back(time);
+  try {
+    add("", Json::parse(message));
+  } catch (const json::JsonError& error) {
+    throw table::TableError(fmt::format("message {} of '{}' is no JSON: {}", rows(), topic_, error.what()));
+  }
+}
+
+void ChannelRows::add(const std::string& name, const Json& value) {
+  if (const auto number = value.as_number()) {
+    column(name).back() = *number;
+  } else if (const auto flag = value.as_flag()) {
+    column(name).back() = *flag ? 1.0 : 0.0;
+  } else if (value.as_text()) {
+    problems_.try_emplace(name, fmt::format("'{}' holds text, not numbers", name));
+    column(name);
+  } else if (value.is_null()) {
+    column(name);
+  }
+  for (const auto& [key, member] : value.members()) add(inside(name, key), member);
+  std::size_t index = 0;
+  for (const Json& item : value.items()) add(inside(name, std::to_string(++index)), item);
+}
+
+/// Up to this message, which is nan there at first.
+std::vector<double>& ChannelRows::column(const std::string& name) {
+  const auto [place, is_new] = places_.try_emplace(name, columns_.size());
+  if (is_new) columns_.push_back({name, "", {}});
+  std::vector<double>& values = columns_[place->second].values;
+  values.resize(rows(), nothing);
+  return values;
+}
+
+void ChannelRows::give(table::RecordTable& table, const std::string& prefix, std::uint64_t begin) {
+  if (!places_.contains("time")) {
+    table.columns.push_back({prefix + "time", "s", {}});
+    for (const std::uint64_t time : times_)
+      table.columns.back().values.push_back(1e-9 * (static_cast<double>(time - begin)));
+  }
+  for (table::Column& column : columns_) {
+    column.values.resize(rows(), nothing);
+    if (const auto unit = units_.find(column.name); unit != units_.end()) column.unit = unit->second;
+    if (const auto problem = problems_.find(column.name); problem != problems_.end())
+      table.problems[prefix + column.name] = problem->second;
+    column.name = prefix + column.name;
+    table.columns.push_back(std::move(column));
+  }
+}
+
+}  // namespace stepwire::mcap

@@ -1,0 +1,47 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "engine/base/data_file/data_file.hpp"
+#include "engine/base/table/table_file.hpp"
+#include "tests/engine/app/cli/program.hpp"
+
+using Catch::Contains;
+
+TEST_CASE("signals are written in the kinds of files that are named, with the same bits") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out", "--files", "h5,csv,mcap"}).code == 0);
+  const auto csv = stepwire::table::read_csv(folder.path("out/signals.csv"));
+  CHECK_FALSE(std::filesystem::exists(folder.path("out/signals.mat")));
+  for (const std::string file : {"out/signals.h5", "out/signals.mcap"}) {
+    const auto other = stepwire::data_file::read_data_file(folder.path(file));
+    REQUIRE(other.columns.size() == csv.columns.size());
+    for (const auto& column : csv.columns) {
+      CHECK(other.find(column.name)->values == column.values);
+      CHECK(other.find(column.name)->unit == column.unit);
+    }
+  }
+}
+
+TEST_CASE("what a run of a sweep has written another diagram plays back") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml + "sweep: {tau: {values: [50 ms, 100 ms]}}\n");
+  REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out", "--files", "csv,h5,mcap"}).code == 0);
+  for (const std::string ending : {"h5", "mcap"}) {
+    folder.file("back.yaml", "stepwire: 1\ntitle: back\nstep: 1 ms\nstop: 0.5 s\nblocks:\n  y: {block: FromFile, file: out/signals." +
+                                 ending + ", column: run-2/lag}\nrecord: [y]\nclaims:\n"
+                                 "  - {that: it is the slower one, final: y, between: [0.9932, 0.9933]}\n");
+    const Done done = run_program(folder, {"run", "back.yaml"});
+    INFO(done.err << done.out);
+    CHECK(done.code == 0);
+  }
+}
+
+TEST_CASE("a kind of file that there is not is refused with those that there are") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  const Done done = run_program(folder, {"run", "lag.yaml", "--out", "out", "--files", "csv,xls"});
+  CHECK(done.code == 2);
+  CHECK_THAT(done.err, Contains("csv, mat, h5, mcap, not 'xls'"));
+  CHECK_FALSE(std::filesystem::exists(folder.path("out")));
+}

@@ -1,0 +1,123 @@
+// What is written comes back, by the same bytes each time; another reader is Debian's h5py.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+#include "engine/base/hdf5/hdf5_read.hpp"
+#include "engine/base/hdf5/hdf5_writer.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/base/subprocess/process.hpp"
+#include "tests/engine/base/table/scratch.hpp"
+
+namespace stepwire::hdf5 {
+
+namespace {
+
+using Values = std::vector<double>;
+const Values times{0.0, 0.1, 0.2}, positions{1.0 / 3.0, -0.0, INFINITY};
+const std::vector<std::string> words{"hold", "linear"};
+
+void write_runs(const std::string& path, const std::vector<table::RunView>& runs) {
+  Hdf5Writer writer(path, "A cart, 20 µm");
+  for (const table::RunView& run : runs) writer.add(run);
+  writer.finish();
+}
+
+std::vector<table::RunView> one_run() {
+  return {{"", {}, {{"time", "s", times}, {"cart.position", "mm", positions}, {"a", "", times}}}};
+}
+
+std::vector<table::RunView> two_runs() {
+  return {{"run-1", {{"mass", "kg", 2.0}, {"way", "", 0.0, "hold"}}, {{"time", "s", times}, {"x", "m", times}}},
+          {"run-2", {{"mass", "kg", 3.0}, {"way", "", 1.0, "linear"}}, {{"time", "s", times}, {"x", "m", positions}}}};
+}
+
+void check_bits(const Values& back, std::span<const double> wanted) {
+  REQUIRE(back.size() == wanted.size());
+  CHECK(std::memcmp(back.data(), wanted.data(), wanted.size_bytes()) == 0);
+}
+
+/// What a script for Debian's python prints of a file; nothing where that has no h5py.
+std::string printed_by_h5py(const std::string& script, const std::string& file) {
+  const auto call = [](std::vector<std::string> command) {
+    return subprocess::run_process({.command = std::move(command)});
+  };
+  if (!call({"/usr/bin/python3", "-c", "import h5py"}).succeeded()) return "";
+  return call({"/usr/bin/python3", "-c", "import h5py, sys\nf = h5py.File(sys.argv[1])\n" + script, file}).output;
+}
+
+}  // namespace
+
+TEST_CASE("a run comes back from an HDF5 file with its names, units, order and bits") {
+  const Scratch scratch;
+  write_runs(scratch.path("a.h5"), one_run());
+  const table::RecordTable back = read_hdf5(scratch.path("a.h5"));
+  REQUIRE(back.columns.size() == 3);
+  CHECK(back.columns[0].name == "time");
+  CHECK(back.columns[0].unit == "s");
+  CHECK(back.columns[1].name == "cart.position");
+  CHECK(back.columns[1].unit == "mm");
+  CHECK(back.columns[2].name == "a");
+  CHECK(back.columns[2].unit.empty());
+  check_bits(back.columns[1].values, positions);
+}
+
+TEST_CASE("runs of a sweep are groups with what they set") {
+  const Scratch scratch;
+  write_runs(scratch.path("a.h5"), two_runs());
+  const table::RecordTable back = read_hdf5(scratch.path("a.h5"));
+  CHECK(back.find("run-1/mass")->values == Values{2.0});
+  CHECK(back.find("run-2/mass")->unit == "kg");
+  check_bits(back.find("run-2/x")->values, positions);
+  CHECK(back.problems.at("run-2/way") == scratch.path("a.h5") + ": 'run-2/way' holds text, not numbers");
+}
+
+TEST_CASE("rows beyond a chunk, and none at all, come back") {
+  const Scratch scratch;
+  Values many(20'001);
+  std::iota(many.begin(), many.end(), 0.5);
+  write_runs(scratch.path("a.h5"), {{"", {}, {{"many", "", many}, {"none", "", {}}}}});
+  const table::RecordTable back = read_hdf5(scratch.path("a.h5"));
+  check_bits(back.find("many")->values, many);
+  CHECK(back.problems.at("none") == scratch.path("a.h5") + ": 'none' has no rows");
+}
+
+TEST_CASE("the same runs make the same HDF5 file") {
+  const Scratch scratch;
+  Values many(20'001, 1.0);
+  const std::vector<table::RunView> long_run{{"", {}, {{"many", "", many, words}}}};
+  for (const auto& runs : {one_run(), two_runs(), long_run}) {
+    write_runs(scratch.path("a.h5"), runs);
+    const std::string first = io::read_file(scratch.path("a.h5"));
+    const Values moved(77, 3.0);  // other memory, and another second, must not show
+    write_runs(scratch.path("b.h5"), runs);
+    CHECK(io::read_file(scratch.path("b.h5")) == first);
+  }
+}
+
+TEST_CASE("a file that is not finished is not there") {
+  const Scratch scratch;
+  { Hdf5Writer(scratch.path("a.h5"), "").add(one_run().front()); }
+  CHECK(scratch.files() == 0);
+}
+
+TEST_CASE("h5py reads runs with their units") {
+  const Scratch scratch;
+  write_runs(scratch.path("a.h5"), one_run());
+  write_runs(scratch.path("b.h5"), two_runs());
+  const std::string one = printed_by_h5py(
+      "print(f.attrs['title'], sorted(f), f['cart.position'].attrs['units'], f['cart.position'][0] == 1/3)\n",
+      scratch.path("a.h5"));
+  if (one.empty()) {
+    WARN("python3-h5py is not installed; no other program read the file");
+    return;
+  }
+  CHECK(one == "A cart, 20 µm ['a', 'cart.position', 'time'] mm True\n");
+  CHECK(printed_by_h5py("for name, run in f.items(): print(name, run['mass'][()], run['way'].asstr()[()], "
+                        "run['x'][:2].tolist())\n",
+                        scratch.path("b.h5")) ==
+        "run-1 2.0 hold [0.0, 0.1]\nrun-2 3.0 linear [0.3333333333333333, -0.0]\n");
+}
+
+}  // namespace stepwire::hdf5
