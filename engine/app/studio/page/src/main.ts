@@ -1,6 +1,7 @@
 import {connect, Fault} from "./connection/connection";
 import {DrawingView} from "./drawing/drawing_view";
 import {menuEntries} from "./gallery/menu";
+import {followTexts} from "./run/loaded_texts";
 import {RunBar} from "./run/run_bar";
 import {RunModel} from "./run/run_model";
 import {Bar} from "./shell/bar";
@@ -54,7 +55,7 @@ async function load(file: number): Promise<void> {
 
 serveRequests(context);
 context.workbench.on("root", (file) => void load(file));
-context.workbench.on("changed", () => context.run.markStale());
+followTexts(context);
 context.workbench.on("faults", ({faults}) => { if (faults.length === 0 && !context.run.loaded && context.run.file !== null) void load(context.workbench.root); });
 
 let isStarted = false;

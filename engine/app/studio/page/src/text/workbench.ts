@@ -152,6 +152,11 @@ export class Workbench {
     return this.openDocuments.filter((document) => document.isChanged);
   }
 
+  /** Resolves when the server has all texts as they are. */
+  whenSynced(): Promise<unknown> {
+    return Promise.all(this.openDocuments.map((document) => this.sync.whenSynced(document)));
+  }
+
   private stateOf(document: Document, text: string): EditorState {
     return EditorState.create({doc: textOf(text), extensions: [EditorState.lineSeparator.of("\n"), this.extensions(document)]});
   }
