@@ -11,6 +11,7 @@
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
+#include "engine/app/cli/kept_run.hpp"
 #include "engine/app/cli/monitoring.hpp"
 #include "engine/app/report/fit_text.hpp"
 #include "engine/app/report/profile_report.hpp"
@@ -71,7 +72,9 @@ class FileRuns {
     require_section(call_, model);
     const EndDelay delay(EndDelay::Signals::first);
     const std::string folder = folder_of(call_, model.file);
+    require_shares(model);
     const auto owned = session::own_results(folder, model, call_.files);
+    if (call_.part) return KeptRun(model, folder, *call_.part).run_share(session_, call_.engine);
     if (model.study) return study(model, folder, results);
     const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
     return fitted == ExitCode::done ? run(model, folder, results) : fitted;
@@ -99,12 +102,15 @@ class FileRuns {
   ExitCode run(const session::LoadedModel& model, const std::string& folder, Json& results) {
     // Better now than after an hour, in which data files may change.
     if (!folder.empty()) replay::write_replay(folder, model.job);
+    std::optional<KeptRun> kept;
+    if (!folder.empty() && !model.job.points.empty()) kept.emplace(model, folder);
     const session::Outcome outcome = [&] {
       const auto watch = watched(file_name(model));
-      return session_.run(model, call_.engine);
+      return kept ? kept->run(session_, call_.engine) : session_.run(model, call_.engine);
     }();
     print_faults(outcome.result);
     if (!folder.empty()) session::write_outputs(folder, model, outcome, call_.files);
+    if (kept && !outcome.result.interrupted) kept->drop();
     const std::optional<profile::Profile> profile = wanted_profile(model);
     if (profile && !folder.empty()) write_profile(folder, model, *profile);
     if (call_.models.json) {
@@ -118,6 +124,17 @@ class FileRuns {
     if (profile) put_text(report::profile_text(model, *profile));
     if (!folder.empty()) say("  written to {}\n", folder);
     return code_of(outcome);
+  }
+
+  /// A share is of a sweep alone, and lies in a folder.
+  void require_shares(const session::LoadedModel& model) const {
+    if (!call_.part) return;
+    const auto refuse = [&](const char* message) {
+      throw yaml::Error(yaml::Fault{{model.file, {}}, "--part", message, {}});
+    };
+    if (model.job.points.empty() || model.study)
+      refuse("needs a file with a section 'sweep', and without a study");
+    if (call_.out.empty()) refuse("needs --out DIR, in which the points of the share are kept");
   }
 
   /// A bar on the terminal for what the session does from now on, as long as it lives.
@@ -179,17 +196,18 @@ static session::FileKinds files_of(const std::string& list) {
     const std::string word = list.substr(at, end - at);
     const auto kind = session::file_kind(word);
     if (!kind)
-      throw CLI::ValidationError("--files", fmt::format("takes of {}, not '{}'; several are separated by commas",
-                                                        session::file_kind_names(), word));
+      throw CLI::ValidationError("--files",
+                                 fmt::format("takes of {}, not '{}'; several are separated by commas",
+                                             session::file_kind_names(), word));
     if (std::ranges::find(kinds, *kind) == kinds.end()) kinds.push_back(*kind);
     at = end + 1;
   }
   return kinds;
 }
 
-static void add_files_option(CLI::App& verb, RunCall& call) {
+void add_files_option(CLI::App& verb, session::FileKinds& kinds) {
   verb.add_option_function<std::string>(
-          "--files", [&call](const std::string& list) { call.files = files_of(list); },
+          "--files", [&kinds](const std::string& list) { kinds = files_of(list); },
           fmt::format("kinds of files for the recorded signals in --out, of {}; left out: csv,mat",
                       session::file_kind_names()))
       ->option_text("KIND,...");
@@ -200,7 +218,7 @@ void add_run_options(CLI::App& verb, RunCall& call, const std::string& out) {
   add_engine_option(verb, call.engine,
                     "interpreted, compiled, or auto: compiled once that is worth it; all to the same bits");
   verb.add_option("--out", call.out, out);
-  add_files_option(verb, call);
+  add_files_option(verb, call.files);
 }
 
 ExitCode run_models(const RunCall& call, const Registry& registry) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "engine/app/cli/model_call.hpp"
 #include "engine/app/session/fitting.hpp"
+#include "engine/app/session/kept_points.hpp"
 #include "engine/app/session/signal_files.hpp"
 #include "engine/app/session/studies.hpp"
 
@@ -20,10 +22,14 @@ struct RunCall {
   std::string requires_section;  ///< a file without this section is refused; empty: any file will do
   session::FitCall fit;
   unsigned study_threads = 0;  ///< 0: all cores
+  std::optional<session::Share> part;  ///< of a sweep: what this call runs
 };
 
 /// Declares the options that the three have; `out` explains --out.
 void add_run_options(CLI::App& verb, RunCall& call, const std::string& out);
+
+/// Declares --files.
+void add_files_option(CLI::App& verb, session::FileKinds& kinds);
 
 /// Runs the files; one with a fit is fitted first, and of one with a study the trials are run.
 ExitCode run_models(const RunCall& call, const Registry& registry);

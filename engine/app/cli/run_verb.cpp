@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "engine/app/cli/kept_run.hpp"
 #include "engine/app/cli/run_call.hpp"
 #include "engine/app/cli/verb.hpp"
 
@@ -14,6 +15,10 @@ Action declare_run(CLI::App& verb) {
                   "folder for signals.csv, signals.mat, pictures, claims.json, run.json, diagram.yaml");
   verb.add_flag("--profile", call->profile,
                 "measure what each block costs; with --out also in profile.csv and profile.svg");
+  verb.add_option_function<std::string>(
+          "--part", [call](const std::string& text) { call->part = share_of(text); },
+          "run only this share of a sweep's points, and keep them in --out for 'collect'")
+      ->option_text("K/N");
   return [call](const Registry& registry) { return run_models(*call, registry); };
 }
 

@@ -5,10 +5,9 @@
 #include <filesystem>
 #include <set>
 
+#include "engine/app/session/build_note.hpp"
 #include "engine/app/session/studies.hpp"
-#include "engine/base/hash/hash.hpp"
 #include "engine/base/io/file.hpp"
-#include "engine/simulate/blockset/blockset.hpp"
 
 namespace stepwire::session {
 
@@ -36,11 +35,9 @@ std::uint64_t performed_seed(const std::string& folder) {
 }  // namespace
 
 std::string experiments_note(const LoadedModel& model) {
-  static const std::string program = hash::hash_of(io::read_file("/proc/self/exe"));
-  json::Json note = json::Json::object().set("study", study_key(model, false)).set("program", program);
-  std::vector<std::string> blocks;
-  for (const std::string& folder : model.blocksets) blocks.push_back(blockset::blockset_hash(folder));
-  if (!blocks.empty()) note.set("blocks", json::Json::list_of(blocks));
+  const json::Json build = build_note(model);
+  json::Json note = json::Json::object().set("study", study_key(model, false));
+  for (const auto& [key, value] : build.members()) note.set(key, value);
   return note.text() + "\n";
 }
 

@@ -53,24 +53,56 @@ void judge_claims(const LoadedModel& model, Outcome& outcome) {
   }
 }
 
-Outcome run_model(const LoadedModel& model, const run::RunOptions& options) {
-  Outcome outcome;
-  const auto start = std::chrono::steady_clock::now();
-  outcome.result = run::run_job(model.job, options);
-  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  judge_claims(model, outcome);
-  return outcome;
-}
+namespace {
 
-Outcome run_model(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
-                  const Monitor& monitor) {
+run::RunOptions options_of(run::ExecutionMode engine, plan::CodeSource& code, const Monitor& monitor) {
   run::RunOptions options;
   options.engine = engine;
   options.code = &code;
   options.interrupt = monitor.interrupt;
   options.progress = [&](double fraction) { monitor.show(fraction); };
   options.observers = monitor.observers;
-  return run_model(model, options);
+  return options;
+}
+
+class Seconds {
+ public:
+  double passed() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+Outcome run_model(const LoadedModel& model, const run::RunOptions& options) {
+  Outcome outcome;
+  const Seconds seconds;
+  outcome.result = run::run_job(model.job, options);
+  outcome.seconds = seconds.passed();
+  judge_claims(model, outcome);
+  return outcome;
+}
+
+Outcome run_model(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
+                  const Monitor& monitor) {
+  return run_model(model, options_of(engine, code, monitor));
+}
+
+double run_points(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
+                  const Monitor& monitor, run::PointExchange& exchange, std::size_t found,
+                  std::size_t points) {
+  run::RunOptions options = options_of(engine, code, monitor);
+  const auto all = static_cast<double>(model.job.points.size());
+  options.progress = [&](double fraction) {
+    monitor.show((static_cast<double>(found) + fraction * all) /
+                 static_cast<double>(std::max<std::size_t>(points, 1)));
+  };
+  const Seconds seconds;
+  run::run_points(model.job, options, exchange);
+  return seconds.passed();
 }
 
 }  // namespace stepwire::session

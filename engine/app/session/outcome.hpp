@@ -5,6 +5,7 @@
 
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/app/session/monitor.hpp"
+#include "engine/simulate/run/point_exchange.hpp"
 
 namespace stepwire::session {
 
@@ -33,5 +34,11 @@ Outcome run_model(const LoadedModel& model, const run::RunOptions& options);
 /// The same, watched; `code` compiles what the engine does not interpret.
 Outcome run_model(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
                   const Monitor& monitor);
+
+/// The same, of a sweep whose points come from an exchange, `found` of `points` being there already; what
+/// they gave is joined by the caller. Returns how long it took [s].
+double run_points(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
+                  const Monitor& monitor, run::PointExchange& exchange, std::size_t found,
+                  std::size_t points);
 
 }  // namespace stepwire::session

@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/app/session/kept_points.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 
 namespace stepwire::session {
@@ -12,7 +13,7 @@ std::unique_ptr<io::OwnedFolder> own_results(const std::string& folder, const Lo
   if (folder.empty()) return nullptr;
   auto owned = std::make_unique<io::OwnedFolder>(folder, [&] {
     std::set<std::string> files = replay::files_read(model.job);
-    files.insert({folder + "/experiments.csv", folder + "/experiments.json"});
+    files.insert({folder + "/experiments.csv", folder + "/experiments.json", points_path(folder)});
     if (model.study && !model.study->trials.empty()) files.insert(model.study->trials);
     return files;
   });

@@ -12,6 +12,13 @@ Outcome Session::run(const LoadedModel& model, run::ExecutionMode engine) {
   return outcome;
 }
 
+double Session::run(const LoadedModel& model, KeptPoints& kept, run::ExecutionMode engine) {
+  const double seconds = run_points(model, engine, code_, monitor_, kept, kept.found(), kept.points());
+  kept.journal().flush();
+  monitor_.note_interpreted(code_.take_problem());
+  return seconds;
+}
+
 estimation::FitResult Session::fit(const LoadedModel& model, const FitCall& call) {
   return fit_model(registry_, model, call, monitor_);
 }

@@ -17,24 +17,31 @@ std::vector<std::jthread> begin_threads(std::size_t wanted, const std::function<
   return threads;
 }
 
-void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task) {
-  std::atomic<std::size_t> next = 0;
+void on_threads(unsigned threads, const std::function<void()>& work) {
   std::mutex mutex;
   std::exception_ptr failure;
-  const auto work = [&] {
+  const auto caught = [&] {
     try {
-      for (std::size_t i = next++; i < count; i = next++) task(i);
+      work();
     } catch (...) {
       const std::lock_guard lock(mutex);
       failure = std::current_exception();
     }
   };
-  const std::size_t wanted = threads ? threads : std::max(1u, std::thread::hardware_concurrency());
   {
-    const std::vector<std::jthread> others = begin_threads(std::min(wanted, count), work);
-    work();
+    const std::vector<std::jthread> others =
+        begin_threads(threads ? threads : std::max(1u, std::thread::hardware_concurrency()), caught);
+    caught();
   }
   if (failure) std::rethrow_exception(failure);
+}
+
+void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task) {
+  std::atomic<std::size_t> next = 0;
+  const auto wanted = threads ? threads : std::max(1u, std::thread::hardware_concurrency());
+  on_threads(static_cast<unsigned>(std::min<std::size_t>(wanted, std::max<std::size_t>(count, 1))), [&] {
+    for (std::size_t i = next++; i < count; i = next++) task(i);
+  });
 }
 
 }  // namespace stepwire::parallel

@@ -195,15 +195,29 @@ std::vector<record::Recorder> PooledRecording::recorders(std::size_t point) {
 }
 
 void PooledRecording::done(std::size_t point, const std::vector<record::Recorder>& recorders) {
-  const std::vector<double> numbers = swept_.numbers(point);
+  for (std::size_t r = 0; r < all_.size(); ++r) all_[r].count[point] = recorders[r].rows();
+  fill_swept(point);
+}
+
+void PooledRecording::put(std::size_t point, const std::vector<record::Recording>& recorded) {
   for (std::size_t r = 0; r < all_.size(); ++r) {
-    Rows& rows = all_[r];
-    rows.count[point] = recorders[r].rows();
+    const auto& from = recorded[r].table.columns;
+    auto& to = all_[r].recording.table.columns;
+    all_[r].count[point] = recorded[r].table.rows();
+    const auto first = static_cast<std::ptrdiff_t>(all_[r].first[point]);
+    for (std::size_t c = 0; c < from.size(); ++c)
+      std::ranges::copy(from[c].values, to[c == 0 ? 0 : c + swept_.columns().size()].values.begin() + first);
+  }
+  fill_swept(point);
+}
+
+void PooledRecording::fill_swept(std::size_t point) {
+  const std::vector<double> numbers = swept_.numbers(point);
+  for (Rows& rows : all_)
     for (std::size_t axis = 0; axis < numbers.size(); ++axis)
       std::fill_n(rows.recording.table.columns[1 + axis].values.begin() +
                       static_cast<std::ptrdiff_t>(rows.first[point]),
                   rows.count[point], numbers[axis]);
-  }
 }
 
 void PooledRecording::close_gaps(Rows& rows) const {

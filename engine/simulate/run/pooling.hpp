@@ -58,6 +58,8 @@ class PooledRecording {
   std::vector<record::Recorder> recorders(std::size_t point);
   /// Notes what they have recorded; from any thread.
   void done(std::size_t point, const std::vector<record::Recorder>& recorders);
+  /// Takes what a point has recorded elsewhere.
+  void put(std::size_t point, const std::vector<record::Recording>& recorded);
   /// Closes the gaps of points that ended early, and gives all recordings.
   std::vector<record::Recording> take();
 
@@ -68,6 +70,7 @@ class PooledRecording {
     std::vector<std::size_t> first, count;  ///< rows of each point
   };
 
+  void fill_swept(std::size_t point);
   void close_gaps(Rows& rows) const;
 
   const Job& job_;

@@ -1,14 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <mutex>
+#include <atomic>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/memory.hpp"
-#include "engine/simulate/run/pooling.hpp"
-#include "engine/simulate/run/run.hpp"
+#include "engine/simulate/run/point_exchange.hpp"
+#include "engine/simulate/run/sweep_ends.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire::run {
@@ -23,73 +22,31 @@ std::size_t point_count(const diagram::Sweep& sweep) {
   return count;
 }
 
-/// " (in the run with speed=3)".
-std::string which_run(const std::vector<diagram::Setting>& settings) {
-  return fmt::format(" (in the run with {})", settings_text(settings));
-}
-
-/// Gathers how the runs of a sweep ended, in their order.
-class Ends {
+/// Runs points of a job, and shares between them what they can share.
+class PointRuns {
  public:
-  explicit Ends(const Job& job) : job_(job) {}
-
-  void add(std::size_t point, RunEnd end) {
-    const std::lock_guard lock(mutex_);
-    for (RunFault& fault : end.faults) {
-      fault.fault.message += which_run(job_.settings_of(point));
-      faults_.emplace(point, std::move(fault));
-    }
-    std::size_t order = 0;
-    for (RaisedDiagnostic& diagnostic : end.diagnostics) {
-      const std::pair place{point, order++};
-      const auto [known, is_new] =
-          diagnostics_.try_emplace({diagnostic.block, diagnostic.text}, place, diagnostic);
-      if (!is_new && place < known->second.first) known->second = {place, std::move(diagnostic)};
-    }
-    all_.interrupted = all_.interrupted || end.interrupted;
-    all_.stopped = all_.stopped || end.stopped;
-    all_.ticks += end.ticks;
-    all_.compiled_ticks += end.compiled_ticks;
-    add_loops(all_.loops, end.loops);
-    all_.events += end.events;
-  }
-
-  RunEnd take() {
-    for (auto& [point, fault] : faults_) all_.faults.push_back(std::move(fault));
-    std::vector<std::pair<Place, RaisedDiagnostic>> diagnostics;
-    for (auto& [key, diagnostic] : diagnostics_) diagnostics.push_back(std::move(diagnostic));
-    std::ranges::stable_sort(diagnostics, {}, [](const auto& diagnostic) { return diagnostic.first; });
-    for (auto& [point, diagnostic] : diagnostics) all_.diagnostics.push_back(std::move(diagnostic));
-    return std::move(all_);
-  }
-
- private:
-  using Place = std::pair<std::size_t, std::size_t>;  ///< point, and which of its diagnostics
-
-  const Job& job_;
-  std::mutex mutex_;
-  RunEnd all_;
-  std::map<std::size_t, RunFault> faults_;
-  std::map<std::pair<std::string, std::string>, std::pair<Place, RaisedDiagnostic>> diagnostics_;
-};
-
-/// All points of a job.
-class SweepRun {
- public:
-  SweepRun(const Job& job, const RunOptions& options)
+  PointRuns(const Job& job, const RunOptions& options)
       : job_(job),
         options_(options),
-        swept_(job),
-        recording_(job, swept_, options.threads),
-        ends_(job),
         idle_(*job.family),
-        changeover_(options.engine, options.code, members_of(job), ticks_of(job)) {}
-
-  RunResult run() {
-    parallel::in_parallel(job_.points.size(), options_.threads,
-                          [this](std::size_t point) { run_point(point); });
-    return {ends_.take(), recording_.take()};
+        changeover_(options.engine, options.code, members_of(job), ticks_of(job)) {
+    own_.interrupt = options.interrupt;
+    own_.observers = options.observers;
   }
+
+  /// From any thread.
+  RunEnd run(std::size_t point, std::vector<record::Recorder>& recorders) {
+    const std::size_t member = job_.points[point].member;
+    auto run = idle_.take(member);
+    job_.family->begin(member, job_.settings_of(point), *run);
+    RunEnd end = run_simulation(*run, recorders, own_, changeover_, member, point);
+    idle_.give_back(member, std::move(run));
+    const double done = static_cast<double>(++done_);
+    if (options_.progress) options_.progress(done / static_cast<double>(job_.points.size()));
+    return end;
+  }
+
+  bool interrupted() const { return options_.interrupt && *options_.interrupt; }
 
  private:
   static std::vector<TieredExecution::Member> members_of(const Job& job) {
@@ -106,35 +63,32 @@ class SweepRun {
     return ticks;
   }
 
-  void run_point(std::size_t point) {
-    if (options_.interrupt && *options_.interrupt) {  // nothing is kept of what has not begun
-      RunEnd end;
-      end.interrupted = true;
-      return ends_.add(point, std::move(end));
-    }
-    const std::size_t member = job_.points[point].member;
-    auto run = idle_.take(member);
-    job_.family->begin(member, job_.settings_of(point), *run);
-    std::vector<record::Recorder> recorders = recording_.recorders(point);
-    RunOptions own;
-    own.interrupt = options_.interrupt;
-    own.observers = options_.observers;
-    ends_.add(point, run_simulation(*run, recorders, own, changeover_, member, point));
-    recording_.done(point, recorders);
-    idle_.give_back(member, std::move(run));
-    const double done = static_cast<double>(++done_);
-    if (options_.progress) options_.progress(done / static_cast<double>(job_.points.size()));
-  }
-
   const Job& job_;
   const RunOptions& options_;
-  SweptColumns swept_;
-  PooledRecording recording_;
-  Ends ends_;
+  RunOptions own_;
   IdleRuns idle_;
   TieredExecution changeover_;
   std::atomic<std::size_t> done_ = 0;
 };
+
+/// All points, into one recording.
+RunResult run_all(const Job& job, const RunOptions& options) {
+  const SweptColumns swept(job);
+  PooledRecording recording(job, swept, options.threads);
+  SweepEnds ends(job);
+  PointRuns runs(job, options);
+  parallel::in_parallel(job.points.size(), options.threads, [&](std::size_t point) {
+    if (runs.interrupted()) {  // nothing is kept of what has not begun
+      RunEnd end;
+      end.interrupted = true;
+      return ends.add(point, std::move(end));
+    }
+    std::vector<record::Recorder> recorders = recording.recorders(point);
+    ends.add(point, runs.run(point, recorders));
+    recording.done(point, recorders);
+  });
+  return {ends.take(), recording.take()};
+}
 
 /// What is set from outside is not swept any more: each run has that value.
 void pin(diagram::Sweep& sweep, const std::vector<diagram::Setting>& settings) {
@@ -223,7 +177,31 @@ std::vector<table::Column> swept_columns(const Job& job, std::size_t point) {
 }
 
 RunResult run_job(const Job& job, const RunOptions& options) {
-  return job.points.empty() ? run_plan(job.plan, options) : SweepRun(job, options).run();
+  return job.points.empty() ? run_plan(job.plan, options) : run_all(job, options);
+}
+
+void run_points(const Job& job, const RunOptions& options, PointExchange& exchange) {
+  PointRuns runs(job, options);
+  parallel::on_threads(options.threads, [&] {
+    for (auto point = exchange.next(); point && !runs.interrupted(); point = exchange.next()) {
+      record::RunRecording recording(job.plan_of(*point));
+      RunEnd end = runs.run(*point, recording.recorders());
+      if (end.interrupted) return;  // nothing is kept of half a run
+      exchange.take({*point, std::move(end), recording.take()});
+    }
+  });
+}
+
+JoinedPoints::JoinedPoints(const Job& job, unsigned threads)
+    : swept_(job), recording_(job, swept_, threads), ends_(job) {}
+
+void JoinedPoints::add(PointResult result) {
+  recording_.put(result.point, result.recordings);
+  ends_.add(result.point, std::move(result.end));
+}
+
+RunResult JoinedPoints::take() {
+  return {ends_.take(), recording_.take()};
 }
 
 }  // namespace stepwire::run

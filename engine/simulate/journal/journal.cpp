@@ -1,0 +1,178 @@
+#include "engine/simulate/journal/journal.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "engine/base/hash/hash.hpp"
+#include "engine/base/io/environment_error.hpp"
+#include "engine/base/io/temporary.hpp"
+#include "engine/simulate/journal/point_bytes.hpp"
+
+namespace stepwire::journal {
+
+namespace {
+
+constexpr std::string_view mark = "stepwire points 1 ";
+constexpr std::size_t longest_head = std::size_t{1} << 20;
+constexpr std::size_t most_waiting = std::size_t{1} << 20;
+constexpr std::chrono::milliseconds longest_wait{500};
+constexpr std::size_t sum_size = 16;
+constexpr std::size_t record_head = sizeof(std::uint64_t) + sum_size;
+
+std::string sum_of(std::string_view bytes) {
+  return hash::hash_of(bytes).substr(0, sum_size);
+}
+
+/// A file as it is now, in memory as far as it is looked at.
+class Mapped {
+ public:
+  Mapped(int file, const std::string& path) {
+    struct stat state {};
+    if (::fstat(file, &state) != 0) io::refuse_file(path, errno);
+    size_ = static_cast<std::size_t>(state.st_size);
+    if (size_ == 0) return;
+    void* const start = ::mmap(nullptr, size_, PROT_READ, MAP_SHARED, file, 0);
+    if (start == MAP_FAILED) io::refuse_file(path, errno);
+    start_ = static_cast<const char*>(start);
+  }
+  ~Mapped() {
+    if (start_) ::munmap(const_cast<char*>(start_), size_);
+  }
+  Mapped(const Mapped&) = delete;
+  Mapped& operator=(const Mapped&) = delete;
+
+  std::string_view bytes() const { return {start_, size_}; }
+
+ private:
+  const char* start_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+/// With its end; empty where the file is no journal.
+std::string_view first_line(std::string_view file) {
+  const std::size_t end = file.substr(0, longest_head).find('\n');
+  return end == file.npos || !file.starts_with(mark) ? "" : file.substr(0, end + 1);
+}
+
+/// The bytes of the record at a place; nothing where none is whole there.
+std::optional<std::string_view> record_at(std::string_view file, std::uint64_t place) {
+  if (place > file.size() || file.size() - place < record_head) return std::nullopt;
+  std::uint64_t size = 0;
+  std::memcpy(&size, file.data() + place, sizeof(size));
+  const std::string_view sum = file.substr(place + sizeof(size), sum_size);
+  if (size > file.size() - place - record_head) return std::nullopt;
+  const std::string_view bytes = file.substr(place + record_head, size);
+  if (sum_of(bytes) != sum) return std::nullopt;
+  return bytes;
+}
+
+}  // namespace
+
+std::optional<std::string> Journal::head_of(const std::string& path) {
+  const io::Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+  if (!file.open()) {
+    if (errno == ENOENT) return std::nullopt;
+    io::refuse_file(path, errno);
+  }
+  const Mapped mapped(file.number(), path);
+  const std::string_view line = first_line(mapped.bytes());
+  if (line.empty()) return std::nullopt;
+  return std::string(line.substr(mark.size(), line.size() - mark.size() - 1));
+}
+
+Journal::Journal(std::string path, const std::string& head, const run::Job& job, Use use)
+    : path_(std::move(path)), job_(job), places_(job.points.size(), missing) {
+  const int how = use == Use::read ? O_RDONLY : O_RDWR | O_CREAT;
+  file_ = io::Descriptor(::open(path_.c_str(), how | O_CLOEXEC | O_NOFOLLOW, 0666));
+  if (!file_.open()) io::refuse_file(path_, errno);
+  const std::string line = fmt::format("{}{}\n", mark, head);
+  const bool is_known = first_line(Mapped(file_.number(), path_).bytes()) == line;
+  if (is_known) find_points(line.size());
+  if (use == Use::read) return;
+  if (::ftruncate(file_.number(), static_cast<off_t>(end_)) != 0) io::refuse_file(path_, errno);
+  if (is_known) return;
+  waiting_ = line;
+  write_waiting();
+}
+
+Journal::~Journal() {
+  try {
+    flush();
+  } catch (const std::exception&) {  // what is not in the file is run again
+  }
+}
+
+/// Goes from record to record, up to the first that is not whole.
+void Journal::find_points(std::uint64_t first) {
+  const Mapped mapped(file_.number(), path_);
+  end_ = first;
+  while (const auto bytes = record_at(mapped.bytes(), end_)) {
+    std::uint64_t point = 0;
+    if (bytes->size() < sizeof(point)) return;
+    std::memcpy(&point, bytes->data(), sizeof(point));
+    if (point >= places_.size()) return;
+    if (!has(point)) ++count_;
+    places_[point] = end_;
+    end_ += record_head + bytes->size();
+  }
+}
+
+void Journal::add(const run::PointResult& result) {
+  add_bytes(result.point, bytes_of(result));
+}
+
+void Journal::add_bytes(std::size_t point, std::string_view bytes) {
+  const std::uint64_t size = bytes.size();
+  const std::string sum = sum_of(bytes);
+  const std::lock_guard lock(mutex_);
+  if (has(point)) return;
+  places_[point] = end_ + waiting_.size();
+  ++count_;
+  waiting_.append(reinterpret_cast<const char*>(&size), sizeof(size)).append(sum).append(bytes);
+  if (waiting_.size() >= most_waiting || std::chrono::steady_clock::now() - written_ >= longest_wait)
+    write_waiting();
+}
+
+void Journal::flush() {
+  const std::lock_guard lock(mutex_);
+  write_waiting();
+}
+
+void Journal::write_waiting() {
+  std::size_t done = 0;
+  while (done < waiting_.size()) {
+    const ssize_t written = ::pwrite(file_.number(), waiting_.data() + done, waiting_.size() - done,
+                                     static_cast<off_t>(end_ + done));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) io::refuse_file(path_, written < 0 ? errno : EIO);
+    done += static_cast<std::size_t>(written);
+  }
+  end_ += waiting_.size();
+  waiting_.clear();
+  written_ = std::chrono::steady_clock::now();
+}
+
+run::PointResult Journal::point(std::string_view file, std::size_t point) const {
+  const auto bytes = record_at(file, places_[point]);
+  auto result = bytes ? point_of(*bytes, job_) : std::nullopt;
+  if (!result || result->point != point)
+    throw io::EnvironmentError(fmt::format(
+        "{}: the record of point {} is not one of this diagram; remove the file, and run its points again",
+        path_, point + 1));
+  return std::move(*result);
+}
+
+void Journal::each(const std::function<void(run::PointResult)>& take) {
+  flush();
+  const Mapped mapped(file_.number(), path_);
+  for (std::size_t of = 0; of < places_.size(); ++of)
+    if (has(of)) take(point(mapped.bytes(), of));
+}
+
+}  // namespace stepwire::journal

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/simulate/run/pooling.hpp"
+#include "engine/simulate/run/run.hpp"
+#include "engine/simulate/run/sweep_ends.hpp"
+
+namespace stepwire::run {
+
+/// What one point of a sweep has given.
+struct PointResult {
+  std::size_t point = 0;
+  RunEnd end{};
+  std::vector<record::Recording> recordings{};  ///< as of a run alone, without columns of what is swept
+};
+
+/// Where points of a sweep come from and their results go, each once: several calls, or machines, may share
+/// the points.
+class PointExchange {
+ public:
+  virtual ~PointExchange() = default;
+  /// A point that is to be run; nothing once there is none any more. From any thread.
+  virtual std::optional<std::size_t> next() = 0;
+  /// What a point gave that next() has named. From any thread.
+  virtual void take(PointResult result) = 0;
+};
+
+/// Runs points of a job until there are no more, or until it is interrupted; a point that was interrupted
+/// gives nothing.
+void run_points(const Job& job, const RunOptions& options, PointExchange& exchange);
+
+/// Joins what all points have given, in any order, to what run_job() gives. A point that is missing has no
+/// rows.
+class JoinedPoints {
+ public:
+  /// The job must outlive it.
+  explicit JoinedPoints(const Job& job, unsigned threads = 0);
+  void add(PointResult result);
+  RunResult take();
+
+ private:
+  SweptColumns swept_;
+  PooledRecording recording_;
+  SweepEnds ends_;
+};
+
+}  // namespace stepwire::run
