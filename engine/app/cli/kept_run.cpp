@@ -18,7 +18,10 @@ KeptRun::KeptRun(const session::LoadedModel& model, const std::string& folder, c
 }
 
 session::Outcome KeptRun::run(session::Session& session, run::ExecutionMode engine) {
-  const double seconds = session.run(model_, kept_, engine);
+  return joined(session.run(model_, kept_, engine));
+}
+
+session::Outcome KeptRun::joined(double seconds) {
   session::Outcome outcome = session::joined_points(model_, {&kept_.journal()});
   outcome.seconds = seconds;
   if (outcome.result.interrupted) note_interrupted();
@@ -27,6 +30,7 @@ session::Outcome KeptRun::run(session::Session& session, run::ExecutionMode engi
 
 ExitCode KeptRun::run_share(session::Session& session, run::ExecutionMode engine) {
   session.run(model_, kept_, engine);
+  kept_.journal().flush();
   if (interrupted()) {
     note_interrupted();
     return ExitCode::interrupted;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/app/cli/exit_code.hpp"
+#include "engine/app/session/kept_points.hpp"
 #include "engine/app/session/session.hpp"
 
 namespace stepwire::cli {
@@ -19,6 +20,9 @@ class KeptRun {
   session::Outcome run(session::Session& session, run::ExecutionMode engine);
   /// Runs what is missing of a share, and says what is to be done with it.
   ExitCode run_share(session::Session& session, run::ExecutionMode engine);
+  /// Joins all that is there, which took so long [s].
+  session::Outcome joined(double seconds);
+  session::KeptPoints& points() { return kept_; }
   /// Once the results are written: the points go.
   void drop();
 

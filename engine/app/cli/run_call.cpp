@@ -13,6 +13,7 @@
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/kept_run.hpp"
 #include "engine/app/cli/monitoring.hpp"
+#include "engine/app/cli/mpi_run.hpp"
 #include "engine/app/report/fit_text.hpp"
 #include "engine/app/report/profile_report.hpp"
 #include "engine/app/report/run_text.hpp"
@@ -66,7 +67,9 @@ std::string file_name(const session::LoadedModel& model) {
 /// What the files of one call share, and what is done with each of them.
 class FileRuns {
  public:
-  FileRuns(const RunCall& call, const Registry& registry) : call_(call), session_(registry) {}
+  /// `mpi` may be null.
+  FileRuns(const RunCall& call, const Registry& registry, MpiRun* mpi = nullptr)
+      : call_(call), session_(registry), mpi_(mpi) {}
 
   ExitCode carry_out(session::LoadedModel& model, Json& results) {
     require_section(call_, model);
@@ -106,6 +109,7 @@ class FileRuns {
     if (!folder.empty() && !model.job.points.empty()) kept.emplace(model, folder);
     const session::Outcome outcome = [&] {
       const auto watch = watched(file_name(model));
+      if (mpi_) return mpi_->serve(*kept, session_, call_.engine);
       return kept ? kept->run(session_, call_.engine) : session_.run(model, call_.engine);
     }();
     print_faults(outcome.result);
@@ -184,6 +188,7 @@ class FileRuns {
 
   const RunCall& call_;
   session::Session session_;
+  MpiRun* const mpi_;
 };
 
 }  // namespace
@@ -221,13 +226,35 @@ void add_run_options(CLI::App& verb, RunCall& call, const std::string& out) {
   add_files_option(verb, call.files);
 }
 
-ExitCode run_models(const RunCall& call, const Registry& registry) {
-  if (!folders_differ(call)) return ExitCode::wrong;
-  FileRuns runs(call, registry);
+static ExitCode run_files(const RunCall& call, const Registry& registry, MpiRun* mpi) {
+  FileRuns runs(call, registry, mpi);
   return each_model(call.models, registry, [&](session::LoadedModel& model, Json& results) {
     if (!call.models.json) print_notes(model);
     return runs.carry_out(model, results);
   });
+}
+
+/// Of the processes of mpirun only process 0 writes and says anything.
+static ExitCode run_by_mpi(const RunCall& call, const Registry& registry) {
+  if (call.models.files.size() != 1) {
+    complain("--mpi runs one file; give each file a call of its own\n");
+    return ExitCode::wrong;
+  }
+  MpiRun mpi;
+  ExitCode code = ExitCode::done;
+  if (mpi.is_worker())
+    mpi.work(call, registry);
+  else
+    code = run_files(call, registry, &mpi);
+  if (mpi.broken() && code == ExitCode::interrupted) code = ExitCode::surroundings;
+  mpi.finish(code);
+  return code;
+}
+
+ExitCode run_models(const RunCall& call, const Registry& registry) {
+  if (!folders_differ(call)) return ExitCode::wrong;
+  if (call.mpi) return guarded([&] { return run_by_mpi(call, registry); });
+  return run_files(call, registry, nullptr);
 }
 
 }  // namespace stepwire::cli

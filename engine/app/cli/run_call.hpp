@@ -23,6 +23,7 @@ struct RunCall {
   session::FitCall fit;
   unsigned study_threads = 0;  ///< 0: all cores
   std::optional<session::Share> part;  ///< of a sweep: what this call runs
+  bool mpi = false;                    ///< the processes of mpirun share the points of the one file
 };
 
 /// Declares the options that the three have; `out` explains --out.

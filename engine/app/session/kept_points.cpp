@@ -138,6 +138,10 @@ std::optional<std::size_t> KeptPoints::next() {
   return std::nullopt;
 }
 
+double KeptPoints::done() const {
+  return points() == 0 ? 1.0 : static_cast<double>(journal_.count()) / static_cast<double>(points());
+}
+
 std::size_t KeptPoints::kept() const {
   std::size_t count = 0;
   for (std::size_t point = first_; point < end_; ++point) count += journal_.has(point);

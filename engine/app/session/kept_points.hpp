@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <optional>
 #include <string>
@@ -40,9 +41,13 @@ class KeptPoints : public run::PointExchange {
 
   std::optional<std::size_t> next() override;
   void take(run::PointResult result) override { journal_.add(result); }
+  double done() const override;
 
-  /// Points of the share, and those of them that are kept by now.
+  /// Points of the share.
   std::size_t points() const { return end_ - first_; }
+  /// Points that next() has not named yet.
+  std::size_t left() const { return end_ - std::min<std::size_t>(next_, end_); }
+  /// Points of the share that are kept by now.
   std::size_t kept() const;
   /// Of them, those that an earlier call has left.
   std::size_t found() const { return found_; }

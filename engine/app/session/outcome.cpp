@@ -92,14 +92,10 @@ Outcome run_model(const LoadedModel& model, run::ExecutionMode engine, plan::Cod
 }
 
 double run_points(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
-                  const Monitor& monitor, run::PointExchange& exchange, std::size_t found,
-                  std::size_t points) {
+                  const Monitor& monitor, run::PointExchange& exchange, unsigned threads) {
   run::RunOptions options = options_of(engine, code, monitor);
-  const auto all = static_cast<double>(model.job.points.size());
-  options.progress = [&](double fraction) {
-    monitor.show((static_cast<double>(found) + fraction * all) /
-                 static_cast<double>(std::max<std::size_t>(points, 1)));
-  };
+  options.progress = [&](double) { monitor.show(exchange.done()); };
+  options.threads = threads;
   const Seconds seconds;
   run::run_points(model.job, options, exchange);
   return seconds.passed();

@@ -35,10 +35,9 @@ Outcome run_model(const LoadedModel& model, const run::RunOptions& options);
 Outcome run_model(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
                   const Monitor& monitor);
 
-/// The same, of a sweep whose points come from an exchange, `found` of `points` being there already; what
-/// they gave is joined by the caller. Returns how long it took [s].
+/// Runs the points of a model's sweep that an exchange names, on so many threads (0: all cores); what they
+/// give is joined by the caller. Returns how long it took [s].
 double run_points(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
-                  const Monitor& monitor, run::PointExchange& exchange, std::size_t found,
-                  std::size_t points);
+                  const Monitor& monitor, run::PointExchange& exchange, unsigned threads = 0);
 
 }  // namespace stepwire::session

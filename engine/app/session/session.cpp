@@ -12,9 +12,9 @@ Outcome Session::run(const LoadedModel& model, run::ExecutionMode engine) {
   return outcome;
 }
 
-double Session::run(const LoadedModel& model, KeptPoints& kept, run::ExecutionMode engine) {
-  const double seconds = run_points(model, engine, code_, monitor_, kept, kept.found(), kept.points());
-  kept.journal().flush();
+double Session::run(const LoadedModel& model, run::PointExchange& points, run::ExecutionMode engine,
+                    unsigned threads) {
+  const double seconds = run_points(model, engine, code_, monitor_, points, threads);
   monitor_.note_interpreted(code_.take_problem());
   return seconds;
 }

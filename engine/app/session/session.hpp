@@ -4,7 +4,6 @@
 #include <string>
 
 #include "engine/app/session/fitting.hpp"
-#include "engine/app/session/kept_points.hpp"
 #include "engine/app/session/outcome.hpp"
 #include "engine/app/session/studies.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
@@ -31,9 +30,10 @@ class Session {
   LoadedModel load(const std::string& file, const LoadOptions& options = {}) const;
   /// Runs a model, or all points of its sweep, and judges its claims.
   Outcome run(const LoadedModel& model, run::ExecutionMode engine = run::ExecutionMode::automatic);
-  /// Runs the points of a share of the model's sweep that are not kept yet. Returns how long it took [s].
-  double run(const LoadedModel& model, KeptPoints& kept,
-             run::ExecutionMode engine = run::ExecutionMode::automatic);
+  /// Runs the points of the model's sweep that an exchange names, on so many threads (0: all cores). Returns
+  /// how long it took [s].
+  double run(const LoadedModel& model, run::PointExchange& points,
+             run::ExecutionMode engine = run::ExecutionMode::automatic, unsigned threads = 0);
   /// Finds the parameters that the model's section `fit` names.
   estimation::FitResult fit(const LoadedModel& model, const FitCall& call = {});
   /// The model with what a fit found.

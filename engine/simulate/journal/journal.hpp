@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -59,7 +60,7 @@ class Journal {
   std::uint64_t end_ = 0;  ///< of the file [bytes]
   std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
   std::vector<std::uint64_t> places_;  ///< of each point's record in the file
-  std::size_t count_ = 0;
+  std::atomic<std::size_t> count_ = 0;
 };
 
 }  // namespace stepwire::journal

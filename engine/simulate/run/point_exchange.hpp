@@ -25,6 +25,8 @@ class PointExchange {
   virtual std::optional<std::size_t> next() = 0;
   /// What a point gave that next() has named. From any thread.
   virtual void take(PointResult result) = 0;
+  /// How much of its points is done, 0 to 1, for people. From any thread.
+  virtual double done() const = 0;
 };
 
 /// Runs points of a job until there are no more, or until it is interrupted; a point that was interrupted
