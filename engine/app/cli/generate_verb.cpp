@@ -76,8 +76,9 @@ ExitCode generate(const GenerateCall& call, const Registry& registry) {
   for (const codegen::FixedParameter& fixed : tuning.fixed)
     say("  {} cannot be changed there: {}\n", fixed.name, fixed.reason);
   if (const std::string parts = left_out(model); !parts.empty()) fmt::print("  left out: {}\n", parts);
-  fmt::print("  the flags -ffp-contract=off and -fno-builtin-... of its {}CMakeLists.txt keep the bits of a run\n",
-             call.fmi == 0 ? "" : "sources/");
+  fmt::print(
+      "  the flags -ffp-contract=off and -fno-builtin-... of its {}CMakeLists.txt keep the bits of a run\n",
+      call.fmi == 0 ? "" : "sources/");
   return code;
 }
 
@@ -85,10 +86,13 @@ Action declare_generate(CLI::App& verb) {
   const auto call = std::make_shared<GenerateCall>();
   verb.add_option("FILE", call->file, "a diagram file")->required();
   add_load_options(verb, call->words);
-  verb.add_option("-o,--out", call->out, "folder for the program, or with --fmi the file of the unit")->required();
+  verb.add_option("-o,--out", call->out, "folder for the program, or with --fmi the file of the unit")
+      ->required();
   verb.add_option("--name", call->name, "name of the program, in place of that of the file");
-  auto* c = verb.add_flag("--c-api", call->c_interface, "write a header and a source to call it from C as well");
-  verb.add_option("--fmi", call->fmi, "make a unit of FMI of this version, 3 or 2, with a binary for this machine")
+  auto* c =
+      verb.add_flag("--c-api", call->c_interface, "write a header and a source to call it from C as well");
+  verb.add_option("--fmi", call->fmi,
+                  "make a unit of FMI of this version, 3 or 2, with a binary for this machine")
       ->check(CLI::IsMember({3, 2}))
       ->excludes(c);
   verb.add_flag("--constant-parameters", call->constant_parameters,

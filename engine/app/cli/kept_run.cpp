@@ -22,7 +22,7 @@ session::Outcome KeptRun::run(session::Session& session, run::ExecutionMode engi
 }
 
 session::Outcome KeptRun::joined(double seconds) {
-  session::Outcome outcome = session::joined_points(model_, {&kept_.journal()});
+  session::Outcome outcome = session::joined_points(model_, {&kept_.journal()}, kept_.take_halves());
   outcome.seconds = seconds;
   if (outcome.result.interrupted) note_interrupted();
   return outcome;

@@ -138,6 +138,12 @@ std::optional<std::size_t> KeptPoints::next() {
   return std::nullopt;
 }
 
+void KeptPoints::take(run::PointResult result) {
+  if (!result.end.interrupted) return journal_.add(result);
+  const std::lock_guard lock(mutex_);
+  halves_.push_back(std::move(result));
+}
+
 double KeptPoints::done() const {
   return points() == 0 ? 1.0 : static_cast<double>(journal_.count()) / static_cast<double>(points());
 }
@@ -148,7 +154,8 @@ std::size_t KeptPoints::kept() const {
   return count;
 }
 
-Outcome joined_points(const LoadedModel& model, const std::vector<journal::Journal*>& journals) {
+Outcome joined_points(const LoadedModel& model, const std::vector<journal::Journal*>& journals,
+                      std::vector<run::PointResult> halves) {
   run::JoinedPoints joined(model.job);
   std::vector<bool> taken(model.job.points.size());
   for (journal::Journal* journal : journals)
@@ -157,6 +164,7 @@ Outcome joined_points(const LoadedModel& model, const std::vector<journal::Journ
       taken[result.point] = true;
       joined.add(std::move(result));
     });
+  for (run::PointResult& half : halves) joined.add(std::move(half));
   Outcome outcome;
   outcome.result = joined.take();
   outcome.result.interrupted = std::ranges::find(taken, false) != taken.end();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,7 +41,7 @@ class KeptPoints : public run::PointExchange {
   KeptPoints(const LoadedModel& model, const std::string& folder, const Share& share = {});
 
   std::optional<std::size_t> next() override;
-  void take(run::PointResult result) override { journal_.add(result); }
+  void take(run::PointResult result) override;
   double done() const override;
 
   /// Points of the share.
@@ -52,16 +53,21 @@ class KeptPoints : public run::PointExchange {
   /// Of them, those that an earlier call has left.
   std::size_t found() const { return found_; }
   journal::Journal& journal() { return journal_; }
+  /// What runs gave that were interrupted, which is not kept.
+  std::vector<run::PointResult> take_halves() { return std::move(halves_); }
 
  private:
   journal::Journal journal_;
   std::size_t first_, end_, found_ = 0;
   std::atomic<std::size_t> next_;
+  std::mutex mutex_;
+  std::vector<run::PointResult> halves_;
 };
 
 /// What journals of one job hold together, judged as by run_model(); a point that is in none has no rows, and
 /// then the result is that of an interrupted run.
-Outcome joined_points(const LoadedModel& model, const std::vector<journal::Journal*>& journals);
+Outcome joined_points(const LoadedModel& model, const std::vector<journal::Journal*>& journals,
+                      std::vector<run::PointResult> halves = {});
 
 /// "12, 40 to 99 and 7 more": which points no journal has, numbered from 1; empty where there are none.
 std::string missing_points(const LoadedModel& model, const std::vector<journal::Journal*>& journals);

@@ -158,6 +158,7 @@ std::optional<std::size_t> ServedPoints::next() {
 }
 
 void ServedPoints::take(run::PointResult result) {
+  if (result.end.interrupted) return;
   const std::string bytes = journal::bytes_of(result);
   if (results_.empty()) results_ = results;
   put(results_, bytes.size());

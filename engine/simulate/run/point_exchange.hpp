@@ -23,14 +23,14 @@ class PointExchange {
   virtual ~PointExchange() = default;
   /// A point that is to be run; nothing once there is none any more. From any thread.
   virtual std::optional<std::size_t> next() = 0;
-  /// What a point gave that next() has named. From any thread.
+  /// What a point gave that next() has named; where its run was interrupted, what it gave until then. From any
+  /// thread.
   virtual void take(PointResult result) = 0;
   /// How much of its points is done, 0 to 1, for people. From any thread.
   virtual double done() const = 0;
 };
 
-/// Runs points of a job until there are no more, or until it is interrupted; a point that was interrupted
-/// gives nothing.
+/// Runs points of a job until there are no more, or until it is interrupted.
 void run_points(const Job& job, const RunOptions& options, PointExchange& exchange);
 
 /// Joins what all points have given, in any order, to what run_job() gives. A point that is missing has no

@@ -186,7 +186,6 @@ void run_points(const Job& job, const RunOptions& options, PointExchange& exchan
     for (auto point = exchange.next(); point && !runs.interrupted(); point = exchange.next()) {
       record::RunRecording recording(job.plan_of(*point));
       RunEnd end = runs.run(*point, recording.recorders());
-      if (end.interrupted) return;  // nothing is kept of half a run
       exchange.take({*point, std::move(end), recording.take()});
     }
   });

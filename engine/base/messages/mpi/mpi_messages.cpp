@@ -1,17 +1,18 @@
-// The module for MPI, which the program loads by the option --mpi alone.
+#include "engine/base/messages/mpi/mpi_messages.hpp"
+
 #include <mpi.h>
 
 #include <list>
 #include <stdexcept>
 #include <thread>
 
-#include "engine/base/messages/messages.hpp"
+namespace stepwire::mpi {
 
-namespace stepwire::messages {
+using messages::Message;
 
 namespace {
 
-class MpiMessages : public Messages {
+class MpiMessages : public messages::Messages {
  public:
   MpiMessages() {
     int provided = 0;
@@ -94,8 +95,8 @@ class MpiMessages : public Messages {
 
 }  // namespace
 
-extern "C" Messages* stepwire_open_mpi() {
-  return new MpiMessages;
+std::unique_ptr<messages::Messages> join() {
+  return std::make_unique<MpiMessages>();
 }
 
-}  // namespace stepwire::messages
+}  // namespace stepwire::mpi

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <memory>
+
+#include "engine/base/messages/messages.hpp"
+
+namespace stepwire::mpi {
+
+/// Joins the processes of mpirun, once in a process.
+std::unique_ptr<messages::Messages> join();
+
+}  // namespace stepwire::mpi
