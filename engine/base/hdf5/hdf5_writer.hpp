@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "engine/base/table/run_view.hpp"
@@ -20,6 +21,12 @@ class Hdf5Writer {
   Hdf5Writer& operator=(const Hdf5Writer&) = delete;
 
   void add(const table::RunView& run);
+  /// Adds a run whose rows come later: those of the view are its first ones. Its datasets are chunked.
+  void begin(const table::RunView& run);
+  /// Appends rows to the run that was begun last: a piece of each series in their order, of equal length.
+  void append(std::span<const std::span<const double>> columns);
+  /// From now on another program may read what was written, under the temporary name.
+  void flush();
   /// Gives the file its name.
   void finish();
 

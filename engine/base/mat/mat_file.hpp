@@ -9,7 +9,8 @@ namespace stepwire::mat {
 
 /// Every real vector of a MATLAB file (level 4, 5 or 7.3), one column each; a matrix gives columns "name(1)",
 /// "name(2)", ... Columns may differ in length here. Errors as read_csv. A damaged
-/// file is an error, except that inside a file of level 7.3 only the HDF5 library can tell.
+/// file is an error, except that inside a file of level 7.3 only the HDF5 library can tell; it reads in a
+/// process of its own.
 table::Table read_mat(const std::string& path);
 
 /// Variables are named as the columns with what MATLAB does not allow replaced by '_' (made unique), doubles,
