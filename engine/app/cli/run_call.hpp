@@ -7,20 +7,26 @@
 #include "engine/app/session/fitting.hpp"
 #include "engine/app/session/signal_files.hpp"
 #include "engine/app/session/studies.hpp"
+#include "engine/view/render/picture_kind.hpp"
 
 namespace stepwire::cli {
 
 /// A call of `run`, `fit` or `study`.
 struct RunCall {
   ModelCall models;
-  std::string out;  ///< folder; empty: nothing is written
+  std::string out;       ///< folder; empty: nothing is written; "-": an archive on the standard output
+  bool archive = false;  ///< `out` holds what becomes an archive: a folder for each file
+  std::string csv;       ///< file for the recorded table; "-": the standard output; empty: none
   session::FileKinds files = session::usual_files;
+  render::PictureKinds pictures = render::usual_pictures;
   run::ExecutionMode engine = run::ExecutionMode::automatic;
   bool profile = false;          ///< measure what each block costs
   std::string requires_section;  ///< a file without this section is refused; empty: any file will do
   session::FitCall fit;
   unsigned study_threads = 0;  ///< 0: all cores
 };
+
+inline constexpr const char* standard_output = "-";
 
 /// Declares the options that the three have; `out` explains --out.
 void add_run_options(CLI::App& verb, RunCall& call, const std::string& out);

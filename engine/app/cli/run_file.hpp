@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/app/cli/run_call.hpp"
+#include "engine/app/session/session.hpp"
+
+namespace stepwire::cli {
+
+/// The folder for the results of a file: several files get one each, and those of an archive; empty where
+/// nothing is written.
+std::string folder_of(const RunCall& call, const std::string& file);
+
+/// Does with a loaded model what the call is for: fits it, runs it or its study, prints and writes the
+/// results, and pushes those for programs to the list. `session` is what the files of one call share.
+ExitCode run_file(const RunCall& call, session::Session& session, session::LoadedModel& model,
+                  json::Json& results);
+
+}  // namespace stepwire::cli
