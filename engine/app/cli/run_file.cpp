@@ -1,5 +1,6 @@
 #include "engine/app/cli/run_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "engine/app/report/profile_report.hpp"
 #include "engine/app/report/run_text.hpp"
 #include "engine/app/report/study_text.hpp"
+#include "engine/app/session/partial_signals.hpp"
 #include "engine/app/session/result_folder.hpp"
 #include "engine/app/session/run_files.hpp"
 #include "engine/base/io/file.hpp"
@@ -93,13 +95,7 @@ class FileRun {
   ExitCode run(const session::LoadedModel& model, const std::string& folder, Json& results) {
     // Better now than after an hour, in which data files may change.
     if (!folder.empty()) replay::write_replay(folder, model.job);
-    const session::Outcome outcome = [&] {
-      const auto watch = watched(file_name(model));
-      return session_.run(model, call_.engine);
-    }();
-    print_faults(outcome.result);
-    if (!folder.empty()) session::write_outputs(folder, model, outcome, call_.files, call_.pictures);
-    if (!call_.csv.empty()) put_csv(outcome);
+    const session::Outcome outcome = written_run(model, folder);
     const std::optional<profile::Profile> profile = wanted_profile(model);
     if (profile && !folder.empty()) write_profile(folder, model, *profile);
     if (call_.models.json) {
@@ -113,6 +109,29 @@ class FileRun {
     if (profile) put_text(report::profile_text(model, *profile));
     say_where(folder);
     return code_of(outcome);
+  }
+
+  session::Outcome written_run(const session::LoadedModel& model, const std::string& folder) {
+    const auto partial = partial_signals(folder, model);
+    session::Outcome outcome = [&] {
+      const auto watch = watched(file_name(model));
+      if (partial) session_.monitor().observers = {partial.get()};
+      return session_.run(model, call_.engine);
+    }();
+    session_.monitor().observers.clear();
+    print_faults(outcome.result);
+    if (!folder.empty()) session::write_outputs(folder, model, outcome, call_.files, call_.pictures);
+    if (partial) partial->remove();
+    if (!call_.csv.empty()) put_csv(outcome);
+    return outcome;
+  }
+
+  /// What is left of a run that is killed; null where that has no place.
+  std::unique_ptr<session::PartialSignals> partial_signals(const std::string& folder,
+                                                           const session::LoadedModel& model) const {
+    const bool kept = std::ranges::find(call_.files, session::FileKind::h5) != call_.files.end();
+    if (folder.empty() || !kept || !model.job.points.empty()) return nullptr;
+    return std::make_unique<session::PartialSignals>(folder, model);
   }
 
   void put_csv(const session::Outcome& outcome) const {

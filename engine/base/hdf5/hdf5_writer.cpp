@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/base/hdf5/handle.hpp"
@@ -60,12 +61,15 @@ struct Hdf5Writer::File {
   io::AtomicFileWriter writer;
   std::string path;
   Handle file, root;
+  bool named = false;
   std::vector<Handle> growing;  ///< datasets of the run that was begun last
   hsize_t rows = 0;             ///< of each of them
 
   explicit File(const std::string& of) : writer(of), path(of) {
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    H5Pset_file_locking(access.id(), false, true);  // others may read while this is written
     file = {H5Fcreate(writer.temporary().c_str(), H5F_ACC_TRUNC, group_properties(H5P_FILE_CREATE).id(),
-                      H5P_DEFAULT),
+                      access.id()),
             H5Fclose};
     root = {H5Gopen2(require(file).id(), "/", H5P_DEFAULT), H5Gclose};
     require(root);
@@ -150,6 +154,10 @@ struct Hdf5Writer::File {
 
   void flush() const { require(H5Fflush(file.id(), H5F_SCOPE_LOCAL) >= 0); }
 
+  void name() {
+    if (!std::exchange(named, true)) writer.finish();
+  }
+
   void close() {
     growing.clear();
     require(root.close() && H5Fflush(file.id(), H5F_SCOPE_LOCAL) >= 0 && file.close());
@@ -189,10 +197,15 @@ void Hdf5Writer::flush() {
   file_->flush();
 }
 
+void Hdf5Writer::publish() {
+  flush();
+  file_->name();
+}
+
 void Hdf5Writer::finish() {
   const Session session;
   file_->close();
-  file_->writer.finish();
+  file_->name();
 }
 
 }  // namespace stepwire::hdf5

@@ -10,6 +10,7 @@
 #include "engine/base/hdf5/handle.hpp"
 #include "engine/base/mat/mat_content.hpp"
 #include "engine/base/mat/mat_file.hpp"
+#include "engine/base/mat/mat_names.hpp"
 #include "engine/base/table/isolated_table.hpp"
 #include "engine/base/table/table_file.hpp"
 
@@ -60,15 +61,21 @@ void append_columns(table::Table& table, MatVariable& variable) {
   }
 }
 
-/// Files of our own keep the names of their columns, which MATLAB would not allow, and their units.
-void name_columns(table::Table& table, const MatContent& content) {
-  const std::size_t count = table.columns.size();
-  if (content.names.size() == count && content.units.size() == count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      table.columns[i].name = content.names[i];
-      table.columns[i].unit = content.units[i];
-    }
+/// Files of our own keep the names of their columns, which MATLAB would not allow, and their units. The order
+/// is that of the names: one of level 7.3 lists its variables in another one.
+void restore_names(table::Table& table, const MatContent& content) {
+  if (content.names.size() != table.columns.size() || content.units.size() != table.columns.size()) return;
+  const std::vector<std::string> variables = matlab_names(content.names);
+  table::Table ordered;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const auto column = std::ranges::find(table.columns, variables[i], &table::Column::name);
+    if (column == table.columns.end()) return;
+    ordered.columns.push_back({content.names[i], content.units[i], column->values});
   }
+  table = std::move(ordered);
+}
+
+void require_names(const table::Table& table) {
   std::set<std::string_view> seen;
   for (const table::Column& column : table.columns)
     if (!seen.insert(column.name).second)
@@ -79,7 +86,8 @@ table::Table table_of(MatContent content) {
   table::Table table;
   for (MatVariable& variable : content.variables) append_columns(table, variable);
   if (table.columns.empty()) throw table::TableError("there is no real vector in the file");
-  name_columns(table, content);
+  restore_names(table, content);
+  require_names(table);
   return table;
 }
 

@@ -40,6 +40,40 @@ TEST_CASE("what a run of a sweep has written another diagram plays back") {
   }
 }
 
+TEST_CASE("a run that is killed leaves the rows that it had, under a name that says so") {
+  const Scratch folder;
+  folder.file("long.yaml", endless_yaml);
+  Call call;
+  call.arguments = {"run", "long.yaml", "--out", "out", "--files", "h5"};
+  call.interrupt_when = folder.path("out/signals.h5.partial");
+  call.signals = {SIGKILL};
+  CHECK(run_program(folder, call).code == 128 + SIGKILL);
+  CHECK_FALSE(std::filesystem::exists(folder.path("out/signals.h5")));
+  std::filesystem::rename(call.interrupt_when, folder.path("left.h5"));
+  const auto left = stepwire::data_file::read_data_file(folder.path("left.h5"));
+  REQUIRE(left.rows() > 1);
+  for (std::size_t row = 0; row < left.rows(); ++row)
+    CHECK(left.columns[0].values[row] == Approx(100.0 * static_cast<double>(row)));
+}
+
+TEST_CASE("a run that comes to its end leaves no part of itself, and the next one removes what was left") {
+  const Scratch folder;
+  folder.file("long.yaml", endless_yaml);
+  folder.file("lag.yaml", lag_yaml);
+  const std::string partial = folder.path("out/signals.h5.partial");
+  Call call;
+  call.arguments = {"run", "long.yaml", "--out", "out", "--files", "h5"};
+  call.interrupt_when = partial;
+  CHECK(run_program(folder, call).code == 130);
+  CHECK_FALSE(std::filesystem::exists(partial));
+  CHECK(std::filesystem::exists(folder.path("out/signals.h5")));
+  call.signals = {SIGKILL};
+  run_program(folder, call);
+  CHECK(std::filesystem::exists(partial));
+  CHECK(run_program(folder, {"run", "lag.yaml", "--out", "out", "--files", "h5"}).code == 0);
+  CHECK_FALSE(std::filesystem::exists(partial));
+}
+
 TEST_CASE("pictures are written in the kinds that are named, the same bytes each time") {
   const Scratch folder;
   folder.file("lag.yaml", lag_yaml);

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <numeric>
 
 #include "engine/base/hdf5/hdf5_read.hpp"
@@ -88,6 +89,27 @@ TEST_CASE("rows that come piece by piece are one run, beyond a chunk, too") {
   CHECK(back.find("run-1/x")->unit == "m");
   CHECK(back.find("run-1/mass")->values == Values{2.0});
   CHECK(back.find("run-2/time")->values == times);
+}
+
+TEST_CASE("what was published and flushed can be read while more is written") {
+  const Scratch scratch;
+  // The bytes that are there, since the library opens no file again that it writes itself.
+  const auto times_there = [&] {
+    scratch.file("copy.h5", io::read_file(scratch.path("a.h5")));
+    return read_hdf5(scratch.path("copy.h5")).find("time")->values;
+  };
+  Hdf5Writer writer(scratch.path("a.h5"), "");
+  writer.begin({"", {}, {{"time", "s", times}}});
+  CHECK_FALSE(std::filesystem::exists(scratch.path("a.h5")));
+  writer.publish();
+  check_bits(times_there(), times);
+  const std::vector<std::span<const double>> more{positions};
+  writer.append(more);
+  writer.flush();
+  CHECK(times_there().size() == 6);
+  writer.append(more);
+  writer.finish();
+  CHECK(times_there().size() == 9);
 }
 
 TEST_CASE("runs of a sweep are groups with what they set") {
