@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,15 +13,15 @@ namespace stepwire {
 
 /// A unit of FMI 2 or 3, whose variables are its ports: what both interfaces have in common.
 struct Fmu {
-  static constexpr std::size_t most_ports = 64;
+  static constexpr std::size_t most_ports = 1024;  ///< inputs, and outputs
   enum class Interface { automatic, co_simulation, model_exchange };
 
   FilePath file{};
   Interface interface = Interface::automatic;
   Tree parameters{};
   bool isolate = false;
-  std::array<Input<>, most_ports> inputs{};
-  std::array<Output<>, most_ports> results{};
+  std::vector<Input<>> inputs{};    ///< as many as are bound
+  std::vector<Output<>> results{};
   DiscreteState<> unit_state{};    ///< bytes of the unit's state, as numbers; one where it cannot be saved
   DiscreteState<1> unit_moves{};  ///< how often the unit has moved on
   Diagnostic unit_failed{}, unit_over{};

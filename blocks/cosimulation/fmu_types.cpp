@@ -21,25 +21,38 @@ using UnbindInput = void (*)(void*);
 using BindOutput = void (*)(void*, double*, Eigen::Index);
 
 // A declaration binds its ports by functions, so there is one for each that a unit may have.
-template <class Block, std::size_t... k>
-constexpr auto input_binders(std::index_sequence<k...>) {
-  return std::array<BindInput, sizeof...(k)>{[](void* block, const double* data, Eigen::Index size) {
-    static_cast<Block*>(block)->inputs[k].bind(data, size);
-  }...};
+/// The port k, made where it is not there yet.
+template <class Port>
+Port& port_at(std::vector<Port>& ports, std::size_t k) {
+  if (ports.size() <= k) ports.resize(k + 1);
+  return ports[k];
 }
 
-template <class Block, std::size_t... k>
-constexpr auto input_unbinders(std::index_sequence<k...>) {
-  return std::array<UnbindInput, sizeof...(k)>{
-      [](void* block) { static_cast<Block*>(block)->inputs[k].bind(nullptr, 0); }...};
+template <class Block, std::size_t k>
+void bind_input(void* block, const double* data, Eigen::Index size) {
+  port_at(static_cast<Block*>(block)->inputs, k).bind(data, size);
 }
 
-template <class Block, std::size_t... k>
-constexpr auto output_binders(std::index_sequence<k...>) {
-  return std::array<BindOutput, sizeof...(k)>{[](void* block, double* data, Eigen::Index size) {
-    static_cast<Block*>(block)->results[k].bind(data, size);
-  }...};
+template <class Block, std::size_t k>
+void unbind_input(void* block) {
+  bind_input<Block, k>(block, nullptr, 0);
 }
+
+template <class Block, std::size_t k>
+void bind_output(void* block, double* data, Eigen::Index size) {
+  port_at(static_cast<Block*>(block)->results, k).bind(data, size);
+}
+
+template <class Block>
+struct Binders {
+  std::array<BindInput, Fmu::most_ports> input{};
+  std::array<UnbindInput, Fmu::most_ports> none{};
+  std::array<BindOutput, Fmu::most_ports> output{};
+
+  template <std::size_t... k>
+  explicit constexpr Binders(std::index_sequence<k...>)
+      : input{bind_input<Block, k>...}, none{unbind_input<Block, k>...}, output{bind_output<Block, k>...} {}
+};
 
 using All = std::make_index_sequence<Fmu::most_ports>;
 
@@ -56,9 +69,7 @@ void require_few(const std::vector<const fmi::Variable*>& ports, const char* wha
 
 template <class Block>
 void add_ports(BlockType& type, const fmi::Description& description) {
-  static constexpr auto bind_input = input_binders<Block>(All());
-  static constexpr auto unbind_input = input_unbinders<Block>(All());
-  static constexpr auto bind_output = output_binders<Block>(All());
+  static constexpr Binders<Block> bind{All()};
   const auto inputs = ports_of(description, fmi::Causality::input);
   const auto outputs = ports_of(description, fmi::Causality::output);
   require_few(inputs, "inputs");
@@ -69,13 +80,13 @@ void add_ports(BlockType& type, const fmi::Description& description) {
                    fmt::format("inputs[{}]", k)};
     spec.feedthrough = !stepped && description.feeds_through(*inputs[k]);
     spec.optional = true;
-    spec.bind = bind_input[k];
-    spec.unbind = unbind_input[k];
+    spec.bind = bind.input[k];
+    spec.unbind = bind.none[k];
     type.inputs.push_back(std::move(spec));
   }
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     type.outputs.push_back({outputs[k]->port, outputs[k]->unit, std::to_string(outputs[k]->size),
-                            doc_of(*outputs[k]), fmt::format("results[{}]", k), "", bind_output[k]});
+                            doc_of(*outputs[k]), fmt::format("results[{}]", k), "", bind.output[k]});
   }
 }
 

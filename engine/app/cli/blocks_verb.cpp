@@ -61,7 +61,7 @@ ExitCode search(const std::string& word, const Registry& registry) {
   const std::string answer = diagram::answer_to_simulink(word),
                     found = reference::blocks_about(registry, word);
   if (!answer.empty()) {
-    say("there is no block '{}'; {}\n", text::visible(word), answer);
+    put_data(fmt::format("there is no block '{}'; {}\n", text::visible(word), answer));
     return ExitCode::done;
   }
   if (!found.empty()) {

@@ -5,9 +5,8 @@
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
-#include "engine/app/cli/run_call.hpp"
+#include "engine/app/cli/run_file.hpp"
 #include "engine/app/cli/verb.hpp"
-#include "engine/app/report/run_text.hpp"
 #include "engine/app/session/kept_points.hpp"
 #include "engine/app/session/result_folder.hpp"
 #include "engine/app/session/run_files.hpp"
@@ -21,6 +20,7 @@ struct CollectCall {
   std::vector<std::string> folders;
   std::string out;
   session::FileKinds files = session::usual_files;
+  render::PictureKinds pictures = render::usual_pictures;
 };
 
 /// The journals of the folders, which must be of one sweep.
@@ -72,8 +72,8 @@ ExitCode collect(const CollectCall& call, const Registry& registry) {
   if (!call.out.empty()) replay::write_replay(call.out, model.job);
   const session::Outcome outcome = session::joined_points(model, shares.journals());
   print_faults(outcome.result);
-  if (!call.out.empty()) session::write_outputs(call.out, model, outcome, call.files);
-  put_text(report::outcome_text(model, outcome));
+  if (!call.out.empty()) session::write_outputs(call.out, model, outcome, call.files, call.pictures);
+  put_outcome(model, outcome);
   if (!call.out.empty()) say("  written to {}\n", call.out);
   return code_of(outcome);
 }
@@ -82,7 +82,7 @@ Action declare_collect(CLI::App& verb) {
   const auto call = std::make_shared<CollectCall>();
   verb.add_option("DIR", call->folders, "folders of 'run --part', in any order")->required();
   verb.add_option("--out", call->out, "folder for the results of the whole sweep");
-  add_files_option(verb, call->files);
+  add_kinds_options(verb, call->files, call->pictures);
   return [call](const Registry& registry) { return guarded([&] { return collect(*call, registry); }); };
 }
 

@@ -12,6 +12,7 @@
 
 #include "engine/app/cli/blockset_options.hpp"
 #include "engine/app/cli/console.hpp"
+#include "engine/app/cli/console_options.hpp"
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/verb.hpp"
@@ -46,6 +47,7 @@ class CommandLine {
       words->callback([this, action = verb.declare(*words)] { action_ = action; });
     }
     blocksets_.add_to(app_);
+    add_console_options(app_);
     refuse_empty_values(app_);
     for (CLI::App* verb : app_.get_subcommands([](const CLI::App*) { return true; }))
       refuse_empty_values(*verb);
@@ -107,8 +109,7 @@ class CommandLine {
     const CLI::App* verb = app_.get_subcommands().front();
     const CLI::Option* json = verb->get_option_no_throw("--json");
     if (faults.is_list() && json && json->count() > 0)
-      say("{}\n",
-          json::Json::list({json::Json::object().set("call", call).set("faults", std::move(faults))}).text());
+      put_json(json::Json::list({json::Json::object().set("call", call).set("faults", std::move(faults))}));
     return code;
   }
 
@@ -116,7 +117,7 @@ class CommandLine {
   ExitCode explain(const CLI::ParseError& error) const {
     std::ostringstream help, wrong;
     const int code = app_.exit(error, help, wrong);
-    put_text(help.str());
+    put_data(help.str());
     put_trouble(wrong.str());
     return code == 0 ? ExitCode::done : ExitCode::wrong;
   }
@@ -146,7 +147,7 @@ int run_command_line(int argc, char** argv, Registry (*blocks)()) {
   catch_signals();
   const ExitCode code = guarded([&] { return CommandLine().run(argc, argv, blocks()); });
   if (const std::string problem = io::take_cache_problem(); !problem.empty())
-    complain("the cache keeps nothing: {}\n", text::visible(problem));
+    remark("the cache keeps nothing: {}\n", text::visible(problem));
   return static_cast<int>(finish_output() ? code : worst(code, ExitCode::surroundings));
 }
 

@@ -7,7 +7,9 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <string>
 
+#include "engine/app/cli/console_style.hpp"
 #include "engine/base/text/characters.hpp"
 
 namespace stepwire::cli {
@@ -21,6 +23,11 @@ void note_refusal() {
   refusal.compare_exchange_strong(none, errno);
 }
 
+std::string shown(std::string_view text, int stream) {
+  std::string plain = text::visible_lines(text);
+  return has_colors(stream) ? painted(plain) : plain;
+}
+
 }  // namespace
 
 void put_data(std::string_view data) {
@@ -28,17 +35,26 @@ void put_data(std::string_view data) {
 }
 
 void put_text(std::string_view text) {
-  put_data(text::visible_lines(text));
+  if (!console_style().quiet) put_failure(text);
+}
+
+void put_failure(std::string_view text) {
+  if (console_style().data_only) return put_trouble(text);
+  put_data(shown(text, STDOUT_FILENO));
 }
 
 void put_trouble(std::string_view text) {
-  const std::string shown = text::visible_lines(text);
-  std::fwrite(shown.data(), 1, shown.size(), stderr);
+  const std::string all = shown(text, STDERR_FILENO);
+  std::fwrite(all.data(), 1, all.size(), stderr);
+}
+
+void put_note(std::string_view text) {
+  if (!console_style().quiet) put_trouble(text);
 }
 
 bool finish_output() {
   if (std::fflush(stdout) != 0) note_refusal();
-  if (refusal == 0) return true;
+  if (refusal == 0 || refusal == EPIPE) return true;
   complain("what was to be printed is lost: {}\n", std::strerror(refusal));
   return false;
 }

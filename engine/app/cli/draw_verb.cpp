@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 
 #include "engine/app/cli/console.hpp"
@@ -8,6 +9,7 @@
 #include "engine/app/cli/watch.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/view/drawing/graph_faults.hpp"
+#include "engine/view/render/picture_kind.hpp"
 
 namespace stepwire::cli {
 
@@ -28,12 +30,20 @@ void require_names(const DrawCall& call, const drawing::DiagramView& view) {
   faults.throw_if_any();
 }
 
+/// By the ending of the file; SVG for any other.
+render::PictureKind kind_of(const DrawCall& call) {
+  const std::string ending = std::filesystem::path(call.out).extension().string();
+  return render::picture_kind(ending.empty() ? "" : ending.substr(1)).value_or(render::PictureKind::svg);
+}
+
 ExitCode draw(const DrawCall& call, diagram::Loader& loader) {
   const drawing::DrawnFile file(loader, call.file);
   require_names(call, file.view());
   const EndDelay delay(EndDelay::Signals::first);
   const json::Json graph = file.view().graph(call.options);
-  const std::string text = call.json ? graph.text() + "\n" : drawing::draw_picture(graph);
+  const render::PictureKind kind = kind_of(call);
+  const std::string text =
+      call.json ? graph.text() + "\n" : render::converted(drawing::draw_picture(graph), kind);
   if (call.out.empty()) {
     put_data(text);
   } else {
@@ -55,7 +65,8 @@ ExitCode draw_again(const DrawCall& call, const Registry& registry) {
 Action declare_draw(CLI::App& verb) {
   const auto call = std::make_shared<DrawCall>();
   verb.add_option("FILE", call->file, "a diagram file, or one that is used as a part")->required();
-  verb.add_option("-o", call->out, "SVG file to write; standard output without it");
+  verb.add_option("-o", call->out,
+                  "SVG file to write, or PNG or PDF by its ending; SVG on the standard output without it");
   verb.add_option("--open", call->options.open, "parts whose inside is drawn: rig, rig.mount")
       ->delimiter(',');
   verb.add_option("--depth", call->options.depth, "open all parts down to so many levels")

@@ -12,6 +12,7 @@
 #include "engine/base/io/file.hpp"
 #include "engine/base/subprocess/process.hpp"
 #include "engine/view/drawing/draw.hpp"
+#include "engine/view/render/picture_kind.hpp"
 
 namespace stepwire::cli {
 
@@ -19,20 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* converter = "rsvg-convert";
-
 /// The icon, as PNG; empty without the program that makes it.
 std::string icon_of(const std::string& drawing, std::string& left_out) {
-  const std::string program = subprocess::find_program(converter);
-  if (program.empty()) {
-    left_out = fmt::format("the icon, since {} is not installed; on Debian it is the package librsvg2-bin",
-                           converter);
+  if (const std::string problem = render::converter_problem(); !problem.empty()) {
+    left_out = "the icon, since " + problem;
     return "";
   }
-  return subprocess::run_helper(
-             converter,
-             {.command = {program, "--format=png", "--width=256", "--keep-aspect-ratio"}, .input = drawing})
-      .output;
+  constexpr int width = 256;
+  return render::converted(drawing, render::PictureKind::png, width);
 }
 
 /// A unit is as good without its pictures: where they cannot be made, `left_out` has why.

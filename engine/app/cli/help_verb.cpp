@@ -25,13 +25,13 @@ ExitCode show_help(const HelpCall& call, const CLI::App& program) {
   std::vector<std::string> names;
   for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) {
     if (verb->get_name() == call.verb) {
-      put_text(verb->help(program.get_name()));
+      put_data(verb->help(program.get_name()));
       return ExitCode::done;
     }
     names.push_back(verb->get_name());
   }
   if (call.verb.empty()) {
-    put_text(program.get_formatter()->make_help(&program, program.get_name(), CLI::AppFormatMode::Normal));
+    put_data(program.get_formatter()->make_help(&program, program.get_name(), CLI::AppFormatMode::Normal));
     return ExitCode::done;
   }
   complain("there is no verb '{}'{}\n", text::visible(call.verb),

@@ -52,7 +52,7 @@ ExitCode linearize(const LinearizeCall& call, const Registry& registry) {
   const linear::Analysis analysis = session::linearize_file(registry, call.file, options, linear);
   if (!call.out.empty()) session::write_linear(call.out, call.file, analysis);
   if (call.json)
-    say("{}\n", session::linear_json(call.file, analysis).text());
+    put_json(session::linear_json(call.file, analysis));
   else
     put_text(report::linear_text(call.file, analysis));
   if (!call.out.empty() && !call.json) say("  written to {}\n", call.out);
@@ -89,7 +89,7 @@ Action declare_linearize(CLI::App& verb) {
     Json faults;
     const ExitCode code = guarded([&] { return linearize(*call, registry); }, &faults);
     if (call->json && faults.is_list())
-      say("{}\n", Json::object().set("file", call->file).set("faults", std::move(faults)).text());
+      put_json(Json::object().set("file", call->file).set("faults", std::move(faults)));
     return code;
   };
 }

@@ -26,8 +26,7 @@ ExitCode each_model(const ModelCall& call, const Registry& registry, const Model
   try {
     options = load_options(call.words);
   } catch (const yaml::Error& error) {  // of no file alone
-    if (call.json)
-      say("{}\n", results.push(Json::object().set("faults", session::faults_json(error.faults()))).text());
+    if (call.json) put_json(results.push(Json::object().set("faults", session::faults_json(error.faults()))));
     throw;
   }
   options.study = call.study;
@@ -44,13 +43,13 @@ ExitCode each_model(const ModelCall& call, const Registry& registry, const Model
     if (faults.is_list()) results.push(Json::object().set("file", file).set("faults", std::move(faults)));
     code = worst(code, one);
   }
-  if (call.json) say("{}\n", results.text());
+  if (call.json) put_json(results);
   return interrupted() ? ExitCode::interrupted : code;
 }
 
 void print_notes(const session::LoadedModel& model) {
   for (const yaml::Fault& note : diagram::unread_blocks(model.job.plan.diagram))
-    complain("note: {}\n", note.text());
+    remark("note: {}\n", note.text());
 }
 
 }  // namespace stepwire::cli

@@ -8,7 +8,7 @@ namespace stepwire::cli {
 session::Monitor terminal_monitor(Progress* progress) {
   session::Monitor monitor;
   monitor.interrupt = &interrupted();
-  monitor.diagnostic = [](const std::string& text) { complain("{}\n", text); };
+  monitor.diagnostic = [](const std::string& text) { remark("{}\n", text); };
   if (progress)
     monitor.progress = [progress](double fraction, const std::string& what) {
       progress->show(fraction, what);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "engine/app/cli/console_style.hpp"
 #include "engine/base/text/characters.hpp"
 
 namespace stepwire::cli {
@@ -17,7 +18,7 @@ constexpr int width = 32;
 }  // namespace
 
 Progress::Progress(const std::string& label)
-    : label_(text::visible(label)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+    : label_(text::visible(label)), on_terminal_(isatty(STDERR_FILENO) == 1 && !console_style().quiet) {}
 
 Progress::~Progress() {
   if (on_terminal_ && last_permille_ >= 0) std::fputs("\r\x1b[K", stderr);

@@ -1,41 +1,26 @@
 #include "engine/app/cli/run_call.hpp"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <map>
-#include <memory>
-#include <optional>
 
+#include "engine/app/cli/archive.hpp"
 #include "engine/app/cli/call_options.hpp"
 #include "engine/app/cli/console.hpp"
+#include "engine/app/cli/console_style.hpp"
 #include "engine/app/cli/guarded.hpp"
-#include "engine/app/cli/interrupt.hpp"
-#include "engine/app/cli/kept_run.hpp"
-#include "engine/app/cli/monitoring.hpp"
 #include "engine/app/cli/mpi_run.hpp"
-#include "engine/app/report/fit_text.hpp"
-#include "engine/app/report/profile_report.hpp"
-#include "engine/app/report/run_text.hpp"
-#include "engine/app/report/study_text.hpp"
-#include "engine/app/session/result_folder.hpp"
-#include "engine/app/session/run_files.hpp"
-#include "engine/app/session/session.hpp"
+#include "engine/app/cli/run_file.hpp"
 #include "engine/base/io/file.hpp"
-#include "engine/simulate/replay/replay_folder.hpp"
-#include "engine/view/render/figure_file.hpp"
+#include "engine/base/subprocess/scratch_folder.hpp"
 
 namespace stepwire::cli {
 
 using json::Json;
 
 namespace {
-
-/// Several files get a folder each; empty where nothing is written.
-std::string folder_of(const RunCall& call, const std::string& file) {
-  if (call.models.files.size() == 1 || call.out.empty()) return call.out;
-  return (std::filesystem::path(call.out) / std::filesystem::path(file).stem()).string();
-}
 
 /// Files of one name in different folders would write over each other.
 bool folders_differ(const RunCall& call) {
@@ -50,192 +35,32 @@ bool folders_differ(const RunCall& call) {
   return true;
 }
 
-void require_section(const RunCall& call, const session::LoadedModel& model) {
-  const auto refuse = [&](const char* message) {
-    throw yaml::Error(yaml::Fault{{model.file, {}}, "", message, {}});
-  };
-  if (call.requires_section == "fit" && !model.fit)
-    refuse("has no section 'fit'; it names parameters and records");
-  if (call.requires_section == "study" && !model.study)
-    refuse("has no section 'study'; it names task, people and conditions");
+/// Two of --json, --csv - and --out - would mix on the standard output.
+bool output_is_single(const RunCall& call) {
+  std::vector<std::string> takers;
+  if (call.models.json) takers.emplace_back("--json");
+  if (call.csv == standard_output) takers.emplace_back("--csv -");
+  if (call.out == standard_output) takers.emplace_back("--out -");
+  const bool table_of_many = !call.csv.empty() && call.models.files.size() > 1;
+  if (takers.size() > 1)
+    complain("{} would mix on the standard output; give one of them a name\n", fmt::join(takers, " and "));
+  if (table_of_many)
+    complain("--csv is a single table; give each of the {} files a call of its own\n",
+             call.models.files.size());
+  return takers.size() < 2 && !table_of_many;
 }
 
-std::string file_name(const session::LoadedModel& model) {
-  return std::filesystem::path(model.file).filename().string();
-}
-
-/// What the files of one call share, and what is done with each of them.
-class FileRuns {
- public:
-  /// `mpi` may be null.
-  FileRuns(const RunCall& call, const Registry& registry, MpiRun* mpi = nullptr)
-      : call_(call), session_(registry), mpi_(mpi) {}
-
-  ExitCode carry_out(session::LoadedModel& model, Json& results) {
-    require_section(call_, model);
-    const EndDelay delay(EndDelay::Signals::first);
-    const std::string folder = folder_of(call_, model.file);
-    require_shares(model);
-    const auto owned = session::own_results(folder, model, call_.files);
-    if (call_.part) return KeptRun(model, folder, *call_.part).run_share(session_, call_.engine);
-    if (model.study) return study(model, folder, results);
-    const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
-    return fitted == ExitCode::done ? run(model, folder, results) : fitted;
-  }
-
- private:
-  /// Finds the parameters of the section `fit`, prints them, and loads the model with them.
-  ExitCode fit(session::LoadedModel& model, const std::string& folder, Json& results) {
-    session::FitCall call = call_.fit;
-    call.engine = call_.engine;
-    const estimation::FitResult result = [&] {
-      const auto watch = watched("fit " + file_name(model));
-      return session_.fit(model, call);
-    }();
-    if (!folder.empty() && !result.records.empty()) session::write_fit(folder, model, result);
-    if (call_.models.json)
-      results.push(Json::object().set("fit", session::fit_json(model, result)));
-    else
-      put_text(report::fit_text(result));
-    const ExitCode code = code_of(result);
-    if (code == ExitCode::done) model = session_.fitted(model, result);
-    return code;
-  }
-
-  ExitCode run(const session::LoadedModel& model, const std::string& folder, Json& results) {
-    // Better now than after an hour, in which data files may change.
-    if (!folder.empty()) replay::write_replay(folder, model.job);
-    std::optional<KeptRun> kept;
-    if (!folder.empty() && !model.job.points.empty()) kept.emplace(model, folder);
-    const session::Outcome outcome = [&] {
-      const auto watch = watched(file_name(model));
-      if (mpi_) return mpi_->serve(*kept, session_, call_.engine);
-      return kept ? kept->run(session_, call_.engine) : session_.run(model, call_.engine);
-    }();
-    print_faults(outcome.result);
-    if (!folder.empty()) session::write_outputs(folder, model, outcome, call_.files);
-    if (kept && !outcome.result.interrupted) kept->drop();
-    const std::optional<profile::Profile> profile = wanted_profile(model);
-    if (profile && !folder.empty()) write_profile(folder, model, *profile);
-    if (call_.models.json) {
-      Json result = session::run_json(model, outcome).set("claims", session::claims_json(model, outcome));
-      if (profile) result.set("profile", report::profile_json(*profile));
-      results.push(std::move(result));
-      return code_of(outcome);
-    }
-    if (call_.models.units) put_text(report::units_text(model.job.plan));
-    put_text(report::outcome_text(model, outcome));
-    if (profile) put_text(report::profile_text(model, *profile));
-    if (!folder.empty()) say("  written to {}\n", folder);
-    return code_of(outcome);
-  }
-
-  /// A share is of a sweep alone, and lies in a folder.
-  void require_shares(const session::LoadedModel& model) const {
-    if (!call_.part) return;
-    const auto refuse = [&](const char* message) {
-      throw yaml::Error(yaml::Fault{{model.file, {}}, "--part", message, {}});
-    };
-    if (model.job.points.empty() || model.study)
-      refuse("needs a file with a section 'sweep', and without a study");
-    if (call_.out.empty()) refuse("needs --out DIR, in which the points of the share are kept");
-  }
-
-  /// A bar on the terminal for what the session does from now on, as long as it lives.
-  std::unique_ptr<Progress> watched(const std::string& label) {
-    auto progress = std::make_unique<Progress>(label);
-    session_.monitor() = terminal_monitor(progress.get());
-    return progress;
-  }
-
-  /// Measured behind the run, on a run of its own: what is recorded and judged is that of any other call.
-  std::optional<profile::Profile> wanted_profile(const session::LoadedModel& model) const {
-    if (!call_.profile || interrupted()) return std::nullopt;
-    return report::profile_of(model, &interrupted());
-  }
-
-  static void write_profile(const std::string& folder, const session::LoadedModel& model,
-                            const profile::Profile& profile) {
-    io::write_file(folder + "/profile.csv", report::profile_csv(profile));
-    render::write_figure(folder, "profile", report::profile_figure(model, profile));
-  }
-
-  /// Makes the study of the section `study`, in the place of a run.
-  ExitCode study(session::LoadedModel& model, const std::string& folder, Json& results) {
-    const auto experiments = [&] {
-      const auto watch = watched("study " + file_name(model));
-      return session_.study(model, {call_.engine, call_.study_threads, folder});
-    }();
-    const session::Outcome outcome = session::study_outcome(model, *experiments);
-    if (outcome.result.interrupted) {  // nothing is kept of half an experiment
-      if (!folder.empty() && model.study->experiments > 1)
-        say("the experiments that are done are kept in {}; the same call goes on\n", folder);
-      return ExitCode::interrupted;
-    }
-    if (!folder.empty()) {
-      session::write_outputs(folder, model, outcome, call_.files);
-      session::write_study(folder, model, *experiments, outcome);
-    }
-    if (call_.models.json) {
-      Json result = session::run_json(model, outcome).set("claims", session::claims_json(model, outcome));
-      results.push(result.set("study", session::study_json(model, *experiments)));
-      return code_of(outcome);
-    }
-    say("{}{}", report::study_text(model, *experiments), report::outcome_text(model, outcome));
-    if (!folder.empty()) say("  written to {}\n", folder);
-    return code_of(outcome);
-  }
-
-  const RunCall& call_;
-  session::Session session_;
-  MpiRun* const mpi_;
-};
-
-}  // namespace
-
-/// A list of words, each once.
-static session::FileKinds files_of(const std::string& list) {
-  session::FileKinds kinds;
-  for (std::size_t at = 0; at <= list.size();) {
-    const std::size_t end = std::min(list.find(',', at), list.size());
-    const std::string word = list.substr(at, end - at);
-    const auto kind = session::file_kind(word);
-    if (!kind)
-      throw CLI::ValidationError("--files",
-                                 fmt::format("takes of {}, not '{}'; several are separated by commas",
-                                             session::file_kind_names(), word));
-    if (std::ranges::find(kinds, *kind) == kinds.end()) kinds.push_back(*kind);
-    at = end + 1;
-  }
-  return kinds;
-}
-
-void add_files_option(CLI::App& verb, session::FileKinds& kinds) {
-  verb.add_option_function<std::string>(
-          "--files", [&kinds](const std::string& list) { kinds = files_of(list); },
-          fmt::format("kinds of files for the recorded signals in --out, of {}; left out: csv,mat",
-                      session::file_kind_names()))
-      ->option_text("KIND,...");
-}
-
-void add_run_options(CLI::App& verb, RunCall& call, const std::string& out) {
-  add_model_options(verb, call.models);
-  add_engine_option(verb, call.engine,
-                    "interpreted, compiled, or auto: compiled once that is worth it; all to the same bits");
-  verb.add_option("--out", call.out, out);
-  add_files_option(verb, call.files);
-}
-
-static ExitCode run_files(const RunCall& call, const Registry& registry, MpiRun* mpi) {
-  FileRuns runs(call, registry, mpi);
+ExitCode run_each(const RunCall& call, const Registry& registry, MpiRun* mpi = nullptr) {
+  if (!folders_differ(call)) return ExitCode::wrong;
+  session::Session session(registry);
   return each_model(call.models, registry, [&](session::LoadedModel& model, Json& results) {
     if (!call.models.json) print_notes(model);
-    return runs.carry_out(model, results);
+    return run_file(call, session, model, results, mpi);
   });
 }
 
 /// Of the processes of mpirun only process 0 writes and says anything.
-static ExitCode run_by_mpi(const RunCall& call, const Registry& registry) {
+ExitCode run_by_mpi(const RunCall& call, const Registry& registry) {
   if (call.models.files.size() != 1) {
     complain("--mpi runs one file; give each file a call of its own\n");
     return ExitCode::wrong;
@@ -245,16 +70,80 @@ static ExitCode run_by_mpi(const RunCall& call, const Registry& registry) {
   if (mpi.is_worker())
     mpi.work(call, registry);
   else
-    code = run_files(call, registry, &mpi);
+    code = run_each(call, registry, &mpi);
   if (mpi.broken() && code == ExitCode::interrupted) code = ExitCode::surroundings;
   mpi.finish(code);
   return code;
 }
 
+/// What --out - gives: the folders of the runs, which are there as long as this takes.
+ExitCode run_into_archive(RunCall call, const Registry& registry) {
+  if (::isatty(STDOUT_FILENO) == 1) {
+    complain(
+        "--out - writes a tar archive, which is nothing for a terminal; put it into a file: ... --out - "
+        ">runs.tar\n");
+    return ExitCode::wrong;
+  }
+  const subprocess::ScratchFolder scratch;
+  call.archive = true;
+  call.out = scratch.path() + "/runs";
+  io::require_folder(call.out);
+  const ExitCode code = run_each(call, registry);
+  put_archive(call.out, scratch.path() + "/runs.tar");
+  return code;
+}
+
+/// A list of words, each once, separated by commas; `kind_of` gives nothing for a word that is none.
+template <class KindOf>
+auto kinds_of(const std::string& option, const std::string& list, const std::string& names,
+              const KindOf& kind_of) {
+  std::vector<typename decltype(kind_of(list))::value_type> kinds;
+  for (std::size_t at = 0; at <= list.size();) {
+    const std::size_t end = std::min(list.find(',', at), list.size());
+    const std::string word = list.substr(at, end - at);
+    const auto kind = kind_of(word);
+    if (!kind)
+      throw CLI::ValidationError(
+          option, fmt::format("takes of {}, not '{}'; several are separated by commas", names, word));
+    if (std::ranges::find(kinds, *kind) == kinds.end()) kinds.push_back(*kind);
+    at = end + 1;
+  }
+  return kinds;
+}
+
+}  // namespace
+
+void add_kinds_options(CLI::App& verb, session::FileKinds& of_files, render::PictureKinds& of_pictures) {
+  const std::string files = session::file_kind_names(), pictures = render::picture_kind_names();
+  verb.add_option_function<std::string>(
+          "--files",
+          [&of_files, files](const std::string& list) {
+            of_files = kinds_of("--files", list, files, session::file_kind);
+          },
+          fmt::format("kinds of files for the recorded signals in --out, of {}; left out: csv,mat", files))
+      ->option_text("KIND,...");
+  verb.add_option_function<std::string>(
+          "--pictures",
+          [&of_pictures, pictures](const std::string& list) {
+            of_pictures = kinds_of("--pictures", list, pictures, render::picture_kind);
+          },
+          fmt::format("kinds of pictures of figures in --out, of {}; left out: svg", pictures))
+      ->option_text("KIND,...");
+}
+
+void add_run_options(CLI::App& verb, RunCall& call, const std::string& out) {
+  add_model_options(verb, call.models);
+  add_engine_option(verb, call.engine,
+                    "interpreted, compiled, or auto: compiled once that is worth it; all to the same bits");
+  verb.add_option("--out", call.out, out + "; - writes them as a tar archive to the standard output");
+  add_kinds_options(verb, call.files, call.pictures);
+}
+
 ExitCode run_models(const RunCall& call, const Registry& registry) {
-  if (!folders_differ(call)) return ExitCode::wrong;
+  if (!output_is_single(call)) return ExitCode::wrong;
+  console_style().data_only = call.csv == standard_output || call.out == standard_output;
   if (call.mpi) return guarded([&] { return run_by_mpi(call, registry); });
-  return run_files(call, registry, nullptr);
+  return call.out == standard_output ? run_into_archive(call, registry) : run_each(call, registry);
 }
 
 }  // namespace stepwire::cli

@@ -13,6 +13,9 @@ Action declare_run(CLI::App& verb) {
   const auto call = std::make_shared<RunCall>();
   add_run_options(verb, *call,
                   "folder for signals.csv, signals.mat, pictures, claims.json, run.json, diagram.yaml");
+  verb.add_option("--csv", call->csv,
+                  "file for the recorded signals as one CSV table; - is the standard output")
+      ->type_name("FILE");
   verb.add_flag("--profile", call->profile,
                 "measure what each block costs; with --out also in profile.csv and profile.svg");
   verb.add_option_function<std::string>(
@@ -27,7 +30,9 @@ Action declare_run(CLI::App& verb) {
 
 Verb run_verb() {
   return {"run", "run diagram files, judge their claims",
-          "Example:\n  stepwire run lag.yaml --set tau=0.2s --stop 2s --out out/lag", declare_run};
+          "Example:\n  stepwire run lag.yaml --set tau=0.2s --stop 2s --out out/lag\n  stepwire run lag.yaml "
+          "--csv - | head -3",
+          declare_run};
 }
 
 }  // namespace stepwire::cli

@@ -8,7 +8,7 @@ namespace {
 
 Action declare_schema(CLI::App&) {
   return [](const Registry& registry) {
-    say("{}\n", reference::diagram_schema(registry).text());
+    put_json(reference::diagram_schema(registry));
     return ExitCode::done;
   };
 }

@@ -58,7 +58,7 @@ ExitCode serve(const StudioWords& words, const Registry& registry) {
   const studio::Studio studio(call_of(words), registry);
   if (studio::page_table().empty())
     complain("the program was built without its page; install npm and call ./stepwire again\n");
-  say("{}\n", studio.address());
+  put_data(studio.address() + "\n");
   finish_output();
   if (!words.no_open) open_browser(studio.address());
   while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));

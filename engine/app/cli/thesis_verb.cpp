@@ -21,8 +21,9 @@ void summarise(const std::vector<gallery::GalleryEntry>& entries) {
   for (const gallery::GalleryEntry& entry : entries)
     for (const claim::Verdict& verdict : entry.verdicts)
       if (!verdict.holds)
-        say("{}: {}: {}: {} ({})\n", text::visible(entry.folder), verdict.word(), text::visible(verdict.that),
-            text::visible(verdict.shown), text::visible(verdict.check));
+        put_failure(fmt::format("{}: {}: {}: {} ({})\n", text::visible(entry.folder), verdict.word(),
+                                text::visible(verdict.that), text::visible(verdict.shown),
+                                text::visible(verdict.check)));
 }
 
 /// Prints why a figure is not as it should be.

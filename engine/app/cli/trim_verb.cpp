@@ -26,9 +26,9 @@ ExitCode find_point(const TrimCall& call, const Registry& registry) {
   const linear::TrimResult result = session::trim_file(registry, call.file, load_options(call.words));
   if (!call.out.empty()) session::write_trim(call.out, call.file, result);
   if (call.json)
-    say("{}\n", session::trim_json(call.file, result).text());
+    put_json(session::trim_json(call.file, result));
   else
-    put_text(report::trim_text(call.file, result));
+    put_report(report::trim_text(call.file, result), !result.converged);
   if (!call.out.empty() && !call.json) say("  written to {}\n", call.out);
   return result.converged ? ExitCode::done : ExitCode::fails;
 }
@@ -43,7 +43,7 @@ Action declare_trim(CLI::App& verb) {
     Json faults;
     const ExitCode code = guarded([&] { return find_point(*call, registry); }, &faults);
     if (call->json && faults.is_list())
-      say("{}\n", Json::object().set("file", call->file).set("faults", std::move(faults)).text());
+      put_json(Json::object().set("file", call->file).set("faults", std::move(faults)));
     return code;
   };
 }

@@ -17,8 +17,8 @@ namespace {
 /// Trials that were recorded cannot be replayed; they are analysed again.
 ExitCode verify_analysis(const std::string& folder, const Registry& registry) {
   const std::string difference = session::verify_recorded(folder, registry);
-  say("{}\n", difference.empty() ? folder + ": errors and tables of the recorded trials: all bits agree"
-                                 : difference);
+  const std::string agree = folder + ": errors and tables of the recorded trials: all bits agree";
+  put_report((difference.empty() ? agree : difference) + "\n", !difference.empty());
   return difference.empty() ? ExitCode::done : ExitCode::fails;
 }
 
@@ -34,7 +34,7 @@ ExitCode verify_folder(const std::string& folder, const Registry& registry) {
       say("{}: {}\n", folder, others);
     return ExitCode::done;
   }
-  say("{}\n", replay::verification_text(verification));
+  put_failure(replay::verification_text(verification) + "\n");
   return ExitCode::fails;
 }
 

@@ -1,7 +1,11 @@
 #include "engine/app/python/numbers.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
+
+#include "engine/base/text/characters.hpp"
+#include "engine/base/unit/unit.hpp"
 
 namespace stepwire::python {
 
@@ -25,12 +29,42 @@ _object* object_of(const Value& value) {
       .ptr();
 }
 
-std::vector<double> numbers_in(_object* value, const std::string& name) {
+namespace {
+
+/// Of "3 mm", or a number.
+double number_in(py::handle value, const std::string& name, const std::string& unit) {
+  if (!PyUnicode_Check(value.ptr())) return value.cast<double>();
+  const std::string text = value.cast<std::string>();
+  const auto quantity = unit::parse_quantity(text);
+  const auto own = unit::parse_unit(unit);
+  const bool fits =
+      unit.empty() || !quantity || !quantity->dimension || (own && *quantity->dimension == own->dimension);
+  if (quantity && fits) return quantity->value;
+  throw py::value_error(fmt::format("{} takes numbers{}, not '{}'", name, unit.empty() ? "" : " in " + unit,
+                                    text::visible(text)));
+}
+
+bool has_texts(py::handle value) {
+  if (!PyList_Check(value.ptr()) && !PyTuple_Check(value.ptr())) return false;
+  for (const py::handle item : py::reinterpret_borrow<py::sequence>(value))
+    if (PyUnicode_Check(item.ptr())) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<double> numbers_in(_object* value, const std::string& name, const std::string& unit) {
   if (PyFloat_CheckExact(value)) return {PyFloat_AS_DOUBLE(value)};
+  if (PyUnicode_Check(value)) return {number_in(value, name, unit)};
+  if (has_texts(value)) {
+    std::vector<double> numbers;
+    for (const py::handle item : py::reinterpret_borrow<py::sequence>(value))
+      numbers.push_back(number_in(item, name, unit));
+    return numbers;
+  }
   const auto refuse = [&] {
-    return py::type_error(name + " takes numbers in SI: a number, a list or an array");
+    return py::type_error(name + " takes numbers: one, a list or an array in SI, or texts with their unit");
   };
-  if (PyUnicode_Check(value)) throw refuse();
   const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
   if (!array || array.ndim() > 1) throw refuse();
   return {array.data(), array.data() + array.size()};

@@ -17,8 +17,9 @@ _object* numbers_of(std::span<const double> numbers);
 /// A value of a parameter: a float, a bool, a text, an array (n,) or (rows, columns); None for a tree.
 _object* object_of(const Value& value);
 
-/// The numbers of a number, a list or an array. Throws TypeError of Python's.
-std::vector<double> numbers_in(_object* value, const std::string& name);
+/// The numbers of a number, a list or an array, SI; of a text, or a list with texts, in its unit: "3 mm". `unit`
+/// is that of what takes them, empty where it is not known. Throws TypeError and ValueError of Python's.
+std::vector<double> numbers_in(_object* value, const std::string& name, const std::string& unit);
 
 /// The tree of a dictionary whose values are dictionaries, lists and texts, as a file would have it.
 yaml::Node node_of(_object* value);

@@ -39,9 +39,9 @@ class Seen {
   }
   void write(const std::string& name, const py::object& value) {
     static_cast<void>(run());
-    waiting.push_back([input = model_.input(name), numbers = numbers_in(value.ptr(), name)](Running& run) {
-      run.set(input, std::span<const double>(numbers));
-    });
+    const InputId input = model_.input(name);
+    waiting.push_back([input, numbers = numbers_in(value.ptr(), name, model_.inputs()[input.index].unit)](
+                          Running& run) { run.set(input, std::span<const double>(numbers)); });
   }
   void stop() {
     static_cast<void>(run());

@@ -53,7 +53,8 @@ class Stepping {
   void write(const std::string& name, const py::object& value) {
     const Use use(*this);
     const InputId input = simulation_.model().input(name);
-    simulation_.set(input, std::span<const double>(numbers_in(value.ptr(), name)));
+    simulation_.set(input, std::span<const double>(numbers_in(
+                               value.ptr(), name, simulation_.model().inputs()[input.index].unit)));
   }
   Snapshot snapshot() {
     const Use use(*this);

@@ -49,6 +49,13 @@ std::string outcome_text(const session::LoadedModel& model, const session::Outco
   return text;
 }
 
+std::string failures_text(const session::Outcome& outcome, const std::string& file) {
+  std::string text;
+  for (const claim::Verdict& verdict : outcome.verdicts)
+    if (verdict.surprises() || verdict.fails()) text += verdict_line(verdict);
+  return text.empty() ? "" : fmt::format("{}\n{}", text::visible(file), text);
+}
+
 std::string units_text(const plan::Plan& plan) {
   const diagram::Diagram& diagram = plan.diagram;
   std::string text;

@@ -141,7 +141,8 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
 }
 
 std::vector<std::string> write_outputs(const std::string& folder, const LoadedModel& model,
-                                       const Outcome& outcome, const FileKinds& kinds) {
+                                       const Outcome& outcome, const FileKinds& kinds,
+                                       const render::PictureKinds& drawn) {
   write_signals(folder, model, outcome.result.recordings, kinds);
   io::write_file(folder + "/claims.json", claims_json(model, outcome).text() + "\n");
   io::write_file(folder + "/run.json", run_json(model, outcome).text() + "\n");
@@ -149,9 +150,9 @@ std::vector<std::string> write_outputs(const std::string& folder, const LoadedMo
   // Of a run that ended early the recordings are kept; a picture of them might be taken for the whole.
   if (!outcome.result.faults.empty() || outcome.result.interrupted) return pictures;
   for (std::size_t i = 0; i < model.figures.size(); ++i) {
-    pictures.push_back(io::numbered("figure", i, ".svg"));
-    render::write_figure(folder, io::numbered("figure", i, ""),
-                         plot::figure_spec(model.figures[i], outcome.recordings()));
+    const std::string name = io::numbered("figure", i, "");
+    for (const render::PictureKind kind : drawn) pictures.push_back(name + render::ending_of(kind));
+    render::write_figure(folder, name, plot::figure_spec(model.figures[i], outcome.recordings()), {}, drawn);
   }
   if (model.scene) write_scene(folder, model, outcome, pictures);
   return pictures;

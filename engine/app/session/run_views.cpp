@@ -28,11 +28,13 @@ table::RunView RunViews::view(std::size_t run) const {
   for (const table::Column& column : recording_.table.columns) {
     const auto words = words_of(column.name);
     if (!swept_.contains(column.name)) {
-      view.series.push_back({column.name, column.unit, std::span(column.values).subspan(first, end - first), words});
+      view.series.push_back(
+          {column.name, column.unit, std::span(column.values).subspan(first, end - first), words});
     } else if (first < end) {
       const double number = column.values[first];
-      const auto index = static_cast<std::size_t>(number);
-      view.swept.push_back({column.name, column.unit, number, index < words.size() ? words[index] : ""});
+      const bool word = number >= 0.0 && number < static_cast<double>(words.size());
+      view.swept.push_back(
+          {column.name, column.unit, number, word ? words[static_cast<std::size_t>(number)] : ""});
     }
   }
   return view;

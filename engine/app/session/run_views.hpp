@@ -25,7 +25,7 @@ class RunViews {
   std::span<const std::string> words_of(const std::string& column) const;
 
   const record::Recording& recording_;
-  std::set<std::string> swept_;              ///< columns that are one value in each run
+  std::set<std::string> swept_;            ///< columns that are one value in each run
   std::vector<record::Categories> words_;  ///< without quotes
 };
 

@@ -22,12 +22,8 @@ struct Kind {
   void (*write)(const std::string& path, const LoadedModel& model, const record::Recording& recording);
 };
 
-/// Swept words stand in their column as numbers: a MAT file keeps these, a table for people has the words.
 void write_csv(const std::string& path, const LoadedModel&, const record::Recording& recording) {
-  table::ColumnWords words;
-  for (const record::Categories& column : recording.categories)
-    for (const std::string& text : column.texts) words[column.column].push_back(unquoted(text));
-  table::write_csv(path, recording.table, words);
+  io::write_file(path, signals_csv(recording));
 }
 
 void write_mat(const std::string& path, const LoadedModel&, const record::Recording& recording) {
@@ -42,7 +38,8 @@ void write_runs(const std::string& path, const LoadedModel& model, const record:
   writer.finish();
 }
 
-constexpr std::array kinds_of_files{Kind{FileKind::csv, "csv", write_csv}, Kind{FileKind::mat, "mat", write_mat},
+constexpr std::array kinds_of_files{Kind{FileKind::csv, "csv", write_csv},
+                                    Kind{FileKind::mat, "mat", write_mat},
                                     Kind{FileKind::h5, "h5", write_runs<hdf5::Hdf5Writer>},
                                     Kind{FileKind::mcap, "mcap", write_runs<mcap::McapWriter>}};
 
@@ -51,6 +48,14 @@ const Kind& row_of(FileKind kind) {
 }
 
 }  // namespace
+
+/// Swept words stand in their column as numbers: a MAT file keeps these, a table for people has the words.
+std::string signals_csv(const record::Recording& recording) {
+  table::ColumnWords words;
+  for (const record::Categories& column : recording.categories)
+    for (const std::string& text : column.texts) words[column.column].push_back(unquoted(text));
+  return table::csv_text(recording.table, words);
+}
 
 std::optional<FileKind> file_kind(const std::string& name) {
   const auto row = std::ranges::find(kinds_of_files, name, &Kind::name);
@@ -75,7 +80,8 @@ void write_signals(const std::string& folder, const LoadedModel& model,
   for (std::size_t i = 0; i < recordings.size(); ++i)
     for (const FileKind kind : kinds) {
       const Kind& row = row_of(kind);
-      row.write(folder + "/" + io::numbered("signals", i, fmt::format(".{}", row.name)), model, recordings[i]);
+      row.write(folder + "/" + io::numbered("signals", i, fmt::format(".{}", row.name)), model,
+                recordings[i]);
     }
 }
 

@@ -24,8 +24,11 @@ std::string file_kind_names();
 /// "signals.csv" and those of the other kinds.
 std::vector<std::string> signal_file_names(const FileKinds& kinds);
 
-/// Writes what was recorded into a folder: signals.csv, signals-2.csv, ... for further periods, and so for each
-/// kind. Each file appears whole or not at all. Throws EnvironmentError.
+/// A recording as signals.csv has it.
+std::string signals_csv(const record::Recording& recording);
+
+/// Writes what was recorded into a folder: signals.csv, signals-2.csv, ... for further periods, and so for
+/// each kind. Each file appears whole or not at all. Throws EnvironmentError.
 void write_signals(const std::string& folder, const LoadedModel& model,
                    const std::vector<record::Recording>& recordings, const FileKinds& kinds);
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <sys/types.h>
+#include <optional>
 
 #include "engine/base/fmi/runner.hpp"
+#include "engine/base/subprocess/fork.hpp"
 
 namespace stepwire::fmi {
 
@@ -18,13 +19,11 @@ class Isolated : public Runner {
 
  private:
   void live(pid_t parent);
-  bool has_ended();
+  void quit();
 
   Setup setup_;
   std::size_t bytes_;
-  pid_t child_ = -1;
-  int status_ = 0;
-  bool ended_ = false;
+  std::optional<subprocess::Fork> process_;
 };
 
 }  // namespace stepwire::fmi

@@ -13,6 +13,7 @@
 #include "engine/base/hdf5/handle.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/temporary.hpp"
+#include "engine/base/table/isolated_table.hpp"
 #include "engine/base/table/table_file.hpp"
 
 namespace stepwire::hdf5 {
@@ -21,8 +22,8 @@ namespace {
 
 constexpr int max_depth = 16;  // groups in groups
 
-/// Names of the links of a group into this file, in the order in which they were made where the group has kept
-/// it. Others may lead to any file of the machine.
+/// Names of the links of a group into this file, in the order in which they were made where the group has
+/// kept it. Others may lead to any file of the machine.
 std::vector<std::string> links_of(const Handle& group) {
   const Handle properties(H5Gget_create_plist(group.id()), H5Pclose);
   unsigned kept = 0;
@@ -34,7 +35,8 @@ std::vector<std::string> links_of(const Handle& group) {
     if (link->type == H5L_TYPE_HARD) all.emplace_back(name);
     return all.size() > max_columns ? 1 : 0;
   };
-  if (H5Literate(group.id(), order, H5_ITER_INC, nullptr, take, &names) < 0) Session::refuse("the file is damaged");
+  if (H5Literate(group.id(), order, H5_ITER_INC, nullptr, take, &names) < 0)
+    Session::refuse("the file is damaged");
   return names;
 }
 
@@ -99,18 +101,23 @@ table::RecordTable read_open(const std::string& path, std::size_t file_size) {
   return reading.done();
 }
 
-}  // namespace
-
-table::RecordTable read_hdf5(const std::string& path) {
-  const std::size_t size = size_of(path);
-  const Session session;
+/// Errors and problems begin with the name of the file.
+table::RecordTable read_named(const std::string& path, std::size_t file_size) {
   try {
-    table::RecordTable table = read_open(path, size);
+    table::RecordTable table = read_open(path, file_size);
     for (auto& [column, problem] : table.problems) problem = fmt::format("{}: {}", path, problem);
     return table;
   } catch (const table::TableError& error) {
     throw table::TableError(fmt::format("{}: {}", path, error.what()));
   }
+}
+
+}  // namespace
+
+table::RecordTable read_hdf5(const std::string& path) {
+  const std::size_t size = size_of(path);
+  const Session session;  // no other thread is in the library while it is copied
+  return table::read_isolated(path, size, [&] { return read_named(path, size); });
 }
 
 }  // namespace stepwire::hdf5

@@ -10,7 +10,7 @@ namespace stepwire::hdf5 {
 /// the unit. In a group it is named with the path, "run-1/cart.position"; a matrix gives columns "name(1)",
 /// "name(2)", ... by its second dimension, and the real members of a compound type "name.member". Columns may
 /// differ in length. What else a dataset holds, such as text, is a problem of a column without rows. Links
-/// that lead out of the file are not followed. Throws TableError, with the name of the file, for what is none
+/// that lead out of the file are not followed. The library reads in a process of its own. Throws TableError, with the name of the file, for what is none
 /// or is damaged, EnvironmentError where it cannot be read.
 table::RecordTable read_hdf5(const std::string& path);
 

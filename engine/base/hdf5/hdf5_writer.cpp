@@ -4,6 +4,8 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/base/hdf5/handle.hpp"
@@ -16,11 +18,16 @@ namespace {
 
 constexpr hsize_t rows_of_chunk = 8192;
 
-Handle simple_space(hsize_t count) {
-  return {H5Screate_simple(1, &count, nullptr), H5Sclose};
+/// Whether more rows may follow.
+enum class Length { fixed, growing };
+
+Handle simple_space(hsize_t count, Length length = Length::fixed) {
+  const hsize_t most = length == Length::growing ? H5S_UNLIMITED : count;
+  return {H5Screate_simple(1, &count, &most), H5Sclose};
 }
 
-/// Text as UTF-8: of any length, which h5py gives as str in attributes, or of one, which Octave reads in datasets.
+/// Text as UTF-8: of any length, which h5py gives as str in attributes, or of one, which Octave reads in
+/// datasets.
 Handle text_type(std::size_t length = H5T_VARIABLE) {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type.id(), length);
@@ -37,10 +44,10 @@ Handle group_properties(hid_t of) {
   return properties;
 }
 
-Handle dataset_properties(hsize_t rows) {
+Handle dataset_properties(hsize_t rows, Length length) {
   Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties.id(), false);
-  if (rows <= rows_of_chunk) return properties;
+  if (rows <= rows_of_chunk && length == Length::fixed) return properties;
   const double filled = 0.0;  // what lies behind the last row in its chunk would be of any bits
   H5Pset_chunk(properties.id(), 1, &rows_of_chunk);
   H5Pset_fill_value(properties.id(), H5T_NATIVE_DOUBLE, &filled);
@@ -54,10 +61,15 @@ struct Hdf5Writer::File {
   io::AtomicFileWriter writer;
   std::string path;
   Handle file, root;
+  bool named = false;
+  std::vector<Handle> growing;  ///< datasets of the run that was begun last
+  hsize_t rows = 0;             ///< of each of them
 
   explicit File(const std::string& of) : writer(of), path(of) {
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    H5Pset_file_locking(access.id(), false, true);  // others may read while this is written
     file = {H5Fcreate(writer.temporary().c_str(), H5F_ACC_TRUNC, group_properties(H5P_FILE_CREATE).id(),
-                      H5P_DEFAULT),
+                      access.id()),
             H5Fclose};
     root = {H5Gopen2(require(file).id(), "/", H5P_DEFAULT), H5Gclose};
     require(root);
@@ -66,7 +78,8 @@ struct Hdf5Writer::File {
   void require(bool done) const {
     if (done) return;
     const std::string complaint = Session::complaint();
-    throw io::EnvironmentError(fmt::format("{}: {}", path, complaint.empty() ? "cannot be written" : complaint));
+    throw io::EnvironmentError(
+        fmt::format("{}: {}", path, complaint.empty() ? "cannot be written" : complaint));
   }
   const Handle& require(const Handle& handle) const {
     require(static_cast<bool>(handle));
@@ -85,36 +98,68 @@ struct Hdf5Writer::File {
   }
 
   Handle put(hid_t group, const std::string& name, const Handle& type, const Handle& space, hsize_t rows,
-             const void* content) {
+             const void* content, Length length = Length::fixed) {
     Handle set(H5Dcreate2(group, name.c_str(), type.id(), space.id(), H5P_DEFAULT,
-                          dataset_properties(rows).id(), H5P_DEFAULT),
+                          dataset_properties(rows, length).id(), H5P_DEFAULT),
                H5Dclose);
     require(set);
     require(rows == 0 || H5Dwrite(set.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, content) >= 0);
     return set;
   }
 
-  void put(hid_t group, const table::SeriesView& series) {
-    const hsize_t rows = series.values.size();
-    const Handle set = put(group, series.name, {H5Tcopy(H5T_IEEE_F64LE), H5Tclose}, simple_space(rows), rows,
-                           series.values.data());
+  Handle put(hid_t group, const table::SeriesView& series, Length length) {
+    const hsize_t count = series.values.size();
+    Handle set = put(group, series.name, {H5Tcopy(H5T_IEEE_F64LE), H5Tclose}, simple_space(count, length),
+                     count, series.values.data(), length);
     put_text(set.id(), "units", series.unit);
-    if (series.words.empty()) return;
+    if (series.words.empty()) return set;
     std::vector<const char*> words;
     for (const std::string& word : series.words) words.push_back(word.c_str());
     put_texts(set.id(), "words", simple_space(words.size()), words);
+    return set;
   }
 
   void put(hid_t group, const table::SweptValue& value) {
     const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Handle set = value.word.empty() ? put(group, value.name, {H5Tcopy(H5T_IEEE_F64LE), H5Tclose}, space,
-                                                1, &value.number)
-                                          : put(group, value.name, text_type(value.word.size()), space, 1,
-                                                value.word.data());
+    const Handle set =
+        value.word.empty()
+            ? put(group, value.name, {H5Tcopy(H5T_IEEE_F64LE), H5Tclose}, space, 1, &value.number)
+            : put(group, value.name, text_type(value.word.size()), space, 1, value.word.data());
     put_text(set.id(), "units", value.unit);
   }
 
+  void put(const table::RunView& run, Length length) {
+    Handle group;
+    if (!run.name.empty())
+      group = {H5Gcreate2(root.id(), run.name.c_str(), H5P_DEFAULT, group_properties(H5P_GROUP_CREATE).id(),
+                          H5P_DEFAULT),
+               H5Gclose};
+    const hid_t place = run.name.empty() ? root.id() : require(group).id();
+    growing.clear();
+    for (const table::SweptValue& value : run.swept) put(place, value);
+    for (const table::SeriesView& series : run.series) {
+      Handle set = put(place, series, length);
+      if (length == Length::growing) growing.push_back(std::move(set));
+    }
+    rows = run.series.empty() ? 0 : run.series.front().values.size();
+  }
+
+  void append(const Handle& set, std::span<const double> values) const {
+    const hsize_t count = values.size(), total = rows + count;
+    require(H5Dset_extent(set.id(), &total) >= 0);
+    const Handle piece = simple_space(count), whole(H5Dget_space(set.id()), H5Sclose);
+    require(H5Sselect_hyperslab(whole.id(), H5S_SELECT_SET, &rows, nullptr, &count, nullptr) >= 0);
+    require(H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, piece.id(), whole.id(), H5P_DEFAULT, values.data()) >= 0);
+  }
+
+  void flush() const { require(H5Fflush(file.id(), H5F_SCOPE_LOCAL) >= 0); }
+
+  void name() {
+    if (!std::exchange(named, true)) writer.finish();
+  }
+
   void close() {
+    growing.clear();
     require(root.close() && H5Fflush(file.id(), H5F_SCOPE_LOCAL) >= 0 && file.close());
   }
 };
@@ -132,20 +177,35 @@ Hdf5Writer::~Hdf5Writer() {
 
 void Hdf5Writer::add(const table::RunView& run) {
   const Session session;
-  Handle group;
-  if (!run.name.empty())
-    group = {H5Gcreate2(file_->root.id(), run.name.c_str(), H5P_DEFAULT,
-                        group_properties(H5P_GROUP_CREATE).id(), H5P_DEFAULT),
-             H5Gclose};
-  const hid_t place = run.name.empty() ? file_->root.id() : file_->require(group).id();
-  for (const table::SweptValue& value : run.swept) file_->put(place, value);
-  for (const table::SeriesView& series : run.series) file_->put(place, series);
+  file_->put(run, Length::fixed);
+}
+
+void Hdf5Writer::begin(const table::RunView& run) {
+  const Session session;
+  file_->put(run, Length::growing);
+}
+
+void Hdf5Writer::append(std::span<const std::span<const double>> columns) {
+  if (columns.empty() || columns.front().empty()) return;
+  const Session session;
+  for (std::size_t i = 0; i < columns.size(); ++i) file_->append(file_->growing[i], columns[i]);
+  file_->rows += columns.front().size();
+}
+
+void Hdf5Writer::flush() {
+  const Session session;
+  file_->flush();
+}
+
+void Hdf5Writer::publish() {
+  flush();
+  file_->name();
 }
 
 void Hdf5Writer::finish() {
   const Session session;
   file_->close();
-  file_->writer.finish();
+  file_->name();
 }
 
 }  // namespace stepwire::hdf5

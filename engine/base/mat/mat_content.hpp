@@ -45,7 +45,8 @@ struct MatContent {
 std::size_t mat_count(const std::vector<std::size_t>& size);
 
 /// These throw TableError, without the name of the file, where an element is cut off, of an unknown type or
-/// does not have as many numbers as its dimensions say. Level 7.3 is read by the libraries for HDF5.
+/// does not have as many numbers as its dimensions say. Level 7.3 is read by the libraries for HDF5,
+/// in a process of its own.
 MatContent read_mat_level_4(std::string_view file);
 MatContent read_mat_level_5(std::string_view file, bool swap);
 MatContent read_mat_level_7(const std::string& path, std::size_t file_size);

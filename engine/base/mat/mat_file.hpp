@@ -9,12 +9,17 @@ namespace stepwire::mat {
 
 /// Every real vector of a MATLAB file (level 4, 5 or 7.3), one column each; a matrix gives columns "name(1)",
 /// "name(2)", ... Columns may differ in length here. Errors as read_csv. A damaged
-/// file is an error, except that inside a file of level 7.3 only the HDF5 library can tell.
+/// file is an error, except that inside a file of level 7.3 only the HDF5 library can tell; it reads in a
+/// process of its own.
 table::Table read_mat(const std::string& path);
 
+inline constexpr std::size_t max_bytes_of_level_5 = 0x7FFF'FFFF;  ///< of a variable
+
 /// Variables are named as the columns with what MATLAB does not allow replaced by '_' (made unique), doubles,
-/// one column vector each; beside them the cell arrays "names" and "units" in the same order.
-void write_mat(const std::string& path, const table::Table& table);
+/// one column vector each; beside them the cell arrays "names" and "units" in the same order. The file is of
+/// level 5, or of level 7.3 where a column would take more than `max_bytes` there.
+void write_mat(const std::string& path, const table::Table& table,
+               std::size_t max_bytes = max_bytes_of_level_5);
 
 /// A matrix, column by column as Eigen has it, or a list of texts.
 struct NamedMatrix {

@@ -2,7 +2,6 @@
 #include <matio.h>
 
 #include <memory>
-#include <mutex>
 
 #include "engine/base/mat/mat_elements.hpp"
 #include "engine/base/table/table_file.hpp"
@@ -17,23 +16,18 @@ struct Free {
 using MatFile = std::unique_ptr<mat_t, Free>;
 using Variable = std::unique_ptr<matvar_t, Free>;
 
-/// The library keeps its log, and HDF5 all it has, in variables of the program: one file at a time.
-struct Library {
-  std::mutex mutex;
-  std::string complaint;
+/// What the library says first of a file.
+std::string& complaint() {
+  static std::string text;
+  return text;
+}
 
-  static Library& the() {
-    static Library library;
-    return library;
-  }
-
-  void listen() {
-    complaint.clear();
-    Mat_LogInitFunc("stepwire", [](int, char* message) {
-      if (the().complaint.empty()) the().complaint = message;
-    });
-  }
-};
+void listen() {
+  complaint().clear();
+  Mat_LogInitFunc("stepwire", [](int, char* message) {
+    if (complaint().empty()) complaint() = message;
+  });
+}
 
 std::vector<std::size_t> size_of(const matvar_t& variable) {
   if (variable.rank <= 0 || !variable.dims) return {0};
@@ -85,22 +79,22 @@ std::string text_of(const matvar_t* cell) {
 /// Reads one file; complaints of the library about it end the reading.
 class Level7 {
  public:
-  Level7(const std::string& path, std::size_t file_size) : budget_(table::max_unpacked(file_size)), most_(budget_) {
-    Library::the().listen();
+  Level7(const std::string& path, std::size_t file_size)
+      : budget_(table::max_unpacked(file_size)), most_(budget_) {
+    listen();
     file_.reset(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
     if (!file_) fail("this is no MAT file");
   }
 
   MatContent read() {
     while (const Variable variable{Mat_VarReadNextInfo(file_.get())}) take(*variable);
-    if (!Library::the().complaint.empty()) fail("the file is damaged");
+    if (!complaint().empty()) fail("the file is damaged");
     return std::move(content_);
   }
 
  private:
   [[noreturn]] static void fail(const std::string& message) {
-    const std::string& complaint = Library::the().complaint;
-    throw table::TableError(message + (complaint.empty() ? "" : " (" + complaint + ")"));
+    throw table::TableError(message + (complaint().empty() ? "" : " (" + complaint() + ")"));
   }
 
   void take(matvar_t& variable) {
@@ -118,8 +112,7 @@ class Level7 {
                       "unpack to {} MB in all",
                       name, bytes >> 20, (most_ - budget_) >> 20, most_ >> 20));
     budget_ -= bytes;
-    if (Mat_VarReadDataAll(file_.get(), &variable) != 0 || !variable.data ||
-        !Library::the().complaint.empty())
+    if (Mat_VarReadDataAll(file_.get(), &variable) != 0 || !variable.data || !complaint().empty())
       fail(fmt::format("'{}' cannot be read", name));
   }
 
@@ -150,7 +143,6 @@ class Level7 {
 }  // namespace
 
 MatContent read_mat_level_7(const std::string& path, std::size_t file_size) {
-  const std::lock_guard lock(Library::the().mutex);
   return Level7(path, file_size).read();
 }
 

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <set>
 
+#include "engine/base/hdf5/handle.hpp"
 #include "engine/base/mat/mat_content.hpp"
 #include "engine/base/mat/mat_file.hpp"
+#include "engine/base/mat/mat_names.hpp"
+#include "engine/base/table/isolated_table.hpp"
 #include "engine/base/table/table_file.hpp"
 
 namespace stepwire::mat {
@@ -29,11 +34,14 @@ Header header_of(std::string_view file) {
   return {};
 }
 
-MatContent content_of(const std::string& path) {
-  const std::string file = io::read_file(path);
-  const Header header = header_of(file);
-  if (header.version == 0x0200) return read_mat_level_7(path, file.size());
-  return header.version == 0x0100 ? read_mat_level_5(file, header.swap) : read_mat_level_4(file);
+/// What it throws begins with the name of the file.
+template <class Read>
+table::Table named(const std::string& path, const Read& read) {
+  try {
+    return read();
+  } catch (const table::TableError& error) {
+    throw table::TableError(fmt::format("{}: {}", path, error.what()));
+  }
 }
 
 /// A vector is one column; of anything larger each column is one.
@@ -53,15 +61,21 @@ void append_columns(table::Table& table, MatVariable& variable) {
   }
 }
 
-/// Files of our own keep the names of their columns, which MATLAB would not allow, and their units.
-void name_columns(table::Table& table, const MatContent& content) {
-  const std::size_t count = table.columns.size();
-  if (content.names.size() == count && content.units.size() == count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      table.columns[i].name = content.names[i];
-      table.columns[i].unit = content.units[i];
-    }
+/// Files of our own keep the names of their columns, which MATLAB would not allow, and their units. The order
+/// is that of the names: one of level 7.3 lists its variables in another one.
+void restore_names(table::Table& table, const MatContent& content) {
+  if (content.names.size() != table.columns.size() || content.units.size() != table.columns.size()) return;
+  const std::vector<std::string> variables = matlab_names(content.names);
+  table::Table ordered;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const auto column = std::ranges::find(table.columns, variables[i], &table::Column::name);
+    if (column == table.columns.end()) return;
+    ordered.columns.push_back({content.names[i], content.units[i], column->values});
   }
+  table = std::move(ordered);
+}
+
+void require_names(const table::Table& table) {
   std::set<std::string_view> seen;
   for (const table::Column& column : table.columns)
     if (!seen.insert(column.name).second)
@@ -72,18 +86,40 @@ table::Table table_of(MatContent content) {
   table::Table table;
   for (MatVariable& variable : content.variables) append_columns(table, variable);
   if (table.columns.empty()) throw table::TableError("there is no real vector in the file");
-  name_columns(table, content);
+  restore_names(table, content);
+  require_names(table);
   return table;
+}
+
+/// Levels 4 and 5 are read by us.
+table::Table read_own(const std::string& path) {
+  const std::string file = io::read_file(path);
+  const Header header = header_of(file);
+  return table_of(header.version == 0x0100 ? read_mat_level_5(file, header.swap) : read_mat_level_4(file));
+}
+
+table::Table read_by_library(const std::string& path) {
+  std::error_code none;
+  const std::size_t size = std::filesystem::file_size(path, none);
+  const hdf5::Session session;  // no other thread is in the library while it is copied
+  return table::read_isolated(path, size, [&] {
+    return table::RecordTable{named(path, [&] { return table_of(read_mat_level_7(path, size)); })};
+  });
+}
+
+bool is_level_7(const std::string& path) {
+  std::array<char, 128> start{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), start.size());
+  return header_of({start.data(), static_cast<std::size_t>(file.gcount())}).version == 0x0200;
 }
 
 }  // namespace
 
 table::Table read_mat(const std::string& path) {
-  try {
-    return table_of(content_of(path));
-  } catch (const table::TableError& error) {
-    throw table::TableError(fmt::format("{}: {}", path, error.what()));
-  }
+  std::error_code none;
+  const bool regular = std::filesystem::is_regular_file(path, none);
+  return regular && is_level_7(path) ? read_by_library(path) : named(path, [&] { return read_own(path); });
 }
 
 }  // namespace stepwire::mat

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <set>
 
+#include "engine/base/hdf5/matlab_file.hpp"
 #include "engine/base/mat/mat_file.hpp"
+#include "engine/base/mat/mat_names.hpp"
 #include "engine/base/table/table_file.hpp"
 
 // Level 5 of the format is written here and not by the library that reads it, because that one drops what the
@@ -18,8 +20,7 @@ namespace {
 enum class Element : std::uint32_t { int8 = 1, uint16 = 4, int32 = 5, uint32 = 6, float64 = 9, matrix = 14 };
 enum class Class : std::uint32_t { cell = 1, text = 4, float64 = 6 };
 
-constexpr std::size_t longest_element = 0x7FFF'FFFF;
-constexpr std::size_t longest_name = 63;
+constexpr std::size_t longest_element = max_bytes_of_level_5;
 
 template <class T>
 std::string bytes(const T* values, std::size_t count) {
@@ -78,36 +79,53 @@ std::string text_cells(const std::string& name, const std::vector<table::Column>
   return matrix(Class::cell, columns.size(), 1, name, cells);
 }
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-/// The name of a column as MATLAB allows it, and not one of `used`.
-std::string matlab_name(const std::string& name, std::set<std::string>& used) {
-  std::string allowed = name.empty() || !is_letter(name.front()) ? "x" : "";
-  for (const char c : name) allowed += is_letter(c) || (c >= '0' && c <= '9') ? c : '_';
-  allowed.resize(std::min(allowed.size(), longest_name));
-  std::string unique = allowed;
-  for (int i = 2; !used.insert(unique).second; ++i) {
-    const std::string ending = fmt::format("_{}", i);
-    unique = allowed.substr(0, longest_name - ending.size()) + ending;
-  }
-  return unique;
-}
-
 /// 116 bytes of text, 8 of nothing, version and byte order. No date: the same table gives the same bytes.
-std::string header_text() {
-  std::string text = "MATLAB 5.0 MAT-file, created by stepwire";
+std::string header_text(const char* level, std::uint16_t version) {
+  std::string text = std::string("MATLAB ") + level + " MAT-file, created by stepwire";
   text.resize(116, ' ');
-  const std::array<std::uint16_t, 2> version{0x0100, 0x4D49};
-  return text + std::string(8, '\0') + bytes(version.data(), 2);
+  const std::array<std::uint16_t, 2> end{version, 0x4D49};
+  return text + std::string(8, '\0') + bytes(end.data(), 2);
+}
+
+std::string header_of_level_5() {
+  return header_text("5.0", 0x0100);
+}
+
+std::vector<std::string> names_of(const table::Table& table) {
+  std::vector<std::string> names;
+  for (const table::Column& column : table.columns) names.push_back(column.name);
+  return names;
+}
+
+std::vector<std::u16string> texts_of(const table::Table& table, std::string table::Column::*text) {
+  std::vector<std::u16string> texts;
+  for (const table::Column& column : table.columns) texts.push_back(utf16(column.*text));
+  return texts;
+}
+
+/// Does one variable pass what level 5 counts in 32 bits?
+bool is_too_long(const table::Table& table, std::size_t max_bytes) {
+  constexpr std::size_t around = 128;  // tags, size and name
+  return std::ranges::any_of(table.columns, [&](const table::Column& column) {
+    return column.values.size() * sizeof(double) + around > max_bytes;
+  });
+}
+
+void write_level_7(const std::string& path, const table::Table& table) {
+  hdf5::MatlabFile file(path, header_text("7.3", 0x0200));
+  const std::vector<std::string> names = matlab_names(names_of(table));
+  for (std::size_t i = 0; i < names.size(); ++i)
+    file.add(names[i], table.columns[i].values.size(), 1, table.columns[i].values);
+  file.add("names", texts_of(table, &table::Column::name));
+  file.add("units", texts_of(table, &table::Column::unit));
+  file.finish();
 }
 
 }  // namespace
 
 void write_mat(const std::string& path, const std::vector<NamedMatrix>& matrices,
                const std::vector<NamedTextList>& texts) {
-  std::string content = header_text();
+  std::string content = header_of_level_5();
   for (const NamedMatrix& one : matrices)
     content += matrix(Class::float64, one.rows, one.columns, one.name,
                       element(Element::float64, bytes(one.values.data(), one.values.size())));
@@ -119,16 +137,14 @@ void write_mat(const std::string& path, const std::vector<NamedMatrix>& matrices
   io::write_file(path, content);
 }
 
-void write_mat(const std::string& path, const table::Table& table) {
-  // What MATLAB would not take back as the name of a variable, and our own two.
-  std::set<std::string> used{"names",  "units",     "break",  "case",       "catch",    "continue",
-                             "else",   "elseif",    "end",    "for",        "function", "global",
-                             "if",     "otherwise", "parfor", "persistent", "return",   "spmd",
-                             "switch", "try",       "while",  "classdef"};
-  std::string content = header_text();
-  for (const table::Column& column : table.columns) {
-    content += matrix(Class::float64, column.values.size(), 1, matlab_name(column.name, used),
-                      element(Element::float64, bytes(column.values.data(), column.values.size())));
+void write_mat(const std::string& path, const table::Table& table, std::size_t max_bytes) {
+  if (is_too_long(table, max_bytes)) return write_level_7(path, table);
+  std::string content = header_of_level_5();
+  const std::vector<std::string> names = matlab_names(names_of(table));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::vector<double>& values = table.columns[i].values;
+    content += matrix(Class::float64, values.size(), 1, names[i],
+                      element(Element::float64, bytes(values.data(), values.size())));
   }
   content += text_cells("names", table.columns, &table::Column::name);
   content += text_cells("units", table.columns, &table::Column::unit);

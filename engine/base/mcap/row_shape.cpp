@@ -24,7 +24,8 @@ bool RowShape::is_column(const std::string& name) const {
 void RowShape::add(const table::SeriesView& series) {
   Member* place = &root_;
   std::size_t first = 0;
-  for (std::size_t point = series.name.find('.'); point != std::string::npos && !is_column(series.name.substr(0, point));
+  for (std::size_t point = series.name.find('.');
+       point != std::string::npos && !is_column(series.name.substr(0, point));
        point = series.name.find('.', first)) {
     const std::string key = series.name.substr(first, point - first);
     const auto known = std::ranges::find(place->members, key, &Member::key);
@@ -67,8 +68,8 @@ void RowShape::append_row(std::string& text, std::size_t row) const {
     const auto& words = piece.series->words;
     if (!std::isfinite(number))
       text += "null";
-    else if (const auto index = static_cast<std::size_t>(number); !words.empty() && index < words.size())
-      text += Json(words[index]).text(-1);
+    else if (number >= 0.0 && number < static_cast<double>(words.size()))
+      text += Json(words[static_cast<std::size_t>(number)]).text(-1);
     else
       fmt::format_to(std::back_inserter(text), "{}", number);
   }

@@ -3,12 +3,13 @@
 #include <string>
 
 #include "engine/view/plot/plot_spec.hpp"
+#include "engine/view/render/picture_kind.hpp"
 
 namespace stepwire::render {
 
-/// Draws a figure into FOLDER/NAME.svg and writes its spec to FOLDER/NAME.json, or under another name where
-/// something else has that. Throws EnvironmentError.
+/// Draws a figure into FOLDER/NAME.svg, or files of other kinds, and writes its spec to FOLDER/NAME.json, or
+/// under another name where something else has that. Throws EnvironmentError.
 void write_figure(const std::string& folder, const std::string& name, const plot::FigureSpec& figure,
-                  const std::string& json_name = {});
+                  const std::string& json_name = {}, const PictureKinds& kinds = usual_pictures);
 
 }  // namespace stepwire::render

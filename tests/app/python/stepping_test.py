@@ -71,6 +71,16 @@ def test_a_snapshot_outlives_its_simulation(cart_file):
     assert again.time == pytest.approx(0.002)
 
 
+def test_inputs_have_units_where_they_are_texts(cart_file):
+    simulation = stepwire.load(cart_file).simulation()
+    for text, number in (("3 N", 3.0), ("2 kN", 2000.0), ("5", 5.0), (["7 mN"], 0.007)):
+        simulation.inputs["push"] = text
+        simulation.step()
+        assert simulation.inputs["push"] == pytest.approx(number, rel=1e-15)
+    with pytest.raises(ValueError, match="push takes numbers in N, not '3 kg'"):
+        simulation.inputs["push"] = "3 kg"
+
+
 def test_wrong_steps_are_refused(cart_file):
     simulation = stepwire.load(cart_file).simulation()
     for wrong in (lambda: simulation.set("mas", 1), lambda: simulation.set("mass", "1 m"),
@@ -80,7 +90,9 @@ def test_wrong_steps_are_refused(cart_file):
         with pytest.raises(stepwire.Error):
             wrong()
     for wrong in (lambda: simulation.step("3"), lambda: simulation.set("mass", None),
-                  lambda: simulation.inputs.__setitem__("push", "3 N"), lambda: simulation.restore(None)):
+                  lambda: simulation.inputs.__setitem__("push", "3 kg"),
+                  lambda: simulation.inputs.__setitem__("push", "three"),
+                  lambda: simulation.inputs.__setitem__("push", ["3 N", "x"]), lambda: simulation.restore(None)):
         with pytest.raises((TypeError, ValueError, RuntimeError)):
             wrong()
     with pytest.raises(ValueError):

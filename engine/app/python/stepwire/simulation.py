@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
 class Inputs(Mapping):
     """The inputs of a simulation. Writing one, ``inputs["push"] = 3.0``, holds from the next tick on until it is
-    written again; numbers are SI, of an input of n numbers a list or an array. Reading one gives what stands at
+    written again; numbers are SI, a text has its unit ("3 mm"), and of an input of n numbers it is a list or an
+    array. Reading one gives what stands at
     the tick that is shown."""
 
     def __init__(self, simulation: Simulation, names: list[str]):

@@ -111,6 +111,24 @@ TEST_CASE("by model exchange inputs are those of the instant: the bits are those
   CHECK(column(unit, "unit.b") == column(own, "b"));
 }
 
+TEST_CASE("a unit has more than a hundred ports, and each is fed and shown in its place") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  std::string inputs, blocks, fed, record;
+  constexpr int count = 150;
+  for (int i = 0; i < count; ++i) {
+    inputs += fmt::format("{}u{}: {{default: 0}}", i == 0 ? "" : ", ", i);
+    blocks += fmt::format("  y{0}: {{block: Gain, u: u{0}, gain: 2}}\n", i);
+    fed += fmt::format(", u{}: {}", i, i + 1);
+    record += fmt::format("{}unit.y{}", i == 0 ? "" : ", ", i);
+  }
+  const std::string path =
+      exported(folder, "a", head + "inputs: {" + inputs + "}\nblocks:\n" + blocks + "record: all\n");
+  const table::Table run =
+      run_text(import_text(path, ", interface: model_exchange" + fed) + "record: [" + record + "]\n");
+  for (int i = 0; i < count; ++i) CHECK(column(run, fmt::format("unit.y{}", i)).back() == 2.0 * (i + 1));
+}
+
 TEST_CASE("what depends on what, and which powers of base units a unit is, stand in the description") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;

@@ -127,7 +127,7 @@ TEST_CASE("a file that was cut off is an error, and a damaged one an error or a 
   write_by_library(path);
   const std::string whole = io::read_file(path);
   std::mt19937 random(1);
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < 300; ++i) {
     std::string damaged = whole;
     const bool cut = i % 3 == 0;
     if (cut) damaged.resize(random() % whole.size());

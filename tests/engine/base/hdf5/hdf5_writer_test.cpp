@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <numeric>
 
 #include "engine/base/hdf5/hdf5_read.hpp"
@@ -29,8 +30,11 @@ std::vector<table::RunView> one_run() {
 }
 
 std::vector<table::RunView> two_runs() {
-  return {{"run-1", {{"mass", "kg", 2.0}, {"way", "", 0.0, "hold"}}, {{"time", "s", times}, {"x", "m", times}}},
-          {"run-2", {{"mass", "kg", 3.0}, {"way", "", 1.0, "linear"}}, {{"time", "s", times}, {"x", "m", positions}}}};
+  return {
+      {"run-1", {{"mass", "kg", 2.0}, {"way", "", 0.0, "hold"}}, {{"time", "s", times}, {"x", "m", times}}},
+      {"run-2",
+       {{"mass", "kg", 3.0}, {"way", "", 1.0, "linear"}},
+       {{"time", "s", times}, {"x", "m", positions}}}};
 }
 
 void check_bits(const Values& back, std::span<const double> wanted) {
@@ -44,7 +48,8 @@ std::string printed_by_h5py(const std::string& script, const std::string& file) 
     return subprocess::run_process({.command = std::move(command)});
   };
   if (!call({"/usr/bin/python3", "-c", "import h5py"}).succeeded()) return "";
-  return call({"/usr/bin/python3", "-c", "import h5py, sys\nf = h5py.File(sys.argv[1])\n" + script, file}).output;
+  return call({"/usr/bin/python3", "-c", "import h5py, sys\nf = h5py.File(sys.argv[1])\n" + script, file})
+      .output;
 }
 
 }  // namespace
@@ -61,6 +66,50 @@ TEST_CASE("a run comes back from an HDF5 file with its names, units, order and b
   CHECK(back.columns[2].name == "a");
   CHECK(back.columns[2].unit.empty());
   check_bits(back.columns[1].values, positions);
+}
+
+TEST_CASE("rows that come piece by piece are one run, beyond a chunk, too") {
+  const Scratch scratch;
+  Values all(20'000);
+  std::iota(all.begin(), all.end(), 0.5);
+  {
+    Hdf5Writer writer(scratch.path("a.h5"), "");
+    writer.begin({"run-1", {{"mass", "kg", 2.0}}, {{"time", "s", {}}, {"x", "m", {}}}});
+    for (std::size_t at = 0; at < all.size(); at += 3'001) {
+      const auto piece =
+          std::span<const double>(all).subspan(at, std::min<std::size_t>(3'001, all.size() - at));
+      const std::vector<std::span<const double>> columns{piece, piece};
+      writer.append(columns);
+    }
+    writer.add({"run-2", {}, {{"time", "s", times}}});
+    writer.finish();
+  }
+  const table::RecordTable back = read_hdf5(scratch.path("a.h5"));
+  check_bits(back.find("run-1/x")->values, all);
+  CHECK(back.find("run-1/x")->unit == "m");
+  CHECK(back.find("run-1/mass")->values == Values{2.0});
+  CHECK(back.find("run-2/time")->values == times);
+}
+
+TEST_CASE("what was published and flushed can be read while more is written") {
+  const Scratch scratch;
+  // The bytes that are there, since the library opens no file again that it writes itself.
+  const auto times_there = [&] {
+    scratch.file("copy.h5", io::read_file(scratch.path("a.h5")));
+    return read_hdf5(scratch.path("copy.h5")).find("time")->values;
+  };
+  Hdf5Writer writer(scratch.path("a.h5"), "");
+  writer.begin({"", {}, {{"time", "s", times}}});
+  CHECK_FALSE(std::filesystem::exists(scratch.path("a.h5")));
+  writer.publish();
+  check_bits(times_there(), times);
+  const std::vector<std::span<const double>> more{positions};
+  writer.append(more);
+  writer.flush();
+  CHECK(times_there().size() == 6);
+  writer.append(more);
+  writer.finish();
+  CHECK(times_there().size() == 9);
 }
 
 TEST_CASE("runs of a sweep are groups with what they set") {

@@ -64,10 +64,13 @@ TEST_CASE("MAT files of level 4, 5 and 7.3 are read") {
   check_library_file(MAT_FT_MAT73);
 }
 
-TEST_CASE("a table comes back from a MAT file with its names, units and bits") {
+TEST_CASE("a table comes back from a MAT file of level 5 or 7.3 with its names, units and bits") {
   const Scratch scratch;
   const table::Table table = sample();
-  write_mat(scratch.path("a.mat"), table);
+  const bool long_columns = GENERATE(false, true);
+  write_mat(scratch.path("a.mat"), table, long_columns ? 100 : max_bytes_of_level_5);
+  const char level = long_columns ? '7' : '5';
+  CHECK(stepwire::io::read_file(scratch.path("a.mat"))[7] == level);
   const table::Table back = stepwire::mat::read_mat(scratch.path("a.mat"));
   REQUIRE(back.columns.size() == table.columns.size());
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -80,7 +83,8 @@ TEST_CASE("a table comes back from a MAT file with its names, units and bits") {
 
 TEST_CASE("another reader finds the columns under names that MATLAB allows, each once") {
   const Scratch scratch;
-  write_mat(scratch.path("a.mat"), sample());
+  const bool long_columns = GENERATE(false, true);
+  write_mat(scratch.path("a.mat"), sample(), long_columns ? 100 : max_bytes_of_level_5);
   mat_t* const file = Mat_Open(scratch.path("a.mat").c_str(), MAT_ACC_RDONLY);
   REQUIRE(file);
   std::vector<std::string> names;
@@ -91,14 +95,18 @@ TEST_CASE("another reader finds the columns under names that MATLAB allows, each
     Mat_VarFree(variable);
   }
   Mat_Close(file);
-  CHECK(names == std::vector<std::string>{"time", "rig_x", "rig_x_2", "x2nd", "end_2", std::string(63, 'a'),
-                                          "names", "units"});
+  if (long_columns) std::ranges::sort(names);  // level 7.3 has them in any order
+  std::vector<std::string> wanted{"time",  "rig_x", "rig_x_2", "x2nd", "end_2", std::string(63, 'a'),
+                                  "names", "units"};
+  if (long_columns) std::ranges::sort(wanted);
+  CHECK(names == wanted);
 }
 
 TEST_CASE("the same table makes the same file") {
   const Scratch scratch;
-  write_mat(scratch.path("a.mat"), sample());
-  write_mat(scratch.path("b.mat"), sample());
+  const std::size_t max_bytes = GENERATE(false, true) ? 100 : max_bytes_of_level_5;
+  write_mat(scratch.path("a.mat"), sample(), max_bytes);
+  write_mat(scratch.path("b.mat"), sample(), max_bytes);
   CHECK(stepwire::io::read_file(scratch.path("a.mat")) == stepwire::io::read_file(scratch.path("b.mat")));
 }
 
@@ -140,8 +148,7 @@ TEST_CASE("a damaged MAT file is an error or a table, and one that was cut off i
     std::mt19937 random(1);
     for (int i = 0; i < 150; ++i) {
       std::string damaged = whole;
-      // Inside a file of level 7.3 the HDF5 library has to find the damage; only cuts are ours to check.
-      const bool cut = i % 3 == 0 || version == MAT_FT_MAT73;
+      const bool cut = i % 3 == 0;
       if (cut) damaged.resize(random() % whole.size());
       for (int k = 0; k < i % 7 && !cut; ++k) damaged[random() % whole.size()] = static_cast<char>(random());
       scratch.file("a.mat", damaged);

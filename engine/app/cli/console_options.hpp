@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace stepwire::cli {
+
+/// Declares --quiet and --color of the program and of all its verbs.
+void add_console_options(CLI::App& program);
+
+}  // namespace stepwire::cli

@@ -1,0 +1,235 @@
+#include "engine/app/cli/run_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "engine/app/cli/console.hpp"
+#include "engine/app/cli/console_style.hpp"
+#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/interrupt.hpp"
+#include "engine/app/cli/kept_run.hpp"
+#include "engine/app/cli/monitoring.hpp"
+#include "engine/app/report/fit_text.hpp"
+#include "engine/app/report/profile_report.hpp"
+#include "engine/app/report/run_text.hpp"
+#include "engine/app/report/study_text.hpp"
+#include "engine/app/session/partial_signals.hpp"
+#include "engine/app/session/result_folder.hpp"
+#include "engine/app/session/run_files.hpp"
+#include "engine/base/io/file.hpp"
+#include "engine/simulate/replay/replay_folder.hpp"
+#include "engine/view/render/figure_file.hpp"
+
+namespace stepwire::cli {
+
+using json::Json;
+
+namespace {
+
+void require_section(const RunCall& call, const session::LoadedModel& model) {
+  const auto refuse = [&](const char* message) {
+    throw yaml::Error(yaml::Fault{{model.file, {}}, "", message, {}});
+  };
+  if (call.requires_section == "fit" && !model.fit)
+    refuse("has no section 'fit'; it names parameters and records");
+  if (call.requires_section == "study" && !model.study)
+    refuse("has no section 'study'; it names task, people and conditions");
+}
+
+/// The one table that --csv has.
+void require_one_table(const RunCall& call, const session::LoadedModel& model) {
+  if (call.csv.empty()) return;
+  const auto refuse = [&](const std::string& message) {
+    throw yaml::Error(yaml::Fault{{model.file, {}}, "", message, {}});
+  };
+  const std::size_t count = model.job.plan.diagram.records.size();
+  if (model.study)
+    refuse("has a section 'study', whose trials are no single table; --out has files for them");
+  if (count != 1)
+    refuse(fmt::format(
+        "records at {} periods, which --csv, a single table, has no place for; --out has a file for each",
+        count));
+}
+
+/// A share is of a sweep alone, and lies in a folder.
+void require_shares(const RunCall& call, const session::LoadedModel& model) {
+  if (!call.part && !call.mpi) return;
+  const auto refuse = [&](const char* message) {
+    throw yaml::Error(yaml::Fault{{model.file, {}}, call.part ? "--part" : "--mpi", message, {}});
+  };
+  if (model.job.points.empty() || model.study)
+    refuse("needs a file with a section 'sweep', and without a study");
+  if (call.out.empty() || call.archive) refuse("needs --out DIR, in which the points are kept");
+}
+
+std::string file_name(const session::LoadedModel& model) {
+  return std::filesystem::path(model.file).filename().string();
+}
+
+/// What is done with one file.
+class FileRun {
+ public:
+  FileRun(const RunCall& call, session::Session& session, MpiRun* mpi)
+      : call_(call), session_(session), mpi_(mpi) {}
+
+  ExitCode carry_out(session::LoadedModel& model, Json& results) {
+    require_section(call_, model);
+    require_one_table(call_, model);
+    require_shares(call_, model);
+    const EndDelay delay(EndDelay::Signals::first);
+    render::require_converter(call_.pictures);
+    const std::string folder = folder_of(call_, model.file);
+    const auto owned = session::own_results(folder, model, call_.files);
+    if (call_.part) return KeptRun(model, folder, *call_.part).run_share(session_, call_.engine);
+    if (model.study) return study(model, folder, results);
+    const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
+    return fitted == ExitCode::done ? run(model, folder, results) : fitted;
+  }
+
+ private:
+  /// Finds the parameters of the section `fit`, prints them, and loads the model with them.
+  ExitCode fit(session::LoadedModel& model, const std::string& folder, Json& results) {
+    session::FitCall call = call_.fit;
+    call.engine = call_.engine;
+    const estimation::FitResult result = [&] {
+      const auto watch = watched("fit " + file_name(model));
+      return session_.fit(model, call);
+    }();
+    if (!folder.empty() && !result.records.empty()) session::write_fit(folder, model, result);
+    if (call_.models.json)
+      results.push(Json::object().set("fit", session::fit_json(model, result)));
+    else
+      put_report(report::fit_text(result), result.refused);
+    const ExitCode code = code_of(result);
+    if (code == ExitCode::done) model = session_.fitted(model, result);
+    return code;
+  }
+
+  ExitCode run(const session::LoadedModel& model, const std::string& folder, Json& results) {
+    // Better now than after an hour, in which data files may change.
+    if (!folder.empty()) replay::write_replay(folder, model.job);
+    const session::Outcome outcome = written_run(model, folder);
+    const std::optional<profile::Profile> profile = wanted_profile(model);
+    if (profile && !folder.empty()) write_profile(folder, model, *profile);
+    if (call_.models.json) {
+      Json result = session::run_json(model, outcome).set("claims", session::claims_json(model, outcome));
+      if (profile) result.set("profile", report::profile_json(*profile));
+      results.push(std::move(result));
+      return code_of(outcome);
+    }
+    if (call_.models.units) put_text(report::units_text(model.job.plan));
+    put_outcome(model, outcome);
+    if (profile) put_text(report::profile_text(model, *profile));
+    say_where(folder);
+    return code_of(outcome);
+  }
+
+  session::Outcome written_run(const session::LoadedModel& model, const std::string& folder) {
+    const auto partial = partial_signals(folder, model);
+    std::optional<KeptRun> kept;
+    if (!folder.empty() && !model.job.points.empty()) kept.emplace(model, folder);
+    session::Outcome outcome = [&] {
+      const auto watch = watched(file_name(model));
+      if (mpi_) return mpi_->serve(*kept, session_, call_.engine);
+      if (kept) return kept->run(session_, call_.engine);
+      if (partial) session_.monitor().observers = {partial.get()};
+      return session_.run(model, call_.engine);
+    }();
+    session_.monitor().observers.clear();
+    print_faults(outcome.result);
+    if (!folder.empty()) session::write_outputs(folder, model, outcome, call_.files, call_.pictures);
+    if (partial) partial->remove();
+    if (kept && !outcome.result.interrupted) kept->drop();
+    if (!call_.csv.empty()) put_csv(outcome);
+    return outcome;
+  }
+
+  /// What is left of a run that is killed; null where that has no place.
+  std::unique_ptr<session::PartialSignals> partial_signals(const std::string& folder,
+                                                           const session::LoadedModel& model) const {
+    const bool kept = std::ranges::find(call_.files, session::FileKind::h5) != call_.files.end();
+    if (folder.empty() || !kept || !model.job.points.empty()) return nullptr;
+    return std::make_unique<session::PartialSignals>(folder, model);
+  }
+
+  void put_csv(const session::Outcome& outcome) const {
+    const std::string text = session::signals_csv(outcome.result.recordings.front());
+    if (call_.csv == standard_output) return put_data(text);
+    io::write_file(call_.csv, text);
+  }
+
+  void say_where(const std::string& folder) const {
+    if (!folder.empty() && !call_.archive) say("  written to {}\n", folder);
+  }
+
+  /// A bar on the terminal for what the session does from now on, as long as it lives.
+  std::unique_ptr<Progress> watched(const std::string& label) {
+    auto progress = std::make_unique<Progress>(label);
+    session_.monitor() = terminal_monitor(progress.get());
+    return progress;
+  }
+
+  /// Measured behind the run, on a run of its own: what is recorded and judged is that of any other call.
+  std::optional<profile::Profile> wanted_profile(const session::LoadedModel& model) const {
+    if (!call_.profile || interrupted()) return std::nullopt;
+    return report::profile_of(model, &interrupted());
+  }
+
+  void write_profile(const std::string& folder, const session::LoadedModel& model,
+                     const profile::Profile& profile) const {
+    io::write_file(folder + "/profile.csv", report::profile_csv(profile));
+    render::write_figure(folder, "profile", report::profile_figure(model, profile), {}, call_.pictures);
+  }
+
+  /// Makes the study of the section `study`, in the place of a run.
+  ExitCode study(session::LoadedModel& model, const std::string& folder, Json& results) {
+    const auto experiments = [&] {
+      const auto watch = watched("study " + file_name(model));
+      return session_.study(model, {call_.engine, call_.study_threads, folder});
+    }();
+    const session::Outcome outcome = session::study_outcome(model, *experiments);
+    if (outcome.result.interrupted) {  // nothing is kept of half an experiment
+      if (!folder.empty() && model.study->experiments > 1)
+        say("the experiments that are done are kept in {}; the same call goes on\n", folder);
+      return ExitCode::interrupted;
+    }
+    if (!folder.empty()) {
+      session::write_outputs(folder, model, outcome, call_.files, call_.pictures);
+      session::write_study(folder, model, *experiments, outcome);
+    }
+    if (call_.models.json) {
+      Json result = session::run_json(model, outcome).set("claims", session::claims_json(model, outcome));
+      results.push(result.set("study", session::study_json(model, *experiments)));
+      return code_of(outcome);
+    }
+    put_text(report::study_text(model, *experiments));
+    put_outcome(model, outcome);
+    say_where(folder);
+    return code_of(outcome);
+  }
+
+  const RunCall& call_;
+  session::Session& session_;
+  MpiRun* const mpi_;
+};
+
+}  // namespace
+
+void put_outcome(const session::LoadedModel& model, const session::Outcome& outcome) {
+  if (console_style().quiet) return put_failure(report::failures_text(outcome, model.file));
+  put_text(report::outcome_text(model, outcome));
+}
+
+std::string folder_of(const RunCall& call, const std::string& file) {
+  if (call.out.empty() || (call.models.files.size() == 1 && !call.archive)) return call.out;
+  return (std::filesystem::path(call.out) / std::filesystem::path(file).stem()).string();
+}
+
+ExitCode run_file(const RunCall& call, session::Session& session, session::LoadedModel& model, Json& results,
+                  MpiRun* mpi) {
+  return FileRun(call, session, mpi).carry_out(model, results);
+}
+
+}  // namespace stepwire::cli

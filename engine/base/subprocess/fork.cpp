@@ -1,0 +1,71 @@
+#include "engine/base/subprocess/fork.hpp"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+namespace stepwire::subprocess {
+
+namespace {
+
+void close_all_but(std::vector<int> kept) {
+  std::ranges::sort(kept);
+  unsigned first = 3;
+  for (const int one : kept) {
+    const auto number = static_cast<unsigned>(one);
+    if (number > first) ::close_range(first, number - 1, 0);
+    first = std::max(first, number + 1);
+  }
+  ::close_range(first, ~0u, 0);
+}
+
+void leave_other_process(const std::vector<int>& kept) {
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGPIPE, SIGXFSZ})
+    std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGHUP, SIGQUIT}) std::signal(signal, SIG_IGN);
+  close_all_but(kept);
+}
+
+}  // namespace
+
+Fork::Fork(const std::function<void()>& work, std::vector<int> kept) : id_(::fork()) {
+  if (id_ != 0) return;
+  leave_other_process(kept);
+  work();
+  ::_exit(0);
+}
+
+Fork::~Fork() {
+  if (started()) end();
+}
+
+bool Fork::has_ended() {
+  if (!ended_) ended_ = ::waitpid(id_, &status_, WNOHANG) == id_;
+  return ended_;
+}
+
+void Fork::wait() {
+  while (!ended_) ended_ = ::waitpid(id_, &status_, 0) >= 0 || errno != EINTR;
+}
+
+void Fork::end() {
+  if (!ended_) ::kill(id_, SIGKILL);
+  wait();
+}
+
+int Fork::status() const {
+  return WIFEXITED(status_) ? WEXITSTATUS(status_) : 0;
+}
+
+std::string Fork::ending() const {
+  if (WIFSIGNALED(status_))
+    return fmt::format("was ended by signal {} ({})", WTERMSIG(status_), ::strsignal(WTERMSIG(status_)));
+  return fmt::format("has ended itself with status {}", status());
+}
+
+}  // namespace stepwire::subprocess

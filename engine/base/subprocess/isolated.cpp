@@ -1,0 +1,108 @@
+#include "engine/base/subprocess/isolated.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <fstream>
+#include <new>
+
+#include "engine/base/subprocess/fork.hpp"
+#include "engine/base/subprocess/process.hpp"
+
+namespace stepwire::subprocess {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int milliseconds_per_look = 20;
+constexpr int out_of_memory = 117, has_thrown = 118;  // statuses that mean this
+
+/// Pages that this process has addresses for, in bytes; 0 where the system does not say.
+rlim_t addressed_bytes() {
+  rlim_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void bound(int resource, rlim_t most) {
+  rlimit now{};
+  if (::getrlimit(resource, &now) != 0) return;
+  now.rlim_cur = std::min(most, now.rlim_max);
+  ::setrlimit(resource, &now);
+}
+
+void close_streams() {
+  const int nothing = ::open("/dev/null", O_RDWR);
+  for (int stream = 0; stream < 3; ++stream) ::dup2(nothing, stream);
+  if (nothing > 2) ::close(nothing);
+}
+
+/// In the process of its own.
+void work(const std::function<void(int)>& function, int output, std::size_t memory, pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) return;
+  close_streams();
+  bound(RLIMIT_CORE, 0);
+  bound(RLIMIT_FSIZE, memory);
+  if (const rlim_t now = addressed_bytes(); now > 0) bound(RLIMIT_AS, now + memory);
+  try {
+    function(output);
+  } catch (const std::bad_alloc&) {
+    ::_exit(out_of_memory);
+  } catch (...) {
+    ::_exit(has_thrown);
+  }
+}
+
+/// Two ends of a pipe: the second one is held by the other process, whose end closes it.
+std::array<io::Descriptor, 2> sign_of_life() {
+  std::array<int, 2> ends{-1, -1};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw IsolationError("gets no pipe from the system");
+  return {io::Descriptor(ends[0]), io::Descriptor(ends[1])};
+}
+
+void await_end(int sign, std::chrono::milliseconds limit) {
+  const Clock::time_point end = Clock::now() + limit;
+  pollfd wait{sign, 0, 0};
+  while (::poll(&wait, 1, milliseconds_per_look) <= 0 || (wait.revents & POLLHUP) == 0) {
+    if (processes_stop()) throw ProcessStopped("reading was stopped");
+    if (Clock::now() > end)
+      throw IsolationError(
+          "does not come to an end and was ended; STEPWIRE_HELPER_LIMIT allows more seconds");
+  }
+}
+
+void require_success(const Fork& fork, std::size_t memory) {
+  if (fork.status() == out_of_memory)
+    throw IsolationError(fmt::format("takes more than {} MB of memory", memory >> 20));
+  if (!fork.succeeded()) throw IsolationError(fork.ending());
+}
+
+}  // namespace
+
+io::Descriptor call_isolated(const std::function<void(int output)>& function, const IsolationBounds& bounds) {
+  io::Descriptor output(::memfd_create("stepwire", MFD_CLOEXEC));
+  if (!output.open()) throw IsolationError("gets no memory from the system");
+  auto [here, there] = sign_of_life();
+  const pid_t parent = ::getpid();
+  Fork fork([&] { work(function, output.number(), bounds.memory, parent); },
+            {output.number(), there.number()});
+  if (!fork.started()) throw IsolationError("gets no process from the system");
+  there.close();
+  await_end(here.number(), bounds.limit);
+  fork.wait();
+  require_success(fork, bounds.memory);
+  ::lseek(output.number(), 0, SEEK_SET);
+  return output;
+}
+
+}  // namespace stepwire::subprocess
