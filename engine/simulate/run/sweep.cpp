@@ -6,6 +6,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/record/recorder.hpp"
+#include "engine/simulate/run/kept_rows.hpp"
 #include "engine/simulate/run/memory.hpp"
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/simulate/run/run.hpp"
@@ -14,14 +15,6 @@
 namespace stepwire::run {
 
 namespace {
-
-std::size_t point_count(const diagram::Sweep& sweep) {
-  if (sweep.axes.empty()) return 0;
-  if (sweep.together) return sweep.axes.front().values.size();
-  std::size_t count = 1;
-  for (const diagram::Sweep::Axis& axis : sweep.axes) count *= axis.values.size();
-  return count;
-}
 
 /// " (in the run with speed=3)".
 std::string which_run(const std::vector<diagram::Setting>& settings) {
@@ -80,15 +73,19 @@ class SweepRun {
       : job_(job),
         options_(options),
         swept_(job),
-        recording_(job, swept_, options.threads),
         ends_(job),
         idle_(*job.family),
-        changeover_(options.engine, options.code, members_of(job), ticks_of(job)) {}
+        changeover_(options.engine, options.code, members_of(job), ticks_of(job)) {
+    if (options.numbers || job.plan.diagram.sweep->keep == diagram::Sweep::Keep::final)
+      kept_.emplace(job, swept_, options.numbers);
+    else
+      recording_.emplace(job, swept_, options.threads);
+  }
 
   RunResult run() {
     parallel::in_parallel(job_.points.size(), options_.threads,
                           [this](std::size_t point) { run_point(point); });
-    return {ends_.take(), recording_.take()};
+    return {ends_.take(), kept_ ? kept_->recordings() : recording_->take()};
   }
 
  private:
@@ -115,21 +112,42 @@ class SweepRun {
     const std::size_t member = job_.points[point].member;
     auto run = idle_.take(member);
     job_.family->begin(member, job_.settings_of(point), *run);
-    std::vector<record::Recorder> recorders = recording_.recorders(point);
-    RunOptions own;
-    own.interrupt = options_.interrupt;
-    own.observers = options_.observers;
-    ends_.add(point, run_simulation(*run, recorders, own, changeover_, member, point));
-    recording_.done(point, recorders);
+    if (kept_)
+      run_for_row(point, *run);
+    else
+      run_for_rows(point, *run);
     idle_.give_back(member, std::move(run));
     const double done = static_cast<double>(++done_);
     if (options_.progress) options_.progress(done / static_cast<double>(job_.points.size()));
   }
 
+  void run_for_rows(std::size_t point, Executor& run) {
+    std::vector<record::Recorder> recorders = recording_->recorders(point);
+    ends_.add(point, end_of(point, run, recorders));
+    recording_->done(point, recorders);
+  }
+
+  /// One row is kept of the run.
+  void run_for_row(std::size_t point, Executor& run) {
+    auto recorded = kept_->take(job_.points[point].member);
+    RunEnd end = end_of(point, run, recorded->recorders());
+    const bool whole = end.faults.empty(), finished = !end.interrupted;
+    ends_.add(point, std::move(end));
+    if (finished) kept_->done(point, whole, std::move(recorded));
+  }
+
+  RunEnd end_of(std::size_t point, Executor& run, std::vector<record::Recorder>& recorders) {
+    RunOptions own;
+    own.interrupt = options_.interrupt;
+    own.observers = options_.observers;
+    return run_simulation(run, recorders, own, changeover_, job_.points[point].member, point);
+  }
+
   const Job& job_;
   const RunOptions& options_;
   SweptColumns swept_;
-  PooledRecording recording_;
+  std::optional<PooledRecording> recording_;  ///< where all rows are kept
+  std::optional<KeptRows> kept_;              ///< where one row of each run is
   Ends ends_;
   IdleRuns idle_;
   TieredExecution changeover_;
@@ -141,9 +159,9 @@ void pin(diagram::Sweep& sweep, const std::vector<diagram::Setting>& settings) {
   for (diagram::Sweep::Axis& axis : sweep.axes)
     for (const diagram::Setting& setting : settings) {
       if (setting.name != axis.parameter) continue;
-      const std::size_t count = sweep.together ? axis.values.size() : 1;
-      axis.values.assign(count, setting.value);
-      axis.marks.assign(count, setting.mark);
+      const std::size_t count = sweep.together || axis.sampled ? axis.count() : 1;
+      axis.values =
+          diagram::SweptValues({setting.value}, {setting.mark}, std::vector<std::uint32_t>(count, 0));
     }
 }
 
@@ -188,11 +206,11 @@ std::vector<diagram::Setting> Job::settings_of(std::size_t point) const {
   if (trials) return points[point].own;
   std::vector<diagram::Setting> settings;
   const diagram::Diagram& diagram = plan.diagram;
-  const auto index = indices_of(*diagram.sweep, point);
+  const auto index = diagram.sweep->indices(point);
   for (std::size_t axis = 0; axis < diagram.sweep->axes.size(); ++axis) {
     const diagram::Sweep::Axis& swept = diagram.sweep->axes[axis];
     if (swept.label) continue;
-    settings.push_back({swept.parameter, swept.values[index[axis]], diagram.file, swept.marks[index[axis]]});
+    settings.push_back({swept.parameter, swept.text(index[axis]), diagram.file, swept.mark(index[axis])});
   }
   settings.insert(settings.end(), points[point].own.begin(), points[point].own.end());
   return settings;
@@ -210,7 +228,8 @@ Job make_job(diagram::Loader& loader, const std::string& path, const std::vector
   if (sweep) pin(*sweep, all);
   if (sweep && !sweep->axes.empty())
     job.family = std::make_shared<PlanFamily>(loader, path, std::move(all), job.plan);
-  for (std::size_t point = 0; sweep && point < point_count(*sweep); ++point) {
+  const auto count = sweep ? static_cast<std::size_t>(sweep->count()) : 0;
+  for (std::size_t point = 0; point < count; ++point) {
     job.points.push_back({0, point < of_points.size() ? of_points[point] : std::vector<diagram::Setting>{}});
     job.points.back().member = member_for(*job.family, job.settings_of(point));
   }
