@@ -7,7 +7,7 @@ namespace stepwire::run {
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_row = std::numeric_limits<double>::quiet_NaN();
 
 /// The recording of one run, in which each row has the swept parameters as well.
 record::Recording with_swept(const record::Recording& run, const SweptColumns& swept, std::size_t point) {
@@ -18,7 +18,7 @@ record::Recording with_swept(const record::Recording& run, const SweptColumns& s
 
 double last_time(const record::Recording& run) {
   const std::vector<double>& time = run.table.columns.front().values;
-  return time.empty() ? unknown : time.back();
+  return time.empty() ? no_row : time.back();
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ KeptRows::KeptRows(const Job& job, const SweptColumns& swept, const RunNumbers* 
     }
     columns.insert(columns.begin() + 1, swept.columns().begin(), swept.columns().end());
     kept.categories = swept.categories();
-    for (table::Column& column : columns) column.values.resize(job.points.size(), unknown);
+    for (table::Column& column : columns) column.values.resize(job.points.size(), no_row);
   }
 }
 
@@ -88,7 +88,7 @@ void KeptRows::keep_numbers(std::size_t point, bool whole, const std::vector<rec
   std::vector<record::Recording> all;
   for (const record::Recording& one : run) all.push_back(with_swept(one, swept_, point));
   const std::vector<double> numbers = numbers_->of(all);
-  columns.front().values[point] = run.empty() ? unknown : last_time(run.front());
+  columns.front().values[point] = run.empty() ? no_row : last_time(run.front());
   const std::size_t first = 1 + swept_.columns().size();
   for (std::size_t i = 0; i < numbers.size(); ++i) columns[first + i].values[point] = numbers[i];
 }
