@@ -15,6 +15,7 @@ struct Home {
 // The first that fits counts. Eigen, fmt and the standard library are at home everywhere.
 const std::vector<Home> homes{
     {"boost/math/", "engine/analyse/statistics"},
+    {"boost/random/", "engine/base/sampling"},
     {"boost/lockfree/", "engine/simulate/realtime"},
     {"boost/geometry", "blocks/haptics/region"},
     {"boost/polygon/", "engine/view/geometry"},

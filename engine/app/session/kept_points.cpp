@@ -124,7 +124,7 @@ LoadedModel load_kept(const Registry& registry, const std::string& folder) {
 }
 
 KeptPoints::KeptPoints(const LoadedModel& model, const std::string& folder, const Share& share)
-    : journal_((io::note_written(points_path(folder)), points_path(folder)), points_head(model), model.job,
+    : journal_((io::note_written(points_path(folder)), points_path(folder)), points_head(model), model.job, nullptr,
                journal::Journal::Use::write),
       first_(share.first(model.job.points.size())),
       end_(share.end(model.job.points.size())),
@@ -156,7 +156,7 @@ std::size_t KeptPoints::kept() const {
 
 Outcome joined_points(const LoadedModel& model, const std::vector<journal::Journal*>& journals,
                       std::vector<run::PointResult> halves) {
-  run::JoinedPoints joined(model.job);
+  run::JoinedPoints joined(model.job, nullptr);
   std::vector<bool> taken(model.job.points.size());
   for (journal::Journal* journal : journals)
     journal->each([&](run::PointResult result) {

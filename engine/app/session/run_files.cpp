@@ -25,13 +25,12 @@ Json sweep_json(const run::Job& job) {
   Json axes = Json::list();
   for (const diagram::Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
     Json values = Json::list();
-    const auto listed = run::has_words(axis) ? run::words_of(axis) : axis.values;
-    if (listed.size() <= max_listed)
-      for (const std::string& value : listed) values.push(unquoted(value));
-    axes.push(Json::object()
-                  .set("parameter", axis.parameter)
-                  .set("count", listed.size())
-                  .set("values", std::move(values)));
+    const auto words = run::has_words(axis) ? run::words_of(axis) : std::vector<std::string>{};
+    const std::size_t count = words.empty() ? axis.count() : words.size();
+    for (std::size_t i = 0; count <= max_listed && i < count; ++i)
+      values.push(unquoted(words.empty() ? axis.text(i) : words[i]));
+    axes.push(
+        Json::object().set("parameter", axis.parameter).set("count", count).set("values", std::move(values)));
   }
   return axes;
 }

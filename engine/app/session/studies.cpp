@@ -82,8 +82,8 @@ study::Experiments make_experiments(const Registry& registry, const LoadedModel&
 diagram::Sweep axes_of(const LoadedModel& model) {
   const study::StudyRequest& request = *model.study;
   diagram::Sweep sweep = model.job.plan.diagram.sweep.value_or(diagram::Sweep{});
-  sweep.axes.push_back({"subject", request.subject_names(), {}, {}});
-  sweep.axes.push_back({"condition", request.condition_names(), {}, {}});
+  sweep.axes.push_back({"subject", diagram::SweptValues(request.subject_names()), {}});
+  sweep.axes.push_back({"condition", diagram::SweptValues(request.condition_names()), {}});
   return sweep;
 }
 

@@ -11,6 +11,7 @@
 #include "engine/base/unit/unit.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/model/block/block_type.hpp"
+#include "engine/model/diagram/sweep.hpp"
 
 namespace stepwire::diagram {
 
@@ -19,12 +20,6 @@ struct Bindings;
 
 /// Units of ports, [block][port], where known.
 using PortUnits = std::vector<std::vector<std::optional<unit::Dimension>>>;
-
-/// A place in one of the files of a diagram: `scope` says in which file, and who uses it.
-struct Origin {
-  int scope = 0;
-  yaml::Mark mark;
-};
 
 /// A file as it is used at one place of a diagram: the diagram itself (scope 0), or a part inside of it.
 struct ScopeInfo {
@@ -168,24 +163,6 @@ struct DiagramParameter {
   bool assumed = false;
   bool set = false;  ///< not the file's own value
 };
-
-/// What a file asks to be varied: each point sets these parameters to one text each.
-struct Sweep {
-  struct Axis {
-    std::string parameter;
-    std::vector<std::string> values;
-    std::vector<yaml::Mark> marks;  ///< of each value
-    Origin origin;
-    bool label = false;  ///< a column of words about the points, which sets nothing
-  };
-  std::vector<Axis> axes;
-  bool together = false;
-};
-
-/// Labels of a sweep of one parameter at a time: which one differs from the file's value (at the first point
-/// none, and the word is `base`), and to what.
-inline constexpr const char *differs_label = "differs", *differs_to_label = "differs_to",
-                            *nothing_differs = "base";
 
 /// `stop_when`, with what its expression reads, in the order of its variables.
 struct StopCondition {

@@ -209,39 +209,4 @@ const yaml::Key& record_form() {
   return form;
 }
 
-const yaml::Key& range_form() {
-  static const yaml::Key form =
-      form::keys("a range", "{from: 1 N, to: 9 N, count: 5}",
-                 {yaml::needed(yaml::key("from", "the first value", form::number())),
-                  yaml::needed(yaml::key("to", "the last", form::number())),
-                  yaml::needed(yaml::key("count", "how many values, both ends included", form::whole(2)))});
-  return form;
-}
-
-const yaml::Key& sweep_form() {
-  static const yaml::Key form = [] {
-    const yaml::Key values = form::list(form::text(), 1);
-    const yaml::Key axis =
-        form::either({values,
-                      form::keys("an axis", "{values: [1, 2]}",
-                                 {yaml::needed(yaml::key("values", "in this order", values))}),
-                      range_form()});
-    yaml::Key sweep = form::keys(
-        "a sweep", "{ratio: [0.1, 0.2], drive: {from: 1 Hz, to: 2 Hz, count: 5}}",
-        {yaml::otherwise(
-             "false",
-             yaml::key("together", "true: the parameters are paired, else they make a grid", form::truth())),
-         yaml::key(
-             "one_at_a_time",
-             "parameters of which one at a time leaves the file's value: {mass: [1 kg, 3 kg]}; the columns "
-             "differs and differs_to say which and to what",
-             yaml::like("{mass: [1 kg, 3 kg], drive: [1 Hz, 2 Hz]}",
-                        form::naming(yaml::Key::Names::parameter, form::names(axis, 1))))});
-    sweep.rest = {yaml::key("NAME", "the values of a parameter, step or solver", axis)};
-    sweep.rest.front().names = yaml::Key::Names::parameter;
-    return sweep;
-  }();
-  return form;
-}
-
 }  // namespace stepwire::diagram

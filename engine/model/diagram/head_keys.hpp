@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/sampling/design.hpp"
 #include "engine/base/yaml/section.hpp"
 #include "engine/model/diagram/parameters.hpp"
 #include "engine/model/diagram/report.hpp"
@@ -37,7 +38,12 @@ const yaml::Key& input_form();
 const yaml::Key& output_form();
 const yaml::Key& record_form();
 const yaml::Key& sweep_form();
-/// A range of swept values.
+/// A range of swept values, and how one is spread that is drawn.
 const yaml::Key& range_form();
+const yaml::Key& distribution_form();
+/// What stays of each run, as a word.
+const yaml::Key& keep_word_form();
+/// Where drawn values lie.
+const yaml::KeyTable<sampling::Design, HeadReading>& design_table();
 
 }  // namespace stepwire::diagram

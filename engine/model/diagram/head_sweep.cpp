@@ -2,141 +2,45 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <utility>
 
 #include "engine/base/yaml/message.hpp"
 #include "engine/base/yaml/yaml_text.hpp"
 #include "engine/model/diagram/head.hpp"
+#include "engine/model/diagram/head_design.hpp"
 #include "engine/model/diagram/head_keys.hpp"
+#include "engine/model/diagram/head_range.hpp"
 #include "engine/model/diagram/own_value.hpp"
 
 namespace stepwire::diagram {
 
 namespace {
 
-constexpr std::size_t max_runs = 100'000;  // of a sweep; each is planned before the first one starts
-
 std::string setting_text(const yaml::Node& node) {
   if (!node.is_scalar()) return yaml::yaml_line(node);
   return node.quoted ? fmt::format("\"{}\"", node.text) : node.text;
 }
 
-/// Value i of a range of n + 1: multiplied first, so that whole ends give whole values in between, and the
-/// last is `to` itself.
-double value_of_range(double from, double to, double i, double n) {
-  if (i == n) return to;
-  const double rise = i * (to - from);
-  return std::isfinite(rise) ? from + rise / n : from * (1.0 - i / n) + to * (i / n);
+SweptValues listed(const yaml::Node& list) {
+  std::vector<std::string> texts;
+  std::vector<yaml::Mark> marks;
+  for (const yaml::Node& item : list.items) {
+    texts.push_back(setting_text(item));
+    marks.push_back(item.mark);
+  }
+  return SweptValues(std::move(texts), std::move(marks));
 }
-
-/// A number as it is written, and its unit: "5 mm" is {5, "mm"}.
-std::optional<std::pair<double, std::string>> number_and_unit(const yaml::Node& node) {
-  if (!node.is_scalar() || !unit::parse_quantity(node.text)) return std::nullopt;
-  const std::size_t sign = node.text.starts_with('+') ? 1 : 0;
-  double number = 0.0;
-  const char* const end = node.text.data() + node.text.size();
-  const char* rest = std::from_chars(node.text.data() + sign, end, number).ptr;
-  while (rest != end && *rest == ' ') ++rest;
-  return std::pair(number, std::string(rest, end));
-}
-
-/// Reads {from: .., to: .., count: ..}; gives no values where there is a fault.
-class RangeReading {
- public:
-  RangeReading(const yaml::Node& map, const std::string& name, const Scope& scope, Report& report)
-      : map_(map), subject_("sweep." + name), scope_(scope), report_(report) {}
-
-  std::vector<std::string> values() {
-    if (!has_form()) return {};
-    const auto from = number("from");
-    const auto to = from ? number("to") : std::nullopt;
-    const auto count = to ? number("count") : std::nullopt;
-    if (!count) return {};
-    if (const std::string complaint = unit_complaint(to->dimension, from->dimension); !complaint.empty())
-      return refuse(map_.find("to")->mark, fmt::format("'to' {}", complaint));
-    if (count->value < 2 || count->value != std::floor(count->value) || count->value > max_runs)
-      return refuse(map_.find("count")->mark,
-                    fmt::format("'count' must be a whole number from 2 to {}", max_runs));
-    const auto written_from = number_and_unit(*map_.find("from")),
-               written_to = number_and_unit(*map_.find("to"));
-    // 1 mm to 9 mm is whole in millimetres, not in metres.
-    if (written_from && written_to && written_from->second == written_to->second)
-      return texts(written_from->first, written_to->first, count->value, written_from->second);
-    const auto& dimension = from->dimension ? from->dimension : to->dimension;
-    return texts(from->value, to->value, count->value,
-                 dimension && *dimension != unit::Dimension{} ? unit::si_name(*dimension) : "");
-  }
-
- private:
-  struct Number {
-    double value;
-    std::optional<unit::Dimension> dimension;
-  };
-
-  std::vector<std::string> refuse(const yaml::Mark& mark, yaml::Message message) {
-    report_.add(scope_.at(mark), subject_, std::move(message));
-    return {};
-  }
-
-  bool has_form() {
-    const std::size_t before = report_.faults().size();
-    if (map_.is_map())
-      HeadReading(subject_, scope_, report_).check(map_, range_form());
-    else
-      refuse(map_.mark, "is written [.., ..] or {from: .., to: .., count: ..}");
-    return report_.faults().size() == before;
-  }
-
-  std::optional<Number> number(const char* key) {
-    const yaml::Node& node = *map_.find(key);
-    const auto written = ValueReader(scope_.parameters, report_, scope_.index).read(node, subject_);
-    if (!written) return std::nullopt;
-    if (const double* number = std::get_if<double>(&written->value.content))
-      return Number{*number, written->dimension};
-    refuse(node.mark, yaml::fault_text("'{}' is no number; words are swept as a list", written->text));
-    return std::nullopt;
-  }
-
-  static std::vector<std::string> texts(double from, double to, double count, const std::string& unit) {
-    std::vector<std::string> texts;
-    for (double i = 0; i < count; ++i)
-      texts.push_back(
-          fmt::format("{}{}{}", value_of_range(from, to, i, count - 1), unit.empty() ? "" : " ", unit));
-    return texts;
-  }
-
-  const yaml::Node& map_;
-  const std::string subject_;
-  const Scope& scope_;
-  Report& report_;
-};
 
 void read_axis(const yaml::Entry& entry, Sweep& sweep, const Scope& scope, Report& report) {
   const yaml::Node* list = entry.value.is_map() ? entry.value.find("values") : &entry.value;
-  Sweep::Axis axis{entry.key, {}, {}, scope.at(entry.mark)};
+  Sweep::Axis axis{entry.key, {}, scope.at(entry.mark)};
   if (list && list->is_list()) {
-    for (const yaml::Node& item : list->items) {
-      axis.values.push_back(setting_text(item));
-      axis.marks.push_back(item.mark);
-    }
+    axis.values = listed(*list);
     if (axis.values.empty()) report.add(scope.at(list->mark), "sweep." + entry.key, "has no values");
   } else {
-    axis.values = RangeReading(entry.value, entry.key, scope, report).values();
-    axis.marks.assign(axis.values.size(), entry.value.mark);
+    axis.values = read_range(entry.value, entry.key, scope, report);
   }
   sweep.axes.push_back(std::move(axis));
-}
-
-/// Runs of a grid, or of pairs; a double holds more of them than anybody could want.
-double run_count(const Sweep& sweep) {
-  double count = 1.0;
-  for (const Sweep::Axis& axis : sweep.axes) {
-    const auto values = static_cast<double>(axis.values.size());
-    count = sweep.together ? std::max(count, values) : count * values;
-  }
-  return count;
 }
 
 /// The file's own value of what is swept, as a point sets it; a fault where there is none.
@@ -157,32 +61,54 @@ std::string base_value(const Sweep::Axis& axis, Report& report) {
 }
 
 /// A column of words about the points of a sweep.
-Sweep::Axis label(const char* name, std::vector<std::string> words, const Origin& origin) {
-  Sweep::Axis axis{name, std::move(words), {}, origin, true};
-  axis.marks.assign(axis.values.size(), origin.mark);
-  return axis;
+Sweep::Axis label(const char* name, SweptValues words, const Origin& origin) {
+  return {name, std::move(words), origin, true};
+}
+
+/// Values of which the first `before` points have the base, the next one each, and the others the base.
+SweptValues apart(const Sweep::Axis& axis, const std::string& base, std::size_t before, std::size_t points) {
+  std::vector<std::string> texts{base};
+  std::vector<yaml::Mark> marks{axis.origin.mark};
+  std::vector<std::uint32_t> which(points, 0);
+  for (std::size_t i = 0; i < axis.count(); ++i) {
+    texts.push_back(axis.text(i));
+    marks.push_back(axis.mark(i));
+    which[before + i] = static_cast<std::uint32_t>(i + 1);
+  }
+  return SweptValues(std::move(texts), std::move(marks), std::move(which));
 }
 
 /// Pairs the values of the axes: at the first point all are the file's own, at each other one differs.
 void set_apart(Sweep& sweep, const Origin& origin, Report& report) {
-  std::vector<std::string> which{nothing_differs}, what{""};
-  for (const Sweep::Axis& axis : sweep.axes)
-    for (const std::string& value : axis.values) {
-      which.push_back(axis.parameter);
-      what.push_back(value);
-    }
+  std::vector<std::string> names{nothing_differs}, to{""};
+  std::vector<std::uint32_t> which{0};
+  for (const Sweep::Axis& axis : sweep.axes) {
+    for (std::size_t i = 0; i < axis.count(); ++i) to.push_back(axis.text(i));
+    which.insert(which.end(), axis.count(), static_cast<std::uint32_t>(names.size()));
+    names.push_back(axis.parameter);
+  }
+  std::size_t before = 1;
   for (Sweep::Axis& axis : sweep.axes) {
-    std::vector<std::string> values(which.size(), base_value(axis, report));
-    std::vector<yaml::Mark> marks(which.size(), axis.origin.mark);
-    const auto first = std::ranges::find(which, axis.parameter) - which.begin();
-    std::ranges::copy(axis.values, values.begin() + first);
-    std::ranges::copy(axis.marks, marks.begin() + first);
-    axis.values = std::move(values);
-    axis.marks = std::move(marks);
+    const std::size_t count = axis.count();
+    axis.values = apart(axis, base_value(axis, report), before, to.size());
+    before += count;
   }
   sweep.together = true;
-  sweep.axes.push_back(label(differs_label, std::move(which), origin));
-  sweep.axes.push_back(label(differs_to_label, std::move(what), origin));
+  const std::vector<yaml::Mark> marks(to.size(), origin.mark);
+  sweep.axes.push_back(
+      label(differs_label, SweptValues(std::move(names), {marks.front()}, std::move(which)), origin));
+  sweep.axes.push_back(label(differs_to_label, SweptValues(std::move(to), marks), origin));
+}
+
+/// A word, or reductions by name.
+void read_keep(const yaml::Node& section, Sweep& sweep, const Scope& scope, Report& report) {
+  const yaml::Node* keep = section.find("keep");
+  if (!keep) return;
+  const HeadReading read("sweep.keep", scope, report);
+  if (!keep->is_map()) return read.take(*keep, keep_word_form(), sweep.keep);
+  sweep.keep = Sweep::Keep::numbers;
+  sweep.kept = *keep;
+  if (keep->entries.empty()) read.fault(keep->mark, "names no number of a run: {peak: max(x)}");
 }
 
 void read_one_at_a_time(const yaml::Node& section, const yaml::Node& axes, const Scope& scope,
@@ -190,7 +116,7 @@ void read_one_at_a_time(const yaml::Node& section, const yaml::Node& axes, const
   const auto refuse = [&](const yaml::Mark& mark, const char* message) {
     report.add(scope.at(mark), "sweep.one_at_a_time", message);
   };
-  if (section.entries.size() > 1)
+  if (section.entries.size() > (section.find("keep") ? 2 : 1))
     return refuse(axes.mark, "stands alone in its sweep; all that is varied is named in it");
   if (!axes.is_map() || axes.entries.empty())
     return refuse(axes.mark, "is a map of parameters and their values: {mass: [1 kg, 3 kg]}");
@@ -201,9 +127,45 @@ void read_one_at_a_time(const yaml::Node& section, const yaml::Node& axes, const
       refuse(entry.mark, "'base' is the word for the point at which no parameter differs; rename it");
     read_axis(entry, sweep, scope, report);
   }
+  read_keep(section, sweep, scope, report);
   if (report.faults().size() == before) set_apart(sweep, scope.at(axes.mark), report);
-  if (run_count(sweep) > max_runs) return refuse(axes.mark, "makes more than 100000 runs");
+  if (sweep.count() > max_runs)
+    return refuse(axes.mark,
+                  fmt::format("makes {} runs; at most {} are made", sweep.count(), max_runs).c_str());
   report.diagram().sweep = std::move(sweep);
+}
+
+bool is_axis(const yaml::Entry& entry) {
+  return !sweep_form().find(entry.key);
+}
+
+/// A map that is no list of values and no range.
+bool is_drawn(const yaml::Node& node) {
+  const auto has = [&](const yaml::Key& key) { return node.find(key.name) != nullptr; };
+  return node.is_map() && !node.find("values") && std::ranges::none_of(range_form().of, has);
+}
+
+/// Reads and draws the values of all axes. Says whether their runs are not too many.
+bool read_axes(const yaml::Node& section, Sweep& sweep, const Scope& scope, Report& report) {
+  const std::size_t before = report.faults().size();
+  const auto refuse = [&] {
+    report.add(scope.at(section.mark), "sweep",
+               fmt::format("makes {} runs or more; at most {} are made", sweep.count(), max_runs));
+    return false;
+  };
+  std::vector<DrawnAxis> drawn;
+  for (const yaml::Entry& entry : section.entries) {
+    if (!is_axis(entry)) continue;
+    if (is_drawn(entry.value)) {
+      if (auto spread = read_distribution(entry.value, entry.key, scope, report))
+        drawn.push_back({sweep.axes.size(), std::move(*spread)});
+      sweep.axes.push_back({entry.key, {}, scope.at(entry.mark), false, true});
+    } else {
+      read_axis(entry, sweep, scope, report);
+    }
+  }
+  if (report.faults().size() == before) draw_axes(section, drawn, scope, sweep, report);
+  return sweep.count() <= static_cast<double>(max_runs) || refuse();
 }
 
 }  // namespace
@@ -219,19 +181,13 @@ void read_sweep(const Scope& scope, Report& report) {
   Sweep sweep;
   if (const yaml::Node* together = node->find("together"))
     HeadReading("sweep.together", scope, report).take(*together, yaml::form::truth(), sweep.together);
-  for (const yaml::Entry& entry : node->entries) {
-    if (entry.key != "together") read_axis(entry, sweep, scope, report);
-    if (run_count(sweep) > max_runs)
-      return report.add(
-          scope.at(node->mark), "sweep",
-          fmt::format("makes {} runs or more; at most {} are made", run_count(sweep), max_runs));
-  }
+  read_keep(*node, sweep, scope, report);
+  if (!read_axes(*node, sweep, scope, report)) return;
   for (const Sweep::Axis& axis : sweep.axes)
-    if (sweep.together && axis.values.size() != sweep.axes.front().values.size())
-      report.add(
-          axis.origin, "sweep." + axis.parameter,
-          fmt::format("has {} values, '{}' has {}; with 'together: true' they are paired", axis.values.size(),
-                      sweep.axes.front().parameter, sweep.axes.front().values.size()));
+    if (sweep.together && axis.count() != sweep.axes.front().count())
+      report.add(axis.origin, "sweep." + axis.parameter,
+                 fmt::format("has {} values, '{}' has {}; with 'together: true' they are paired",
+                             axis.count(), sweep.axes.front().parameter, sweep.axes.front().count()));
   report.diagram().sweep = std::move(sweep);
 }
 

@@ -43,7 +43,8 @@ bool is_drawn_or_claimed(const yaml::Node& root, const std::string& name) {
     if (const yaml::Node* node = root.find(key); node && mentions(*node, name)) return true;
   const yaml::Node* sweep = root.find("sweep");
   const yaml::Node* one = sweep ? sweep->find("one_at_a_time") : nullptr;
-  return sweep && (sweep->find(name) || (one && one->find(name)));
+  const yaml::Node* keep = sweep ? sweep->find("keep") : nullptr;
+  return sweep && (sweep->find(name) || (one && one->find(name)) || (keep && mentions(*keep, name)));
 }
 
 void refuse_unused(const Scope& scope, std::set<const yaml::Document*>& seen, Report& report) {

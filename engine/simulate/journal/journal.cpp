@@ -86,8 +86,9 @@ std::optional<std::string> Journal::head_of(const std::string& path) {
   return std::string(line.substr(mark.size(), line.size() - mark.size() - 1));
 }
 
-Journal::Journal(std::string path, const std::string& head, const run::Job& job, Use use)
-    : path_(std::move(path)), job_(job), places_(job.points.size(), missing) {
+Journal::Journal(std::string path, const std::string& head, const run::Job& job,
+                 const run::RunNumbers* numbers, Use use)
+    : path_(std::move(path)), job_(job), numbers_(numbers), places_(job.points.size(), missing) {
   const int how = use == Use::read ? O_RDONLY : O_RDWR | O_CREAT;
   file_ = io::Descriptor(::open(path_.c_str(), how | O_CLOEXEC | O_NOFOLLOW, 0666));
   if (!file_.open()) io::refuse_file(path_, errno);
@@ -160,7 +161,7 @@ void Journal::write_waiting() {
 
 run::PointResult Journal::point(std::string_view file, std::size_t point) const {
   const auto bytes = record_at(file, places_[point]);
-  auto result = bytes ? point_of(*bytes, job_) : std::nullopt;
+  auto result = bytes ? point_of(*bytes, job_, numbers_) : std::nullopt;
   if (!result || result->point != point)
     throw io::EnvironmentError(fmt::format(
         "{}: the record of point {} is not one of this diagram; remove the file, and run its points again",

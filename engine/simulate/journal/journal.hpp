@@ -25,9 +25,11 @@ class Journal {
   static std::optional<std::string> head_of(const std::string& path);
 
   enum class Use { read, write };
-  /// Opens a journal of a job, to write also makes it; `head` is one line, and what is there with another one
-  /// is replaced. The job must outlive it. Throws EnvironmentError.
-  Journal(std::string path, const std::string& head, const run::Job& job, Use use);
+  /// Opens a journal of a job whose sweep keeps these numbers (null: rows), to write also makes it; `head` is
+  /// one line, and what is there with another one is replaced. Job and numbers must outlive it. Throws
+  /// EnvironmentError.
+  Journal(std::string path, const std::string& head, const run::Job& job, const run::RunNumbers* numbers,
+          Use use);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -54,6 +56,7 @@ class Journal {
 
   const std::string path_;
   const run::Job& job_;
+  const run::RunNumbers* numbers_;
   io::Descriptor file_;
   std::mutex mutex_;
   std::string waiting_;    ///< records that are not in the file yet

@@ -128,6 +128,17 @@ void run_end(Stream& stream, End& end) {
   if constexpr (std::is_same_v<Stream, Reader>) end.stopped = stopped != 0;
 }
 
+/// Has the result as many rows as its run can leave?
+bool fits(const run::PointResult& result, const run::Job& job, const run::RunNumbers* numbers) {
+  const plan::Plan& plan = job.plan_of(result.point);
+  const bool one_row = run::keeps_a_row(job, numbers);
+  for (std::size_t r = 0; r < result.recordings.size(); ++r) {
+    const std::size_t rows = result.recordings[r].table.rows();
+    if (one_row ? rows != 1 : rows > record::max_rows(plan, plan.diagram.records[r])) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string bytes_of(const run::PointResult& result) {
@@ -141,7 +152,8 @@ std::string bytes_of(const run::PointResult& result) {
   return writer.take();
 }
 
-std::optional<run::PointResult> point_of(std::string_view bytes, const run::Job& job) {
+std::optional<run::PointResult> point_of(std::string_view bytes, const run::Job& job,
+                                         const run::RunNumbers* numbers) {
   Reader reader(bytes);
   run::PointResult result;
   std::uint64_t point = 0;
@@ -149,16 +161,13 @@ std::optional<run::PointResult> point_of(std::string_view bytes, const run::Job&
   if (!reader.whole() || point >= job.points.size()) return std::nullopt;
   result.point = point;
   run_end(reader, result.end);
-  const plan::Plan& plan = job.plan_of(result.point);
-  for (const diagram::RecordRequest& request : plan.diagram.records) {
-    record::Recording& recording = result.recordings.emplace_back();
-    recording.table.columns = record::empty_columns(plan, request);
+  result.recordings = run::empty_recordings(job.plan_of(result.point), numbers);
+  for (record::Recording& recording : result.recordings) {
     std::uint64_t rows = 0;
     reader.get(rows);
-    if (rows > record::max_rows(plan, request)) return std::nullopt;
     for (table::Column& column : recording.table.columns) reader.get(column.values, rows);
   }
-  if (!reader.whole() || !reader.at_end()) return std::nullopt;
+  if (!reader.whole() || !reader.at_end() || !fits(result, job, numbers)) return std::nullopt;
   return result;
 }
 

@@ -42,17 +42,33 @@ Recorder::Recorder(const plan::Plan& plan, const diagram::RecordRequest& request
   for (const RecordedColumn& column : recorded_columns(plan, request)) offsets_.push_back(column.offset);
 }
 
-RunRecording::RunRecording(const plan::Plan& plan) {
+RunRecording::RunRecording(const plan::Plan& plan, bool last_only) {
   for (const diagram::RecordRequest& request : plan.diagram.records) {
+    rows_.push_back(last_only ? 1 : max_rows(plan, request));
     Recording recording;
     recording.table.columns = empty_columns(plan, request);
     std::vector<double*> columns;
     for (table::Column& column : recording.table.columns) {
-      column.values.resize(max_rows(plan, request));
+      column.values.resize(rows_.back());
       columns.push_back(column.values.data());
     }
     recordings_.push_back(std::move(recording));
     recorders_.emplace_back(plan, request, std::move(columns));
+    if (last_only) recorders_.back().keep_last_only();
+  }
+}
+
+const std::vector<Recording>& RunRecording::finished() {
+  for (std::size_t i = 0; i < recordings_.size(); ++i)
+    for (table::Column& column : recordings_[i].table.columns) column.values.resize(recorders_[i].rows());
+  return recordings_;
+}
+
+// Columns keep what they have room for, and stay where they are.
+void RunRecording::restart() {
+  for (std::size_t i = 0; i < recordings_.size(); ++i) {
+    for (table::Column& column : recordings_[i].table.columns) column.values.resize(rows_[i]);
+    recorders_[i].go_back_to(0);
   }
 }
 

@@ -40,34 +40,50 @@ class Recorder {
     ++filled_;
   }
 
+  /// Keeps the last row of the run alone, from now on.
+  void keep_last_only() {
+    last_only_ = true;
+    next_tick_ = -1;
+  }
   /// Period [ticks].
   std::int64_t every() const { return every_; }
   /// Rows so far.
   std::size_t rows() const { return filled_; }
   /// Goes back to just before a tick that was reached: what is recorded from there on replaces what was kept.
   void go_back_to(std::int64_t tick) {
+    if (last_only_) {
+      filled_ = 0;
+      return keep_last_only();
+    }
     filled_ = static_cast<std::size_t>((tick + every_ - 1) / every_);
     next_tick_ = static_cast<std::int64_t>(filled_) * every_;
   }
 
  private:
+  bool last_only_ = false;
   std::int64_t every_, next_tick_ = 0;
   std::size_t filled_ = 0;
   std::vector<std::size_t> offsets_;  ///< in the workspace, the time first
   std::vector<double*> columns_;
 };
 
-/// The recordings of one run, with their recorders.
+/// The recordings of one run, or of several ones after each other, with their recorders.
 class RunRecording {
  public:
-  explicit RunRecording(const plan::Plan& plan);
+  /// Of all rows, or of the last one alone.
+  explicit RunRecording(const plan::Plan& plan, bool last_only = false);
 
   std::vector<Recorder>& recorders() { return recorders_; }
   const std::vector<Recorder>& recorders() const { return recorders_; }
   /// What was recorded, one for each request.
   std::vector<Recording> take();
+  /// The same, to be looked at until the next run restarts it.
+  const std::vector<Recording>& finished();
+  /// Makes room for another run of a plan with the same recordings.
+  void restart();
 
  private:
+  std::vector<std::size_t> rows_;  ///< for which there is room
   std::vector<Recording> recordings_;
   std::vector<Recorder> recorders_;
 };

@@ -55,10 +55,10 @@ struct Extent {
   double rows = 0.0, numbers = 0.0;
 };
 
-/// What one entry of `record` keeps of one run.
-Extent extent_of(const plan::Plan& plan, const diagram::RecordRequest& request) {
+/// What one entry of `record` keeps of one run; of a sweep that may be a row.
+Extent extent_of(const plan::Plan& plan, const diagram::RecordRequest& request, bool one_row) {
   const double ticks = request.every ? *request.every / plan.diagram.step : 1.0;
-  const double rows = static_cast<double>(plan.steps) / ticks + 1.0;
+  const double rows = one_row ? 1.0 : static_cast<double>(plan.steps) / ticks + 1.0;
   double columns = 1.0;
   for (const diagram::RecordedSignal& signal : request.signals)
     columns += static_cast<double>(plan.slot(signal.signal).size);
@@ -69,10 +69,12 @@ Extent extent_of(const plan::Plan& plan, const diagram::RecordRequest& request) 
 
 void require_memory(const Job& job) {
   const diagram::Diagram& diagram = job.plan.diagram;
+  const bool one_row = !job.points.empty() && !job.trials && diagram.sweep &&
+                       diagram.sweep->keep != diagram::Sweep::Keep::rows;
   for (std::size_t r = 0; r < diagram.records.size(); ++r) {
     Extent all;
     const auto add = [&](const plan::Plan& plan) {
-      const Extent one = extent_of(plan, plan.diagram.records[r]);
+      const Extent one = extent_of(plan, plan.diagram.records[r], one_row);
       all.rows += one.rows;
       all.numbers += one.numbers;
     };

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/simulate/run/kept_rows.hpp"
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/simulate/run/run.hpp"
 #include "engine/simulate/run/sweep_ends.hpp"
@@ -13,7 +14,7 @@ namespace stepwire::run {
 struct PointResult {
   std::size_t point = 0;
   RunEnd end{};
-  std::vector<record::Recording> recordings{};  ///< as of a run alone, without columns of what is swept
+  std::vector<record::Recording> recordings{};  ///< what is kept of it, without columns of what is swept
 };
 
 /// Where points of a sweep come from and their results go, each once: several calls, or machines, may share
@@ -23,8 +24,8 @@ class PointExchange {
   virtual ~PointExchange() = default;
   /// A point that is to be run; nothing once there is none any more. From any thread.
   virtual std::optional<std::size_t> next() = 0;
-  /// What a point gave that next() has named; where its run was interrupted, what it gave until then. From any
-  /// thread.
+  /// What a point gave that next() has named; where its run was interrupted, what it gave until then. From
+  /// any thread.
   virtual void take(PointResult result) = 0;
   /// How much of its points is done, 0 to 1, for people. From any thread.
   virtual double done() const = 0;
@@ -37,14 +38,15 @@ void run_points(const Job& job, const RunOptions& options, PointExchange& exchan
 /// rows.
 class JoinedPoints {
  public:
-  /// The job must outlive it.
-  explicit JoinedPoints(const Job& job, unsigned threads = 0);
+  /// `numbers` are kept of each run in place of its rows, or null. Both must outlive it.
+  JoinedPoints(const Job& job, const RunNumbers* numbers);
   void add(PointResult result);
   RunResult take();
 
  private:
   SweptColumns swept_;
-  PooledRecording recording_;
+  std::optional<PooledRecording> recording_;  ///< where all rows are kept
+  std::optional<KeptRows> kept_;              ///< where one row of each run is
   SweepEnds ends_;
 };
 

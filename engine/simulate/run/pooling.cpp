@@ -1,4 +1,3 @@
-// More than 300 lines with its header: all that joins runs to one table, column by column.
 #include "engine/simulate/run/pooling.hpp"
 
 #include <fmt/format.h>
@@ -41,25 +40,24 @@ bool is_formula(const std::string& text) {
   return text.starts_with('=') || text.starts_with('$');
 }
 
-/// The first unit that stands at a value; a block's own value may have been left to its default.
-std::optional<unit::Dimension> written_dimension(const diagram::Sweep::Axis& axis) {
-  for (const std::string& value : axis.values)
-    if (const auto quantity = unit::parse_quantity(value); quantity && quantity->dimension)
-      return quantity->dimension;
-  return std::nullopt;
+/// Where each text stands among the categories.
+std::vector<double> indices_of(const std::vector<std::string>& texts,
+                               const std::vector<std::string>& categories) {
+  std::vector<double> indices;
+  for (const std::string& text : texts)
+    indices.push_back(static_cast<double>(std::ranges::find(categories, text) - categories.begin()));
+  return indices;
+}
+
+/// The numbers of texts; nothing where one of them is a formula.
+std::vector<double> numbers_of(const std::vector<std::string>& texts) {
+  if (std::ranges::any_of(texts, is_formula)) return {};
+  std::vector<double> numbers;
+  for (const std::string& text : texts) numbers.push_back(unit::parse_quantity(text)->value);
+  return numbers;
 }
 
 }  // namespace
-
-std::vector<std::size_t> indices_of(const diagram::Sweep& sweep, std::size_t point) {
-  std::vector<std::size_t> result(sweep.axes.size(), point);
-  if (sweep.together) return result;
-  for (std::size_t axis = sweep.axes.size(); axis-- > 0;) {
-    result[axis] = point % sweep.axes[axis].values.size();
-    point /= sweep.axes[axis].values.size();
-  }
-  return result;
-}
 
 std::string settings_text(const std::vector<diagram::Setting>& settings) {
   std::string text;
@@ -70,14 +68,14 @@ std::string settings_text(const std::vector<diagram::Setting>& settings) {
 
 bool has_words(const diagram::Sweep::Axis& axis) {
   if (axis.label) return true;
-  return std::ranges::none_of(axis.values, is_formula) &&
-         std::ranges::any_of(axis.values,
-                             [](const std::string& value) { return !unit::parse_quantity(value); });
+  const std::vector<std::string>& texts = axis.values.texts();
+  return std::ranges::none_of(texts, is_formula) &&
+         std::ranges::any_of(texts, [](const std::string& text) { return !unit::parse_quantity(text); });
 }
 
 std::vector<std::string> words_of(const diagram::Sweep::Axis& axis) {
   std::vector<std::string> categories;
-  for (const std::string& word : axis.values)
+  for (const std::string& word : axis.values.texts())
     if (std::ranges::find(categories, word) == categories.end()) categories.push_back(word);
   return categories;
 }
@@ -85,30 +83,19 @@ std::vector<std::string> words_of(const diagram::Sweep::Axis& axis) {
 SweptColumns::SweptColumns(const Job& job) : job_(job) {
   if (job.points.empty()) return;
   const diagram::Diagram& diagram = job.plan.diagram;
-  for (std::size_t a = 0; a < diagram.sweep->axes.size(); ++a) {
-    const diagram::Sweep::Axis& axis = diagram.sweep->axes[a];
-    numbers_.push_back(numbers_of(a));
+  for (const diagram::Sweep::Axis& axis : diagram.sweep->axes) {
     const diagram::DiagramParameter* parameter = parameter_of(diagram, axis.parameter);
-    const auto dimension = parameter && parameter->dimension ? parameter->dimension : written_dimension(axis);
+    // A block's own value may have been left to its default.
+    const auto dimension = parameter && parameter->dimension ? parameter->dimension : axis.values.dimension();
     const bool is_words = has_words(axis);
     columns_.push_back({axis.parameter, dimension && !is_words ? unit::si_name(*dimension) : "", {}});
-    if (!is_words) continue;
-    categories_.push_back({axis.parameter, words_of(axis)});
-    const auto& categories = categories_.back().texts;
-    numbers_.back().clear();
-    for (const std::string& word : axis.values)
-      numbers_.back().push_back(
-          static_cast<double>(std::ranges::find(categories, word) - categories.begin()));
+    if (is_words) {
+      categories_.push_back({axis.parameter, words_of(axis)});
+      numbers_.push_back(indices_of(axis.values.texts(), categories_.back().texts));
+    } else {
+      numbers_.push_back(numbers_of(axis.values.texts()));
+    }
   }
-}
-
-/// The numbers of an axis' values; nothing where they are words or one of them is a formula.
-std::vector<double> SweptColumns::numbers_of(std::size_t axis) const {
-  const diagram::Sweep::Axis& of = job_.plan.diagram.sweep->axes[axis];
-  if (has_words(of) || std::ranges::any_of(of.values, is_formula)) return {};
-  std::vector<double> numbers;
-  for (const std::string& value : of.values) numbers.push_back(unit::parse_quantity(value)->value);
-  return numbers;
 }
 
 /// The number that a formula gives at a point.
@@ -127,9 +114,14 @@ double SweptColumns::evaluated(std::size_t axis, std::size_t point) const {
 std::vector<double> SweptColumns::numbers(std::size_t point) const {
   std::vector<double> numbers;
   if (columns_.empty()) return numbers;
-  const auto index = indices_of(*job_.plan.diagram.sweep, point);
-  for (std::size_t axis = 0; axis < columns_.size(); ++axis)
-    numbers.push_back(numbers_[axis].empty() ? evaluated(axis, point) : numbers_[axis][index[axis]]);
+  const diagram::Sweep& sweep = *job_.plan.diagram.sweep;
+  const auto index = sweep.indices(point);
+  for (std::size_t axis = 0; axis < columns_.size(); ++axis) {
+    const diagram::SweptValues& values = sweep.axes[axis].values;
+    numbers.push_back(values.are_numbers()     ? values.number(index[axis])
+                      : numbers_[axis].empty() ? evaluated(axis, point)
+                                               : numbers_[axis][values.which(index[axis])]);
+  }
   return numbers;
 }
 

@@ -7,9 +7,6 @@
 
 namespace stepwire::run {
 
-/// Which value each axis takes at a point: the last axis runs fastest.
-std::vector<std::size_t> indices_of(const diagram::Sweep& sweep, std::size_t point);
-
 /// Are the values of an axis words, which stand in its column as numbers? Else they are numbers or formulas.
 bool has_words(const diagram::Sweep::Axis& axis);
 /// The words of an axis in their order, each once: its column has their indices.
@@ -37,13 +34,13 @@ class SweptColumns {
   void add(record::Recording& recording, std::size_t point) const;
 
  private:
-  std::vector<double> numbers_of(std::size_t axis) const;
   double evaluated(std::size_t axis, std::size_t point) const;
 
   const Job& job_;
   std::vector<table::Column> columns_;
   std::vector<record::Categories> categories_;
-  std::vector<std::vector<double>> numbers_;  ///< [axis][value]; empty where they hang on the point
+  std::vector<std::vector<double>>
+      numbers_;  ///< [axis][text]; empty where they hang on the point, and where the axis has numbers itself
 };
 
 /// Puts the runs of a recording behind those of another one, which has the same columns or none yet.

@@ -12,6 +12,7 @@
 #include "engine/simulate/run/loop_cost.hpp"
 #include "engine/simulate/run/observer.hpp"
 #include "engine/simulate/run/plan_family.hpp"
+#include "engine/simulate/run/run_numbers.hpp"
 #include "engine/simulate/run/tiered_execution.hpp"
 
 namespace stepwire::run {
@@ -25,6 +26,7 @@ struct RunOptions {
   ExecutionMode engine = ExecutionMode::interpreted;
   plan::CodeSource* code = nullptr;     ///< for any other engine
   std::vector<RunObserver*> observers;  ///< of every run; must outlive the call
+  const RunNumbers* numbers = nullptr;  ///< what is kept of each run of a sweep in place of its rows
 };
 
 /// How a run ended, beside what it recorded.

@@ -5,6 +5,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/record/recorder.hpp"
+#include "engine/simulate/run/kept_rows.hpp"
 #include "engine/simulate/run/memory.hpp"
 #include "engine/simulate/run/point_exchange.hpp"
 #include "engine/simulate/run/sweep_ends.hpp"
@@ -13,14 +14,6 @@
 namespace stepwire::run {
 
 namespace {
-
-std::size_t point_count(const diagram::Sweep& sweep) {
-  if (sweep.axes.empty()) return 0;
-  if (sweep.together) return sweep.axes.front().values.size();
-  std::size_t count = 1;
-  for (const diagram::Sweep::Axis& axis : sweep.axes) count *= axis.values.size();
-  return count;
-}
 
 /// Runs points of a job, and shares between them what they can share.
 class PointRuns {
@@ -71,18 +64,21 @@ class PointRuns {
   std::atomic<std::size_t> done_ = 0;
 };
 
-/// All points, into one recording.
+/// Nothing is kept of what has not begun.
+RunEnd not_begun() {
+  RunEnd end;
+  end.interrupted = true;
+  return end;
+}
+
+/// All points, into one recording, where each writes its rows at once.
 RunResult run_all(const Job& job, const RunOptions& options) {
   const SweptColumns swept(job);
   PooledRecording recording(job, swept, options.threads);
   SweepEnds ends(job);
   PointRuns runs(job, options);
   parallel::in_parallel(job.points.size(), options.threads, [&](std::size_t point) {
-    if (runs.interrupted()) {  // nothing is kept of what has not begun
-      RunEnd end;
-      end.interrupted = true;
-      return ends.add(point, std::move(end));
-    }
+    if (runs.interrupted()) return ends.add(point, not_begun());
     std::vector<record::Recorder> recorders = recording.recorders(point);
     ends.add(point, runs.run(point, recorders));
     recording.done(point, recorders);
@@ -90,14 +86,32 @@ RunResult run_all(const Job& job, const RunOptions& options) {
   return {ends.take(), recording.take()};
 }
 
+/// All points, of which each keeps a row.
+RunResult run_for_rows(const Job& job, const RunOptions& options) {
+  const SweptColumns swept(job);
+  KeptRows kept(job, swept, options.numbers);
+  RowMaker rows(job, swept, options.numbers);
+  SweepEnds ends(job);
+  PointRuns runs(job, options);
+  parallel::in_parallel(job.points.size(), options.threads, [&](std::size_t point) {
+    if (runs.interrupted()) return ends.add(point, not_begun());
+    auto recorded = rows.take(job.points[point].member);
+    RunEnd end = runs.run(point, recorded->recorders());
+    const bool whole = end.faults.empty(), finished = !end.interrupted;
+    ends.add(point, std::move(end));
+    if (finished) kept.put(point, rows.row_of(point, whole, std::move(recorded)));
+  });
+  return {ends.take(), kept.recordings()};
+}
+
 /// What is set from outside is not swept any more: each run has that value.
 void pin(diagram::Sweep& sweep, const std::vector<diagram::Setting>& settings) {
   for (diagram::Sweep::Axis& axis : sweep.axes)
     for (const diagram::Setting& setting : settings) {
       if (setting.name != axis.parameter) continue;
-      const std::size_t count = sweep.together ? axis.values.size() : 1;
-      axis.values.assign(count, setting.value);
-      axis.marks.assign(count, setting.mark);
+      const std::size_t count = sweep.together || axis.sampled ? axis.count() : 1;
+      axis.values =
+          diagram::SweptValues({setting.value}, {setting.mark}, std::vector<std::uint32_t>(count, 0));
     }
 }
 
@@ -142,11 +156,11 @@ std::vector<diagram::Setting> Job::settings_of(std::size_t point) const {
   if (trials) return points[point].own;
   std::vector<diagram::Setting> settings;
   const diagram::Diagram& diagram = plan.diagram;
-  const auto index = indices_of(*diagram.sweep, point);
+  const auto index = diagram.sweep->indices(point);
   for (std::size_t axis = 0; axis < diagram.sweep->axes.size(); ++axis) {
     const diagram::Sweep::Axis& swept = diagram.sweep->axes[axis];
     if (swept.label) continue;
-    settings.push_back({swept.parameter, swept.values[index[axis]], diagram.file, swept.marks[index[axis]]});
+    settings.push_back({swept.parameter, swept.text(index[axis]), diagram.file, swept.mark(index[axis])});
   }
   settings.insert(settings.end(), points[point].own.begin(), points[point].own.end());
   return settings;
@@ -164,7 +178,8 @@ Job make_job(diagram::Loader& loader, const std::string& path, const std::vector
   if (sweep) pin(*sweep, all);
   if (sweep && !sweep->axes.empty())
     job.family = std::make_shared<PlanFamily>(loader, path, std::move(all), job.plan);
-  for (std::size_t point = 0; sweep && point < point_count(*sweep); ++point) {
+  const auto count = sweep ? static_cast<std::size_t>(sweep->count()) : 0;
+  for (std::size_t point = 0; point < count; ++point) {
     job.points.push_back({0, point < of_points.size() ? of_points[point] : std::vector<diagram::Setting>{}});
     job.points.back().member = member_for(*job.family, job.settings_of(point));
   }
@@ -177,30 +192,46 @@ std::vector<table::Column> swept_columns(const Job& job, std::size_t point) {
 }
 
 RunResult run_job(const Job& job, const RunOptions& options) {
-  return job.points.empty() ? run_plan(job.plan, options) : run_all(job, options);
+  if (job.points.empty()) return run_plan(job.plan, options);
+  return keeps_a_row(job, options.numbers) ? run_for_rows(job, options) : run_all(job, options);
 }
 
 void run_points(const Job& job, const RunOptions& options, PointExchange& exchange) {
+  const SweptColumns swept(job);
+  RowMaker rows(job, swept, options.numbers);
+  const bool one_row = keeps_a_row(job, options.numbers);
   PointRuns runs(job, options);
   parallel::on_threads(options.threads, [&] {
     for (auto point = exchange.next(); point && !runs.interrupted(); point = exchange.next()) {
-      record::RunRecording recording(job.plan_of(*point));
-      RunEnd end = runs.run(*point, recording.recorders());
-      exchange.take({*point, std::move(end), recording.take()});
+      auto recorded = rows.take(job.points[*point].member);
+      PointResult result{*point, runs.run(*point, recorded->recorders())};
+      const bool whole = result.end.faults.empty();
+      if (!one_row)
+        result.recordings = recorded->take();
+      else if (!result.end.interrupted)
+        result.recordings = rows.row_of(*point, whole, std::move(recorded));
+      exchange.take(std::move(result));
     }
   });
 }
 
-JoinedPoints::JoinedPoints(const Job& job, unsigned threads)
-    : swept_(job), recording_(job, swept_, threads), ends_(job) {}
+JoinedPoints::JoinedPoints(const Job& job, const RunNumbers* numbers) : swept_(job), ends_(job) {
+  if (keeps_a_row(job, numbers))
+    kept_.emplace(job, swept_, numbers);
+  else
+    recording_.emplace(job, swept_, 0);
+}
 
 void JoinedPoints::add(PointResult result) {
-  recording_.put(result.point, result.recordings);
+  if (recording_)
+    recording_->put(result.point, result.recordings);
+  else if (!result.end.interrupted)
+    kept_->put(result.point, result.recordings);
   ends_.add(result.point, std::move(result.end));
 }
 
 RunResult JoinedPoints::take() {
-  return {ends_.take(), recording_.take()};
+  return {ends_.take(), kept_ ? kept_->recordings() : recording_->take()};
 }
 
 }  // namespace stepwire::run

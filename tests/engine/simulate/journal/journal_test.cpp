@@ -60,7 +60,7 @@ TEST_CASE("a point's result has the same parts after it has been bytes") {
   const Scratch folder;
   const run::Job job = swept_job(folder);
   const run::PointResult given = result_of(job, 3);
-  const auto back = point_of(bytes_of(given), job);
+  const auto back = point_of(bytes_of(given), job, nullptr);
   REQUIRE(back);
   CHECK(back->point == 3);
   CHECK(back->end.ticks == 8);
@@ -78,16 +78,16 @@ TEST_CASE("bytes that are cut, longer, or changed in a length are no point") {
   const Scratch folder;
   const run::Job job = swept_job(folder);
   const std::string bytes = bytes_of(result_of(job, 3));
-  for (std::size_t size = 0; size < bytes.size(); ++size) CHECK_FALSE(point_of(bytes.substr(0, size), job));
-  CHECK_FALSE(point_of(bytes + "x", job));
+  for (std::size_t size = 0; size < bytes.size(); ++size) CHECK_FALSE(point_of(bytes.substr(0, size), job, nullptr));
+  CHECK_FALSE(point_of(bytes + "x", job, nullptr));
   for (std::size_t at = 0; at < bytes.size(); ++at) {  // any other answer will do, but no crash
     std::string changed = bytes;
     changed[at] = static_cast<char>(0xff);
-    static_cast<void>(point_of(changed, job));
+    static_cast<void>(point_of(changed, job, nullptr));
   }
   std::string other = bytes;
   other[0] = 8;  // there are points 0 to 7
-  CHECK_FALSE(point_of(other, job));
+  CHECK_FALSE(point_of(other, job, nullptr));
 }
 
 TEST_CASE("a journal has its points in their order after it was closed, each once") {
@@ -95,12 +95,12 @@ TEST_CASE("a journal has its points in their order after it was closed, each onc
   const run::Job job = swept_job(folder);
   const std::string path = folder.path("points");
   {
-    Journal journal(path, "head", job, Journal::Use::write);
+    Journal journal(path, "head", job, nullptr, Journal::Use::write);
     for (const std::size_t point : {5, 2, 7, 2}) journal.add(result_of(job, point));
     CHECK(journal.count() == 3);
   }
   CHECK(Journal::head_of(path) == "head");
-  Journal journal(path, "head", job, Journal::Use::write);
+  Journal journal(path, "head", job, nullptr, Journal::Use::write);
   CHECK(journal.count() == 3);
   CHECK(journal.has(7));
   CHECK_FALSE(journal.has(0));
@@ -117,14 +117,14 @@ TEST_CASE("a journal that was cut anywhere keeps the points before, and goes on 
   const Scratch folder;
   const run::Job job = swept_job(folder);
   const std::string path = folder.path("points");
-  { Journal(path, "head", job, Journal::Use::write).add(result_of(job, 1)); }
+  { Journal(path, "head", job, nullptr, Journal::Use::write).add(result_of(job, 1)); }
   const auto one = std::filesystem::file_size(path);
-  { Journal(path, "head", job, Journal::Use::write).add(result_of(job, 4)); }
+  { Journal(path, "head", job, nullptr, Journal::Use::write).add(result_of(job, 4)); }
   const auto two = std::filesystem::file_size(path);
   for (auto size = one; size < two; size += 7) {
     std::filesystem::copy_file(path, path + "-cut", std::filesystem::copy_options::overwrite_existing);
     std::filesystem::resize_file(path + "-cut", size);
-    Journal journal(path + "-cut", "head", job, Journal::Use::write);
+    Journal journal(path + "-cut", "head", job, nullptr, Journal::Use::write);
     CHECK(journal.has(1));
     CHECK_FALSE(journal.has(4));
     journal.add(result_of(job, 4));
@@ -141,13 +141,13 @@ TEST_CASE("a changed byte ends a journal before its record") {
   const Scratch folder;
   const run::Job job = swept_job(folder);
   const std::string path = folder.path("points");
-  { Journal(path, "head", job, Journal::Use::write).add(result_of(job, 1)); }
+  { Journal(path, "head", job, nullptr, Journal::Use::write).add(result_of(job, 1)); }
   const auto one = std::filesystem::file_size(path);
-  { Journal(path, "head", job, Journal::Use::write).add(result_of(job, 4)); }
+  { Journal(path, "head", job, nullptr, Journal::Use::write).add(result_of(job, 4)); }
   std::fstream(path, std::ios::in | std::ios::out | std::ios::binary)
       .seekp(static_cast<std::streamoff>(one) + 60)
       .put('\x55');
-  const Journal journal(path, "head", job, Journal::Use::read);
+  const Journal journal(path, "head", job, nullptr, Journal::Use::read);
   CHECK(journal.has(1));
   CHECK_FALSE(journal.has(4));
 }
@@ -156,8 +156,8 @@ TEST_CASE("a journal of another head is begun anew, and what is none has no head
   const Scratch folder;
   const run::Job job = swept_job(folder);
   const std::string path = folder.path("points");
-  { Journal(path, "head", job, Journal::Use::write).add(result_of(job, 1)); }
-  CHECK(Journal(path, "another", job, Journal::Use::write).count() == 0);
+  { Journal(path, "head", job, nullptr, Journal::Use::write).add(result_of(job, 1)); }
+  CHECK(Journal(path, "another", job, nullptr, Journal::Use::write).count() == 0);
   CHECK(Journal::head_of(path) == "another");
   CHECK_FALSE(Journal::head_of(folder.path("none")));
   CHECK_FALSE(Journal::head_of(folder.file("text", "stepwire points 1 without an end")));

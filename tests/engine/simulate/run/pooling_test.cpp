@@ -20,13 +20,4 @@ TEST_CASE("runs that are put behind others keep where each of them starts") {
   CHECK(all.table.columns.front().values == std::vector<double>{0, 1, 0, 1, 2, 0, 3, 0});
 }
 
-TEST_CASE("the last axis of a grid runs fastest, and paired axes run side by side") {
-  diagram::Sweep sweep;
-  sweep.axes = {{"a", {"1", "2"}, {}, {}}, {"b", {"1", "2", "3"}, {}, {}}};
-  CHECK(indices_of(sweep, 1) == std::vector<std::size_t>{0, 1});
-  CHECK(indices_of(sweep, 5) == std::vector<std::size_t>{1, 2});
-  sweep.together = true;
-  CHECK(indices_of(sweep, 1) == std::vector<std::size_t>{1, 1});
-}
-
 }  // namespace stepwire::run

@@ -1,0 +1,51 @@
+#include "engine/analyse/statistics/proportion.hpp"
+
+#include <boost/math/distributions/beta.hpp>
+
+namespace stepwire::statistics {
+
+namespace {
+
+double beta_quantile(double a, double b, double share) {
+  return boost::math::quantile(boost::math::beta_distribution<double>(a, b), share);
+}
+
+/// The probability that fewer than `rank` of the values lie below the quantile of a share: of a binomial
+/// distribution, by the incomplete beta function.
+double probability_of_fewer(std::size_t rank, std::size_t count, double share) {
+  if (rank == 0) return 0.0;
+  if (rank > count) return 1.0;
+  return boost::math::ibetac(static_cast<double>(rank), static_cast<double>(count - rank + 1), share);
+}
+
+/// The number of values below the quantile of which fewer are seen with at most this probability: the
+/// largest.
+std::size_t largest_rank(std::size_t count, double share, double probability) {
+  std::size_t low = 0, high = count + 1;  // the probability grows with the rank
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    (probability_of_fewer(middle, count, share) <= probability ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+ConfidenceInterval proportion_interval(std::size_t successes, std::size_t count, double confidence) {
+  const double tail = 0.5 * (1.0 - confidence);
+  const auto k = static_cast<double>(successes), n = static_cast<double>(count);
+  return {successes == 0 ? 0.0 : beta_quantile(k, n - k + 1.0, tail),
+          successes == count ? 1.0 : beta_quantile(k + 1.0, n - k, 1.0 - tail)};
+}
+
+RankInterval quantile_ranks(std::size_t count, double share, double confidence) {
+  if (count == 0 || share <= 0.0 || share >= 1.0) return {};
+  const double tail = 0.5 * (1.0 - confidence);
+  RankInterval ranks;
+  if (const std::size_t low = largest_rank(count, share, tail); low > 0) ranks.low = low - 1;
+  // Seen from the other end the same.
+  if (const std::size_t high = largest_rank(count, 1.0 - share, tail); high > 0) ranks.high = count - high;
+  return ranks;
+}
+
+}  // namespace stepwire::statistics

@@ -1,0 +1,220 @@
+// How numbers and words of a sweep are spread.
+#include "engine/model/diagram/head_distribution.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <utility>
+
+#include "engine/base/yaml/message.hpp"
+#include "engine/model/diagram/head_keys.hpp"
+
+namespace stepwire::diagram {
+
+namespace {
+
+using Kind = sampling::Distribution::Kind;
+
+/// What the numbers of a distribution are called, and whether one stands for a way, not for a place: a
+/// deviation in kelvin is one in degrees Celsius as well.
+struct Argument {
+  const char* name;
+  enum class Of { place, way, ratio } of = Of::place;
+};
+
+struct Row {
+  const char* key;
+  Kind kind;
+  std::vector<Argument> arguments;
+};
+
+const std::vector<Row>& rows() {
+  using Of = Argument::Of;
+  static const std::vector<Row> all{{"uniform", Kind::uniform, {{"low"}, {"high"}}},
+                                    {"normal", Kind::normal, {{"mean"}, {"deviation", Of::way}}},
+                                    {"lognormal", Kind::lognormal, {{"median"}, {"variation", Of::ratio}}},
+                                    {"triangular", Kind::triangular, {{"low"}, {"mode"}, {"high"}}}};
+  return all;
+}
+
+/// Reads the list of numbers of one distribution.
+class NumbersReading {
+ public:
+  NumbersReading(const yaml::Node& list, const Row& row, const std::string& name, const Scope& scope,
+                 Report& report)
+      : list_(list),
+        row_(row),
+        subject_(fmt::format("sweep.{}.{}", name, row.key)),
+        scope_(scope),
+        report_(report) {}
+
+  std::optional<SpreadParameter> read() {
+    if (!list_.is_list() || list_.items.size() != row_.arguments.size())
+      return refuse(list_.mark, "is a list of " + names());
+    if (!take_unit()) return std::nullopt;
+    for (std::size_t i = 0; i < row_.arguments.size(); ++i)
+      if (!take(i)) return std::nullopt;
+    result_.distribution.kind = row_.kind;
+    return check() ? std::optional(std::move(result_)) : std::nullopt;
+  }
+
+ private:
+  std::nullopt_t refuse(const yaml::Mark& mark, yaml::Message message) {
+    report_.add(scope_.at(mark), subject_, std::move(message));
+    return std::nullopt;
+  }
+
+  std::string names() const {
+    std::string text;
+    for (const Argument& one : row_.arguments) text += (text.empty() ? "[" : ", ") + std::string(one.name);
+    return text + "]";
+  }
+
+  std::optional<WrittenValue> value_of(const yaml::Node& node) {
+    auto written = ValueReader(scope_.parameters, report_, scope_.index).read(node, subject_);
+    if (!written || std::holds_alternative<double>(written->value.content)) return written;
+    return refuse(node.mark, yaml::fault_text("'{}' is no number", written->text));
+  }
+
+  /// The unit of the first number, as it is written or that of SI.
+  bool take_unit() {
+    const yaml::Node& first = list_.items.front();
+    const auto value = value_of(first);
+    if (!value) return false;
+    dimension_ = value->dimension;
+    if (const auto written = written_number(first))
+      result_.unit = written->unit;
+    else if (dimension_ && *dimension_ != unit::Dimension{})
+      result_.unit = unit::si_name(*dimension_);
+    unit_ = unit::parse_unit(result_.unit).value_or(unit::Unit{});
+    return true;
+  }
+
+  bool take(std::size_t i) {
+    const yaml::Node& node = list_.items[i];
+    const Argument& argument = row_.arguments[i];
+    const auto value = value_of(node);
+    if (!value) return false;
+    const bool is_ratio = argument.of == Argument::Of::ratio;
+    const auto demanded = is_ratio ? unit::Dimension{} : dimension_.value_or(unit::Dimension{});
+    if (const std::string complaint = unit_complaint(value->dimension, demanded); !complaint.empty()) {
+      refuse(node.mark, fmt::format("'{}' {}", argument.name, complaint));
+      return false;
+    }
+    const double si = std::get<double>(value->value.content);
+    result_.distribution.numbers[i] = is_ratio ? si : in_unit(node, si, value->dimension, argument);
+    return true;
+  }
+
+  /// A number in the unit of the first; a bare one beside a unit is in SI.
+  double in_unit(const yaml::Node& node, double si, const std::optional<unit::Dimension>& dimension,
+                 const Argument& argument) const {
+    const auto written = written_number(node);
+    if (result_.unit.empty() || (written && dimension && written->unit == result_.unit))
+      return written && dimension ? written->number : si;
+    if (argument.of == Argument::Of::way) return static_cast<double>(si / unit_.scale);
+    return unit_.from_si(si);
+  }
+
+  double number(std::size_t i) const { return result_.distribution.numbers[i]; }
+
+  bool above_zero(std::size_t i) {
+    if (number(i) > 0.0) return true;
+    refuse(list_.items[i].mark,
+           yaml::fault_text("'{}' is {}; it must be above 0", row_.arguments[i].name, list_.items[i].text));
+    return false;
+  }
+
+  /// Is one number below another one, or equal where it may be?
+  bool in_order(std::size_t low, std::size_t high, bool may_be_equal) {
+    if (number(low) < number(high) || (may_be_equal && number(low) == number(high))) return true;
+    refuse(list_.items[high].mark,
+           yaml::fault_text("'{}' {} is {} '{}' {}; it must be {}above it", row_.arguments[high].name,
+                            list_.items[high].text, number(low) == number(high) ? "equal to" : "below",
+                            row_.arguments[low].name, list_.items[low].text,
+                            may_be_equal ? "equal to or " : ""));
+    return false;
+  }
+
+  bool check() {
+    switch (row_.kind) {
+      case Kind::normal:
+        return above_zero(1);
+      case Kind::lognormal:
+        return above_zero(0) && above_zero(1);
+      case Kind::triangular:
+        return in_order(0, 1, true) && in_order(1, 2, true) && in_order(0, 2, false);
+      default:
+        return in_order(0, 1, false);
+    }
+  }
+
+  const yaml::Node& list_;
+  const Row& row_;
+  const std::string subject_;
+  const Scope& scope_;
+  Report& report_;
+  SpreadParameter result_;
+  std::optional<unit::Dimension> dimension_;
+  unit::Unit unit_;
+};
+
+std::optional<SpreadParameter> read_words(const yaml::Node& map, const HeadReading& read) {
+  SpreadParameter result;
+  result.distribution.kind = Kind::words;
+  if (!map.is_map() || map.entries.size() < 2) {
+    read.fault(map.mark, "is a map of words and their weights: {ice: 1, road: 3}");
+    return std::nullopt;
+  }
+  bool fine = true;
+  for (const yaml::Entry& entry : map.entries) {
+    double weight = 0.0;
+    below(read, entry.key).take(entry.value, yaml::form::above_zero(yaml::form::number()), weight);
+    fine = fine && weight > 0.0;
+    result.distribution.weights.push_back(weight);
+    result.words.push_back(entry.key);
+  }
+  return fine ? std::optional(std::move(result)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<WrittenNumber> written_number(const yaml::Node& node) {
+  if (!node.is_scalar() || !unit::parse_quantity(node.text)) return std::nullopt;
+  const std::size_t sign = node.text.starts_with('+') ? 1 : 0;
+  double number = 0.0;
+  const char* const end = node.text.data() + node.text.size();
+  const char* rest = std::from_chars(node.text.data() + sign, end, number).ptr;
+  while (rest != end && *rest == ' ') ++rest;
+  return WrittenNumber{number, std::string(rest, end)};
+}
+
+SweptValues SpreadParameter::values(const std::vector<double>& shares) const {
+  if (!is_words()) {
+    std::vector<double> numbers;
+    numbers.reserve(shares.size());
+    for (const double share : shares) numbers.push_back(distribution.quantile(share));
+    return {std::move(numbers), unit, mark};
+  }
+  std::vector<std::uint32_t> which;
+  which.reserve(shares.size());
+  for (const double share : shares) which.push_back(static_cast<std::uint32_t>(distribution.quantile(share)));
+  return SweptValues(words, std::vector<yaml::Mark>(words.size(), mark), std::move(which));
+}
+
+std::optional<SpreadParameter> read_distribution(const yaml::Node& map, const std::string& name,
+                                                 const Scope& scope, Report& report) {
+  const HeadReading read("sweep." + name, scope, report);
+  const std::size_t before = report.faults().size();
+  read.check(map, distribution_form());
+  if (report.faults().size() != before) return std::nullopt;
+  std::optional<SpreadParameter> result;
+  if (const yaml::Node* words = map.find("words")) result = read_words(*words, below(read, "words"));
+  for (const Row& row : rows())
+    if (const yaml::Node* list = map.find(row.key))
+      result = NumbersReading(*list, row, name, scope, report).read();
+  if (result) result->mark = map.mark;
+  return result;
+}
+
+}  // namespace stepwire::diagram
