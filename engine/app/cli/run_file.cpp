@@ -44,12 +44,19 @@ void require_one_table(const RunCall& call, const session::LoadedModel& model) {
     throw yaml::Error(yaml::Fault{{model.file, {}}, "", message, {}});
   };
   const std::size_t count = model.job.plan.diagram.records.size();
+  if (count == 0) refuse("records nothing, and --csv is a table of what is recorded");
   if (model.study)
     refuse("has a section 'study', whose trials are no single table; --out has files for them");
   if (count != 1)
     refuse(fmt::format(
         "records at {} periods, which --csv, a single table, has no place for; --out has a file for each",
         count));
+}
+
+/// Better now than after the run.
+void require_place(const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  if (!folder.empty()) io::require_folder(folder.string());
 }
 
 std::string file_name(const session::LoadedModel& model) {
@@ -64,6 +71,7 @@ class FileRun {
   ExitCode carry_out(session::LoadedModel& model, Json& results) {
     require_section(call_, model);
     require_one_table(call_, model);
+    require_place(call_.csv);
     const EndDelay delay(EndDelay::Signals::first);
     render::require_converter(call_.pictures);
     const std::string folder = folder_of(call_, model.file);
