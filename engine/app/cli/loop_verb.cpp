@@ -53,7 +53,7 @@ ExitCode loop(const session::LoopCall& call, const Registry& registry) {
   const EndDelay delay(EndDelay::Signals::all);
   ExitCode code = ExitCode::done;
   session::run_loop(call, registry, terminal_monitor(nullptr), [&](const session::LoopOutcome& outcome) {
-    put_text(report::loop_text(outcome));
+    put_report(report::loop_text(outcome), code_of_loop(outcome) == ExitCode::fails);
     code = print_troubles(outcome);
   });
   if (!call.out.empty()) say("  written to {}\n", call.out);

@@ -45,6 +45,7 @@ void require_one_table(const RunCall& call, const session::LoadedModel& model) {
     throw yaml::Error(yaml::Fault{{model.file, {}}, "", message, {}});
   };
   const std::size_t count = model.job.plan.diagram.records.size();
+  if (count == 0) refuse("records nothing, and --csv is a table of what is recorded");
   if (model.study)
     refuse("has a section 'study', whose trials are no single table; --out has files for them");
   if (count != 1)
@@ -64,6 +65,12 @@ void require_shares(const RunCall& call, const session::LoadedModel& model) {
   if (call.out.empty() || call.archive) refuse("needs --out DIR, in which the points are kept");
 }
 
+/// Better now than after the run.
+void require_place(const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  if (!folder.empty()) io::require_folder(folder.string());
+}
+
 std::string file_name(const session::LoadedModel& model) {
   return std::filesystem::path(model.file).filename().string();
 }
@@ -78,6 +85,7 @@ class FileRun {
     require_section(call_, model);
     require_one_table(call_, model);
     require_shares(call_, model);
+    require_place(call_.csv);
     const EndDelay delay(EndDelay::Signals::first);
     render::require_converter(call_.pictures);
     const std::string folder = folder_of(call_, model.file);

@@ -2,13 +2,11 @@
 
 // The functions of FMI 2 of an exported unit, for its one source that includes this.
 
-#include <cstdlib>
-#include <cstring>
 #include <memory>
 #include <new>
 #include <string>
 
-#include "engine/app/fmu/exported_unit.hpp"
+#include "engine/app/fmu/unit_calls.hpp"
 #include "engine/base/fmi/fmi2_unit.h"
 
 namespace stepwire::fmu {
@@ -46,19 +44,14 @@ inline fmi2Component make_of_2(fmi2String name, bool exchange, fmi2String token,
       name ? name : "", functions ? functions->logger : nullptr,
       functions ? functions->componentEnvironment : nullptr});
   if (!own) return nullptr;
-  const char* why_not = exchange ? unit_source.no_exchange : nullptr;
-  if (!token || std::strcmp(token, unit_source.token) != 0) why_not = "the GUID is not that of this unit";
-  if (!why_not) own->unit.reset(unit_source.make(exchange, own.get(), InstanceOf2::say));
-  if (!why_not && !own->unit) why_not = "there is no memory for an instance";
-  if (why_not) InstanceOf2::say(own.get(), Status::error, why_not);
-  return why_not ? nullptr : own.release();
+  const char* why_not = is_token(token) ? nullptr : "the GUID is not that of this unit";
+  return make_unit(own->unit, own.get(), InstanceOf2::say, exchange, why_not) ? nullptr : own.release();
 }
 
 /// For values of a type that no variable has.
 inline fmi2Status none_of_2(fmi2Component instance, size_t count, const char* type) {
-  return with_unit_of_2(instance, [&](ExportedUnit& unit) {
-    return count == 0 ? Status::ok : unit.refuse("it has no variables of the type %s, only Real", type);
-  });
+  return with_unit_of_2(instance,
+                         [&](ExportedUnit& unit) { return refuse_values(unit, count, type, "Real"); });
 }
 
 inline fmi2Status refuse_of_2(fmi2Component instance, const char* what) {
@@ -128,34 +121,20 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component unit, const fmi2ValueRefer
   STEPWIRE_DOES(own.derivative({unknowns, unknown_count}, {knowns, known_count}, seed, sensitivity))
 
 fmi2Status fmi2GetFMUstate(fmi2Component unit, fmi2FMUstate* state)
-  STEPWIRE_DOES([&] {
-    if (!state) return own.refuse("there is no place for a state");
-    if (!*state) *state = std::malloc(own.state_bytes());
-    if (!*state) return own.refuse("there is no memory for a state");
-    own.save(*state);
-    return unit_functions::Status::ok;
-  }())
+  STEPWIRE_DOES(unit_functions::save_state(own, state))
 fmi2Status fmi2SetFMUstate(fmi2Component unit, fmi2FMUstate state)
-  STEPWIRE_DOES(state ? own.load(state) : own.refuse("there is no state to be set"))
+  STEPWIRE_DOES(unit_functions::load_state(own, state))
 fmi2Status fmi2FreeFMUstate(fmi2Component unit, fmi2FMUstate* state) {
   if (!unit) return fmi2Error;
-  if (state) std::free(*state), *state = nullptr;
+  unit_functions::free_state(state);
   return fmi2OK;
 }
 fmi2Status fmi2SerializedFMUstateSize(fmi2Component unit, fmi2FMUstate, size_t* size)
   STEPWIRE_DOES(*size = own.state_bytes(), unit_functions::Status::ok)
 fmi2Status fmi2SerializeFMUstate(fmi2Component unit, fmi2FMUstate state, fmi2Byte bytes[], size_t size)
-  STEPWIRE_DOES(state && size >= own.state_bytes()
-                    ? (std::memcpy(bytes, state, own.state_bytes()), unit_functions::Status::ok)
-                    : own.refuse("a state takes %zu bytes, not %zu", own.state_bytes(), size))
+  STEPWIRE_DOES(unit_functions::write_state(own, state, bytes, size))
 fmi2Status fmi2DeSerializeFMUstate(fmi2Component unit, const fmi2Byte bytes[], size_t size, fmi2FMUstate* state)
-  STEPWIRE_DOES([&] {
-    if (own.check_state(bytes, size) != unit_functions::Status::ok) return unit_functions::Status::error;
-    if (!*state) *state = std::malloc(size);
-    if (!*state) return own.refuse("there is no memory for a state");
-    std::memcpy(*state, bytes, size);
-    return unit_functions::Status::ok;
-  }())
+  STEPWIRE_DOES(unit_functions::read_state(own, bytes, size, state))
 
 fmi2Status fmi2SetTime(fmi2Component unit, fmi2Real time) STEPWIRE_DOES(own.set_time(time))
 fmi2Status fmi2SetContinuousStates(fmi2Component unit, const fmi2Real states[], size_t count)

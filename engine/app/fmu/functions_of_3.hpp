@@ -2,12 +2,10 @@
 
 // The functions of FMI 3 of an exported unit, for its one source that includes this.
 
-#include <cstdlib>
-#include <cstring>
 #include <memory>
 #include <new>
 
-#include "engine/app/fmu/exported_unit.hpp"
+#include "engine/app/fmu/unit_calls.hpp"
 #include "engine/base/fmi/fmi3_unit.h"
 
 namespace stepwire::fmu {
@@ -36,20 +34,14 @@ inline fmi3Instance make_of_3(bool exchange, fmi3String token, fmi3InstanceEnvir
                               fmi3LogMessageCallback log, const char* why_not) {
   std::unique_ptr<InstanceOf3> own(new (std::nothrow) InstanceOf3{environment, log});
   if (!own) return nullptr;
-  if (!why_not && (!token || std::strcmp(token, unit_source.token) != 0))
-    why_not = "the instantiation token is not that of this unit";
-  if (!why_not && exchange) why_not = unit_source.no_exchange;
-  if (!why_not) own->unit.reset(unit_source.make(exchange, own.get(), InstanceOf3::say));
-  if (!why_not && !own->unit) why_not = "there is no memory for an instance";
-  if (why_not) InstanceOf3::say(own.get(), Status::error, why_not);
-  return why_not ? nullptr : own.release();
+  if (!why_not && !is_token(token)) why_not = "the instantiation token is not that of this unit";
+  return make_unit(own->unit, own.get(), InstanceOf3::say, exchange, why_not) ? nullptr : own.release();
 }
 
 /// For values of a type that no variable has.
 inline fmi3Status none_of_3(fmi3Instance instance, size_t count, const char* type) {
-  return with_unit_of_3(instance, [&](ExportedUnit& unit) {
-    return count == 0 ? Status::ok : unit.refuse("it has no variables of the type %s, only Float64", type);
-  });
+  return with_unit_of_3(instance,
+                         [&](ExportedUnit& unit) { return refuse_values(unit, count, type, "Float64"); });
 }
 
 inline fmi3Status refuse_of_3(fmi3Instance instance, const char* what) {
@@ -175,34 +167,20 @@ fmi3Status fmi3GetAdjointDerivative(fmi3Instance unit, const fmi3ValueReference[
 }
 
 fmi3Status fmi3GetFMUState(fmi3Instance unit, fmi3FMUState* state)
-  STEPWIRE_DOES([&] {
-    if (!state) return own.refuse("there is no place for a state");
-    if (!*state) *state = std::malloc(own.state_bytes());
-    if (!*state) return own.refuse("there is no memory for a state");
-    own.save(*state);
-    return unit_functions::Status::ok;
-  }())
+  STEPWIRE_DOES(unit_functions::save_state(own, state))
 fmi3Status fmi3SetFMUState(fmi3Instance unit, fmi3FMUState state)
-  STEPWIRE_DOES(state ? own.load(state) : own.refuse("there is no state to be set"))
+  STEPWIRE_DOES(unit_functions::load_state(own, state))
 fmi3Status fmi3FreeFMUState(fmi3Instance unit, fmi3FMUState* state) {
   if (!unit) return fmi3Error;
-  if (state) std::free(*state), *state = nullptr;
+  unit_functions::free_state(state);
   return fmi3OK;
 }
 fmi3Status fmi3SerializedFMUStateSize(fmi3Instance unit, fmi3FMUState, size_t* size)
   STEPWIRE_DOES(*size = own.state_bytes(), unit_functions::Status::ok)
 fmi3Status fmi3SerializeFMUState(fmi3Instance unit, fmi3FMUState state, fmi3Byte bytes[], size_t size)
-  STEPWIRE_DOES(state && size >= own.state_bytes()
-                    ? (std::memcpy(bytes, state, own.state_bytes()), unit_functions::Status::ok)
-                    : own.refuse("a state takes %zu bytes, not %zu", own.state_bytes(), size))
+  STEPWIRE_DOES(unit_functions::write_state(own, state, bytes, size))
 fmi3Status fmi3DeserializeFMUState(fmi3Instance unit, const fmi3Byte bytes[], size_t size, fmi3FMUState* state)
-  STEPWIRE_DOES([&] {
-    if (own.check_state(bytes, size) != unit_functions::Status::ok) return unit_functions::Status::error;
-    if (!*state) *state = std::malloc(size);
-    if (!*state) return own.refuse("there is no memory for a state");
-    std::memcpy(*state, bytes, size);
-    return unit_functions::Status::ok;
-  }())
+  STEPWIRE_DOES(unit_functions::read_state(own, bytes, size, state))
 
 fmi3Status fmi3GetIntervalDecimal(fmi3Instance unit, const fmi3ValueReference[], size_t, fmi3Float64[],
                                   fmi3IntervalQualifier[]) {

@@ -23,7 +23,21 @@ bool write_number(PyObject* given, double* to) {
   return true;
 }
 
+/// An array of exactly its rows and columns.
+bool write_matrix(PyObject* given, const Target& target, const char* method) {
+  const auto numbers = py::array_t<double, py::array::f_style | py::array::forcecast>::ensure(given);
+  const Eigen::Index columns = target.size / target.rows;
+  if (numbers && numbers.ndim() == 2 && numbers.shape(0) == target.rows && numbers.shape(1) == columns) {
+    std::copy_n(numbers.data(), target.size, target.numbers);
+    return true;
+  }
+  PyErr_Format(PyExc_ValueError, "%s() gives %R for %s, which is a matrix of %zd x %zd", method, given,
+               target.name, static_cast<Py_ssize_t>(target.rows), static_cast<Py_ssize_t>(columns));
+  return false;
+}
+
 bool write(PyObject* given, const Target& target, const char* method) {
+  if (target.rows > 0) return write_matrix(given, target, method);
   if (target.size == 1 && (PyFloat_CheckExact(given) || !PySequence_Check(given)))
     return write_number(given, target.numbers);
   const auto numbers = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
@@ -38,6 +52,12 @@ bool write(PyObject* given, const Target& target, const char* method) {
   }
   std::copy_n(numbers.data(), target.size, target.numbers);
   return true;
+}
+
+py::array_t<double> array_for(const Given& given) {
+  if (given.rows == 0) return py::array_t<double>(given.size);
+  const std::array<py::ssize_t, 2> shape{given.rows, given.size / given.rows};
+  return py::array_t<double, py::array::f_style>(shape);
 }
 
 bool write_several(PyObject* given, const std::vector<Target>& targets, const char* method) {
@@ -92,11 +112,11 @@ bool Instance::fill(Bound& bound) {
   const std::vector<Given>& given = bound.given;
   for (std::size_t i = 0; i < given.size(); ++i) {
     Buffer& buffer = bound.buffers[i];
-    if (given[i].size == 1) {
+    if (given[i].size == 1 && given[i].rows == 0) {
       buffer.array.put(PyFloat_FromDouble(*given[i].numbers));
     } else {
       if (!buffer.array) {
-        py::array_t<double> array(given[i].size);
+        py::array_t<double> array = array_for(given[i]);
         buffer.numbers = array.mutable_data();
         py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
         buffer.array = Held(array.release().ptr());

@@ -14,12 +14,14 @@ struct Target {
   double* numbers;
   Eigen::Index size;
   const char* name;
+  Eigen::Index rows = 0;  ///< of a matrix, whose numbers lie column by column; 0 for a vector
 };
 
 /// Numbers that a method is given.
 struct Given {
   const double* numbers;
   Eigen::Index size;
+  Eigen::Index rows = 0;  ///< as of a target
 };
 
 /// An object of a class of Python's with the methods that a run calls. The interpreter lock is held for all

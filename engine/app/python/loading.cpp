@@ -15,12 +15,17 @@ namespace py = pybind11;
 
 namespace {
 
+/// Of "3 x 2"; 0 for a vector.
+Eigen::Index rows_of(const std::string& shape) {
+  return shape.find(" x ") == std::string::npos ? 0 : std::stol(shape);
+}
+
 std::vector<PythonClass::Port> ports_of(const py::list& listed) {
   std::vector<PythonClass::Port> ports;
   for (const py::handle port : listed) {
     const auto [name, unit, shape, feedthrough, initial] =
         port.cast<std::tuple<std::string, std::string, std::string, bool, double>>();
-    ports.push_back({name, unit, shape, feedthrough, initial});
+    ports.push_back({name, unit, shape, feedthrough, initial, rows_of(shape)});
   }
   return ports;
 }

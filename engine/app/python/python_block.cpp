@@ -21,11 +21,14 @@ const Method& method_of(const PythonClass& of, std::size_t method) {
 Given given_to(const PythonBlock& block, const Argument& argument) {
   switch (argument.source) {
     case Source::input:
-      return {block.inputs[argument.index].data(), block.inputs[argument.index].size()};
+      return {block.inputs[argument.index].data(), block.inputs[argument.index].size(),
+              block.of->inputs[argument.index].rows};
     case Source::state:
-      return {block.states[argument.index].data(), block.states[argument.index].size()};
+      return {block.states[argument.index].data(), block.states[argument.index].size(),
+              block.of->states[argument.index].rows};
     case Source::memory:
-      return {block.memory[argument.index].data(), block.memory[argument.index].size()};
+      return {block.memory[argument.index].data(), block.memory[argument.index].size(),
+              block.of->memory[argument.index].rows};
     case Source::time:
       return {&block.now, 1};
     default:
@@ -81,13 +84,15 @@ void PythonBlock::connect(std::size_t method) {
   std::vector<Target> targets;
   if (method == output_method)
     for (std::size_t i = 0; i < of->outputs.size(); ++i)
-      targets.push_back({results[i].data(), results[i].size(), of->outputs[i].name.c_str()});
+      targets.push_back(
+          {results[i].data(), results[i].size(), of->outputs[i].name.c_str(), of->outputs[i].rows});
   if (method == slope_method)
     for (std::size_t i = 0; i < of->states.size(); ++i)
-      targets.push_back({states[i].derivative.data(), states[i].derivative.size(), of->states[i].name.c_str()});
+      targets.push_back({states[i].derivative.data(), states[i].derivative.size(), of->states[i].name.c_str(),
+                         of->states[i].rows});
   if (method == update_method)
     for (std::size_t i = 0; i < of->memory.size(); ++i)
-      targets.push_back({memory[i].data(), memory[i].size(), of->memory[i].name.c_str()});
+      targets.push_back({memory[i].data(), memory[i].size(), of->memory[i].name.c_str(), of->memory[i].rows});
   instance->connect(method, std::move(given), std::move(targets));
 }
 

@@ -37,6 +37,7 @@ struct PythonClass {
     std::string name, unit, shape;
     bool feedthrough = true;
     double initial = 0.0;
+    Eigen::Index rows = 0;  ///< of a matrix; 0 for a vector
   };
   struct Parameter {
     std::string name, unit, doc;

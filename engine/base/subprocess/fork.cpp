@@ -45,7 +45,9 @@ Fork::~Fork() {
 }
 
 bool Fork::has_ended() {
-  if (!ended_) ended_ = ::waitpid(id_, &status_, WNOHANG) == id_;
+  if (ended_) return true;
+  const pid_t found = ::waitpid(id_, &status_, WNOHANG);
+  ended_ = found == id_ || (found < 0 && errno == ECHILD);  // who ignores SIGCHLD has no status
   return ended_;
 }
 

@@ -70,14 +70,16 @@ std::array<io::Descriptor, 2> sign_of_life() {
   return {io::Descriptor(ends[0]), io::Descriptor(ends[1])};
 }
 
-void await_end(int sign, std::chrono::milliseconds limit) {
+/// The sign ends the wait at once; where yet another process holds it, a look at the process does.
+void await_end(Fork& fork, int sign, std::chrono::milliseconds limit) {
   const Clock::time_point end = Clock::now() + limit;
   pollfd wait{sign, 0, 0};
-  while (::poll(&wait, 1, milliseconds_per_look) <= 0 || (wait.revents & POLLHUP) == 0) {
+  while (!fork.has_ended()) {
     if (processes_stop()) throw ProcessStopped("reading was stopped");
     if (Clock::now() > end)
       throw IsolationError(
           "does not come to an end and was ended; STEPWIRE_HELPER_LIMIT allows more seconds");
+    ::poll(&wait, 1, milliseconds_per_look);
   }
 }
 
@@ -98,8 +100,7 @@ io::Descriptor call_isolated(const std::function<void(int output)>& function, co
             {output.number(), there.number()});
   if (!fork.started()) throw IsolationError("gets no process from the system");
   there.close();
-  await_end(here.number(), bounds.limit);
-  fork.wait();
+  await_end(fork, here.number(), bounds.limit);
   require_success(fork, bounds.memory);
   ::lseek(output.number(), 0, SEEK_SET);
   return output;

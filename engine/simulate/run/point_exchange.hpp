@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/simulate/run/kept_rows.hpp"
+#include "engine/simulate/run/row_per_run.hpp"
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/simulate/run/run.hpp"
 #include "engine/simulate/run/sweep_ends.hpp"
@@ -46,7 +46,7 @@ class JoinedPoints {
  private:
   SweptColumns swept_;
   std::optional<PooledRecording> recording_;  ///< where all rows are kept
-  std::optional<KeptRows> kept_;              ///< where one row of each run is
+  std::optional<RowPerRun> kept_;              ///< where one row of each run is
   SweepEnds ends_;
 };
 

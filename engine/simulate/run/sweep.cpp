@@ -5,7 +5,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/record/recorder.hpp"
-#include "engine/simulate/run/kept_rows.hpp"
+#include "engine/simulate/run/row_per_run.hpp"
 #include "engine/simulate/run/memory.hpp"
 #include "engine/simulate/run/point_exchange.hpp"
 #include "engine/simulate/run/sweep_ends.hpp"
@@ -89,7 +89,7 @@ RunResult run_all(const Job& job, const RunOptions& options) {
 /// All points, of which each keeps a row.
 RunResult run_for_rows(const Job& job, const RunOptions& options) {
   const SweptColumns swept(job);
-  KeptRows kept(job, swept, options.numbers);
+  RowPerRun kept(job, swept, options.numbers);
   RowMaker rows(job, swept, options.numbers);
   SweepEnds ends(job);
   PointRuns runs(job, options);

@@ -250,3 +250,46 @@ def test_a_run_with_it_is_interpreted_and_says_so(tmp_path):
     model = stepwire.load(written(tmp_path, FALL), blocks=[Drag])
     with pytest.warns(RuntimeWarning, match="its methods are Python's"):
         assert model.run(engine="compiled").compiled_ticks == 0
+
+
+@stepwire.block(inputs={"R": ("1", (2, 3)), "k": ("1", 1)}, outputs={"y": ("1", (3, 2))}, memory={"sum": ("1", (2, 3))})
+class Turned:
+    """A matrix, turned over, times k, and its sum over time."""
+
+    def outputs(self, R, k):
+        assert R.shape == (2, 3)
+        return k * R.T
+
+    def update(self, sum, R):
+        return sum + R
+
+
+TURNED = """stepwire: 1
+step: 1 s
+stop: 2 s
+blocks:
+  given: {block: Constant, value: [[1, 2, 3], [4, 5, 6]]}
+  turned: {block: Turned, R: given, k: 10, every: 1 s}
+  square: {block: MatrixMultiply, a: given, b: turned}
+record: [turned, square]
+"""
+
+
+def test_ports_and_memory_are_matrices(tmp_path):
+    run = stepwire.load(written(tmp_path, TURNED), blocks=[Turned]).run()
+    matrix = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]])
+    recorded = np.array([[run[f"turned.{row}.{column}"][-1] for column in (1, 2)] for row in (1, 2, 3)])
+    assert np.array_equal(recorded, 10.0 * matrix.T)
+    assert run["square.2.1"][-1] == (matrix @ (10.0 * matrix.T))[1, 0]
+
+
+def test_a_matrix_of_another_shape_is_refused(tmp_path):
+    @stepwire.block(inputs={"R": ("1", (2, 3)), "k": ("1", 1)}, outputs={"y": ("1", (3, 2))})
+    class Turned:
+        def outputs(self, R, k):
+            return R
+
+    with pytest.raises(stepwire.RunError, match="matrix of 3 x 2"):
+        stepwire.load(written(tmp_path, TURNED), blocks=[Turned]).run()
+    with pytest.raises(ValueError, match="rows and columns"):
+        stepwire.block(inputs={"R": ("1", (2, "n"))})(type("Half", (), {}))

@@ -18,12 +18,13 @@ def block(*, inputs: Ports = (), outputs: Ports = (), states: Ports = (), memory
     """Declares a class as a kind of block, which `load(..., blocks=[Drag])` knows by the name of the class.
 
     Each argument maps names to units, ``{"v": "m/s"}``, or to units and sizes, ``{"v": ("m/s", 3)}``; a letter as
-    size is the same for all ports that have it; a list of names means numbers without unit. `states` are
+    size is the same for all ports that have it, and ``(3, 2)`` is a matrix of 3 rows; a list of names means numbers
+    without unit. `states` are
     continuous, `memory` is what `update` changes; an attribute of the class of their name is the initial number.
     `parameters` are values of the file: an attribute of their name is the default, others are required.
 
     Methods take what their arguments name, inputs, states, memory, `t` (time [s]) and `period` [s], as a float or
-    an array (n,), all in SI, and return one value for each output (`outputs`), slope of a state (`derivatives`) or
+    an array (n,) or (rows, columns), all in SI, and return one value for each output (`outputs`), slope of a state (`derivatives`) or
     number of the memory (`update`): several as a tuple. An input that `outputs` does not take has no effect on
     the outputs of the same instant. Arrays are valid during the call. Each run has an object of its own, which
     should remember nothing but its memory: a run may be put back.
@@ -83,6 +84,10 @@ def _port(cls: type, kind: str, name: str, said: Port) -> tuple[str, str, str, b
     unit, size = (said, 1) if isinstance(said, str) else (tuple(said) + (1,))[:2]
     if not isinstance(name, str) or not name.isidentifier():
         raise ValueError(f"{cls.__name__}: {name!r} among its {kind} is no name")
+    if isinstance(size, (tuple, list)):
+        if len(size) != 2 or not all(isinstance(each, int) and each > 0 for each in size):
+            raise ValueError(f"{cls.__name__}.{name}: a matrix has whole numbers of rows and columns, as (3, 2)")
+        size = f"{size[0]} x {size[1]}"
     initial = getattr(cls, name, 0.0) if kind in ("states", "memory") else 0.0
     return (name, str(unit), str(size), True, float(initial))
 

@@ -1,4 +1,4 @@
-#include "engine/simulate/run/kept_rows.hpp"
+#include "engine/simulate/run/row_per_run.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

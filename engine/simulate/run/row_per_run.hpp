@@ -45,10 +45,10 @@ class RowMaker {
 };
 
 /// The rows of a sweep that keeps one of each run.
-class KeptRows {
+class RowPerRun {
  public:
   /// Job and columns must outlive it.
-  KeptRows(const Job& job, const SweptColumns& swept, const RunNumbers* numbers);
+  RowPerRun(const Job& job, const SweptColumns& swept, const RunNumbers* numbers);
 
   /// Keeps the row of a point; from any thread.
   void put(std::size_t point, const std::vector<record::Recording>& row);

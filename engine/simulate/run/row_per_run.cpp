@@ -1,4 +1,4 @@
-#include "engine/simulate/run/kept_rows.hpp"
+#include "engine/simulate/run/row_per_run.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -90,7 +90,7 @@ std::vector<record::Recording> RowMaker::number_row(std::size_t point, bool whol
   return row;
 }
 
-KeptRows::KeptRows(const Job& job, const SweptColumns& swept, const RunNumbers* numbers)
+RowPerRun::RowPerRun(const Job& job, const SweptColumns& swept, const RunNumbers* numbers)
     : swept_(swept), made_(job.points.size(), 0), kept_(empty_recordings(job.plan, numbers)) {
   for (record::Recording& kept : kept_) {
     auto& columns = kept.table.columns;
@@ -100,7 +100,7 @@ KeptRows::KeptRows(const Job& job, const SweptColumns& swept, const RunNumbers* 
   }
 }
 
-void KeptRows::put(std::size_t point, const std::vector<record::Recording>& row) {
+void RowPerRun::put(std::size_t point, const std::vector<record::Recording>& row) {
   const std::vector<double> numbers = swept_.numbers(point);
   for (std::size_t r = 0; r < kept_.size(); ++r) {
     auto& columns = kept_[r].table.columns;
@@ -113,7 +113,7 @@ void KeptRows::put(std::size_t point, const std::vector<record::Recording>& row)
 }
 
 /// An interrupted sweep has no rows of what it has not made.
-void KeptRows::drop_missing(record::Recording& kept) const {
+void RowPerRun::drop_missing(record::Recording& kept) const {
   for (table::Column& column : kept.table.columns) {
     std::size_t end = 0;
     for (std::size_t point = 0; point < made_.size(); ++point)
@@ -122,7 +122,7 @@ void KeptRows::drop_missing(record::Recording& kept) const {
   }
 }
 
-std::vector<record::Recording> KeptRows::recordings() {
+std::vector<record::Recording> RowPerRun::recordings() {
   for (record::Recording& kept : kept_) {
     if (std::ranges::find(made_, 0) != made_.end()) drop_missing(kept);
     kept.starts.resize(kept.table.rows());
