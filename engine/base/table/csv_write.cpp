@@ -10,9 +10,8 @@
 #include "engine/base/table/table_file.hpp"
 
 namespace stepwire::table {
-namespace {
 
-void append_word(std::string& text, const std::string& given) {
+void append_csv_word(std::string& text, const std::string& given) {
   const std::string word = csv_cell(given);
   if (word.find_first_of(",;\t\"\n\r") == std::string::npos) {
     text += word;
@@ -23,8 +22,10 @@ void append_word(std::string& text, const std::string& given) {
   text += '"';
 }
 
+namespace {
+
 void append_title(std::string& text, const Column& column) {
-  append_word(text, column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
+  append_csv_word(text, column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
 }
 
 using WordsOfColumns = std::vector<const std::vector<std::string>*>;
@@ -43,7 +44,7 @@ void append_row(std::string& text, const Table& table, const WordsOfColumns& wor
     const double value = table.columns[i].values[row];
     if (i > 0) text += ',';
     if (words[i]) {
-      append_word(text, words[i]->at(static_cast<std::size_t>(value)));
+      append_csv_word(text, words[i]->at(static_cast<std::size_t>(value)));
     } else {
       append_csv_number(text, value);
     }

@@ -44,9 +44,10 @@ Table read_csv_header(const std::string& path);
 std::string csv_text(const Table& table, const ColumnWords& words = {});
 
 /// The pieces of such a text, for a file that grows: its first line, with names and units of columns, and one
-/// number of a row.
+/// number or word of a row.
 void append_csv_head(std::string& text, const std::vector<Column>& columns);
 void append_csv_number(std::string& text, double value);
+void append_csv_word(std::string& text, const std::string& word);
 
 /// Writes the text of the table as write_file() does.
 inline void write_csv(const std::string& path, const Table& table, const ColumnWords& words = {}) {

@@ -55,6 +55,17 @@ double Unit::from_si(double value) const {
   return static_cast<double>((as_decimal(value) - offset) / scale);
 }
 
+/// The same unit comes very often, one after the other: in a list, and at the points of a sweep.
+static std::optional<Unit> known_unit(std::string_view text) {
+  thread_local std::string last;
+  thread_local std::optional<Unit> unit;
+  if (text != last) {
+    unit = parse_unit(text);
+    last = text;
+  }
+  return unit;
+}
+
 std::optional<Quantity> parse_quantity(std::string_view text) {
   text = trimmed(text);
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
@@ -65,7 +76,7 @@ std::optional<Quantity> parse_quantity(std::string_view text) {
   if (error != std::errc{}) return std::nullopt;
   const std::string_view unit_text = trimmed({rest, static_cast<std::size_t>(end - rest)});
   if (unit_text.empty()) return result;
-  const auto unit = parse_unit(unit_text);
+  const auto unit = known_unit(unit_text);
   if (!unit || unit_text == "1") return std::nullopt;
   const double written = result.value;
   result.value = unit->to_si(result.value);

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <string_view>
 
+#include "engine/base/io/atomic_file_writer.hpp"
 #include "engine/base/table/table_file.hpp"
+#include "engine/base/text/characters.hpp"
 #include "engine/base/yaml/yaml_text.hpp"
 #include "engine/model/diagram/flatten.hpp"
 #include "engine/simulate/replay/data_copies.hpp"
@@ -27,17 +30,21 @@ bool is_file(const diagram::Diagram& diagram, const diagram::Target& target) {
                  .kind == ParameterKind::file;
 }
 
-/// What each run of a sweep sets in its flattened diagram.
+/// What each run of a sweep sets in its flattened diagram, as the lines of a table: there may be millions.
 class SweepTable {
  public:
   SweepTable(const run::Job& job, const diagram::FileName& file_name) : job_(job), file_name_(file_name) {
     for (std::size_t point = 0; point < job.points.size(); ++point) add(point);
-    for (table::Column& column : table_.columns)
-      for (std::size_t row = 0; row < job.points.size(); ++row)
-        column.values.push_back(static_cast<double>(row));
   }
 
-  void write(const std::string& path) const { table::write_csv(path, table_, words_); }
+  void write(const std::string& path) const {
+    io::AtomicFileWriter file(path);
+    std::string head;
+    table::append_csv_head(head, columns_);
+    file.append(head);
+    if (!columns_.empty()) append_rows(file);
+    file.finish();
+  }
 
  private:
   /// A run of a member, and its diagram with the values of the last point.
@@ -54,29 +61,53 @@ class SweepTable {
     Member& member = *made;
     job_.family->begin(index, job_.settings_of(point), member.run);
     member.run.put_values(member.diagram);
-    if (job_.family->size() > 1) set(point, diagram_column, diagram_name(job_, index));
+    cells_.assign(columns_.size(), "");
+    if (job_.family->size() > 1) set(diagram_column, diagram_name(job_, index));
     for (const diagram::Target& target : job_.family->targets(index))
       if (const auto value = diagram::flattened_value(member.diagram, target, file_name_))
-        set(point, name_of(member.diagram, target), yaml::yaml_line(*value));
-    for (const auto& [name, words] : words_)
-      if (words.size() == point) set(point, name, "");
+        set(name_of(member.diagram, target), yaml::yaml_line(*value));
+    for (const std::string& cell : cells_) {
+      if (&cell != &cells_.front()) rows_ += ',';
+      table::append_csv_word(rows_, cell);
+    }
+    rows_ += '\n';
+    if (widths_.empty() || widths_.back().second != cells_.size()) widths_.emplace_back(rows_.size(), cells_.size());
+    widths_.back().first = rows_.size();
   }
 
-  void set(std::size_t point, const std::string& name, std::string text) {
-    const auto [words, is_new] = words_.try_emplace(name);
+  void set(const std::string& name, std::string text) {
+    const auto [column, is_new] = places_.try_emplace(name, columns_.size());
     if (is_new) {
-      table_.columns.push_back({name, "", {}});
-      words->second.resize(point);
+      columns_.push_back({name, "", {}});
+      cells_.emplace_back();
     }
-    words->second.resize(point);
-    words->second.push_back(std::move(text));
+    cells_[column->second] = std::move(text);
+  }
+
+  /// Rows that were there before a column have nothing in it.
+  void append_rows(io::AtomicFileWriter& file) const {
+    std::size_t first = 0;
+    for (const auto& [end, width] : widths_) {
+      const std::string_view rows = std::string_view(rows_).substr(first, end - first);
+      first = end;
+      if (width == columns_.size()) {
+        file.append(rows);
+        continue;
+      }
+      std::string wider(rows);
+      text::replace_all(wider, "\n", std::string(columns_.size() - width, ',') + "\n");
+      file.append(wider);
+    }
   }
 
   const run::Job& job_;
   const diagram::FileName& file_name_;
   std::map<std::size_t, std::unique_ptr<Member>> members_;
-  table::Table table_;
-  table::ColumnWords words_;  ///< of each column, one for each run
+  std::vector<table::Column> columns_;  ///< without rows
+  std::map<std::string, std::size_t> places_;
+  std::vector<std::string> cells_;  ///< of the row that is made
+  std::string rows_;
+  std::vector<std::pair<std::size_t, std::size_t>> widths_;  ///< where rows of one width end, and that width
 };
 
 }  // namespace
