@@ -6,7 +6,9 @@ namespace stepwire::session {
 
 RunViews::RunViews(const LoadedModel& model, const record::Recording& recording)
     : recording_(recording), words_(recording.categories) {
-  if (const auto& sweep = model.job.plan.diagram.sweep; sweep && !model.job.points.empty())
+  // Of a sweep that keeps one row of each run these rows are one table.
+  if (const auto& sweep = model.job.plan.diagram.sweep;
+      sweep && !model.job.points.empty() && sweep->keep == diagram::Sweep::Keep::rows)
     for (const diagram::Sweep::Axis& axis : sweep->axes) swept_.insert(axis.parameter);
   for (record::Categories& column : words_)
     for (std::string& text : column.texts) text = unquoted(text);
@@ -28,7 +30,8 @@ table::RunView RunViews::view(std::size_t run) const {
   for (const table::Column& column : recording_.table.columns) {
     const auto words = words_of(column.name);
     if (!swept_.contains(column.name)) {
-      view.series.push_back({column.name, column.unit, std::span(column.values).subspan(first, end - first), words});
+      view.series.push_back(
+          {column.name, column.unit, std::span(column.values).subspan(first, end - first), words});
     } else if (first < end) {
       const double number = column.values[first];
       const auto index = static_cast<std::size_t>(number);

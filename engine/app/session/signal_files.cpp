@@ -42,7 +42,8 @@ void write_runs(const std::string& path, const LoadedModel& model, const record:
   writer.finish();
 }
 
-constexpr std::array kinds_of_files{Kind{FileKind::csv, "csv", write_csv}, Kind{FileKind::mat, "mat", write_mat},
+constexpr std::array kinds_of_files{Kind{FileKind::csv, "csv", write_csv},
+                                    Kind{FileKind::mat, "mat", write_mat},
                                     Kind{FileKind::h5, "h5", write_runs<hdf5::Hdf5Writer>},
                                     Kind{FileKind::mcap, "mcap", write_runs<mcap::McapWriter>}};
 
@@ -75,7 +76,8 @@ void write_signals(const std::string& folder, const LoadedModel& model,
   for (std::size_t i = 0; i < recordings.size(); ++i)
     for (const FileKind kind : kinds) {
       const Kind& row = row_of(kind);
-      row.write(folder + "/" + io::numbered("signals", i, fmt::format(".{}", row.name)), model, recordings[i]);
+      row.write(folder + "/" + io::numbered("signals", i, fmt::format(".{}", row.name)), model,
+                recordings[i]);
     }
 }
 
