@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,6 +9,7 @@
 #include "engine/analyse/query/formula.hpp"
 #include "engine/analyse/query/names_reading.hpp"
 #include "engine/analyse/query/symbol_table.hpp"
+#include "engine/analyse/statistics/paired_test.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/simulate/record/recording.hpp"
 
@@ -32,8 +34,17 @@ enum class Reduction {
   settling_time,
   peak_time,
   iae,
-  steady_error
+  steady_error,
+  fraction_of_runs,
+  quantile_of_runs
 };
+
+struct RunFormula;
+
+/// Is it a number of several runs, made of one of each?
+inline bool is_of_runs(Reduction reduction) {
+  return reduction == Reduction::fraction_of_runs || reduction == Reduction::quantile_of_runs;
+}
 
 /// What the reduced value is held against. A percent sign on `within` makes it relative: |value - equals| <=
 /// 1 % of |equals|; any other `within` is absolute and in the unit of the value.
@@ -62,8 +73,10 @@ struct Claim {
   Reduction reduction = Reduction::final;
   std::vector<query::Formula> values;  ///< one; two for rising (value, over) and fit (model, measured)
   std::optional<query::Formula> where;
-  double time = 0.0;      ///< for at, in s
-  double share = 0.5;     ///< for quantile, 0 to 1
+  double time = 0.0;                           ///< for at, in s
+  double share = 0.5;                          ///< for quantile, 0 to 1
+  std::shared_ptr<const RunFormula> of_run{};  ///< what is one number of a run, for those of several runs
+  std::optional<double> confidence{};  ///< with which they satisfy the comparison; none: the estimate does
   bool each_run = false;  ///< judged for every run of a sweep, the worst is shown; always so for final and at
   bool free_offset = false;  ///< fit: the mean of measured - model is added to the model first
   Comparison comparison;
@@ -85,6 +98,9 @@ struct Verdict {
   std::string note;                  ///< why it could not be judged: no row selected, nothing recorded, nan
   std::optional<std::size_t> run{};  ///< which of several runs the value is of
   std::string worst{};               ///< what that run sets: "kp=20"
+  /// Of a number of several runs: between which numbers it lies with this confidence.
+  std::optional<statistics::ConfidenceInterval> interval{};
+  double confidence = 0.0;
 
   /// A claim that is said to disagree but holds after all: the file is wrong about it.
   bool surprises() const { return holds && !disagrees.empty(); }
@@ -101,6 +117,11 @@ const yaml::Key& claim_form();
 /// `faults`.
 std::vector<Claim> read_claims(const yaml::Node& node, Claim::Kind kind, const query::SymbolTable& names,
                                yaml::Faults& faults);
+
+/// The number that a claim judges, of each run by itself; none of a run of which `where` selects no row. Nan
+/// where there is no such number.
+std::vector<std::optional<double>> values_of_runs(const Claim& claim,
+                                                  std::span<const record::Recording> recordings);
 
 /// Judges a claim on what was recorded.
 Verdict judge(const Claim& claim, std::span<const record::Recording> recordings);

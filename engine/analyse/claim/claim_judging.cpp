@@ -7,6 +7,7 @@
 
 #include "engine/analyse/claim/claim.hpp"
 #include "engine/analyse/claim/claim_words.hpp"
+#include "engine/analyse/claim/judge_runs.hpp"
 #include "engine/analyse/claim/reduce.hpp"
 
 namespace stepwire::claim {
@@ -162,11 +163,31 @@ std::string shown_text(const Claim& claim, const WorstRun& found, const Rows& ro
 
 }  // namespace
 
+std::vector<std::optional<double>> values_of_runs(const Claim& claim,
+                                                  std::span<const record::Recording> recordings) {
+  if (claim.recording >= recordings.size()) return {};
+  const Rows rows = rows_of(claim, recordings[claim.recording]);
+  std::vector<std::optional<double>> values(rows.starts.size());
+  for (std::size_t run = 0; run < values.size(); ++run) {
+    if (!selects_any(rows, run)) continue;
+    try {
+      values[run] = value_of_run(claim, rows, run);
+    } catch (const Unjudged&) {
+      values[run] = query::nothing;
+    }
+  }
+  return values;
+}
+
 Verdict judge(const Claim& claim, std::span<const record::Recording> recordings) {
   Verdict verdict{claim.kind, claim.that, claim.check,     std::numeric_limits<double>::quiet_NaN(),
                   "none",     false,      claim.disagrees, ""};
   try {
     if (claim.recording >= recordings.size()) throw Unjudged("nothing was recorded");
+    if (claim.of_run) {
+      judge_runs(claim, recordings, verdict);
+      return verdict;
+    }
     const Rows rows = rows_of(claim, recordings[claim.recording]);
     const WorstRun found = value_of(claim, rows);
     verdict.value = found.value;

@@ -36,6 +36,7 @@ ReducedRange reduced_range(Reduction reduction) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   switch (reduction) {
     case Reduction::fraction:
+    case Reduction::fraction_of_runs:
       return {0.0, 1.0};
     case Reduction::rising:
       return {-1.0, 1.0};

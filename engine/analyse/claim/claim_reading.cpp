@@ -6,6 +6,7 @@
 #include "engine/analyse/claim/claim.hpp"
 #include "engine/analyse/claim/claim_range.hpp"
 #include "engine/analyse/claim/claim_words.hpp"
+#include "engine/analyse/claim/run_formula.hpp"
 #include "engine/analyse/claim/step_reductions.hpp"
 #include "engine/analyse/query/number.hpp"
 
@@ -17,10 +18,22 @@ namespace {
 
 using ClaimRow = yaml::KeyRow<Claim, query::NamesReading>;
 
+/// What is one number of a run, as a value of the claim.
+std::optional<query::Formula> read_of_run(const yaml::Node& node, Claim& claim,
+                                          const query::NamesReading& read) {
+  auto of_run = read_run_formula(node, read);
+  if (!of_run) return std::nullopt;
+  query::Formula value = *of_run->formula;
+  value.text = of_run->text;
+  claim.of_run = std::make_shared<const RunFormula>(std::move(*of_run));
+  return value;
+}
+
 void add_value(const yaml::Node& node, Claim& claim, const query::NamesReading& read) {
-  auto value = read.formula(node);
+  auto value = is_of_runs(claim.reduction) ? read_of_run(node, claim, read) : read.formula(node);
   if (!value) return;
-  const bool counts = claim.reduction == Reduction::fraction || claim.reduction == Reduction::count;
+  const bool counts = claim.reduction == Reduction::fraction || claim.reduction == Reduction::count ||
+                      claim.reduction == Reduction::fraction_of_runs;
   if (counts && value->dimension && *value->dimension != unit::Dimension{})
     return read.fault(node.mark,
                       fmt::format("'{}' is in {} and no condition; write what has to hold, such as '{} > 0'",
@@ -141,6 +154,13 @@ yaml::Key share_form() {
   return share;
 }
 
+yaml::Key confidence_form() {
+  yaml::Key confidence = form::computed();
+  confidence.least = 0.5;
+  confidence.most = 0.999999;
+  return confidence;
+}
+
 std::vector<ClaimRow> claim_rows() {
   return {
       yaml::needed(ClaimRow{"that", "the statement, for people", form::text(), &Claim::that}),
@@ -178,6 +198,12 @@ std::vector<ClaimRow> claim_rows() {
       reduction(Reduction::iae, "iae", "the integral of its absolute value over time: reference - y"),
       reduction(Reduction::steady_error, "steady_error",
                 "the absolute value of its last value: reference - y"),
+      reduction(Reduction::fraction_of_runs, "fraction_of_runs",
+                "the share of the runs in which something holds of numbers of a run: max(x) < 2 mm"),
+      reduction(Reduction::quantile_of_runs, "quantile_of_runs",
+                "what this share of the runs lies below in a number of a run: {share: 95 %, value: max(x)}",
+                two("{share: 95 %, value: max(x)}", yaml::key("share", "0 to 1, or in %", share_form()),
+                    yaml::key("value", "what", form::expression()))),
       comparison(Comparison::Kind::equals, "equals", "=", "the reduced value is this; see within"),
       comparison(Comparison::Kind::at_most, "at_most", "<=", "the reduced value is this or less"),
       comparison(Comparison::Kind::at_least, "at_least", ">=", "the reduced value is this or more"),
@@ -194,6 +220,11 @@ std::vector<ClaimRow> claim_rows() {
        "true: judged for every run of a sweep, the worst is shown; always so for final, at, and what a step "
        "does",
        form::truth(), &Claim::each_run},
+      yaml::beside({"fraction_of_runs", "quantile_of_runs"},
+                   ClaimRow{"confidence",
+                            "with which the comparison has to be satisfied: by the whole interval; without "
+                            "it by the estimate alone, and the interval of 95 % is shown",
+                            confidence_form(), &Claim::confidence}),
       yaml::beside({"fit"},
                    ClaimRow{"offset", "beside fit: the mean difference is no error", form::word({"free"}),
                             [](Claim& claim, const yaml::Node& node, const query::NamesReading& read) {
@@ -218,7 +249,8 @@ Claim read_claim(const yaml::Node& node, Claim::Kind kind, const query::NamesRea
   claim.each_run = claim.each_run || claim.reduction == Reduction::final ||
                    claim.reduction == Reduction::at || is_of_step(claim.reduction);
   std::vector<const query::Formula*> all;
-  for (const auto& value : claim.values) all.push_back(&value);
+  for (const auto& value : claim.values)
+    if (!claim.of_run) all.push_back(&value);
   if (claim.where) all.push_back(&*claim.where);
   const std::string& reduced = reduction_names()[static_cast<std::size_t>(claim.reduction)];
   claim.recording =

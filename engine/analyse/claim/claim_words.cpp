@@ -18,6 +18,10 @@ std::string reduction_text(const Claim& claim, const std::string& time) {
       return fmt::format("{} at {}", values[0].text, time);
     case Reduction::quantile:
       return fmt::format("{:g} % quantile of {}", 100.0 * claim.share, values[0].text);
+    case Reduction::fraction_of_runs:
+      return fmt::format("fraction of runs in which {}", values[0].text);
+    case Reduction::quantile_of_runs:
+      return fmt::format("{:g} % quantile over runs of {}", 100.0 * claim.share, values[0].text);
     case Reduction::rising:
       return fmt::format("rising {} over {}", values[0].text, values[1].text);
     case Reduction::fit:
@@ -67,6 +71,7 @@ const std::vector<std::string>& reduction_names() {
 std::optional<unit::Dimension> reduced_dimension(const Claim& claim) {
   switch (claim.reduction) {
     case Reduction::fraction:
+    case Reduction::fraction_of_runs:
     case Reduction::count:
     case Reduction::rising:
     case Reduction::fit:
@@ -89,6 +94,7 @@ std::string check_text(const Claim& claim, const std::string& time) {
   if (claim.values.size() != (pair ? 2u : 1u)) return {};
   std::string text = reduction_text(claim, time) + " " + claim.comparison.text;
   if (claim.where) text += " where " + claim.where->text;
+  if (claim.confidence) text += fmt::format(" with {:g} %", 100.0 * *claim.confidence);
   return text;
 }
 

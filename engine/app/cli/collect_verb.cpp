@@ -34,7 +34,7 @@ class Shares {
       const auto own = journal::Journal::head_of(path);
       if (own != head) refuse(path, own.has_value(), folders.front());
       journals_.push_back(
-          std::make_unique<journal::Journal>(path, head, model_.job, nullptr, journal::Journal::Use::read));
+          std::make_unique<journal::Journal>(path, head, model_.job, model_.kept.get(), journal::Journal::Use::read));
     }
   }
 

@@ -56,6 +56,10 @@ const char* const fit_example = R"yaml(fit:
 const char* const linear_example = R"yaml(linear:
   loop: {from: spring, to: spring, open: spring, at: 0.2 s})yaml";
 
+const char* const sensitivity_example =
+    "sweep: {mass: {uniform: [1 kg, 2 kg]}, design: {samples: 16, kind: saltelli}}\n"
+    "sensitivity: {of: {swing: max(body.velocity)}, confidence: 90 %}";
+
 const char* const study_example = R"yaml(stepwire: 1
 title: People who draw a circle
 step: 10 ms
@@ -105,6 +109,7 @@ const std::map<std::string, std::string>& examples() {
        "trim:\n  states: {body.velocity: {fixed: 0 m/s}, body.position: {start: 1 mm, bounds: [-1 m, 1 "
        "m]}}\n  "
        "outputs: {spring: free}"},
+      {"sensitivity", sensitivity_example},
       {"study", study_example},
       {"figure",
        "figure:\n  panels:\n    - {plot: lines, x: time in s, y: body.position in mm}\n    - {plot: "
@@ -124,6 +129,10 @@ const std::map<std::string, std::string>& examples() {
       {"figure.box", figure("box, y: body.position in mm, whiskers: tukey")},
       {"figure.tornado", std::string("sweep: {one_at_a_time: {mass: [1 kg, 3 kg]}}\n") +
                              figure("tornado, x: body.position in mm, names: {mass: mass of the body}")},
+      {"figure.band", std::string("sweep: {mass: {uniform: [1 kg, 2 kg]}, design: {samples: 20}}\n") +
+                          figure("band, x: time in s, y: body.position in mm, shares: [50 %, 90 %]")},
+      {"figure.sensitivity", std::string(sensitivity_example) + "\n" +
+                                 figure("sensitivity, of: swing, names: {mass: mass of the body}")},
       {"figure.histogram", figure("histogram, x: body.position in mm, bins: 20, lines: 0 mm")},
       {"figure.diagram", figure("diagram, names: {body: load}, units: true")},
       {"figure.rig",

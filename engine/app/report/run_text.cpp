@@ -41,6 +41,8 @@ std::string outcome_text(const session::LoadedModel& model, const session::Outco
     else
       text += verdict_line(verdict);
   }
+  for (const query::NamedTable& table : model.tables)
+    if (table.name == session::sensitivity_table && !outcome.early()) text += text::text(*table.table);
   if (held > 0)
     text += fmt::format("  ok   held throughout: {} {}\n", held, held == 1 ? "invariant" : "invariants");
   for (const run::RaisedDiagnostic& diagnostic : outcome.result.diagnostics)

@@ -7,6 +7,7 @@
 #include "engine/app/session/build_note.hpp"
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/owned_folder.hpp"
+#include "engine/base/yaml/yaml_text.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
@@ -20,6 +21,8 @@ namespace {
 std::string points_hash(const LoadedModel& model) {
   hash::Hash hash;
   hash.add(model.hash).add(build_note(model).text(-1));
+  const diagram::Sweep& sweep = *model.job.plan.diagram.sweep;
+  hash.add(fmt::format("{} {}", static_cast<int>(sweep.keep), yaml::yaml_line(sweep.kept)));
   for (std::size_t point = 0; point < model.job.points.size(); ++point)
     hash.add(run::settings_text(model.job.settings_of(point)));
   return hash.text();
@@ -124,7 +127,7 @@ LoadedModel load_kept(const Registry& registry, const std::string& folder) {
 }
 
 KeptPoints::KeptPoints(const LoadedModel& model, const std::string& folder, const Share& share)
-    : journal_((io::note_written(points_path(folder)), points_path(folder)), points_head(model), model.job, nullptr,
+    : journal_((io::note_written(points_path(folder)), points_path(folder)), points_head(model), model.job, model.kept.get(),
                journal::Journal::Use::write),
       first_(share.first(model.job.points.size())),
       end_(share.end(model.job.points.size())),
@@ -156,7 +159,7 @@ std::size_t KeptPoints::kept() const {
 
 Outcome joined_points(const LoadedModel& model, const std::vector<journal::Journal*>& journals,
                       std::vector<run::PointResult> halves) {
-  run::JoinedPoints joined(model.job, nullptr);
+  run::JoinedPoints joined(model.job, model.kept.get());
   std::vector<bool> taken(model.job.points.size());
   for (journal::Journal* journal : journals)
     journal->each([&](run::PointResult result) {

@@ -12,6 +12,7 @@
 #include "engine/analyse/study/study_columns.hpp"
 #include "engine/analyse/study/study_tables.hpp"
 #include "engine/app/session/pointer_names.hpp"
+#include "engine/app/session/sweep_sections.hpp"
 #include "engine/model/diagram/flatten.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/signal_words.hpp"
@@ -145,9 +146,20 @@ void add_linear(diagram::Loader& loader, LoadedModel& model, query::SymbolTable&
     return faults.add(
         {{model.file, section->mark}, "linear", "a file has a study or 'linear', not both", {}});
   model.linear = linear::read_linear(*section, names, model.job.plan, faults);
-  std::size_t recording = model.job.plan.diagram.records.size();
+  std::size_t recording = recordings_of(model);
   for (const linear::NamedAnalysis& analysis : model.linear)
     std::ranges::move(linear::analysis_names(analysis, recording++), std::back_inserter(names.columns));
+}
+
+/// Reads what is made of the runs, and adds its names. A fit reads all rows, whatever the sweep keeps.
+void read_analyses(diagram::Loader& loader, LoadedModel& model, query::SymbolTable& names,
+                   yaml::Faults& faults) {
+  const diagram::Diagram& diagram = model.job.plan.diagram;
+  if (diagram.fit.kind != yaml::Node::Kind::empty)
+    model.fit = estimation::read_fit(diagram.fit, names, diagram, faults);
+  add_kept(model, names, faults);
+  add_linear(loader, model, names, faults);
+  add_sensitivity(model, names, faults);
 }
 
 /// Reads the scene ahead of figures and claims, which may name what it shows.
@@ -200,16 +212,15 @@ LoadedModel load_model(diagram::Loader& loader, const std::string& file, const L
   const drawing::DiagramView view(diagram, loader);
   names.diagram = &view;
   add_study(loader, options, model, names, faults);
-  add_linear(loader, model, names, faults);
+  read_analyses(loader, model, names, faults);
   names.scene = model.scene = read_scene_of(diagram, names, faults);
   if (diagram.figure.kind != yaml::Node::Kind::empty)
     model.figures = plot::read_figures(diagram.figure, names, faults);
+  draw_kept_as_points(model, model.figures);
   if (model.study)
     for (plot::Figure& figure : model.figures)
       if (!figure.title.empty()) figure.title += fmt::format(" ({})", study::whose_trials(*model.study));
   read_all_claims(diagram, model, names, faults);
-  if (diagram.fit.kind != yaml::Node::Kind::empty)
-    model.fit = estimation::read_fit(diagram.fit, names, diagram, faults);
   faults.throw_if_any();
   model.hash = diagram::diagram_hash(diagram);
   return model;

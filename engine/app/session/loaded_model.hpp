@@ -9,6 +9,7 @@
 #include "engine/analyse/estimation/fit_request.hpp"
 #include "engine/analyse/linear/section.hpp"
 #include "engine/analyse/linear/trim.hpp"
+#include "engine/analyse/sensitivity/sensitivity.hpp"
 #include "engine/analyse/study/study_request.hpp"
 #include "engine/model/diagram/load.hpp"
 #include "engine/simulate/run/run.hpp"
@@ -36,14 +37,19 @@ struct LoadedModel {
   std::vector<claim::Claim> claims;
   std::optional<estimation::FitRequest> fit;  ///< what is to be found in records before the run
   std::string hash;  ///< of the flattened diagram and its data as they were before the run
-  std::shared_ptr<const scene::Scene> scene{};  ///< null where the file shows none
-  std::optional<study::StudyRequest> study{};   ///< whose trials are the runs of the file
-  std::vector<query::NamedTable> tables{};      ///< that the study will make, for figures
+  std::shared_ptr<const scene::Scene> scene{};    ///< null where the file shows none
+  std::optional<study::StudyRequest> study{};     ///< whose trials are the runs of the file
+  std::vector<query::NamedTable> tables{};        ///< that the study will make, for figures
+  std::shared_ptr<const run::RunNumbers> kept{};  ///< what the sweep keeps of each run; null: its rows
+  std::optional<sensitivity::Request> sensitivity{};
   std::vector<linear::NamedAnalysis> linear{};  ///< that figures and claims read behind the recordings
-  std::optional<linear::TrimRequest> trim{};   ///< the operating point that is looked for
+  std::optional<linear::TrimRequest> trim{};    ///< the operating point that is looked for
   const Registry* registry = nullptr;           ///< by which it was loaded
   std::vector<std::string> blocksets{};         ///< folders of the blocks from outside that were known
 };
+
+/// The name of the table of a sensitivity.
+inline constexpr const char* sensitivity_table = "sensitivity";
 
 /// Loads, plans, and reads figures and claims. Throws Error with everything that is wrong, EnvironmentError.
 LoadedModel load_model(diagram::Loader& loader, const std::string& file, const LoadOptions& options);

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "engine/app/session/run_files.hpp"
 #include "engine/app/session/loop_files.hpp"
+#include "engine/app/session/run_files.hpp"
 #include "engine/app/session/version.hpp"
 #include "engine/model/diagram/flatten.hpp"
 #include "engine/simulate/realtime/machine.hpp"

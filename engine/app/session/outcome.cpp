@@ -37,10 +37,15 @@ void name_run(const run::Job& job, claim::Verdict& verdict) {
 }  // namespace
 
 void add_shown(const LoadedModel& model, Outcome& outcome) {
-  if (!model.scene && model.linear.empty()) return;
+  if (!model.scene && model.linear.empty() && !model.sensitivity) return;
   outcome.shown = outcome.result.recordings;
   if (model.scene) scene::add_scene_states(*model.scene, outcome.shown);
   std::ranges::move(linear_recordings(model), std::back_inserter(outcome.shown));
+  if (!model.sensitivity) return;
+  outcome.shown.push_back(sensitivity::results(*model.sensitivity, outcome.result.recordings));
+  for (const query::NamedTable& table : model.tables)
+    if (table.name == sensitivity_table)
+      *table.table = sensitivity::results_table(*model.sensitivity, outcome.shown.back());
 }
 
 void judge_claims(const LoadedModel& model, Outcome& outcome) {
@@ -80,7 +85,9 @@ class Seconds {
 Outcome run_model(const LoadedModel& model, const run::RunOptions& options) {
   Outcome outcome;
   const Seconds seconds;
-  outcome.result = run::run_job(model.job, options);
+  run::RunOptions own = options;
+  own.numbers = model.kept.get();
+  outcome.result = run::run_job(model.job, own);
   outcome.seconds = seconds.passed();
   judge_claims(model, outcome);
   return outcome;
@@ -96,6 +103,7 @@ double run_points(const LoadedModel& model, run::ExecutionMode engine, plan::Cod
   run::RunOptions options = options_of(engine, code, monitor);
   options.progress = [&](double) { monitor.show(exchange.done()); };
   options.threads = threads;
+  options.numbers = model.kept.get();
   const Seconds seconds;
   run::run_points(model.job, options, exchange);
   return seconds.passed();

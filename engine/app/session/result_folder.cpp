@@ -9,7 +9,7 @@
 namespace stepwire::session {
 
 std::unique_ptr<io::OwnedFolder> own_results(const std::string& folder, const LoadedModel& model,
-                                               const FileKinds& kinds) {
+                                             const FileKinds& kinds) {
   if (folder.empty()) return nullptr;
   auto owned = std::make_unique<io::OwnedFolder>(folder, [&] {
     std::set<std::string> files = replay::files_read(model.job);

@@ -35,6 +35,14 @@ Json sweep_json(const run::Job& job) {
   return axes;
 }
 
+/// What a sweep keeps of each run; null of one run.
+Json kept_word(const LoadedModel& model) {
+  if (model.kept) return "numbers";
+  const auto& sweep = model.job.plan.diagram.sweep;
+  if (model.job.points.empty() || !sweep) return {};
+  return sweep->keep == diagram::Sweep::Keep::final ? "final" : "rows";
+}
+
 Json parameter_value(const diagram::DiagramParameter& parameter) {
   if (const double* number = std::get_if<double>(&parameter.value.content)) return *number;
   return parameter.text;
@@ -78,6 +86,9 @@ Json claims_json(const LoadedModel& model, const Outcome& outcome) {
     claim.set("check", verdict.check).set("value", verdict.value).set("holds", verdict.holds);
     if (verdict.kind == claim::Claim::Kind::invariant) claim.set("invariant", true);
     if (!verdict.disagrees.empty()) claim.set("disagrees", verdict.disagrees);
+    if (verdict.interval)
+      claim.set("interval", Json::list({verdict.interval->low, verdict.interval->high}))
+          .set("confidence", verdict.confidence);
     if (!verdict.worst.empty()) claim.set("worst", verdict.worst);
     if (!verdict.note.empty()) claim.set("note", verdict.note);
     list.push(std::move(claim));
@@ -124,6 +135,7 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
       .set("stop", diagram.stop)
       .set("solver", diagram.solver.empty() ? Json() : Json(diagram.solver))
       .set("sweep", sweep_json(model.job))
+      .set("keep", kept_word(model))
       .set("runs", model.job.points.empty() ? std::size_t{1} : model.job.points.size())
       .set("ticks", outcome.result.ticks)
       .set("compiled_ticks", outcome.result.compiled_ticks)

@@ -6,7 +6,9 @@ namespace stepwire::session {
 
 RunViews::RunViews(const LoadedModel& model, const record::Recording& recording)
     : recording_(recording), words_(recording.categories) {
-  if (const auto& sweep = model.job.plan.diagram.sweep; sweep && !model.job.points.empty())
+  // Of a sweep that keeps one row of each run these rows are one table.
+  if (const auto& sweep = model.job.plan.diagram.sweep;
+      sweep && !model.job.points.empty() && sweep->keep == diagram::Sweep::Keep::rows)
     for (const diagram::Sweep::Axis& axis : sweep->axes) swept_.insert(axis.parameter);
   for (record::Categories& column : words_)
     for (std::string& text : column.texts) text = unquoted(text);

@@ -5,6 +5,7 @@
 
 #include "engine/base/math/random.hpp"
 #include "engine/base/sampling/scrambled_sobol.hpp"
+#include "engine/base/sampling/sensitivity_points.hpp"
 
 namespace stepwire::sampling {
 
@@ -32,8 +33,14 @@ void lay_out_in_layers(std::vector<double>& numbers, std::int64_t seed, std::siz
 
 }  // namespace
 
+std::size_t Design::points_of_sample(std::size_t dimensions) const {
+  return layout == Layout::saltelli ? dimensions + 2 : layout == Layout::morris ? dimensions + 1 : 1;
+}
+
 Points points_of(const Design& design, std::size_t dimensions) {
-  Points points(dimensions, std::vector<double>(design.points));
+  if (design.layout == Layout::saltelli) return saltelli_points(design, dimensions);
+  if (design.layout == Layout::morris) return morris_points(design, dimensions);
+  Points points(dimensions, std::vector<double>(design.samples));
   if (design.layout == Layout::sobol) {
     lay_out_sobol(points, design.seed);
     return points;

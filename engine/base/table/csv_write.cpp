@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "engine/base/io/atomic_file_writer.hpp"
 #include "engine/base/table/csv_cell.hpp"
 #include "engine/base/table/table_file.hpp"
 
@@ -87,6 +88,24 @@ std::string csv_text(const Table& table, const ColumnWords& words) {
   const WordsOfColumns by_column = words_of(table, words);
   for (std::size_t row = 0; row < table.rows(); ++row) append_row(text, table, by_column, row);
   return text;
+}
+
+void write_csv(const std::string& path, const Table& table, const ColumnWords& words) {
+  constexpr std::size_t many = 1'000'000, rows_of_piece = 10'000;
+  if (table.rows() * table.columns.size() < many) return io::write_file(path, csv_text(table, words));
+  check_lengths(table);
+  const auto texts = words_of(table, words);
+  io::AtomicFileWriter file(path);
+  std::string piece;
+  append_csv_head(piece, table.columns);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    append_row(piece, table, texts, row);
+    if ((row + 1) % rows_of_piece != 0) continue;
+    file.append(piece);
+    piece.clear();
+  }
+  file.append(piece);
+  file.finish();
 }
 
 }  // namespace stepwire::table

@@ -49,9 +49,7 @@ void append_csv_head(std::string& text, const std::vector<Column>& columns);
 void append_csv_number(std::string& text, double value);
 void append_csv_word(std::string& text, const std::string& word);
 
-/// Writes the text of the table as write_file() does.
-inline void write_csv(const std::string& path, const Table& table, const ColumnWords& words = {}) {
-  io::write_file(path, csv_text(table, words));
-}
+/// Writes the text of the table as write_file() does; that of a large one piece by piece.
+void write_csv(const std::string& path, const Table& table, const ColumnWords& words = {});
 
 }  // namespace stepwire::table

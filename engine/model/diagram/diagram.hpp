@@ -216,6 +216,7 @@ struct Diagram {
   std::vector<DiagramBus> buses;     ///< but for fields that are fed by constants
   std::vector<RecordRequest> records;
   std::vector<DiagramParameter> parameters;
+  yaml::Node sensitivity;                    ///< as written, read by the sensitivity room; empty where absent
   std::shared_ptr<const Bindings> bindings;  ///< how its values follow from the parameters
   PortUnits output_dimensions;               ///< see infer_units
   PortUnits state_dimensions;                ///< of the states

@@ -67,6 +67,7 @@ void read_head_of_file(const Scope& scope, Report& report) {
   if (const yaml::Node* invariants = scope.document->root.find("invariants"))
     diagram.invariants = *invariants;
   if (const yaml::Node* fit = scope.document->root.find("fit")) diagram.fit = *fit;
+  if (const yaml::Node* node = scope.document->root.find("sensitivity")) diagram.sensitivity = *node;
 }
 
 }  // namespace stepwire::diagram

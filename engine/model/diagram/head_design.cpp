@@ -9,6 +9,7 @@
 #include "engine/base/sampling/correlation.hpp"
 #include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/head_keys.hpp"
+#include "engine/model/diagram/head_range.hpp"
 
 namespace stepwire::diagram {
 
@@ -121,16 +122,40 @@ class CorrelationReading {
   Eigen::MatrixXd matrix_;
 };
 
-std::optional<sampling::Design> read_design(const yaml::Node& node, std::size_t dimensions,
-                                            const HeadReading& read) {
+bool is_for_sensitivity(const sampling::Design& design) {
+  return design.layout == sampling::Layout::saltelli || design.layout == sampling::Layout::morris;
+}
+
+/// Checks what a design asks of what is drawn.
+void check_design(const sampling::Design& design, std::size_t dimensions, const yaml::Node& section,
+                  const HeadReading& read) {
+  const bool is_sobol =
+      design.layout == sampling::Layout::sobol || design.layout == sampling::Layout::saltelli;
+  const std::size_t needed = design.layout == sampling::Layout::saltelli ? 2 * dimensions : dimensions;
+  const std::size_t most = sampling::max_sobol_dimensions();
+  if (is_sobol && needed > most)
+    read.fault(section.mark, fmt::format("there are Sobol numbers for {} parameters, and {} are drawn; take "
+                                         "kind: latin_hypercube",
+                                         needed == dimensions ? most : most / 2, dimensions));
+  const std::size_t each = design.points_of_sample(dimensions);
+  if (design.samples > max_runs / each)
+    read.fault(section.mark,
+               fmt::format("makes {} runs for each sample; at most {} are made", each, max_runs));
+}
+
+std::optional<sampling::Design> read_design(const yaml::Node& section, const yaml::Node& node,
+                                            std::size_t dimensions, const HeadReading& read) {
+  const HeadReading of_design = below(read, "design");
   const std::size_t before = read.report.faults().size();
   sampling::Design design;
-  design_table().read(node, design, below(read, "design"));
-  if (design.layout == sampling::Layout::sobol && dimensions > sampling::max_sobol_dimensions())
-    below(read, "design")
-        .fault(node.mark, fmt::format("there are Sobol numbers for {} parameters, and {} are "
-                                      "drawn; take kind: latin_hypercube",
-                                      sampling::max_sobol_dimensions(), dimensions));
+  design_table().read(node, design, of_design);
+  check_design(design, dimensions, node, of_design);
+  const yaml::Node* correlation = section.find("correlation");
+  if (correlation && is_for_sensitivity(design))
+    below(read, "correlation")
+        .fault(correlation->mark,
+               "a sensitivity is that of parameters which vary by themselves; leave it out, "
+               "or take another kind of design");
   return read.report.faults().size() == before ? std::optional(design) : std::nullopt;
 }
 
@@ -151,7 +176,7 @@ void draw_axes(const yaml::Node& section, const std::vector<DrawnAxis>& drawn, c
   if (!of_design)
     return read.fault(section.mark, fmt::format("'{}' is drawn; say how often: design: {{samples: 1000}}",
                                                 sweep.axes[drawn.front().axis].parameter));
-  const auto design = read_design(*of_design, drawn.size(), read);
+  const auto design = read_design(section, *of_design, drawn.size(), read);
   std::optional<Eigen::MatrixXd> factor;
   if (of_correlation) factor = CorrelationReading(*of_correlation, drawn, sweep, read).factor();
   if (!design || (of_correlation && !factor)) return;

@@ -77,6 +77,8 @@ std::vector<HeadRow> run_rows() {
        form::list(form::section("claim"))},
       {"fit", "finds parameters so that the model agrees with records: the runs of the sweep, or the one run",
        form::section("fit")},
+      {"sensitivity", "how much of an outcome's spread comes from which parameter that a sweep draws",
+       form::section("sensitivity")},
       {"linear",
        "linear analyses of the diagram near a point of its run, by name: poles, margins, responses, which "
        "figures and claims read",

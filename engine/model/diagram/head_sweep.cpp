@@ -183,6 +183,9 @@ void read_sweep(const Scope& scope, Report& report) {
     HeadReading("sweep.together", scope, report).take(*together, yaml::form::truth(), sweep.together);
   read_keep(*node, sweep, scope, report);
   if (!read_axes(*node, sweep, scope, report)) return;
+  if (const yaml::Node* keep = node->find("keep"); keep && sweep.axes.empty())
+    report.add(scope.at(keep->mark), "sweep.keep",
+               "there are no runs to keep something of; name what varies");
   for (const Sweep::Axis& axis : sweep.axes)
     if (sweep.together && axis.count() != sweep.axes.front().count())
       report.add(axis.origin, "sweep." + axis.parameter,

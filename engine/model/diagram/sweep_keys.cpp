@@ -80,15 +80,21 @@ const yaml::Key& distribution_form() {
 const yaml::KeyTable<sampling::Design, HeadReading>& design_table() {
   static const yaml::KeyTable<sampling::Design, HeadReading> table(
       "a design", "{samples: 1000, kind: sobol, seed: 3}",
-      {yaml::needed(yaml::KeyRow<sampling::Design, HeadReading>{"samples", "how many points are drawn",
+      {yaml::needed(yaml::KeyRow<sampling::Design, HeadReading>{"samples", "how many samples are drawn",
                                                                 form::whole(1, static_cast<double>(max_runs)),
-                                                                &sampling::Design::points}),
+                                                                &sampling::Design::samples}),
        {"kind", "how they are laid out",
         form::words({{"random", "each point alone"},
                      {"latin_hypercube",
                       "as many layers of equal probability along each parameter as there "
                       "are points, one point in each"},
-                     {"sobol", "low discrepancy: scrambled Sobol points"}}),
+                     {"sobol", "low discrepancy: scrambled Sobol points"},
+                     {"saltelli",
+                      "for the indices of Sobol: a sample is as many runs as there are parameters, "
+                      "and two more"},
+                     {"morris",
+                      "for a screening: a sample is as many runs as there are parameters, and one "
+                      "more"}}),
         &sampling::Design::layout},
        {"seed", "another whole number draws other points", form::whole(0, 9e15), &sampling::Design::seed}});
   return table;

@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::string_view mark = "stepwire points 1 ";
 constexpr std::size_t longest_head = std::size_t{1} << 20;
+constexpr std::size_t most_mapped = std::size_t{16} << 20, points_mapped = 10'000;
 constexpr std::size_t most_waiting = std::size_t{1} << 20;
 constexpr std::chrono::milliseconds longest_wait{500};
 constexpr std::size_t sum_size = 16;
@@ -48,6 +49,11 @@ class Mapped {
   Mapped& operator=(const Mapped&) = delete;
 
   std::string_view bytes() const { return {start_, size_}; }
+
+  /// Lets go of what was looked at, so that a large file does not stay in memory.
+  void forget() const {
+    if (start_) ::madvise(const_cast<char*>(start_), size_, MADV_DONTNEED);
+  }
 
  private:
   const char* start_ = nullptr;
@@ -113,7 +119,9 @@ Journal::~Journal() {
 void Journal::find_points(std::uint64_t first) {
   const Mapped mapped(file_.number(), path_);
   end_ = first;
+  std::size_t looked_at = 0;
   while (const auto bytes = record_at(mapped.bytes(), end_)) {
+    if ((looked_at += bytes->size()) > most_mapped) mapped.forget(), looked_at = 0;
     std::uint64_t point = 0;
     if (bytes->size() < sizeof(point)) return;
     std::memcpy(&point, bytes->data(), sizeof(point));
@@ -172,8 +180,11 @@ run::PointResult Journal::point(std::string_view file, std::size_t point) const 
 void Journal::each(const std::function<void(run::PointResult)>& take) {
   flush();
   const Mapped mapped(file_.number(), path_);
-  for (std::size_t of = 0; of < places_.size(); ++of)
-    if (has(of)) take(point(mapped.bytes(), of));
+  for (std::size_t of = 0, looked_at = 0; of < places_.size(); ++of) {
+    if (!has(of)) continue;
+    take(point(mapped.bytes(), of));
+    if (++looked_at % points_mapped == 0) mapped.forget();
+  }
 }
 
 }  // namespace stepwire::journal

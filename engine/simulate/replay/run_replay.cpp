@@ -94,4 +94,20 @@ std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector
   return used;
 }
 
+void replay_last_row(run::Executor& simulation, const std::vector<Recorded>& tables, std::size_t row,
+                     const run::RunOptions& options, Verification& verification) {
+  run::TieredExecution interpreted(run::ExecutionMode::interpreted, nullptr, {}, 0.0);
+  record::RunRecording recording(simulation.plan(), true);
+  const run::RunEnd end = run::run_simulation(simulation, recording.recorders(), options, interpreted, 0, 0);
+  verification.interrupted = verification.interrupted || end.interrupted;
+  if (verification.interrupted) return;
+  Earliest earliest;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    ++verification.rows;
+    if (!std::isnan(tables[i].times()[row]))
+      compare(tables[i], {row, 1}, recording.finished()[i].table, earliest);
+  }
+  verification.difference = earliest.text();
+}
+
 }  // namespace stepwire::replay

@@ -11,10 +11,15 @@ struct RowRange {
   std::size_t first = 0, count = 0;
 };
 
-/// Runs a plan as far as its rows go, with the observers of `options`, and compares them, one entry of `rows` for each table; adds what came of
-/// it. Returns how many rows of each table were this run's.
+/// Runs a plan as far as its rows go, with the observers of `options`, and compares them, one entry of `rows`
+/// for each table; adds what came of it. Returns how many rows of each table were this run's.
 std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector<Recorded>& tables,
                                     const std::vector<RowRange>& rows, const run::RunOptions& options,
                                     Verification& verification);
+
+/// Runs a plan to its end and compares the last row of each table's request with the row of this number, of
+/// which a run that a fault ended has left none; adds what came of it.
+void replay_last_row(run::Executor& simulation, const std::vector<Recorded>& tables, std::size_t row,
+                     const run::RunOptions& options, Verification& verification);
 
 }  // namespace stepwire::replay

@@ -20,6 +20,7 @@ namespace {
 struct RunNote {
   std::vector<std::string> swept;  ///< parameters of a sweep, in the order of their columns; empty for none
   std::size_t runs = 1;
+  std::string keep{};  ///< what a sweep keeps of each run, if not its rows
 };
 
 [[noreturn]] void refuse(const std::string& file, std::string message) {
@@ -57,6 +58,8 @@ class Verifier {
       verify_loop();
     } else if (const RunNote note = read_note(); note.swept.empty()) {
       verify_run();
+    } else if (note.keep == "final") {
+      verify_last_rows(note);
     } else {
       verify_sweep(note);
     }
@@ -125,6 +128,11 @@ class Verifier {
     result.runs = static_cast<std::size_t>(count->value);
     for (const yaml::Node& axis : sweep->items)
       if (const yaml::Node* parameter = axis.find("parameter")) result.swept.push_back(parameter->text);
+    if (const yaml::Node* keep = note.find("keep")) result.keep = keep->text;
+    if (result.keep == "numbers")
+      refuse(path("run.json"),
+             "says that numbers of the runs are kept, and verify compares rows; run it with 'keep: "
+             "rows' or 'keep: final'");
     return result;
   }
 
@@ -180,6 +188,23 @@ class Verifier {
       if (rows[i].first < tables[i].table.rows())
         result_.difference = fmt::format("{}:{}: there are more rows than the {} runs give", tables[i].file,
                                          rows[i].first + 2, note.runs);
+  }
+
+  /// Of a sweep that keeps the last row of each run.
+  void verify_last_rows(const RunNote& note) {
+    result_.runs = note.runs;
+    SweepRuns runs(folder_, note.runs, registry_);
+    table::ColumnWords words;
+    for (const std::string& parameter : note.swept) words[parameter];
+    std::vector<Recorded> tables;
+    for (std::size_t run = 0; run < note.runs && result_.difference.empty() && !result_.interrupted; ++run) {
+      run::Executor& simulation = runs.begin(run);
+      if (run == 0) tables = read_tables(simulation.plan(), 1 + note.swept.size(), words);
+      for (const Recorded& table : tables)
+        if (table.table.rows() != note.runs)
+          refuse(table.file, fmt::format("has {} rows of {} runs", table.table.rows(), note.runs));
+      replay_last_row(simulation, tables, run, options_, result_);
+    }
   }
 
   /// The next run begins where the time is 0 again.

@@ -86,8 +86,8 @@ struct Panel {
 
   // Options of single kinds; without a value it is as the kind has it.
   std::optional<double> bins{}, cells{}, gap{}, scale{}, elevation{}, azimuth{};
-  std::vector<double> contour{}, lines{}, shade{};  ///< ends of shaded ranges in pairs
-  std::vector<CurveStyle> styles{};                 ///< in the order of the legend
+  std::vector<double> contour{}, lines{}, shade{}, shares{};  ///< ends of shaded ranges in pairs
+  std::vector<CurveStyle> styles{};                           ///< in the order of the legend
   ArrowPivot pivot = ArrowPivot::middle;
   bool points_only = false;                ///< of what is in space
   bool tukey_whiskers = false;             ///< else they reach over all values

@@ -83,6 +83,9 @@ void draw_bins(const Panel& panel, std::span<const record::Recording> recordings
   const geometry::Curve all = joined(gather(panel, recording_of(panel, recordings), {&x}));
   plot.label("x", x);
   draw_histogram(all.columns.empty() ? std::vector<double>{} : all.columns[0], plot);
+  const record::Recording& recording = recording_of(panel, recordings);
+  const bool one_of_each = panel.final_rows || recording.starts.size() == recording.table.rows();
+  if (one_of_each && recording.starts.size() > 1) plot.spec.y.label = "runs";
 }
 
 }  // namespace

@@ -87,6 +87,8 @@ PlotKind space_plot();
 PlotKind box_plot();
 PlotKind histogram_plot();
 PlotKind tornado_plot();
+PlotKind band_plot();
+PlotKind sensitivity_plot();
 PlotKind diagram_plot();
 PlotKind rig_plot();
 PlotKind table_plot();

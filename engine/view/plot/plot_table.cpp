@@ -56,10 +56,10 @@ PlotKind table_plot() {
       {"of",
        "which table: errors by condition, or by condition and subject; the analyses of variance; pairs "
        "of conditions within subjects; means and significance beside the published ones; or these over all "
-       "experiments",
+       "experiments; or what is found by `sensitivity`",
        yaml::form::word({"errors", "subjects", "anova", "anova_with_subject", "repeated_measures",
                          "intervals", "comparisons", "effect_sizes", "power", "assumptions", "means",
-                         "significance", "experiments", "experiments_significance"})}};
+                         "significance", "experiments", "experiments_significance", "sensitivity"})}};
   for (yaml::Key key : table_rows_form().of) {
     key.required = false;  // `of` may stand in their place
     kind.options.push_back(described_key(key));

@@ -1,5 +1,7 @@
 #include "engine/view/plot/plot_tools.hpp"
 
+#include "engine/view/plot/many_curves.hpp"
+
 namespace stepwire::plot {
 namespace {
 
@@ -138,7 +140,9 @@ void draw_curves(const Panel& panel, std::span<const record::Recording> recordin
     const query::Series& x = all_x[std::min(i, all_x.size() - 1)];
     geometry::Curves all = gather(panel, recording_of(panel, recordings, i), {&x, &all_y[i]});
     all.several = all_y.size() > 1;
-    if (all.groups.size() > max_in_legend && all_y.size() == 1 && panel.legend.empty())
+    if (are_many(panel, all))
+      draw_density(all, plot);
+    else if (all.groups.size() > max_in_legend && all_y.size() == 1 && panel.legend.empty())
       draw_by_color(panel, all, plot);
     else
       draw_in_legend(panel, all_y[i], all, entry, plot);

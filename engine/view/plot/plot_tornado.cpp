@@ -1,6 +1,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/model/diagram/sweep.hpp"
 #include "engine/view/plot/plot_tools.hpp"
 
 namespace stepwire::plot {

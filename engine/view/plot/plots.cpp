@@ -6,10 +6,10 @@ namespace stepwire::plot {
 
 const std::vector<PlotKind>& plot_kinds() {
   static const std::vector<PlotKind> kinds{
-      lines_plot(),   xy_plot(),      loop_plot(),  path_plot(),       strip_plot(),
-      map_plot(),     field_plot(),   space_plot(), box_plot(),        histogram_plot(),
-      tornado_plot(), diagram_plot(), rig_plot(),   scene_plot(),      table_plot(),
-      bode_plot(),    nyquist_plot(), poles_plot(), root_locus_plot(), step_response_plot()};
+      lines_plot(),       xy_plot(),      loop_plot(),       path_plot(),         strip_plot(),   map_plot(),
+      field_plot(),       space_plot(),   box_plot(),        histogram_plot(),    tornado_plot(), band_plot(),
+      sensitivity_plot(), diagram_plot(), rig_plot(),        scene_plot(),        table_plot(),   bode_plot(),
+      nyquist_plot(),     poles_plot(),   root_locus_plot(), step_response_plot()};
   return kinds;
 }
 

@@ -153,6 +153,21 @@ TEST_CASE("a claim has one reduction and one comparison, and within goes with eq
   CHECK(faults_of(diagram(lag, "claims: [{final: a, at_most: 1}]")) != "");
 }
 
+TEST_CASE("a swept parameter has values, a range or one distribution, and a design how many samples") {
+  const auto sweep = [](const std::string& keys) {
+    return faults_of(diagram("  c: {block: Constant, value: 1}", "sweep: {" + keys + "}"));
+  };
+  CHECK(sweep("c.value: {uniform: [1, 2]}, design: {samples: 5, kind: sobol, seed: 3}, keep: final") == "");
+  CHECK(sweep("c.value: {words: {1: 3, 2: 1}}, design: {samples: 5}, keep: {peak: max(c)}") == "");
+  CHECK(sweep("c.value: {normal: [1, 2]}, correlation: {c.value: {d: 0.5}}, design: {samples: 5}") == "");
+  CHECK(sweep("c.value: {uniform: [1, 2], normal: [1, 2]}, design: {samples: 5}") != "");
+  CHECK(sweep("c.value: {uniform: [1, 2, 3]}, design: {samples: 5}") != "");
+  CHECK(sweep("c.value: {uniform: [1, 2]}, design: {kind: sobol}") != "");
+  CHECK(sweep("c.value: {uniform: [1, 2]}, design: {samples: 0}") != "");
+  CHECK(sweep("c.value: {uniform: [1, 2]}, design: {samples: 5, kind: sobel}") != "");
+  CHECK(sweep("c.value: [1, 2], keep: everything") != "");
+}
+
 TEST_CASE("a picture has one plot or several panels") {
   const std::string lag = "  a: {block: Lag, u: 1}";
   CHECK(faults_of(diagram(

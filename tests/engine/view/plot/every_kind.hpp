@@ -24,6 +24,7 @@ inline const std::vector<std::string> every_kind{
     "{plot: box, y: rig.x in mm, by: current, beside: {signal: rig.v > 0, label: forth}, whiskers: tukey}",
     "{plot: box, y: [rig.x in mm, rig.x*2 in mm], reference: [0.5 mm, {signal: 1 mm, label: theirs}]}",
     "{plot: tornado, x: rig.x in mm, by: current, to: current}",
-    "{plot: histogram, x: rig.x in mm}"};
+    "{plot: histogram, x: rig.x in mm}",
+    "{plot: band, x: time, y: rig.x in mm, by: current, shares: [50 %, 0.9]}"};
 
 }  // namespace stepwire::testing

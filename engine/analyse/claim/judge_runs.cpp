@@ -1,0 +1,94 @@
+#include "engine/analyse/claim/judge_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/analyse/claim/claim_words.hpp"
+#include "engine/analyse/claim/run_formula.hpp"
+#include "engine/analyse/statistics/proportion.hpp"
+#include "engine/analyse/statistics/quartiles.hpp"
+
+namespace stepwire::claim {
+namespace {
+
+constexpr double shown_confidence = 0.95;  // where the claim has none
+
+/// A number of several runs, and between which numbers it lies.
+struct Found {
+  double value = query::nothing;
+  statistics::ConfidenceInterval interval{query::nothing, query::nothing};
+};
+
+/// Is a row of the run selected?
+bool is_selected(const std::vector<double>& where, const record::Recording& recording, std::size_t run) {
+  const std::size_t end =
+      run + 1 < recording.starts.size() ? recording.starts[run + 1] : recording.table.rows();
+  for (std::size_t row = recording.starts[run]; row < end; ++row)
+    if (where[row] != 0.0 && !std::isnan(where[row])) return true;
+  return false;
+}
+
+/// The numbers of the runs that count.
+std::vector<double> numbers_of(const Claim& claim, std::span<const record::Recording> recordings) {
+  const auto values = values_of(*claim.of_run, recordings);
+  const record::Recording& recording = recordings[claim.recording];
+  const std::vector<double> where =
+      claim.where ? query::evaluate(*claim.where, recording) : std::vector<double>{};
+  std::vector<double> numbers;
+  for (std::size_t run = 0; run < values.size(); ++run)
+    if (values[run] && (!claim.where || is_selected(where, recording, run))) numbers.push_back(*values[run]);
+  return numbers;
+}
+
+Found fraction_of(const std::vector<double>& numbers, double confidence) {
+  const auto count =
+      static_cast<std::size_t>(std::ranges::count_if(numbers, [](double number) { return number != 0.0; }));
+  return {static_cast<double>(count) / static_cast<double>(numbers.size()),
+          statistics::proportion_interval(count, numbers.size(), confidence)};
+}
+
+Found quantile_of(std::vector<double> numbers, double share, double confidence) {
+  std::ranges::sort(numbers);
+  const statistics::RankInterval ranks = statistics::quantile_ranks(numbers.size(), share, confidence);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {statistics::hazen_quantile(numbers, share),
+          {ranks.low ? numbers[*ranks.low] : -infinity, ranks.high ? numbers[*ranks.high] : infinity}};
+}
+
+std::string shown_text(const Claim& claim, const Found& found, double confidence, std::size_t runs) {
+  const auto text = [&](double value) { return value_text(claim, value, std::abs(found.value)); };
+  return fmt::format("{} in {} runs ({} to {} with {:g} %)", text(found.value), runs,
+                     text(found.interval.low), text(found.interval.high), 100.0 * confidence);
+}
+
+}  // namespace
+
+void judge_runs(const Claim& claim, std::span<const record::Recording> recordings, Verdict& verdict) {
+  const std::vector<double> numbers = numbers_of(claim, recordings);
+  const auto undefined = std::ranges::count_if(numbers, [](double number) { return std::isnan(number); });
+  if (numbers.empty()) {
+    verdict.note = "no run counts";
+    return;
+  }
+  if (undefined > 0) {
+    verdict.note = fmt::format("the value is not a number in {} of {} runs", undefined, numbers.size());
+    return;
+  }
+  const double confidence = claim.confidence.value_or(shown_confidence);
+  const Found found = claim.reduction == Reduction::fraction_of_runs
+                          ? fraction_of(numbers, confidence)
+                          : quantile_of(numbers, claim.share, confidence);
+  verdict.value = found.value;
+  verdict.interval = found.interval;
+  verdict.confidence = confidence;
+  verdict.shown = shown_text(claim, found, confidence, numbers.size());
+  const Comparison& comparison = claim.comparison;
+  verdict.holds = claim.confidence ? std::min(comparison.margin(found.interval.low),
+                                              comparison.margin(found.interval.high)) >= 0.0
+                                   : comparison.margin(found.value) >= 0.0;
+}
+
+}  // namespace stepwire::claim

@@ -1,0 +1,107 @@
+#include "engine/analyse/sensitivity/sensitivity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/analyse/query/number.hpp"
+
+namespace stepwire::sensitivity {
+
+namespace {
+
+using statistics::Estimate;
+
+std::vector<double> outcomes_of(const Outcome& outcome, std::span<const record::Recording> recordings) {
+  std::vector<double> numbers;
+  for (const std::optional<double>& value : claim::values_of(outcome.of_run, recordings))
+    numbers.push_back(value.value_or(query::nothing));
+  return numbers;
+}
+
+/// Which parameter each step of the ways changes.
+std::vector<statistics::MorrisStep> steps_of(const sampling::Points& points, std::size_t of_way) {
+  std::vector<statistics::MorrisStep> steps;
+  for (std::size_t point = 0; point < points.front().size(); ++point)
+    for (std::size_t d = 0; point % of_way != 0 && d < points.size(); ++d)
+      if (points[d][point] != points[d][point - 1])
+        steps.push_back({d, points[d][point] - points[d][point - 1]});
+  return steps;
+}
+
+/// [measure][parameter].
+std::vector<std::vector<Estimate>> estimates_of(const Request& request, const std::vector<double>& outcomes) {
+  const std::size_t parameters = request.parameters.size();
+  if (request.screens()) {
+    const auto steps = steps_of(sampling::points_of(request.design, parameters),
+                                request.design.points_of_sample(parameters));
+    auto effects = statistics::morris_effects(outcomes, steps, parameters, request.bootstrap);
+    return {std::move(effects.size), std::move(effects.mean), std::move(effects.deviation)};
+  }
+  auto indices = statistics::sobol_indices(outcomes, parameters, request.bootstrap);
+  return {std::move(indices.first), std::move(indices.total)};
+}
+
+std::string column_name(const Outcome& outcome, const std::string& measure, const std::string& parameter) {
+  return outcome.name + "." + measure + "." + parameter;
+}
+
+}  // namespace
+
+std::vector<query::RecordedName> result_names(const Request& request, std::size_t recording) {
+  std::vector<query::RecordedName> names;
+  for (const Outcome& outcome : request.outcomes)
+    for (const std::string& measure : request.measures())
+      for (const std::string& parameter : request.parameters)
+        for (const char* of : {"", ".low", ".high"})
+          names.push_back({column_name(outcome, measure, parameter) + of,
+                           request.screens() ? outcome.of_run.formula->dimension : unit::Dimension{},
+                           recording});
+  return names;
+}
+
+record::Recording results(const Request& request, std::span<const record::Recording> recordings) {
+  record::Recording found;
+  found.table.columns.push_back({"time", "s", {0.0}});
+  for (const Outcome& outcome : request.outcomes) {
+    const auto estimates = estimates_of(request, outcomes_of(outcome, recordings));
+    const auto& dimension = outcome.of_run.formula->dimension;
+    const std::string unit = request.screens() && dimension ? unit::si_name(*dimension) : "1";
+    const std::vector<std::string> measures = request.measures();
+    for (std::size_t m = 0; m < measures.size(); ++m)
+      for (std::size_t p = 0; p < request.parameters.size(); ++p) {
+        const Estimate& one = estimates[m][p];
+        const std::string name = column_name(outcome, measures[m], request.parameters[p]);
+        found.table.columns.push_back({name, unit, {one.value}});
+        found.table.columns.push_back({name + ".low", unit, {one.interval.low}});
+        found.table.columns.push_back({name + ".high", unit, {one.interval.high}});
+      }
+  }
+  return found;
+}
+
+text::TextTable results_table(const Request& request, const record::Recording& results) {
+  text::TextTable table{
+      request.screens() ? "Effects of Morris" : "Indices of Sobol", {"outcome", "parameter"}, {}, {}};
+  for (const std::string& measure : request.measures()) {
+    table.columns.push_back(measure);
+    table.columns.push_back(fmt::format("{:g} %", 100.0 * request.bootstrap.confidence));
+  }
+  const auto number = [&](const std::string& name) {
+    return query::short_number(results.table.find(name)->values.front(), 3);
+  };
+  for (const Outcome& outcome : request.outcomes)
+    for (const std::string& parameter : request.parameters) {
+      std::vector<std::string> line{outcome.name, parameter};
+      for (const std::string& measure : request.measures()) {
+        const std::string name = column_name(outcome, measure, parameter);
+        line.push_back(number(name));
+        line.push_back(fmt::format("{} to {}", number(name + ".low"), number(name + ".high")));
+      }
+      table.rows.push_back(std::move(line));
+    }
+  return table;
+}
+
+}  // namespace stepwire::sensitivity

@@ -1,0 +1,136 @@
+#include "engine/analyse/statistics/sobol_indices.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "engine/analyse/statistics/no_number.hpp"
+#include "engine/analyse/statistics/quartiles.hpp"
+#include "engine/base/math/random.hpp"
+
+namespace stepwire::statistics {
+
+namespace {
+
+/// Samples, each as a row of as many numbers; those with one that is none are left out.
+struct Samples {
+  std::vector<double> numbers;
+  std::size_t width, count;
+
+  Samples(std::span<const double> outcomes, std::size_t of_sample) : width(of_sample), count(0) {
+    for (std::size_t first = 0; first + width <= outcomes.size(); first += width) {
+      const auto sample = outcomes.subspan(first, width);
+      if (!std::ranges::all_of(sample, [](double value) { return std::isfinite(value); })) continue;
+      numbers.insert(numbers.end(), sample.begin(), sample.end());
+      ++count;
+    }
+  }
+  const double* operator[](std::size_t sample) const { return numbers.data() + sample * width; }
+};
+
+using Choice = std::vector<std::size_t>;  ///< of samples, some several times
+
+/// Numbers of samples, with the intervals of a bootstrap.
+std::vector<Estimate> estimate(const Samples& samples, const Bootstrap& bootstrap,
+                               const std::function<std::vector<double>(const Choice&)>& numbers_of) {
+  Choice choice(samples.count);
+  for (std::size_t i = 0; i < choice.size(); ++i) choice[i] = i;
+  std::vector<Estimate> estimates;
+  for (const double value : numbers_of(choice)) estimates.push_back({value, {no_number, no_number}});
+  if (samples.count < 2) return estimates;
+  std::vector<std::vector<double>> replicates(estimates.size());
+  for (std::size_t r = 0; r < bootstrap.replicates; ++r) {
+    const std::uint64_t stream = random_bits(static_cast<std::uint64_t>(bootstrap.seed), r);
+    for (std::size_t i = 0; i < choice.size(); ++i)
+      choice[i] = static_cast<std::size_t>(to_unit_interval(random_bits(stream, i)) *
+                                           static_cast<double>(samples.count));
+    const std::vector<double> numbers = numbers_of(choice);
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      if (!std::isnan(numbers[k])) replicates[k].push_back(numbers[k]);
+  }
+  const double tail = 0.5 * (1.0 - bootstrap.confidence);
+  for (std::size_t k = 0; k < estimates.size(); ++k) {
+    if (replicates[k].empty()) continue;
+    std::ranges::sort(replicates[k]);
+    estimates[k].interval = {hazen_quantile(replicates[k], tail), hazen_quantile(replicates[k], 1.0 - tail)};
+  }
+  return estimates;
+}
+
+std::vector<Estimate> part_of(const std::vector<Estimate>& all, std::size_t part, std::size_t size) {
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(part * size);
+  return {begin, begin + static_cast<std::ptrdiff_t>(size)};
+}
+
+/// First indices of all parameters, behind them total ones.
+std::vector<double> indices_of(const Samples& samples, const Choice& choice, std::size_t parameters) {
+  std::vector<double> sums(2 * parameters);
+  double sum = 0.0, squares = 0.0;
+  for (const std::size_t sample : choice) sum += samples[sample][0] + samples[sample][1];
+  const double count = static_cast<double>(choice.size()), mean = sum / (2.0 * count);
+  for (const std::size_t sample : choice) {
+    const double* const outcome = samples[sample];
+    const double a = outcome[0] - mean, b = outcome[1] - mean;
+    squares += a * a + b * b;
+    for (std::size_t i = 0; i < parameters; ++i) {
+      const double changed = outcome[2 + i] - mean;
+      sums[i] += b * (changed - a);
+      sums[parameters + i] += 0.5 * (a - changed) * (a - changed);
+    }
+  }
+  const double variance = squares / (2.0 * count);
+  for (double& index : sums) index = variance > 0.0 ? index / count / variance : no_number;
+  return sums;
+}
+
+/// Means of sizes of effects, of effects, and their deviations.
+std::vector<double> effects_of(const Samples& effects, const Choice& choice) {
+  const std::size_t parameters = effects.width;
+  std::vector<double> numbers(3 * parameters);
+  const auto count = static_cast<double>(choice.size());
+  for (std::size_t i = 0; i < parameters; ++i) {
+    double size = 0.0, sum = 0.0, squares = 0.0;
+    for (const std::size_t sample : choice) {
+      size += std::abs(effects[sample][i]);
+      sum += effects[sample][i];
+    }
+    const double mean = sum / count;
+    for (const std::size_t sample : choice)
+      squares += (effects[sample][i] - mean) * (effects[sample][i] - mean);
+    numbers[i] = choice.empty() ? no_number : size / count;
+    numbers[parameters + i] = choice.empty() ? no_number : mean;
+    numbers[2 * parameters + i] = count > 1.0 ? std::sqrt(squares / (count - 1.0)) : no_number;
+  }
+  return numbers;
+}
+
+}  // namespace
+
+SobolIndices sobol_indices(std::span<const double> outcomes, std::size_t parameters,
+                           const Bootstrap& bootstrap) {
+  const Samples samples(outcomes, parameters + 2);
+  const auto all = estimate(samples, bootstrap,
+                            [&](const Choice& choice) { return indices_of(samples, choice, parameters); });
+  return {part_of(all, 0, parameters), part_of(all, 1, parameters), samples.count};
+}
+
+MorrisEffects morris_effects(std::span<const double> outcomes, const std::vector<MorrisStep>& steps,
+                             std::size_t parameters, const Bootstrap& bootstrap) {
+  std::vector<double> effects;
+  for (std::size_t way = 0; (way + 1) * (parameters + 1) <= outcomes.size(); ++way) {
+    std::vector<double> of_way(parameters);
+    for (std::size_t k = 0; k < parameters; ++k) {
+      const MorrisStep& step = steps[way * parameters + k];
+      const std::size_t before = way * (parameters + 1) + k;
+      of_way[step.parameter] = (outcomes[before + 1] - outcomes[before]) / step.size;
+    }
+    effects.insert(effects.end(), of_way.begin(), of_way.end());
+  }
+  const Samples samples(effects, parameters);
+  const auto all =
+      estimate(samples, bootstrap, [&](const Choice& choice) { return effects_of(samples, choice); });
+  return {part_of(all, 0, parameters), part_of(all, 1, parameters), part_of(all, 2, parameters),
+          samples.count};
+}
+
+}  // namespace stepwire::statistics

@@ -1,0 +1,67 @@
+#include "engine/app/session/kept_numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/analyse/claim/run_formula.hpp"
+
+namespace stepwire::session {
+
+namespace {
+
+/// A reduction by its name.
+struct Kept {
+  std::string name;
+  claim::RunFormula formula;
+};
+
+std::vector<double> numbers_of(const std::vector<Kept>& all, std::span<const record::Recording> run) {
+  std::vector<double> numbers;
+  for (const Kept& kept : all) {
+    const auto values = claim::values_of(kept.formula, run);
+    numbers.push_back(values.empty() ? query::nothing : values.front().value_or(query::nothing));
+  }
+  return numbers;
+}
+
+std::vector<Kept> read_all(const yaml::Node& section, const query::NamesReading& read) {
+  std::vector<Kept> all;
+  for (const yaml::Entry& entry : section.entries) {
+    const query::NamesReading one = yaml::below(read, entry.key);
+    if (const query::RecordedName* taken = read.names.find(entry.key); taken && !taken->recording)
+      one.fault(entry.mark, fmt::format("'{}' is a column already; give the number another name", entry.key));
+    if (auto formula = claim::read_run_formula(entry.value, one))
+      all.push_back({entry.key, std::move(*formula)});
+  }
+  return all;
+}
+
+/// Each is one number of a run, as swept parameters are.
+void rename(const std::vector<Kept>& all, query::SymbolTable& names) {
+  std::erase_if(names.columns,
+                [](const query::RecordedName& column) { return column.recording.has_value(); });
+  for (const Kept& kept : all) names.columns.push_back({kept.name, kept.formula.formula->dimension, {}});
+  names.unknown = "is none of the numbers that the sweep keeps of a run";
+}
+
+}  // namespace
+
+std::shared_ptr<const run::RunNumbers> read_kept_numbers(const diagram::Diagram& diagram,
+                                                         query::SymbolTable& names, yaml::Faults& faults) {
+  if (!diagram.sweep || diagram.sweep->keep != diagram::Sweep::Keep::numbers) return nullptr;
+  const std::size_t before = faults.size();
+  auto all = std::make_shared<const std::vector<Kept>>(
+      read_all(diagram.sweep->kept, query::NamesReading("sweep.keep", names, faults)));
+  if (faults.size() != before) return nullptr;
+  auto numbers = std::make_shared<run::RunNumbers>();
+  for (const Kept& kept : *all) {
+    const auto& dimension = kept.formula.formula->dimension;
+    numbers->columns.push_back({kept.name, dimension ? unit::si_name(*dimension) : "", {}});
+  }
+  numbers->of = [all](std::span<const record::Recording> run) { return numbers_of(*all, run); };
+  rename(*all, names);
+  return numbers;
+}
+
+}  // namespace stepwire::session
