@@ -162,6 +162,22 @@ std::string shown_text(const Claim& claim, const WorstRun& found, const Rows& ro
 
 }  // namespace
 
+std::vector<std::optional<double>> values_of_runs(const Claim& claim,
+                                                  std::span<const record::Recording> recordings) {
+  if (claim.recording >= recordings.size()) return {};
+  const Rows rows = rows_of(claim, recordings[claim.recording]);
+  std::vector<std::optional<double>> values(rows.starts.size());
+  for (std::size_t run = 0; run < values.size(); ++run) {
+    if (!selects_any(rows, run)) continue;
+    try {
+      values[run] = value_of_run(claim, rows, run);
+    } catch (const Unjudged&) {
+      values[run] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  return values;
+}
+
 Verdict judge(const Claim& claim, std::span<const record::Recording> recordings) {
   Verdict verdict{claim.kind, claim.that, claim.check,     std::numeric_limits<double>::quiet_NaN(),
                   "none",     false,      claim.disagrees, ""};

@@ -16,6 +16,7 @@
 #include "engine/app/report/profile_report.hpp"
 #include "engine/app/report/run_text.hpp"
 #include "engine/app/report/study_text.hpp"
+#include "engine/app/report/tune_text.hpp"
 #include "engine/app/session/result_folder.hpp"
 #include "engine/app/session/run_files.hpp"
 #include "engine/app/session/session.hpp"
@@ -54,6 +55,8 @@ void require_section(const RunCall& call, const session::LoadedModel& model) {
   };
   if (call.requires_section == "fit" && !model.fit)
     refuse("has no section 'fit'; it names parameters and records");
+  if (call.requires_section == "tune" && !model.tune)
+    refuse("has no section 'tune'; it names parameters and what is minimised");
   if (call.requires_section == "study" && !model.study)
     refuse("has no section 'study'; it names task, people and conditions");
 }
@@ -74,7 +77,10 @@ class FileRuns {
     const auto owned = session::own_results(folder, model, call_.files);
     if (model.study) return study(model, folder, results);
     const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
-    return fitted == ExitCode::done ? run(model, folder, results) : fitted;
+    if (fitted != ExitCode::done) return fitted;
+    const bool tunes = call_.requires_section == "tune";
+    const ExitCode tuned = tunes ? tune(model, folder, results) : ExitCode::done;
+    return tuned == ExitCode::done ? run(model, folder, results) : tuned;
   }
 
  private:
@@ -93,6 +99,24 @@ class FileRuns {
       put_text(report::fit_text(result));
     const ExitCode code = code_of(result);
     if (code == ExitCode::done) model = session_.fitted(model, result);
+    return code;
+  }
+
+  /// Finds the parameters of the section `tune`, prints them, and loads the model with them.
+  ExitCode tune(session::LoadedModel& model, const std::string& folder, Json& results) {
+    session::TuneCall call = call_.tune;
+    call.engine = call_.engine;
+    const tuning::TuneResult result = [&] {
+      const auto watch = watched("tune " + file_name(model));
+      return session_.tune(model, call);
+    }();
+    if (!folder.empty() && !result.history.empty()) session::write_tune(folder, model, result);
+    if (call_.models.json)
+      results.push(Json::object().set("tune", session::tune_json(model, result)));
+    else
+      put_text(report::tune_text(result));
+    const ExitCode code = code_of(result);
+    if (code == ExitCode::done) model = session_.tuned(model, result);
     return code;
   }
 

@@ -7,10 +7,11 @@
 #include "engine/app/session/fitting.hpp"
 #include "engine/app/session/signal_files.hpp"
 #include "engine/app/session/studies.hpp"
+#include "engine/app/session/tuning.hpp"
 
 namespace stepwire::cli {
 
-/// A call of `run`, `fit` or `study`.
+/// A call of `run`, `fit`, `tune` or `study`.
 struct RunCall {
   ModelCall models;
   std::string out;  ///< folder; empty: nothing is written
@@ -19,10 +20,11 @@ struct RunCall {
   bool profile = false;          ///< measure what each block costs
   std::string requires_section;  ///< a file without this section is refused; empty: any file will do
   session::FitCall fit;
+  session::TuneCall tune;
   unsigned study_threads = 0;  ///< 0: all cores
 };
 
-/// Declares the options that the three have; `out` explains --out.
+/// Declares the options that the four have; `out` explains --out.
 void add_run_options(CLI::App& verb, RunCall& call, const std::string& out);
 
 /// Runs the files; one with a fit is fitted first, and of one with a study the trials are run.

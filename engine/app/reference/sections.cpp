@@ -7,6 +7,7 @@
 #include "engine/analyse/linear/section.hpp"
 #include "engine/analyse/linear/trim.hpp"
 #include "engine/analyse/study/study_request.hpp"
+#include "engine/analyse/tuning/tune_request.hpp"
 #include "engine/app/reference/section_examples.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/simulate/solve/solver.hpp"
@@ -48,6 +49,7 @@ std::vector<Section> all_sections() {
   add("scene", "scene", scene::scene_form());
   add("claims", "claim", claim::claim_form());
   add("fit", "fit", estimation::fit_form());
+  add("tune", "tune", tuning::tune_form());
   add("linear", "linear", linear::linear_form());
   add("trim", "trim", linear::trim_form());
   add("study", "study", study::study_form());

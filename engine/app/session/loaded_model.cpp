@@ -150,6 +150,16 @@ void add_linear(diagram::Loader& loader, LoadedModel& model, query::SymbolTable&
     std::ranges::move(linear::analysis_names(analysis, recording++), std::back_inserter(names.columns));
 }
 
+/// Reads what the file asks of a tuning, behind all that its claims may name.
+void add_tuning(diagram::Loader& loader, LoadedModel& model, const query::SymbolTable& names,
+                yaml::Faults& faults) {
+  const yaml::Node* section = loader.document(model.file).root.find("tune");
+  if (!section) return;
+  if (model.study)
+    return faults.add({{model.file, section->mark}, "tune", "a file has a study or 'tune', not both", {}});
+  model.tune = tuning::read_tune(*section, names, model.job.plan.diagram, model.linear, faults);
+}
+
 /// Reads the scene ahead of figures and claims, which may name what it shows.
 std::shared_ptr<const scene::Scene> read_scene_of(const diagram::Diagram& diagram, query::SymbolTable& names,
                                                   yaml::Faults& faults) {
@@ -160,6 +170,16 @@ std::shared_ptr<const scene::Scene> read_scene_of(const diagram::Diagram& diagra
     std::ranges::copy(scene::scene_state_names(*scene), std::back_inserter(names.columns));
   if (faults.size() == before) check_pointer_names(diagram, faults);
   return scene;
+}
+
+/// Figures of a study say whose trials they show.
+void read_all_figures(const diagram::Diagram& diagram, LoadedModel& model, const query::SymbolTable& names,
+                      yaml::Faults& faults) {
+  if (diagram.figure.kind != yaml::Node::Kind::empty)
+    model.figures = plot::read_figures(diagram.figure, names, faults);
+  if (!model.study) return;
+  for (plot::Figure& figure : model.figures)
+    if (!figure.title.empty()) figure.title += fmt::format(" ({})", study::whose_trials(*model.study));
 }
 
 /// Claims and invariants may name what the figures draw and the scene shows.
@@ -202,14 +222,11 @@ LoadedModel load_model(diagram::Loader& loader, const std::string& file, const L
   add_study(loader, options, model, names, faults);
   add_linear(loader, model, names, faults);
   names.scene = model.scene = read_scene_of(diagram, names, faults);
-  if (diagram.figure.kind != yaml::Node::Kind::empty)
-    model.figures = plot::read_figures(diagram.figure, names, faults);
-  if (model.study)
-    for (plot::Figure& figure : model.figures)
-      if (!figure.title.empty()) figure.title += fmt::format(" ({})", study::whose_trials(*model.study));
+  read_all_figures(diagram, model, names, faults);
   read_all_claims(diagram, model, names, faults);
   if (diagram.fit.kind != yaml::Node::Kind::empty)
     model.fit = estimation::read_fit(diagram.fit, names, diagram, faults);
+  add_tuning(loader, model, names, faults);
   faults.throw_if_any();
   model.hash = diagram::diagram_hash(diagram);
   return model;

@@ -77,6 +77,8 @@ std::vector<HeadRow> run_rows() {
        form::list(form::section("claim"))},
       {"fit", "finds parameters so that the model agrees with records: the runs of the sweep, or the one run",
        form::section("fit")},
+      {"tune", "what `tune` minimises, over which parameters, and the claims that hold meanwhile",
+       form::section("tune")},
       {"linear",
        "linear analyses of the diagram near a point of its run, by name: poles, margins, responses, which "
        "figures and claims read",
