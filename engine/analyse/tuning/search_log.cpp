@@ -55,9 +55,10 @@ std::optional<std::size_t> SearchLog::best() const {
 }
 
 std::optional<Shares> SearchLog::best_known() const {
-  std::optional<std::size_t> found = best();
+  if (const auto found = best()) return points_[*found];
+  std::optional<std::size_t> found;
   double nearest = farthest;
-  for (std::size_t i = 0; i < size() && !best(); ++i) {
+  for (std::size_t i = 0; i < size(); ++i) {
     const double away = violation_of(evaluations_[i], problem_);
     if (evaluations_[i].is_bad() || (found && away >= nearest)) continue;
     nearest = away;

@@ -40,6 +40,13 @@ plot::NumberCurve steps_of(const tuning::TuneResult& result, const std::vector<s
   return curve;
 }
 
+/// Are all above 0, and the largest more than ten times the smallest?
+bool spans_decades(const std::vector<double>& values) {
+  if (values.empty()) return false;
+  const auto [low, high] = std::ranges::minmax_element(values);
+  return *low > 0.0 && *high > 10.0 * *low;
+}
+
 void finish_panel(plot::PlotBuilder& plot, const tuning::TuneResult& result) {
   plot::name_axis(plot.spec.x, "evaluation", "");
   plot::set_line_ranges(plot);
@@ -54,7 +61,7 @@ void add_objective(const LoadedModel& model, const tuning::TuneResult& result,
     all.x.push_back(static_cast<double>(i + 1));
     all.y.push_back(result.history[i].objective);
   }
-  plot::PlotBuilder& plot = panels.add({});
+  plot::PlotBuilder& plot = panels.add({.y = {.log = spans_decades(all.y)}});
   const auto& dimension = result.dimension;
   plot::name_axis(plot.spec.y,
                   model.tune->minimise.text.size() <= 40 ? model.tune->minimise.text : "objective",
@@ -71,13 +78,12 @@ void add_number(const tuning::TuneResult& result, std::size_t number, const std:
                 plot::FigureBuilder& panels) {
   const tuning::TunedNumber& of = result.numbers[number];
   const unit::Unit unit = unit::parse_unit(of.unit).value_or(unit::Unit{});
-  plot::PlotBuilder& plot = panels.add({});
+  plot::NumberCurve curve = steps_of(
+      result, better, [&](const tuning::Evaluation& one) { return unit.from_si(one.values[number]); }, "");
+  plot::PlotBuilder& plot = panels.add({.y = {.log = spans_decades(curve.y)}});
   const bool si = of.unit.empty() && of.dimension && *of.dimension != unit::Dimension{};
   plot::name_axis(plot.spec.y, of.name, si ? unit::si_name(*of.dimension) : of.unit);
-  plot::draw_curves({steps_of(
-                        result, better,
-                        [&](const tuning::Evaluation& one) { return unit.from_si(one.values[number]); }, "")},
-                    plot);
+  plot::draw_curves({std::move(curve)}, plot);
   finish_panel(plot, result);
 }
 

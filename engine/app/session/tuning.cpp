@@ -60,7 +60,9 @@ void write_tune(const std::string& folder, const LoadedModel& model, const tunin
   io::write_file(folder + "/tune-history.csv", history_csv(model, result));
   if (result.feasible && !result.numbers.empty())
     io::write_file(folder + "/parameters.yaml", parameters_text(model, result));
-  if (!result.numbers.empty()) render::write_figure(folder, "tune-history", tune_figure(model, result));
+  // An interruption ends what draws, too.
+  if (!result.numbers.empty() && !result.interrupted)
+    render::write_figure(folder, "tune-history", tune_figure(model, result));
 }
 
 }  // namespace stepwire::session

@@ -31,8 +31,8 @@ LoadOptions with_tuned(LoadOptions options, const tuning::TuneResult& result);
 /// The objective of all evaluations and the best so far, and below it the parameters of the best.
 plot::FigureSpec tune_figure(const LoadedModel& model, const tuning::TuneResult& result);
 
-/// Writes tune.json, tune-history.csv, tune-history.svg and, where all claims hold, parameters.yaml into a
-/// folder. Throws EnvironmentError.
+/// Writes tune.json, tune-history.csv, parameters.yaml where all claims hold, and tune-history.svg unless the
+/// tuning was interrupted, into a folder. Throws EnvironmentError.
 void write_tune(const std::string& folder, const LoadedModel& model, const tuning::TuneResult& result);
 
 /// All that was found, for programs.

@@ -90,7 +90,7 @@ TEST_CASE("tune refuses a file without the section, and gives its result as JSON
 TEST_CASE("An interrupted tune keeps the best so far, and says so") {
   const Scratch folder;
   std::string endless = tune_yaml();
-  endless.replace(endless.find("  subject_to"), 0, "  method: isres\n  evaluations: 10000000\n");
+  endless.replace(endless.find("  subject_to"), 0, "  method: isres\n  evaluations: 10000000\n  tolerance: 1e-300\n");
   folder.file("a.yaml", endless);
   Call call;
   call.arguments = {"tune", "a.yaml", "--out", "out"};
@@ -103,4 +103,20 @@ TEST_CASE("An interrupted tune keeps the best so far, and says so") {
   CHECK(tune["interrupted"] == true);
   CHECK(tune["objective"].get<double>() <= tune["start_objective"].get<double>());
   CHECK(std::filesystem::exists(folder.path("out/parameters.yaml")));
+}
+
+TEST_CASE("The gains in the example of a PID controller are those that tune finds") {
+  const Scratch folder;
+  const std::string example = STEPWIRE_SOURCE_DIR "/diagrams/examples/141-pid-tuned.yaml";
+  const Done done = run_program(folder, {"tune", example, "--starts", "1", "--json"});
+  CHECK(done.code == 0);
+  const nlohmann::json results = nlohmann::json::parse(done.out), tune = results[0]["tune"];
+  const std::string file = content_of(example);
+  for (const auto& parameter : tune["parameters"]) {
+    const std::string key = "  " + parameter["name"].get<std::string>() + ": {value: ";
+    const double written = std::stod(file.substr(file.find(key) + key.size()));
+    CHECK(parameter["value"].get<double>() == Approx(written).epsilon(0.02));
+  }
+  CHECK(tune["parameters"].size() == 3);
+  CHECK(tune["converged"] == true);
 }
