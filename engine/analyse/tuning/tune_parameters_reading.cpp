@@ -69,6 +69,16 @@ bool is_swept(const std::string& name, const diagram::Diagram& diagram) {
                               diagram.sweep->axes.end();
 }
 
+/// The unit in which the file has its own value; empty where that is a formula or has none.
+std::string unit_of(const diagram::DiagramParameter& parameter, const TuneReading& read) {
+  yaml::Node node;
+  node.kind = yaml::Node::Kind::scalar;
+  node.text = parameter.text;
+  yaml::Faults none;
+  const auto number = query::read_number(node, read.names, read.subject, none);
+  return number ? number->unit : "";
+}
+
 void read_parameter(TuneRequest& request, const yaml::Entry& entry, const TuneReading& read) {
   const auto of = std::ranges::find(read.diagram.parameters, entry.key, &diagram::DiagramParameter::name);
   if (of == read.diagram.parameters.end()) return read.fault(entry.mark, unknown(entry.key, read.diagram));
@@ -78,6 +88,7 @@ void read_parameter(TuneRequest& request, const yaml::Entry& entry, const TuneRe
   if (is_swept(entry.key, read.diagram))
     return read.fault(entry.mark, "is swept, so it is given; take it out of 'sweep' or out of 'tune'");
   TuneParameter parameter{.name = entry.key, .start = *own, .dimension = of->dimension};
+  parameter.unit = unit_of(*of, read);
   parameter.place = {read.names.file, entry.mark};
   if (!parameter_table().read(entry.value, parameter, read)) return;
   if (of->set) return;  // what the call sets is given

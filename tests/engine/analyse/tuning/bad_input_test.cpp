@@ -38,6 +38,27 @@ TEST_CASE("An objective is an expression of reductions, each of what is recorded
   CHECK(of_objective("max(final(cost), min(cost where time > 0.5 s), 0) + a^2 + $a").empty());
 }
 
+TEST_CASE("A number of a block is one of an objective, unless it follows from what is tuned") {
+  const auto error = [](const std::string& number) {
+    return tune_error(R"(step: 10 ms
+stop: 1 s
+solver: rk4
+parameters: {tau: {value: 1 s, above: 0 s, doc: x}}
+blocks:
+  lag: {block: Lag, u: 1, tau: $tau}
+  other: {block: Lag, u: 1, tau: 2 s}
+record: [lag, other]
+tune:
+  parameters: {tau: {from: 0.1 s, to: 10 s}}
+  evaluations: 3
+  minimise: max(lag)*)" +
+                      number + "/(1 s)\n");
+  };
+  CHECK(error("other.tau").empty());
+  CHECK(error("tau").empty());
+  CHECK_THAT(error("lag.tau"), Contains("tune.minimise: 'lag.tau' is no number of a run"));
+}
+
 TEST_CASE("A fault of an objective stands where it is wrong") {
   CHECK_THAT(of_objective("rms(cost) + final(kost)"), Contains("tune.yaml:17:32: tune.minimise: 'kost'"));
 }

@@ -44,8 +44,8 @@ TEST_CASE("tune finds the parameters, writes them with their history, and judges
   const Done done = run_program(folder, {"tune", "a.yaml", "--out", "out"});
   INFO(done.err << done.out);
   CHECK(done.code == 0);
-  CHECK_THAT(done.out, StartsWith("tune: 1 parameters, ") && Contains("; bobyqa\n") && Contains("  tau  ") &&
-                           Contains("ok   the lag is found"));
+  CHECK_THAT(done.out, StartsWith("tune: 1 parameters, ") && Contains("; bobyqa\n") && Contains(" s ") &&
+                           Contains("from 1 s\n") && Contains("ok   the lag is found"));
   const nlohmann::json tune = json_of(folder, "out/tune.json");
   CHECK(tune["parameters"][0]["value"].get<double>() == Approx(0.2).epsilon(5e-3));
   CHECK(tune["parameters"][0]["unit"] == "s");
@@ -90,7 +90,8 @@ TEST_CASE("tune refuses a file without the section, and gives its result as JSON
 TEST_CASE("An interrupted tune keeps the best so far, and says so") {
   const Scratch folder;
   std::string endless = tune_yaml();
-  endless.replace(endless.find("  subject_to"), 0, "  method: isres\n  evaluations: 10000000\n  tolerance: 1e-300\n");
+  endless.replace(endless.find("  subject_to"), 0,
+                  "  method: isres\n  evaluations: 10000000\n  tolerance: 1e-300\n");
   folder.file("a.yaml", endless);
   Call call;
   call.arguments = {"tune", "a.yaml", "--out", "out"};
