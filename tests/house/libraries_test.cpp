@@ -30,6 +30,7 @@ const std::vector<Home> homes{
     {"CLI/", "engine/app/cli"},
     {"ceres/", "engine/analyse/estimation"},
     {"glog/", "engine/analyse/estimation"},
+    {"nlopt", "engine/analyse/tuning"},
     {"zip.h", "engine/base/fmi"},
     {"pugixml", "engine/base/fmi"},
     {"pybind11/", "engine/app/python"},

@@ -118,6 +118,9 @@ const yaml::Key& claim_form();
 std::vector<Claim> read_claims(const yaml::Node& node, Claim::Kind kind, const query::SymbolTable& names,
                                yaml::Faults& faults);
 
+/// The same under another key, by which messages call it.
+std::vector<Claim> read_claims(const yaml::Node& node, Claim::Kind kind, const query::NamesReading& read);
+
 /// The number that a claim judges, of each run by itself; none of a run of which `where` selects no row. Nan
 /// where there is no such number.
 std::vector<std::optional<double>> values_of_runs(const Claim& claim,

@@ -269,7 +269,12 @@ const yaml::Key& claim_form() {
 
 std::vector<Claim> read_claims(const yaml::Node& node, Claim::Kind kind, const query::SymbolTable& names,
                                yaml::Faults& faults) {
-  const query::NamesReading read(kind == Claim::Kind::invariant ? "invariants" : "claims", names, faults);
+  return read_claims(
+      node, kind,
+      query::NamesReading(kind == Claim::Kind::invariant ? "invariants" : "claims", names, faults));
+}
+
+std::vector<Claim> read_claims(const yaml::Node& node, Claim::Kind kind, const query::NamesReading& read) {
   std::vector<Claim> claims;
   if (!node.is_list())
     read.fault(node.mark, fmt::format("{} are a list: - {}", read.subject, claim_form().example));

@@ -76,6 +76,19 @@ const KnownParameter* parameter_of(const std::string& name, const SymbolTable& n
   return found == names.parameters.end() ? nullptr : &*found;
 }
 
+/// Replaces the $name that starts at `begin` by its number, or by its column where it varies, as a tuned
+/// parameter does; returns the position behind it.
+std::size_t append_parameter(std::string_view text, std::size_t begin, const SymbolTable& names,
+                             Substituted& result) {
+  std::size_t end = begin + 1;
+  while (end < text.size() && is_word(text[end])) ++end;
+  const std::string name(text.substr(begin + 1, end - begin - 1));
+  const KnownParameter* const found = parameter_of(name, names);
+  if (!found && !names.find(name)) throw FormulaError(unknown_parameter(name, names), begin);
+  result.append(fmt::format("({})", found ? number_text(*found, names) : name), begin);
+  return end;
+}
+
 }  // namespace
 
 std::string name_at(std::string_view text, std::size_t position) {
@@ -101,14 +114,7 @@ Substituted substitute(std::string_view text, const SymbolTable& names) {
       ++i;
       continue;
     }
-    std::size_t end = i + 1;
-    while (end < text.size() && is_word(text[end])) ++end;
-    const std::string name(text.substr(i + 1, end - i - 1));
-    const auto found = std::find_if(names.parameters.begin(), names.parameters.end(),
-                                    [&](const KnownParameter& known) { return known.name == name; });
-    if (found == names.parameters.end()) throw FormulaError(unknown_parameter(name, names), i);
-    result.append(fmt::format("({})", number_text(*found, names)), i);
-    i = end;
+    i = append_parameter(text, i, names, result);
   }
   return result;
 }

@@ -17,4 +17,9 @@ ExitCode code_of(const estimation::FitResult& result) {
   return result.refused ? ExitCode::wrong : ExitCode::done;
 }
 
+ExitCode code_of(const tuning::TuneResult& result) {
+  if (result.interrupted) return ExitCode::interrupted;
+  return result.feasible ? ExitCode::done : ExitCode::wrong;
+}
+
 }  // namespace stepwire::cli

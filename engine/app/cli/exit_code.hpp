@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/analyse/estimation/fit.hpp"
+#include "engine/analyse/tuning/tune.hpp"
 #include "engine/app/session/outcome.hpp"
 
 namespace stepwire::cli {
@@ -22,5 +23,7 @@ inline ExitCode worst(ExitCode a, ExitCode b) {
 ExitCode code_of(const session::Outcome& outcome);
 /// Interrupted, refused by the diagram, or done.
 ExitCode code_of(const estimation::FitResult& result);
+/// Interrupted, no point with all claims, or done.
+ExitCode code_of(const tuning::TuneResult& result);
 
 }  // namespace stepwire::cli

@@ -43,6 +43,7 @@ std::string left_out(const session::LoadedModel& model) {
   }
   if (model.study) parts.emplace_back("the study");
   if (model.fit) parts.emplace_back("the fit");
+  if (model.tune) parts.emplace_back("the tuning");
   if (model.scene) parts.emplace_back("the scene");
   if (!model.figures.empty()) parts.emplace_back("figures");
   if (!model.claims.empty()) parts.emplace_back("claims");

@@ -36,7 +36,7 @@ void add_load_options(CLI::App& verb, LoadWords& words) {
   verb.add_option("--set", words.set,
                   "a parameter in place of the file's: name=value; reaches into parts (rig.mass=2kg)")
       ->allow_extra_args(false);
-  verb.add_option("--set-from", words.set_from, "a file with such values, as 'name: value'; fit writes one")
+  verb.add_option("--set-from", words.set_from, "a file with such values, as 'name: value'; fit and tune write one")
       ->allow_extra_args(false);
   verb.add_flag("--large", words.large, "read files above 8 MB, up to 512 MB");
 }

@@ -9,11 +9,12 @@
 #include "engine/app/session/kept_points.hpp"
 #include "engine/app/session/signal_files.hpp"
 #include "engine/app/session/studies.hpp"
+#include "engine/app/session/tuning.hpp"
 #include "engine/view/render/picture_kind.hpp"
 
 namespace stepwire::cli {
 
-/// A call of `run`, `fit` or `study`.
+/// A call of `run`, `fit`, `tune` or `study`.
 struct RunCall {
   ModelCall models;
   std::string out;       ///< folder; empty: nothing is written; "-": an archive on the standard output
@@ -25,6 +26,7 @@ struct RunCall {
   bool profile = false;          ///< measure what each block costs
   std::string requires_section;  ///< a file without this section is refused; empty: any file will do
   session::FitCall fit;
+  session::TuneCall tune;
   unsigned study_threads = 0;          ///< 0: all cores
   std::optional<session::Share> part;  ///< of a sweep: what this call runs
   bool mpi = false;                    ///< the processes of mpirun share the points of the one file
@@ -32,7 +34,7 @@ struct RunCall {
 
 inline constexpr const char* standard_output = "-";
 
-/// Declares the options that the three have; `out` explains --out.
+/// Declares the options that the four have; `out` explains --out.
 void add_run_options(CLI::App& verb, RunCall& call, const std::string& out);
 
 /// Declares --files and --pictures.

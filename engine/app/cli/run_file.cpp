@@ -11,10 +11,12 @@
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/kept_run.hpp"
 #include "engine/app/cli/monitoring.hpp"
+#include "engine/app/cli/run_requirements.hpp"
 #include "engine/app/report/fit_text.hpp"
 #include "engine/app/report/profile_report.hpp"
 #include "engine/app/report/run_text.hpp"
 #include "engine/app/report/study_text.hpp"
+#include "engine/app/report/tune_text.hpp"
 #include "engine/app/session/partial_signals.hpp"
 #include "engine/app/session/result_folder.hpp"
 #include "engine/app/session/run_files.hpp"
@@ -28,49 +30,6 @@ using json::Json;
 
 namespace {
 
-void require_section(const RunCall& call, const session::LoadedModel& model) {
-  const auto refuse = [&](const char* message) {
-    throw yaml::Error(yaml::Fault{{model.file, {}}, "", message, {}});
-  };
-  if (call.requires_section == "fit" && !model.fit)
-    refuse("has no section 'fit'; it names parameters and records");
-  if (call.requires_section == "study" && !model.study)
-    refuse("has no section 'study'; it names task, people and conditions");
-}
-
-/// The one table that --csv has.
-void require_one_table(const RunCall& call, const session::LoadedModel& model) {
-  if (call.csv.empty()) return;
-  const auto refuse = [&](const std::string& message) {
-    throw yaml::Error(yaml::Fault{{model.file, {}}, "", message, {}});
-  };
-  const std::size_t count = model.job.plan.diagram.records.size();
-  if (count == 0) refuse("records nothing, and --csv is a table of what is recorded");
-  if (model.study)
-    refuse("has a section 'study', whose trials are no single table; --out has files for them");
-  if (count != 1)
-    refuse(fmt::format(
-        "records at {} periods, which --csv, a single table, has no place for; --out has a file for each",
-        count));
-}
-
-/// A share is of a sweep alone, and lies in a folder.
-void require_shares(const RunCall& call, const session::LoadedModel& model) {
-  if (!call.part && !call.mpi) return;
-  const auto refuse = [&](const char* message) {
-    throw yaml::Error(yaml::Fault{{model.file, {}}, call.part ? "--part" : "--mpi", message, {}});
-  };
-  if (model.job.points.empty() || model.study)
-    refuse("needs a file with a section 'sweep', and without a study");
-  if (call.out.empty() || call.archive) refuse("needs --out DIR, in which the points are kept");
-}
-
-/// Better now than after the run.
-void require_place(const std::string& file) {
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  if (!folder.empty()) io::require_folder(folder.string());
-}
-
 std::string file_name(const session::LoadedModel& model) {
   return std::filesystem::path(model.file).filename().string();
 }
@@ -82,10 +41,7 @@ class FileRun {
       : call_(call), session_(session), mpi_(mpi) {}
 
   ExitCode carry_out(session::LoadedModel& model, Json& results) {
-    require_section(call_, model);
-    require_one_table(call_, model);
-    require_shares(call_, model);
-    require_place(call_.csv);
+    require_fitting(call_, model);
     const EndDelay delay(EndDelay::Signals::first);
     render::require_converter(call_.pictures);
     const std::string folder = folder_of(call_, model.file);
@@ -93,10 +49,31 @@ class FileRun {
     if (call_.part) return KeptRun(model, folder, *call_.part).run_share(session_, call_.engine);
     if (model.study) return study(model, folder, results);
     const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
-    return fitted == ExitCode::done ? run(model, folder, results) : fitted;
+    if (fitted != ExitCode::done) return fitted;
+    const bool tunes = call_.requires_section == "tune";
+    const ExitCode tuned = tunes ? tune(model, folder, results) : ExitCode::done;
+    return tuned == ExitCode::done ? run(model, folder, results) : tuned;
   }
 
  private:
+  /// Finds the parameters of the section `tune`, prints them, and loads the model with them.
+  ExitCode tune(session::LoadedModel& model, const std::string& folder, Json& results) {
+    session::TuneCall call = call_.tune;
+    call.engine = call_.engine;
+    const tuning::TuneResult result = [&] {
+      const auto watch = watched("tune " + file_name(model));
+      return session_.tune(model, call);
+    }();
+    if (!folder.empty() && !result.history.empty()) session::write_tune(folder, model, result);
+    const ExitCode code = code_of(result);
+    if (call_.models.json)
+      results.push(Json::object().set("tune", session::tune_json(model, result)));
+    else
+      put_report(report::tune_text(result), code != ExitCode::done);
+    if (code == ExitCode::done) model = session_.tuned(model, result);
+    return code;
+  }
+
   /// Finds the parameters of the section `fit`, prints them, and loads the model with them.
   ExitCode fit(session::LoadedModel& model, const std::string& folder, Json& results) {
     session::FitCall call = call_.fit;

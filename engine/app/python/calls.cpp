@@ -6,6 +6,7 @@
 #include "engine/app/python/fits.hpp"
 #include "engine/app/python/numbers.hpp"
 #include "engine/app/python/session_call.hpp"
+#include "engine/app/python/tunings.hpp"
 #include "engine/app/report/linear_text.hpp"
 #include "engine/app/report/loop_text.hpp"
 #include "engine/app/report/run_text.hpp"
@@ -184,9 +185,16 @@ void add_calls(_object* module) {
       .def("draw", draw)
       .def("generate", generate)
       .def("loop", loop)
-      .def("fit", [](const Shared& of, const std::string& engine, std::optional<std::size_t> starts,
-                     std::optional<std::uint64_t> seed, unsigned threads, const py::object& progress) {
-        return fit_call(of, engine, starts, seed, threads, progress.ptr());
+      .def("fit",
+           [](const Shared& of, const std::string& engine, std::optional<std::size_t> starts,
+              std::optional<std::uint64_t> seed, unsigned threads, const py::object& progress) {
+             return fit_call(of, engine, starts, seed, threads, progress.ptr());
+           })
+      .def("tune", [](const Shared& of, const std::string& engine, std::optional<std::size_t> starts,
+                      std::optional<std::size_t> evaluations, std::optional<std::uint64_t> seed,
+                      unsigned threads, const py::object& progress) {
+        session::TuneCall call{starts, evaluations, seed, threads, mode_of(engine)};
+        return tune_call(of, call, progress.ptr());
       });
 }
 

@@ -8,7 +8,7 @@ class Registry;
 
 namespace stepwire::python {
 
-/// Adds the class `File` with what a session does with a loaded file: run, fit, study, linearize.
+/// Adds the class `File` with what a session does with a loaded file: run, fit, tune, study, linearize.
 void add_calls(_object* module);
 
 /// Adds `load`, which makes a `File`; its diagrams may use these blocks.

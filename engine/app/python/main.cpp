@@ -7,6 +7,7 @@
 #include "engine/app/python/observing.hpp"
 #include "engine/app/python/results.hpp"
 #include "engine/app/python/stepping.hpp"
+#include "engine/app/python/tunings.hpp"
 #include "engine/base/io/resources.hpp"
 #include "engine/stepwire/generate.hpp"
 
@@ -16,6 +17,7 @@ PYBIND11_MODULE(_core, module) {
   python::add_faults(module.ptr());
   python::add_results(module.ptr());
   python::add_fits(module.ptr());
+  python::add_tunings(module.ptr());
   python::add_calls(module.ptr());
   python::add_loading(module.ptr(), stepwire::blocks);
   python::add_observing(module.ptr());

@@ -53,6 +53,12 @@ const char* const fit_example = R"yaml(fit:
   starts: 4
   global: {population: 8, generations: 2})yaml";
 
+const char* const tune_example = R"yaml(tune:
+  parameters: {mass: {from: 0.5 kg, to: 3 kg, start: 1.5 kg}}
+  minimise: rms(spring)/(1 N) + max(abs(body.velocity) where time < 0.5 s)/(1 m/s)
+  subject_to: [{that: it swings as far, max: body.position, at_least: 19 mm}]
+  starts: 2)yaml";
+
 const char* const linear_example = R"yaml(linear:
   loop: {from: spring, to: spring, open: spring, at: 0.2 s})yaml";
 
@@ -104,6 +110,7 @@ const std::map<std::string, std::string>& examples() {
       {"claims", claims_example},
       {"scene", scene_example},
       {"fit", fit_example},
+      {"tune", tune_example},
       {"linear", linear_example},
       {"trim",
        "trim:\n  states: {body.velocity: {fixed: 0 m/s}, body.position: {start: 1 mm, bounds: [-1 m, 1 "

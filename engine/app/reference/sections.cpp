@@ -8,6 +8,7 @@
 #include "engine/analyse/linear/trim.hpp"
 #include "engine/analyse/sensitivity/sensitivity.hpp"
 #include "engine/analyse/study/study_request.hpp"
+#include "engine/analyse/tuning/tune_request.hpp"
 #include "engine/app/reference/section_examples.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/simulate/solve/solver.hpp"
@@ -50,6 +51,7 @@ std::vector<Section> all_sections() {
   add("claims", "claim", claim::claim_form());
   add("fit", "fit", estimation::fit_form());
   add("sensitivity", "sensitivity", sensitivity::sensitivity_form());
+  add("tune", "tune", tuning::tune_form());
   add("linear", "linear", linear::linear_form());
   add("trim", "trim", linear::trim_form());
   add("study", "study", study::study_form());

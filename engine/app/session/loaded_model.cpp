@@ -1,3 +1,4 @@
+// More than 300 lines with its header: the sections of a file are read in one place, in the order in which they name each other.
 #include "engine/app/session/loaded_model.hpp"
 
 #include <fmt/format.h>
@@ -162,6 +163,16 @@ void read_analyses(diagram::Loader& loader, LoadedModel& model, query::SymbolTab
   add_sensitivity(model, names, faults);
 }
 
+/// Reads what the file asks of a tuning, behind all that its claims may name.
+void add_tuning(diagram::Loader& loader, LoadedModel& model, const query::SymbolTable& names,
+                yaml::Faults& faults) {
+  const yaml::Node* section = loader.document(model.file).root.find("tune");
+  if (!section) return;
+  if (model.study)
+    return faults.add({{model.file, section->mark}, "tune", "a file has a study or 'tune', not both", {}});
+  model.tune = tuning::read_tune(*section, names, model.job.plan.diagram, model.linear, faults);
+}
+
 /// Reads the scene ahead of figures and claims, which may name what it shows.
 std::shared_ptr<const scene::Scene> read_scene_of(const diagram::Diagram& diagram, query::SymbolTable& names,
                                                   yaml::Faults& faults) {
@@ -172,6 +183,17 @@ std::shared_ptr<const scene::Scene> read_scene_of(const diagram::Diagram& diagra
     std::ranges::copy(scene::scene_state_names(*scene), std::back_inserter(names.columns));
   if (faults.size() == before) check_pointer_names(diagram, faults);
   return scene;
+}
+
+/// Figures of a study say whose trials they show.
+void read_all_figures(const diagram::Diagram& diagram, LoadedModel& model, const query::SymbolTable& names,
+                      yaml::Faults& faults) {
+  if (diagram.figure.kind != yaml::Node::Kind::empty)
+    model.figures = plot::read_figures(diagram.figure, names, faults);
+  draw_kept_as_points(model, model.figures);
+  if (!model.study) return;
+  for (plot::Figure& figure : model.figures)
+    if (!figure.title.empty()) figure.title += fmt::format(" ({})", study::whose_trials(*model.study));
 }
 
 /// Claims and invariants may name what the figures draw and the scene shows.
@@ -214,13 +236,9 @@ LoadedModel load_model(diagram::Loader& loader, const std::string& file, const L
   add_study(loader, options, model, names, faults);
   read_analyses(loader, model, names, faults);
   names.scene = model.scene = read_scene_of(diagram, names, faults);
-  if (diagram.figure.kind != yaml::Node::Kind::empty)
-    model.figures = plot::read_figures(diagram.figure, names, faults);
-  draw_kept_as_points(model, model.figures);
-  if (model.study)
-    for (plot::Figure& figure : model.figures)
-      if (!figure.title.empty()) figure.title += fmt::format(" ({})", study::whose_trials(*model.study));
+  read_all_figures(diagram, model, names, faults);
   read_all_claims(diagram, model, names, faults);
+  add_tuning(loader, model, names, faults);
   faults.throw_if_any();
   model.hash = diagram::diagram_hash(diagram);
   return model;

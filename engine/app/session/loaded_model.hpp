@@ -11,6 +11,7 @@
 #include "engine/analyse/linear/trim.hpp"
 #include "engine/analyse/sensitivity/sensitivity.hpp"
 #include "engine/analyse/study/study_request.hpp"
+#include "engine/analyse/tuning/tune_request.hpp"
 #include "engine/model/diagram/load.hpp"
 #include "engine/simulate/run/run.hpp"
 #include "engine/view/plot/figure.hpp"
@@ -43,7 +44,8 @@ struct LoadedModel {
   std::shared_ptr<const run::RunNumbers> kept{};  ///< what the sweep keeps of each run; null: its rows
   std::optional<sensitivity::Request> sensitivity{};
   std::vector<linear::NamedAnalysis> linear{};  ///< that figures and claims read behind the recordings
-  std::optional<linear::TrimRequest> trim{};    ///< the operating point that is looked for
+  std::optional<linear::TrimRequest> trim{};   ///< the operating point that is looked for
+  std::optional<tuning::TuneRequest> tune{};    ///< what `tune` minimises; no run hangs on it
   const Registry* registry = nullptr;           ///< by which it was loaded
   std::vector<std::string> blocksets{};         ///< folders of the blocks from outside that were known
 };

@@ -27,6 +27,14 @@ LoadedModel Session::fitted(const LoadedModel& model, const estimation::FitResul
   return load(model.file, with_fitted(model.options, result));
 }
 
+tuning::TuneResult Session::tune(const LoadedModel& model, const TuneCall& call) {
+  return tune_model(registry_, model, call, monitor_);
+}
+
+LoadedModel Session::tuned(const LoadedModel& model, const tuning::TuneResult& result) const {
+  return load(model.file, with_tuned(model.options, result));
+}
+
 Studies::Shared Session::study(const LoadedModel& model, const StudyCall& call) {
   return studies_.experiments(registry_, model, call, monitor_);
 }

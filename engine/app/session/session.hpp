@@ -6,6 +6,7 @@
 #include "engine/app/session/fitting.hpp"
 #include "engine/app/session/outcome.hpp"
 #include "engine/app/session/studies.hpp"
+#include "engine/app/session/tuning.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/replay/verify.hpp"
 
@@ -38,6 +39,10 @@ class Session {
   estimation::FitResult fit(const LoadedModel& model, const FitCall& call = {});
   /// The model with what a fit found.
   LoadedModel fitted(const LoadedModel& model, const estimation::FitResult& result) const;
+  /// Finds the parameters that the model's section `tune` names.
+  tuning::TuneResult tune(const LoadedModel& model, const TuneCall& call = {});
+  /// The model with what a tuning found.
+  LoadedModel tuned(const LoadedModel& model, const tuning::TuneResult& result) const;
   /// Performs the model's study, or finds that it was performed; study_outcome() puts it into the model.
   Studies::Shared study(const LoadedModel& model, const StudyCall& call = {});
   /// Replays what a run left in its folder.

@@ -79,6 +79,8 @@ std::vector<HeadRow> run_rows() {
        form::section("fit")},
       {"sensitivity", "how much of an outcome's spread comes from which parameter that a sweep draws",
        form::section("sensitivity")},
+      {"tune", "what `tune` minimises, over which parameters, and the claims that hold meanwhile",
+       form::section("tune")},
       {"linear",
        "linear analyses of the diagram near a point of its run, by name: poles, margins, responses, which "
        "figures and claims read",

@@ -37,9 +37,9 @@ bool mentions(const yaml::Node& node, const std::string& name) {
          });
 }
 
-/// Figures, scenes, claims, fits and studies read parameters only after the diagram is built.
+/// Figures, scenes, claims, fits, tunings and studies read parameters only after the diagram is built.
 bool is_drawn_or_claimed(const yaml::Node& root, const std::string& name) {
-  for (const char* key : {"figure", "scene", "claims", "invariants", "fit", "study", "sensitivity"})
+  for (const char* key : {"figure", "scene", "claims", "invariants", "fit", "tune", "study", "sensitivity"})
     if (const yaml::Node* node = root.find(key); node && mentions(*node, name)) return true;
   const yaml::Node* sweep = root.find("sweep");
   const yaml::Node* one = sweep ? sweep->find("one_at_a_time") : nullptr;

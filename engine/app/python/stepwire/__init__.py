@@ -1,4 +1,4 @@
-"""Stepwire: block diagrams of files, run, swept, fitted, linearized and stepped from Python.
+"""Stepwire: block diagrams of files, run, swept, fitted, tuned, linearized and stepped from Python.
 
     model = stepwire.load("cart.yaml", mass="8 kg")
     run = model.run(stop="3 s")
@@ -23,11 +23,11 @@ _note_package()
 from .blocks import block  # noqa: E402
 from .errors import EnvironmentError, Error, Fault, Interrupted, RunError  # noqa: E402
 from .model import Input, Model, Parameter, Signal, load  # noqa: E402
-from .results import Claim, Fit, FittedParameter, Linear, Notice, Run, Study  # noqa: E402
+from .results import Claim, Fit, FittedParameter, Linear, Notice, Run, Study, Tuning  # noqa: E402
 from .show import Picture  # noqa: E402
 from .simulation import Inputs, Simulation  # noqa: E402
 
 __version__: str = _core.version()
 __all__ = ["Claim", "EnvironmentError", "Error", "Fault", "Fit", "FittedParameter", "Input", "Inputs", "Interrupted",
            "Linear", "Model", "Notice", "Parameter", "Picture", "Run", "RunError", "Signal", "Simulation", "Study",
-           "block", "load"]
+           "Tuning", "block", "load"]

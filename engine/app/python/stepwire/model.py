@@ -10,7 +10,7 @@ from typing import Any
 
 from . import _core, show
 from .blocks import declaration_of
-from .results import Fit, Linear, Run, Study, finished
+from .results import Fit, Linear, Run, Study, Tuning, finished
 from .simulation import Simulation
 from .texts import Value, names_of, text_of, tree_of
 
@@ -180,6 +180,14 @@ class Model:
         """Finds the parameters that the section `fit` names, of the file or as a dictionary of the same keys."""
         model = self if section is None else self._again({}, None, {"fit": tree_of(section, "fit")})
         return Fit(model._file.fit(_engine(engine), starts, seed, threads, progress), model)
+
+    def tune(self, section: Mapping[str, Any] | None = None, *, engine: str = "auto", starts: int | None = None,
+             evaluations: int | None = None, seed: int | None = None, threads: int = 0,
+             progress: Callable[[float, str], Any] | None = None) -> Tuning:
+        """Finds the parameters that make the objective of the section `tune` small while its claims hold; the
+        section is that of the file, or a dictionary of the same keys."""
+        model = self if section is None else self._again({}, None, {"tune": tree_of(section, "tune")})
+        return Tuning(model._file.tune(_engine(engine), starts, evaluations, seed, threads, progress), model)
 
     def study(self, *, engine: str = "auto", threads: int = 0, observers: Sequence[Any] = (),
               progress: Callable[[float, str], Any] | None = None, check: bool = True) -> Study:

@@ -1,4 +1,4 @@
-"""What a run, a sweep, a study, a fit or a linear analysis gave."""
+"""What a run, a sweep, a study, a fit, a tuning or a linear analysis gave."""
 
 from __future__ import annotations
 
@@ -288,6 +288,62 @@ class Fit:
     def __repr__(self) -> str:
         numbers = ", ".join(f"{name}={one.value:g} {one.unit}".strip() for name, one in self.parameters.items())
         return f"<Fit of {self._of.file}: {numbers}>"
+
+
+class Tuning:
+    """What the tuning of a file found. `parameters` by name in SI, `objective`, `feasible` (do all claims hold?),
+    `data` as tune.json of `stepwire tune` has it, and `model`, which has what was found."""
+
+    def __init__(self, tuning: _core.Tuning, model: Model):
+        self._tuning = tuning
+        self._of = model
+        self.data: dict = json.loads(tuning.json)
+        self.parameters: dict[str, float] = {one["name"]: _number(one["value"]) for one in self.data["parameters"]}
+        self.objective: float = _number(self.data["objective"])
+        self.feasible: bool = self.data["feasible"]
+
+    def __getitem__(self, name: str) -> float:
+        """The number of a parameter, SI."""
+        if name not in self.parameters:
+            raise KeyError(f"{name!r} was not tuned; tuned are: {', '.join(self.parameters)}")
+        return self.parameters[name]
+
+    @property
+    def converged(self) -> bool:
+        return self.data["converged"]
+
+    @property
+    def findings(self) -> list[str]:
+        """What is at a bound, in the way, or could not be run."""
+        return self.data["findings"]
+
+    @property
+    def model(self) -> Model:
+        """The model with what was found."""
+        return self._of.with_values(dict(self._tuning.settings))
+
+    @property
+    def figures(self) -> show.Pictures:
+        return show.Pictures([show.Picture("tune-history", self._tuning.figure)], "the tuning has no pictures")
+
+    def history(self) -> pd.DataFrame:
+        """Each evaluation as a row of a DataFrame: the parameters, `objective`, `margin.1` and on of the claims,
+        `start`, and why there is no objective."""
+        import pandas as pd
+        rows = []
+        for values, objective, margins, start, fault in self._tuning.history:
+            row = dict(zip(self.parameters, values))
+            row["objective"] = objective
+            row.update({f"margin.{i + 1}": margin for i, margin in enumerate(margins)})
+            rows.append({**row, "start": start, "fault": fault})
+        return pd.DataFrame(rows)
+
+    def __str__(self) -> str:
+        return self._tuning.words
+
+    def __repr__(self) -> str:
+        numbers = ", ".join(f"{name}={value:g}" for name, value in self.parameters.items())
+        return f"<Tuning of {self._of.file}: {numbers}>"
 
     def _repr_html_(self) -> str:
         rows = [(name, f"{one.value:.6g}", one.unit, f"{one.interval[0]:.6g} .. {one.interval[1]:.6g}")

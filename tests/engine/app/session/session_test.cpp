@@ -1,7 +1,9 @@
 // The application without a terminal.
 #include "engine/app/session/session.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <mutex>
 #include <set>
 
@@ -108,6 +110,22 @@ TEST_CASE("a session returns what is wrong as an error, and prints nothing") {
   const Scratch folder;
   folder.file("a.yaml", lag("").replace(lag("").find("Lag"), 3, "Lak"));
   CHECK_THROWS_AS(Session(library()).load(folder.path("a.yaml")), yaml::Error);
+}
+
+TEST_CASE("a session tunes a model, shows how far it is, and loads it with what was found") {
+  // 1 - exp(-t/tau) is 0.5 after 50 ms where tau is 50 ms/log 2.
+  const Scratch folder;
+  folder.file("lag.yaml", lag("tune:\n  parameters: {tau: {from: 5 ms, to: 1 s}}\n"
+                              "  minimise: abs(final(lag) - 0.5)\n  method: subplex\n  tolerance: 1e-6\n"));
+  Session session(library());
+  double shown = 0.0;
+  session.monitor().progress = [&](double fraction, const std::string&) { shown = std::max(shown, fraction); };
+  const LoadedModel model = session.load(folder.path("lag.yaml"));
+  const tuning::TuneResult result = session.tune(model, {.evaluations = 300});
+  CHECK(result.numbers.at(0).value == Approx(0.05 / std::log(2.0)).epsilon(1e-4));
+  CHECK(shown > 0.0);
+  const Outcome outcome = session.run(session.tuned(model, result));
+  CHECK(outcome.result.recordings[0].table.find("lag")->values.back() == Approx(0.5).margin(1e-4));
 }
 
 TEST_CASE("an interrupted session keeps what was recorded") {

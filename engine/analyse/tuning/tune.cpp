@@ -1,0 +1,224 @@
+#include "engine/analyse/tuning/tune.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <thread>
+
+#include "engine/analyse/tuning/constraint.hpp"
+#include "engine/analyse/tuning/search.hpp"
+#include "engine/base/parallel/parallel.hpp"
+
+namespace stepwire::tuning {
+
+namespace {
+
+const char* name_of(TuneMethod method) {
+  constexpr std::array names{"auto", "bobyqa", "cobyla", "isres", "subplex"};
+  return names[static_cast<std::size_t>(method)];
+}
+
+/// Shows how far all searches together are.
+class Watch {
+ public:
+  Watch(const TuneOptions& options, const TuneRequest& request) : options_(options), request_(request) {}
+
+  void show(const Evaluation& one) {
+    const std::lock_guard lock(mutex_);
+    ++count_;
+    if (one.is_feasible() && !(one.objective >= best_)) best_ = one.objective;
+    if (!options_.progress) return;
+    const double all = static_cast<double>(request_.evaluations * request_.starts);
+    options_.progress(std::min(1.0, static_cast<double>(count_) / all),
+                      std::isnan(best_) ? fmt::format("evaluation {}", count_)
+                                        : fmt::format("evaluation {}: best {:.5g}", count_, best_));
+  }
+
+ private:
+  const TuneOptions& options_;
+  const TuneRequest& request_;
+  std::mutex mutex_;
+  std::size_t count_ = 0;
+  double best_ = std::numeric_limits<double>::quiet_NaN();
+};
+
+class Tuning {
+ public:
+  Tuning(const TuneSource& source, const run::Job& job, const TuneRequest& request,
+         const TuneOptions& options)
+      : request_(request), options_(options), runs_(source, job, request), watch_(options, request) {}
+
+  TuneResult result() {
+    look_at_start();
+    if (!request_.parameters.empty() && !runs_.interrupted()) search_all();
+    result_.interrupted = runs_.interrupted();
+    choose();
+    if (!best_ && !result_.interrupted) refuse();
+    result_.compiled = runs_.compiled();
+    result_.runs = runs_.count();
+    result_.method = name_of(request_.chosen_method());
+    result_.dimension = request_.minimise.formula->dimension;
+    result_.bad = static_cast<std::size_t>(std::ranges::count_if(result_.history, &Evaluation::is_bad));
+    if (best_) describe();
+    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    return std::move(result_);
+  }
+
+ private:
+  unsigned threads() const {
+    return options_.threads > 0 ? options_.threads : std::max(1u, std::thread::hardware_concurrency());
+  }
+
+  /// Its numbers are what objective and claims are measured by.
+  void look_at_start() {
+    Values values;
+    for (const TuneParameter& parameter : request_.parameters) values.push_back(parameter.start);
+    Evaluation one = evaluate(runs_, request_, std::move(values), threads());
+    if (runs_.interrupted()) return;
+    problem_.objective_scale = one.is_bad() || one.objective == 0.0 ? 1.0 : std::abs(one.objective);
+    for (std::size_t i = 0; i < request_.constraints.size(); ++i)
+      problem_.claim_scales.push_back(scale_of(request_.constraints[i].comparison, one.claims[i]));
+    result_.start_objective = one.objective;
+    watch_.show(one);
+    start_ = std::move(one);
+  }
+
+  void search_all() {
+    const std::size_t count = request_.starts;
+    const auto beside = static_cast<unsigned>(std::min<std::size_t>(threads(), count));
+    problem_.threads = std::max(1u, threads() / beside);
+    problem_.watch = [&](const Evaluation& one) { watch_.show(one); };
+    std::vector<SearchResult> found(count);
+    parallel::in_parallel(count, beside, [&](std::size_t i) {
+      if (runs_.interrupted() && i > 0) return;
+      found[i] = search(problem_, i, i == 0 ? start_ : std::nullopt);
+    });
+    for (SearchResult& one : found) take(std::move(one));
+    if (!choose()) restore_claims();
+  }
+
+  void take(SearchResult&& one) {
+    TunedStart& start = result_.starts.emplace_back();
+    if (one.best) start.objective = one.evaluations[*one.best].objective;
+    start.converged = one.converged;
+    start.evaluations = one.evaluations.size();
+    std::ranges::move(one.evaluations, std::back_inserter(result_.history));
+  }
+
+  [[noreturn]] void refuse() const {
+    throw yaml::Error(yaml::Fault{
+        request_.place,
+        "tune",
+        fmt::format("no start can be evaluated; give one that runs: {}", result_.history.front().fault),
+        {}});
+  }
+
+  /// Where claims never hold together, the point that comes nearest to them is looked for.
+  void restore_claims() {
+    if (runs_.interrupted() || !nearest()) return;
+    problem_.threads = threads();
+    SearchResult found = restore(problem_, result_.history[*nearest()].values);
+    std::ranges::move(found.evaluations, std::back_inserter(result_.history));
+    if (const auto best = choose()) take(search(problem_, 0, Evaluation(result_.history[*best])));
+  }
+
+  /// The best point with all claims, the first of equal ones.
+  std::optional<std::size_t> choose() {
+    if (result_.history.empty() && start_) result_.history.push_back(*start_);
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < result_.history.size(); ++i) {
+      const Evaluation& one = result_.history[i];
+      if (one.is_feasible() && (!found || one.objective < result_.history[*found].objective)) found = i;
+    }
+    result_.feasible = found.has_value();
+    best_ = found ? found : nearest();
+    return found;
+  }
+
+  /// The point that is nearest to holding its claims.
+  std::optional<std::size_t> nearest() const {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < result_.history.size(); ++i)
+      if (!result_.history[i].is_bad() && (!found || violation_of(result_.history[i], problem_) <
+                                                         violation_of(result_.history[*found], problem_)))
+        found = i;
+    return found;
+  }
+
+  void describe() {
+    const Evaluation& best = result_.history[*best_];
+    result_.objective = best.objective;
+    if (runs_.count() > 1 && request_.over == TuneOver::worst) result_.worst = runs_.label(best.worst);
+    result_.converged =
+        request_.parameters.empty() || std::ranges::any_of(result_.starts, [&](const TunedStart& start) {
+          return start.converged && start.objective && *start.objective <= best.objective;
+        });
+    result_.settings = settings_of(request_.parameters, best.values);
+    for (std::size_t i = 0; i < request_.parameters.size(); ++i)
+      describe(request_.parameters[i], best.values[i]);
+    describe_claims(best);
+    note_bad();
+  }
+
+  void describe(const TuneParameter& parameter, double value) {
+    TunedNumber one{.name = parameter.name,
+                    .value = value,
+                    .start = parameter.start,
+                    .lower = parameter.lower,
+                    .upper = parameter.upper,
+                    .dimension = parameter.dimension,
+                    .unit = parameter.unit};
+    const double share = parameter.share_of(value);
+    one.at_bound = share <= request_.tolerance || share >= 1.0 - request_.tolerance;
+    if (one.at_bound && result_.feasible)
+      result_.findings.push_back(
+          fmt::format("{} is at its {} end, beyond which the objective may fall further", one.name,
+                      share < 0.5 ? "lower" : "upper"));
+    result_.numbers.push_back(std::move(one));
+  }
+
+  void describe_claims(const Evaluation& best) {
+    if (request_.constraints.empty() || runs_.interrupted()) return;
+    std::string fault;
+    const std::vector<record::Recording> recordings = runs_.run(best.values, threads(), fault);
+    for (std::size_t i = 0; i < request_.constraints.size(); ++i) {
+      TunedClaim one{claim::judge(request_.constraints[i], recordings), best.margins[i],
+                     start_ ? start_->claims[i] : best.claims[i]};
+      if (one.verdict.run) one.verdict.shown += fmt::format(" ({})", runs_.label(*one.verdict.run));
+      one.active = best.margins[i] < 10.0 * request_.tolerance * problem_.claim_scales[i];
+      if (!one.verdict.holds)
+        result_.findings.push_back(fmt::format("'{}' is in the way: nowhere nearer than {}, {}",
+                                               one.verdict.that, one.verdict.shown, one.verdict.check));
+      result_.claims.push_back(std::move(one));
+    }
+  }
+
+  void note_bad() {
+    const auto first = std::ranges::find_if(result_.history, &Evaluation::is_bad);
+    if (first == result_.history.end()) return;
+    result_.findings.push_back(fmt::format("{} of {} evaluations gave nothing to compare, the first since {}",
+                                           result_.bad, result_.history.size(), first->fault));
+  }
+
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  const TuneRequest& request_;
+  const TuneOptions& options_;
+  TuneRuns runs_;
+  Watch watch_;
+  SearchProblem problem_{.runs = runs_, .request = request_};
+  std::optional<Evaluation> start_;
+  std::optional<std::size_t> best_;
+  TuneResult result_;
+};
+
+}  // namespace
+
+TuneResult tune(const TuneSource& source, const run::Job& job, const TuneRequest& request,
+                const TuneOptions& options) {
+  return Tuning(source, job, request, options).result();
+}
+
+}  // namespace stepwire::tuning

@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/analyse/tuning/constraint.hpp"
+#include "engine/analyse/tuning/tune_keys.hpp"
+#include "engine/model/diagram/variation.hpp"
+
+namespace stepwire::tuning {
+
+using yaml::form;
+
+namespace {
+
+using TuneTable = yaml::KeyTable<TuneRequest, TuneReading>;
+using claim::Reduction;
+
+TuneTable::Row parameters_row() {
+  return {"parameters", "what is tuned, by the names that --set takes",
+          yaml::like("{rig.kp: {from: 0.1, to: 10, start: 1}}",
+                     form::naming(yaml::Key::Names::parameter, form::names(tune_parameter_form(), 1))),
+          read_tune_parameters};
+}
+
+TuneTable::Row minimise_row() {
+  return {"minimise",
+          "what is made as small as can be: an expression of reductions, with the names that claims have for "
+          "them: settling_time(y)/(1 s) + 0.1*rms(u where time > 1 s)",
+          form::expression()};
+}
+
+TuneTable::Row method_row() {
+  return {"method", "of the search",
+          form::words(
+              {{"auto", "cobyla with claims, subplex where the objective jumps, else bobyqa"},
+               {"bobyqa", "for a smooth objective, without claims"},
+               {"cobyla", "for claims"},
+               {"isres", "all over the bounds, with claims or without, and from the best point on by cobyla"},
+               {"subplex", "for an objective that jumps, without claims"}}),
+          &TuneRequest::method};
+}
+
+const TuneTable& tune_table() {
+  static const TuneTable table(
+      "the tuning", "{parameters: {..}, minimise: ..}",
+      {yaml::needed(parameters_row()),
+       yaml::needed(minimise_row()),
+       {"subject_to", "claims that hold at what is found, each with a value and a bound",
+        form::list(form::section("claim"))},
+       {"over", "what counts of the runs of a sweep: the worst of them, or their mean",
+        form::word({"worst", "mean"}), &TuneRequest::over},
+       method_row(),
+       {"starts", "searches; the first begins at the given start, the others within the bounds",
+        form::whole(1, 10'000), &TuneRequest::starts},
+       {"seed", "of what is random", form::whole(0, 1'000'000'000), &TuneRequest::seed},
+       {"evaluations", "of one search, at most; each makes all runs of the sweep", form::whole(1, 10'000'000),
+        &TuneRequest::evaluations},
+       {"tolerance", "change of a parameter that no longer counts, as a share of its range",
+        form::above_zero(form::computed()), &TuneRequest::tolerance}});
+  return table;
+}
+
+/// Tuned parameters are columns of each run; numbers of blocks that follow from them are no constants.
+query::SymbolTable names_while_tuned(const query::SymbolTable& names, const diagram::Diagram& diagram,
+                                     const TuneRequest& request) {
+  query::SymbolTable varied = names;
+  std::vector<std::string> tuned;
+  for (const TuneParameter& parameter : request.parameters) {
+    tuned.push_back(parameter.name);
+    varied.columns.push_back({parameter.name, parameter.dimension, std::nullopt});
+  }
+  const diagram::Variation variation(diagram, tuned);
+  std::vector<std::string> moved;
+  for (const diagram::Target& target : variation.targets())
+    moved.push_back(diagram::name_of(diagram, target));
+  std::vector<std::string> parameters = tuned;
+  for (const int definition : variation.definitions())
+    parameters.push_back(diagram.parameters[static_cast<std::size_t>(definition)].name);
+  std::erase_if(varied.parameters, [&](const query::KnownParameter& parameter) {
+    return std::ranges::find(parameters, parameter.name) != parameters.end();
+  });
+  std::erase_if(varied.drawn, [&](const query::NamedFormula& drawn) {
+    return std::ranges::any_of(moved, [&](const std::string& name) {
+      return drawn.name == name || drawn.name.starts_with(name + ".");
+    });
+  });
+  return varied;
+}
+
+void check_method(const yaml::Node& node, const TuneRequest& request, const TuneReading& read) {
+  const bool without = request.method == TuneMethod::bobyqa || request.method == TuneMethod::subplex;
+  const yaml::Node* method = node.find("method");
+  if (method && without && !request.constraints.empty())
+    read.fault(method->mark,
+               fmt::format("'{}' takes no claims; those of 'subject_to' need cobyla or isres", method->text));
+}
+
+/// A reduction whose value jumps as the run changes a little.
+bool jumps(const claim::Claim& of) {
+  constexpr std::array jumping{Reduction::fraction, Reduction::count, Reduction::rising,
+                               Reduction::settling_time, Reduction::peak_time};
+  return std::ranges::find(jumping, of.reduction) != jumping.end();
+}
+
+}  // namespace
+
+TuneMethod TuneRequest::chosen_method() const {
+  if (method != TuneMethod::automatic) return method;
+  if (!constraints.empty()) return TuneMethod::cobyla;
+  return std::ranges::any_of(minimise.reductions, jumps) ? TuneMethod::subplex : TuneMethod::bobyqa;
+}
+
+const yaml::Key& tune_form() {
+  return tune_table().form;
+}
+
+TuneRequest read_tune(const yaml::Node& node, const query::SymbolTable& names,
+                      const diagram::Diagram& diagram, const std::vector<linear::NamedAnalysis>& linear,
+                      yaml::Faults& faults) {
+  TuneRequest request;
+  request.place = {names.file, node.mark};
+  const TuneReading read(names, diagram, faults);
+  const std::size_t before = faults.size();
+  if (!tune_table().read(node, request, read) || faults.size() != before) return request;
+  const query::SymbolTable varied = names_while_tuned(names, diagram, request);
+  const TuneReading inner(varied, diagram, faults);
+  if (const yaml::Node* minimise = node.find("minimise"))
+    if (auto objective = read_objective(*minimise, yaml::below<query::NamesReading>(inner, "minimise")))
+      request.minimise = std::move(*objective);
+  if (const yaml::Node* claims = node.find("subject_to"))
+    request.constraints =
+        read_constraints(*claims, linear, yaml::below<query::NamesReading>(inner, "subject_to"));
+  check_method(node, request, read);
+  return request;
+}
+
+}  // namespace stepwire::tuning

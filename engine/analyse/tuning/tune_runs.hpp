@@ -1,0 +1,80 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "engine/analyse/tuning/tune_request.hpp"
+#include "engine/model/diagram/load.hpp"
+#include "engine/simulate/run/pooling.hpp"
+#include "engine/simulate/run/run.hpp"
+
+namespace stepwire::tuning {
+
+/// What a tuning's runs need beside the request.
+struct TuneSource {
+  diagram::Loader& loader;
+  std::string file;
+  std::vector<diagram::Setting> settings{};                          ///< of the call
+  const std::vector<linear::NamedAnalysis>& linear;                  ///< of the file
+  plan::CodeSource* code = nullptr;                                  ///< null: interpreted
+  const std::atomic<bool>* interrupt = nullptr;                      ///< once true, runs end and give nothing
+  std::function<void(std::vector<record::Recording>&)> add_shown{};  ///< what the file's scene makes of them
+};
+
+/// Values of all tuned parameters, SI.
+using Values = std::vector<double>;
+
+/// All runs of a file with any values of the tuned parameters, which are set in the runs of one plan for each
+/// structure that the sweep has. Calls may come from any thread.
+class TuneRuns {
+ public:
+  /// The job and the request must outlive it.
+  TuneRuns(TuneSource source, const run::Job& job, const TuneRequest& request);
+  ~TuneRuns();
+
+  /// Runs of one evaluation.
+  std::size_t count() const;
+  /// What tells a run from the others: "load=2 kg"; empty for the only one.
+  std::string label(std::size_t run) const;
+  bool compiled() const { return compiled_; }
+  bool interrupted() const { return source_.interrupt && *source_.interrupt; }
+  /// What all runs record, pooled in the order of the sweep, with the linear analyses that the request reads;
+  /// nothing where one of them ends with a fault or refuses the values, which `fault` then has.
+  std::vector<record::Recording> run(const Values& values, unsigned threads, std::string& fault) const;
+
+ private:
+  struct Structure;
+  using Recordings = std::vector<record::Recording>;
+
+  void make_structures();
+  std::vector<std::string> names_at(std::size_t point, const plan::Plan& plan) const;
+  void compile();
+  Structure& structure_of(std::size_t point) const;
+  std::vector<diagram::Assignment> assignments(std::size_t point, const Values& values) const;
+  Recordings run_point(std::size_t point, const Values& values, std::string& fault) const;
+  Recordings run_anew(std::size_t point, const Values& values, std::string& fault) const;
+  Recordings take(std::size_t point, const Values& values, run::Executor& simulation,
+                  std::string& fault) const;
+  void add_analyses(const run::Executor& simulation, Recordings& recordings) const;
+  void add_parameters(std::size_t point, const Values& values, Recordings& recordings) const;
+
+  TuneSource source_;
+  const run::Job& job_;
+  const TuneRequest& request_;
+  run::SweptColumns swept_;
+  std::vector<bool> analysed_;  ///< which analyses the request reads
+  std::vector<bool> recorded_;  ///< which tuned parameters it reads
+  std::vector<std::unique_ptr<Structure>> structures_;
+  std::vector<std::size_t> of_point_;  ///< structure of each point
+  mutable std::mutex loading_;
+  bool compiled_ = false;
+};
+
+/// What sets these parameters to these values.
+std::vector<diagram::Setting> settings_of(const std::vector<TuneParameter>& parameters, const Values& values);
+
+}  // namespace stepwire::tuning

@@ -1,0 +1,73 @@
+#include "engine/app/report/tune_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/analyse/query/number.hpp"
+#include "engine/base/text/characters.hpp"
+
+namespace stepwire::report {
+
+namespace {
+
+std::string in_unit_of(const tuning::TunedNumber& number, double si) {
+  const unit::Unit unit = unit::parse_unit(number.unit).value_or(unit::Unit{});
+  const bool is_si = number.unit.empty() && number.dimension && *number.dimension != unit::Dimension{};
+  const std::string name = is_si ? unit::si_name(*number.dimension) : number.unit;
+  return query::short_number(unit.from_si(si), 6) + (name.empty() ? "" : " " + name);
+}
+
+std::string objective_text(const tuning::TuneResult& result) {
+  const bool has_unit = result.dimension && *result.dimension != unit::Dimension{};
+  const std::string unit = has_unit ? " " + unit::si_name(*result.dimension) : "";
+  std::string text = fmt::format("  objective {}{}", query::short_number(result.objective, 6), unit);
+  if (std::isfinite(result.start_objective))
+    text += fmt::format(", at the start {}{}", query::short_number(result.start_objective, 6), unit);
+  if (!result.worst.empty()) text += fmt::format("; the worst run: {}", text::visible(result.worst));
+  return text + "\n";
+}
+
+std::string claim_line(const tuning::TunedClaim& claim) {
+  return fmt::format("  {} {}: {} ({})\n", claim.verdict.holds ? "ok  " : "FAIL",
+                     text::visible(claim.verdict.that), text::visible(claim.verdict.shown),
+                     text::visible(claim.verdict.check));
+}
+
+std::string tuning_summary(const tuning::TuneResult& result) {
+  if (result.history.empty())
+    return "tune: interrupted before the first run was done, so that there is nothing yet to write\n";
+  if (result.numbers.empty()) return "tune: the call sets all parameters, which are looked at as they are\n";
+  std::string text =
+      fmt::format("tune: {} parameters, {} evaluations", result.numbers.size(), result.history.size());
+  if (result.runs > 1) text += fmt::format(" of {} runs each", result.runs);
+  text += fmt::format(", {:.3g} s{}; {}", result.seconds, result.compiled ? ", compiled" : "", result.method);
+  if (result.starts.size() > 1) {
+    const auto found = std::ranges::count_if(
+        result.starts, [](const tuning::TunedStart& start) { return start.objective.has_value(); });
+    text += fmt::format(" from {} starts, {} of which hold all claims", result.starts.size(), found);
+  }
+  if (result.interrupted) return text + "; interrupted: this is the best so far\n";
+  if (!result.feasible) return text + "; no point holds all claims: this one comes nearest\n";
+  return text + (result.converged ? "\n" : "; not converged: allow more 'evaluations'\n");
+}
+
+}  // namespace
+
+std::string tune_text(const tuning::TuneResult& result) {
+  std::string text = tuning_summary(result);
+  if (result.history.empty()) return text;
+  std::size_t width = 0;
+  for (const tuning::TunedNumber& number : result.numbers) width = std::max(width, number.name.size());
+  for (const tuning::TunedNumber& number : result.numbers)
+    text += fmt::format("  {:<{}}  {:<22} from {}\n", number.name, width, in_unit_of(number, number.value),
+                        in_unit_of(number, number.start));
+  text += objective_text(result);
+  for (const tuning::TunedClaim& claim : result.claims) text += claim_line(claim);
+  for (const std::string& finding : result.findings)
+    text += fmt::format("  note: {}\n", text::visible(finding));
+  return text;
+}
+
+}  // namespace stepwire::report
