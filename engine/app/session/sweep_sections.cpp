@@ -24,7 +24,10 @@ void draw_kept_as_points(const LoadedModel& model, std::vector<plot::Figure>& fi
   if (!sweep || model.job.points.empty() || sweep->keep == diagram::Sweep::Keep::rows) return;
   for (plot::Figure& figure : figures)
     for (plot::Panel& panel : figure.panels)
-      if (panel.find("x")) panel.final_rows = true;
+      if (panel.find("x")) {
+        panel.final_rows = true;
+        panel.points_only = panel.points_only || sweep->design;  // what is drawn has no order
+      }
 }
 
 void add_sensitivity(LoadedModel& model, query::SymbolTable& names, yaml::Faults& faults) {

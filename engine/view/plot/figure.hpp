@@ -89,7 +89,7 @@ struct Panel {
   std::vector<double> contour{}, lines{}, shade{}, shares{};  ///< ends of shaded ranges in pairs
   std::vector<CurveStyle> styles{};                           ///< in the order of the legend
   ArrowPivot pivot = ArrowPivot::middle;
-  bool points_only = false;                ///< of what is in space
+  bool points_only = false;                ///< of rows in space, or of runs without an order
   bool tukey_whiskers = false;             ///< else they reach over all values
   std::optional<std::size_t> reduction{};  ///< of each run, one of claim::reduction_names(); none: each row
 

@@ -7,7 +7,7 @@
 namespace stepwire::plot {
 namespace {
 
-constexpr std::size_t most_lines = 200, most_points = 5000;
+constexpr std::size_t most_lines = 200, most_points = 2500;
 
 /// Cells along both axes: a point fills one, of which a line needs many.
 struct Cells {

@@ -55,6 +55,19 @@ std::vector<geometry::Curve> drawn(const Panel& panel, const geometry::Curves& a
   return panel.final_rows ? geometry::cut(all, group, budget) : geometry::thinned(all, group, budget);
 }
 
+/// Adds curves as a line, or its rows as points.
+void add_rows(const Panel& panel, const std::vector<geometry::Curve>& curves, LineMark line,
+              PlotBuilder& plot) {
+  if (!panel.points_only) return plot.add(std::move(line));
+  constexpr double diameter = 3.5;
+  for (const geometry::Curve& curve : curves) {
+    plot.add(PointsMark{.rows = plane_rows(curve),
+                        .size = diameter,
+                        .color = line.line.color,
+                        .legend = &curve == &curves.front() ? line.legend : ""});
+  }
+}
+
 /// Many groups: the value of `by` is shown as a colour.
 void draw_by_color(const Panel& panel, const geometry::Curves& all, PlotBuilder& plot) {
   for (std::size_t group = 0; group < all.groups.size(); ++group) {
@@ -63,7 +76,7 @@ void draw_by_color(const Panel& panel, const geometry::Curves& all, PlotBuilder&
     for (geometry::Curve& curve : curves) curve = with_group_value(std::move(curve), all);
     LineStyle line = line_of(panel, 1, false);
     line.color.clear();
-    plot.add(LineMark{plane_rows(curves), line, dots_of(panel, 1)});
+    add_rows(panel, curves, LineMark{plane_rows(curves), line, dots_of(panel, 1)}, plot);
   }
   plot.color_bar(*panel.find("by"), geometry::extent_of(all.groups));
 }
@@ -96,7 +109,9 @@ void draw_group(const geometry::Curves& all, std::size_t group, std::size_t entr
   const Panel& panel = plot.panel();
   const auto curves = drawn(panel, all, group, budget);
   plot.cover(curves);
-  plot.add(LineMark{plane_rows(curves), line_of(panel, entry, all.several), dots_of(panel, entry), legend});
+  add_rows(panel, curves,
+           LineMark{plane_rows(curves), line_of(panel, entry, all.several), dots_of(panel, entry), legend},
+           plot);
 }
 
 void draw_curves(const std::vector<NumberCurve>& curves, PlotBuilder& plot) {
