@@ -20,16 +20,17 @@ struct JobCall {
   std::string file, out = "out", script;
   LoadWords words;
   bool slurm = false, pbs = false;
-  std::size_t tasks = 0;
+  std::size_t tasks = 0, threads = 1;
 };
 
 /// What a scheduler calls its parts; tasks of an array are numbered from 1.
 struct Scheduler {
   const char *head, *task, *behind;
 };
-constexpr Scheduler slurm{"#SBATCH --job-name={}\n#SBATCH --ntasks=1\n#SBATCH --array=1-{}\n",
-                          "$SLURM_ARRAY_TASK_ID", "sbatch --dependency=afterany:JOB --wrap {}"};
-constexpr Scheduler pbs{"#PBS -N {}\n#PBS -l select=1:ncpus=1\n#PBS -J 1-{}\n", "$PBS_ARRAY_INDEX",
+constexpr Scheduler slurm{
+    "#SBATCH --job-name={}\n#SBATCH --ntasks=1\n#SBATCH --array=1-{}\n#SBATCH --cpus-per-task={}\n",
+    "$SLURM_ARRAY_TASK_ID", "sbatch --dependency=afterany:JOB --wrap {}"};
+constexpr Scheduler pbs{"#PBS -N {}\n#PBS -J 1-{}\n#PBS -l select=1:ncpus={}\n", "$PBS_ARRAY_INDEX",
                         "echo {} | qsub -W depend=afterany:JOB"};
 
 /// The options by which each task reads the file as this call does.
@@ -57,17 +58,17 @@ std::string script_of(const JobCall& call) {
   const std::string out = text::shell_word(call.out);
   const std::string collect =
       fmt::format("cd {} && {} collect {}/part-* --out {}/all", here, program, out, out);
-  std::string script =
-      "#!/bin/sh\n" + fmt::format(fmt::runtime(scheduler.head), job_name(call.file), call.tasks);
+  std::string script = "#!/bin/sh\n" + fmt::format(fmt::runtime(scheduler.head), job_name(call.file),
+                                                   call.tasks, call.threads);
   script +=
       "# Each task runs a share of the points of a sweep. One that was ended goes on when it is submitted "
       "again.\n";
   script += "# What joins the shares, for JOB the number that the scheduler has given this one:\n";
   script += fmt::format(
       "#   {}\n", text::visible(fmt::format(fmt::runtime(scheduler.behind), text::shell_word(collect))));
-  script += fmt::format("cd {}\nexec {} run {} --part \"{}/{}\" --out {}/\"part-{}\"{}\n", here, program,
-                        text::shell_word(call.file), scheduler.task, call.tasks, out, scheduler.task,
-                        load_options_text(call.words));
+  script += fmt::format("cd {}\nexec {} run {} --part \"{}/{}\" --threads {} --out {}/\"part-{}\"{}\n", here,
+                        program, text::shell_word(call.file), scheduler.task, call.tasks, call.threads, out,
+                        scheduler.task, load_options_text(call.words));
   return script;
 }
 

@@ -17,8 +17,8 @@ KeptRun::KeptRun(const session::LoadedModel& model, const std::string& folder, c
     complain("{}: {} of {} points are there from an earlier call\n", folder, kept_.found(), kept_.points());
 }
 
-session::Outcome KeptRun::run(session::Session& session, run::ExecutionMode engine) {
-  return joined(session.run(model_, kept_, engine));
+session::Outcome KeptRun::run(session::Session& session, run::ExecutionMode engine, unsigned threads) {
+  return joined(session.run(model_, kept_, engine, threads));
 }
 
 session::Outcome KeptRun::joined(double seconds) {
@@ -28,8 +28,8 @@ session::Outcome KeptRun::joined(double seconds) {
   return outcome;
 }
 
-ExitCode KeptRun::run_share(session::Session& session, run::ExecutionMode engine) {
-  session.run(model_, kept_, engine);
+ExitCode KeptRun::run_share(session::Session& session, run::ExecutionMode engine, unsigned threads) {
+  session.run(model_, kept_, engine, threads);
   kept_.journal().flush();
   if (interrupted()) {
     note_interrupted();

@@ -16,10 +16,10 @@ class KeptRun {
   /// Says what an earlier call has left. Throws EnvironmentError.
   KeptRun(const session::LoadedModel& model, const std::string& folder, const session::Share& share = {});
 
-  /// Runs what is missing, and joins all.
-  session::Outcome run(session::Session& session, run::ExecutionMode engine);
+  /// Runs what is missing, on so many threads (0: all cores), and joins all.
+  session::Outcome run(session::Session& session, run::ExecutionMode engine, unsigned threads = 0);
   /// Runs what is missing of a share, and says what is to be done with it.
-  ExitCode run_share(session::Session& session, run::ExecutionMode engine);
+  ExitCode run_share(session::Session& session, run::ExecutionMode engine, unsigned threads);
   /// Joins all that is there, which took so long [s].
   session::Outcome joined(double seconds);
   session::KeptPoints& points() { return kept_; }

@@ -46,7 +46,7 @@ class FileRun {
     render::require_converter(call_.pictures);
     const std::string folder = folder_of(call_, model.file);
     const auto owned = session::own_results(folder, model, call_.files);
-    if (call_.part) return KeptRun(model, folder, *call_.part).run_share(session_, call_.engine);
+    if (call_.part) return KeptRun(model, folder, *call_.part).run_share(session_, call_.engine, call_.threads);
     if (model.study) return study(model, folder, results);
     const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
     if (fitted != ExitCode::done) return fitted;
@@ -118,9 +118,9 @@ class FileRun {
     session::Outcome outcome = [&] {
       const auto watch = watched(file_name(model));
       if (mpi_) return mpi_->serve(*kept, session_, call_.engine);
-      if (kept) return kept->run(session_, call_.engine);
+      if (kept) return kept->run(session_, call_.engine, call_.threads);
       if (partial) session_.monitor().observers = {partial.get()};
-      return session_.run(model, call_.engine);
+      return session_.run(model, call_.engine, call_.threads);
     }();
     session_.monitor().observers.clear();
     print_faults(outcome.result);
@@ -172,7 +172,7 @@ class FileRun {
   ExitCode study(session::LoadedModel& model, const std::string& folder, Json& results) {
     const auto experiments = [&] {
       const auto watch = watched("study " + file_name(model));
-      return session_.study(model, {call_.engine, call_.study_threads, folder});
+      return session_.study(model, {call_.engine, call_.threads, folder});
     }();
     const session::Outcome outcome = session::study_outcome(model, *experiments);
     if (outcome.result.interrupted) {  // nothing is kept of half an experiment

@@ -60,13 +60,15 @@ void judge_claims(const LoadedModel& model, Outcome& outcome) {
 
 namespace {
 
-run::RunOptions options_of(run::ExecutionMode engine, plan::CodeSource& code, const Monitor& monitor) {
+run::RunOptions options_of(run::ExecutionMode engine, plan::CodeSource& code, const Monitor& monitor,
+                           unsigned threads) {
   run::RunOptions options;
   options.engine = engine;
   options.code = &code;
   options.interrupt = monitor.interrupt;
   options.progress = [&](double fraction) { monitor.show(fraction); };
   options.observers = monitor.observers;
+  options.threads = threads;
   return options;
 }
 
@@ -94,15 +96,14 @@ Outcome run_model(const LoadedModel& model, const run::RunOptions& options) {
 }
 
 Outcome run_model(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
-                  const Monitor& monitor) {
-  return run_model(model, options_of(engine, code, monitor));
+                  const Monitor& monitor, unsigned threads) {
+  return run_model(model, options_of(engine, code, monitor, threads));
 }
 
 double run_points(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
                   const Monitor& monitor, run::PointExchange& exchange, unsigned threads) {
-  run::RunOptions options = options_of(engine, code, monitor);
+  run::RunOptions options = options_of(engine, code, monitor, threads);
   options.progress = [&](double) { monitor.show(exchange.done()); };
-  options.threads = threads;
   options.numbers = model.kept.get();
   const Seconds seconds;
   run::run_points(model.job, options, exchange);

@@ -31,9 +31,9 @@ void judge_claims(const LoadedModel& model, Outcome& outcome);
 
 /// Runs and judges. Claims about a run that ended early are not judged and do not hold.
 Outcome run_model(const LoadedModel& model, const run::RunOptions& options);
-/// The same, watched; `code` compiles what the engine does not interpret.
+/// The same, watched, on so many threads (0: all cores); `code` compiles what the engine does not interpret.
 Outcome run_model(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
-                  const Monitor& monitor);
+                  const Monitor& monitor, unsigned threads = 0);
 
 /// Runs the points of a model's sweep that an exchange names, on so many threads (0: all cores); what they
 /// give is joined by the caller. Returns how long it took [s].

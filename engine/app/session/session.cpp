@@ -6,8 +6,8 @@ LoadedModel Session::load(const std::string& file, const LoadOptions& options) c
   return load_model(registry_, file, options);
 }
 
-Outcome Session::run(const LoadedModel& model, run::ExecutionMode engine) {
-  Outcome outcome = run_model(model, engine, code_, monitor_);
+Outcome Session::run(const LoadedModel& model, run::ExecutionMode engine, unsigned threads) {
+  Outcome outcome = run_model(model, engine, code_, monitor_, threads);
   monitor_.note_interpreted(code_.take_problem());
   return outcome;
 }

@@ -29,8 +29,9 @@ class Session {
   /// Loads and plans a file, and reads its figures, claims, fit, study and scene: all that can be wrong
   /// before the first step is found here.
   LoadedModel load(const std::string& file, const LoadOptions& options = {}) const;
-  /// Runs a model, or all points of its sweep, and judges its claims.
-  Outcome run(const LoadedModel& model, run::ExecutionMode engine = run::ExecutionMode::automatic);
+  /// Runs a model, or all points of its sweep on so many threads (0: all cores), and judges its claims.
+  Outcome run(const LoadedModel& model, run::ExecutionMode engine = run::ExecutionMode::automatic,
+              unsigned threads = 0);
   /// Runs the points of the model's sweep that an exchange names, on so many threads (0: all cores). Returns
   /// how long it took [s].
   double run(const LoadedModel& model, run::PointExchange& points,
