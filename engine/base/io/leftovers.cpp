@@ -7,6 +7,9 @@
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <ctime>
+
+#include "engine/base/io/group_beginning.hpp"
 
 namespace stepwire::io {
 
@@ -23,6 +26,15 @@ struct PathPlace {
 // A signal handler can reach nothing but such; more files or processes than these are not open at a time.
 std::array<PathPlace, 128> paths;
 std::array<std::atomic<pid_t>, 256> groups;
+std::atomic<int> groups_beginning = 0;
+
+/// A second at most: what does not begin by then is not waited for.
+void await_groups() noexcept {
+  for (int look = 0; look < 1000 && groups_beginning > 0; ++look) {
+    const timespec pause{0, 1'000'000};
+    ::nanosleep(&pause, nullptr);
+  }
+}
 
 /// A handler may not walk through a folder, but another process may.
 void remove(const PathPlace& place) noexcept {
@@ -66,7 +78,20 @@ void forget_group(pid_t group) {
   }
 }
 
+GroupBeginning::GroupBeginning() {
+  sigset_t all;
+  sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  ++groups_beginning;
+}
+
+GroupBeginning::~GroupBeginning() {
+  --groups_beginning;
+  ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
 void remove_leftovers() noexcept {
+  await_groups();
   for (std::atomic<pid_t>& place : groups)
     if (const pid_t group = place; group > 0) ::kill(-group, SIGKILL);
   for (PathPlace& place : paths)

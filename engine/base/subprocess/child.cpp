@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 
+#include "engine/base/io/group_beginning.hpp"
 #include "engine/base/io/leftovers.hpp"
 
 extern char** environ;
@@ -82,9 +83,12 @@ pid_t spawn(std::vector<std::string> command, const std::string& scratch, const 
 Child::Child(const std::vector<std::string>& command, const std::string& scratch) {
   auto in = connection(), out = connection(), err = connection();
   if (!in[1].open() || !out[1].open() || !err[1].open()) return;
-  id_ = spawn(command, scratch, {in[1].number(), out[1].number(), err[1].number()});
-  if (!alive()) return;
-  io::note_group(id_);
+  {
+    const io::GroupBeginning beginning;
+    id_ = spawn(command, scratch, {in[1].number(), out[1].number(), err[1].number()});
+    if (!alive()) return;
+    io::note_group(id_);
+  }
   input = std::move(in[0]);
   output = std::move(out[0]);
   errors = std::move(err[0]);

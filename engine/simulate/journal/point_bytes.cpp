@@ -70,6 +70,7 @@ class Reader {
   }
   void copy(void* to, std::size_t size) {
     if (size > rest_.size()) return fail();
+    if (size == 0) return;
     std::memcpy(to, rest_.data(), size);
     rest_.remove_prefix(size);
   }

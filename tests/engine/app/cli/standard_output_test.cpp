@@ -24,7 +24,7 @@ int run_line(const Scratch& folder, const std::string& line) {
 
 }  // namespace
 
-TEST_CASE("--csv - gives the bytes of signals.csv, and words for people on the standard error") {
+TEST_CASE("the call --csv - gives the bytes of signals.csv, and words for people on the standard error") {
   Scratch folder;
   with_lag(folder);
   REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out"}).code == 0);
@@ -36,7 +36,7 @@ TEST_CASE("--csv - gives the bytes of signals.csv, and words for people on the s
   CHECK(content_of(folder.path("table.csv")) == done.out);
 }
 
-TEST_CASE("--out - gives a tar archive of what --out writes, in a folder of the diagram's name") {
+TEST_CASE("the call --out - gives a tar archive of what --out writes, in a folder of the diagram's name") {
   Scratch folder;
   with_lag(folder).file("other.yaml", lag_yaml);
   REQUIRE(run_program(folder, {"run", "lag.yaml", "--out", "out"}).code == 0);
