@@ -17,12 +17,12 @@ export class RunBar implements View {
   private readonly play = h("button", {type: "button", class: "main play"});
   private readonly tick = h("button", {type: "button", title: "One tick (.)", "aria-label": "One tick"}, icon("tick"));
   private readonly restart = h("button", {type: "button", title: "From the start (R)", "aria-label": "From the start"}, icon("restart"));
-  private readonly kept = h("button", {type: "button", title: "Keep this run in a folder, with all that was set and moved on its way; 'stepwire verify' replays it (K)", "aria-label": "Keep this run"}, icon("keep"));
-  private readonly rate = h("select", {"aria-label": "Pace: seconds of the run in one of the clock", title: "Pace ([ slower, ] faster)"});
+  private readonly kept = h("button", {type: "button", title: "Keep this run (K)"}, icon("keep"));
+  private readonly rate = h("select", {"aria-label": "Pace: seconds of the run in a second", title: "Pace ([ slower, ] faster)"});
   private readonly time = h("span", {class: "run-time"});
   private readonly facts = h("span", {class: "run-facts"});
   private readonly fault = h("span", {class: "run-fault", role: "alert", hidden: true});
-  private readonly stale = h("span", {class: "run-stale", hidden: true, title: "Play and restart load the text as it is now"}, "text changed");
+  private readonly stale = h("span", {class: "run-stale", hidden: true}, "text changed");
   private readonly scrub: Scrub;
   private readonly verdicts: Verdicts;
   private readonly ends: (() => void)[];

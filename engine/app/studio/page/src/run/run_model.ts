@@ -29,7 +29,7 @@ export class RunModel {
   /** Columns in which a fan is of interest: those of the scopes. */
   fanColumns: () => number[] = () => [];
   /** Resolves when the server has the texts as they are seen. */
-  textsSent: () => Promise<unknown> = () => Promise.resolve();
+  textsSent?: () => Promise<unknown>;
   loaded: Loaded | null = null;
   file: number | null = null;
   news: RunNews = rest;
@@ -64,7 +64,7 @@ export class RunModel {
 
   /** Loads a file; rejects with the faults of its text. */
   async load(file: number): Promise<Loaded> {
-    await this.textsSent();
+    await this.textsSent?.();
     const loaded = await this.connection.call<Loaded>("run.load", {file, hand: this.hasHand});
     this.file = file;
     this.loaded = loaded;

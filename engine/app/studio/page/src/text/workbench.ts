@@ -132,7 +132,7 @@ export class Workbench {
     const document = new Document(file, opened.name ?? entry?.name ?? String(file), {...opened, writable: opened.writable ?? entry?.writable});
     document.state = this.stateOf(document, opened.draft ?? opened.text);
     this.documents.set(file, document);
-    if (opened.draft !== null && opened.draft !== opened.text) this.notify(`${document.name}: your draft that was not saved yet is shown`);
+    if (opened.draft !== null && opened.draft !== opened.text) this.notify(`${document.name}: your unsaved draft is shown`);
     return document;
   }
 
