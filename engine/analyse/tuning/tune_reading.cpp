@@ -114,6 +114,15 @@ const yaml::Key& tune_form() {
   return tune_table().form;
 }
 
+static void read_objective(const yaml::Node& node, const query::NamesReading& read, TuneRequest& request) {
+  auto objective = claim::read_run_formula(node, read);
+  if (objective && objective->reductions.empty())
+    read.fault(node.mark,
+               yaml::fault_text("'{}' has no reduction of what a run records, such as rms(x)", node.text));
+  else if (objective)
+    request.minimise = std::move(*objective);
+}
+
 TuneRequest read_tune(const yaml::Node& node, const query::SymbolTable& names,
                       const diagram::Diagram& diagram, const std::vector<linear::NamedAnalysis>& linear,
                       yaml::Faults& faults) {
@@ -125,8 +134,7 @@ TuneRequest read_tune(const yaml::Node& node, const query::SymbolTable& names,
   const query::SymbolTable varied = names_while_tuned(names, diagram, request);
   const TuneReading inner(varied, diagram, faults);
   if (const yaml::Node* minimise = node.find("minimise"))
-    if (auto objective = read_objective(*minimise, yaml::below<query::NamesReading>(inner, "minimise")))
-      request.minimise = std::move(*objective);
+    read_objective(*minimise, yaml::below<query::NamesReading>(inner, "minimise"), request);
   if (const yaml::Node* claims = node.find("subject_to"))
     request.constraints =
         read_constraints(*claims, linear, yaml::below<query::NamesReading>(inner, "subject_to"));

@@ -7,7 +7,7 @@
 #include "engine/analyse/claim/claim.hpp"
 #include "engine/analyse/linear/section.hpp"
 #include "engine/analyse/query/symbol_table.hpp"
-#include "engine/analyse/tuning/objective.hpp"
+#include "engine/analyse/claim/run_formula.hpp"
 #include "engine/analyse/tuning/tune_parameter.hpp"
 #include "engine/model/diagram/diagram.hpp"
 
@@ -23,7 +23,7 @@ enum class TuneOver { worst, mean };
 /// The section `tune` of a diagram file.
 struct TuneRequest {
   std::vector<TuneParameter> parameters;
-  Objective minimise{};
+  claim::RunFormula minimise{};
   std::vector<claim::Claim> constraints{};
   TuneOver over = TuneOver::worst;
   TuneMethod method = TuneMethod::automatic;

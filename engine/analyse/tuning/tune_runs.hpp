@@ -38,7 +38,7 @@ class TuneRuns {
 
   /// Runs of one evaluation.
   std::size_t count() const;
-  /// What tells a run from the others: "load=2 kg"; empty for the only one.
+  /// The swept values of a run: "load=2 kg"; empty for the only one.
   std::string label(std::size_t run) const;
   bool compiled() const { return compiled_; }
   bool interrupted() const { return source_.interrupt && *source_.interrupt; }

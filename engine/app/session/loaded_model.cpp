@@ -163,7 +163,7 @@ void read_analyses(diagram::Loader& loader, LoadedModel& model, query::SymbolTab
   add_sensitivity(model, names, faults);
 }
 
-/// Reads what the file asks of a tuning, behind all that its claims may name.
+/// Reads the section `tune`, after all that its claims may name.
 void add_tuning(diagram::Loader& loader, LoadedModel& model, const query::SymbolTable& names,
                 yaml::Faults& faults) {
   const yaml::Node* section = loader.document(model.file).root.find("tune");

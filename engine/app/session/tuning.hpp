@@ -13,7 +13,7 @@
 
 namespace stepwire::session {
 
-/// What a call asks of a tuning, where it says so in place of the file's words.
+/// What a call sets of a tuning, in place of the file's values.
 struct TuneCall {
   std::optional<std::size_t> starts, evaluations;
   std::optional<std::uint64_t> seed;

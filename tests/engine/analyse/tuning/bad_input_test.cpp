@@ -27,7 +27,7 @@ TEST_CASE("An objective is an expression of reductions, each of what is recorded
   CHECK_THAT(of_objective("cost"),
              Contains("tune.minimise: 'cost' is no number of a run; reduce what is recorded"));
   CHECK_THAT(of_objective("3 + 4"),
-             Contains("'3 + 4' has no reduction of what a run records, such as rms(x)"));
+             Contains("'3 + 4' has no number of a run, such as rms(x)"));
   CHECK_THAT(of_objective("rms(kost)"), Contains("'kost' is not recorded; did you mean 'cost'?"));
   CHECK_THAT(of_objective("rms(cost, a_)"), Contains("'rms' takes one expression, not 2"));
   CHECK_THAT(of_objective("quantile(cost)"), Contains("'quantile' takes two, not 1"));
