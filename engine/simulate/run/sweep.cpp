@@ -7,8 +7,10 @@
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/memory.hpp"
+#include "engine/simulate/run/point_queue.hpp"
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/simulate/run/run.hpp"
+#include "engine/simulate/run/together_runs.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire::run {
@@ -50,6 +52,7 @@ class Ends {
     all_.stopped = all_.stopped || end.stopped;
     all_.ticks += end.ticks;
     all_.compiled_ticks += end.compiled_ticks;
+    all_.lane_ticks += end.lane_ticks;
     add_loops(all_.loops, end.loops);
     all_.events += end.events;
   }
@@ -83,12 +86,13 @@ class SweepRun {
         recording_(job, swept_, options.threads),
         ends_(job),
         idle_(*job.family),
-        changeover_(options.engine, options.code, members_of(job), ticks_of(job)) {}
+        changeover_(options.engine, options.code, members_of(job), ticks_of(job)),
+        together_(job, options),
+        queue_(job) {}
 
   RunResult run() {
-    parallel::in_parallel(job_.points.size(), options_.threads,
-                          [this](std::size_t point) { run_point(point); });
-    return {ends_.take(), recording_.take()};
+    parallel::in_parallel(job_.points.size(), options_.threads, [this](std::size_t) { run_next(); });
+    return {ends_.take(), recording_.take(), together_.lanes(), together_.why_not()};
   }
 
  private:
@@ -106,22 +110,45 @@ class SweepRun {
     return ticks;
   }
 
-  void run_point(std::size_t point) {
-    if (options_.interrupt && *options_.interrupt) {  // nothing is kept of what has not begun
-      RunEnd end;
-      end.interrupted = true;
-      return ends_.add(point, std::move(end));
-    }
+  void run_next() {
+    const auto points = queue_.take([this](std::size_t member) { return together_.at_once(member); });
+    if (points.empty()) return;
+    if (options_.interrupt && *options_.interrupt) return leave_out(points);
+    std::vector<SweptRun> runs;
+    for (const std::size_t point : points) runs.push_back(begin(point));
+    const std::size_t member = job_.points[points.front()].member;
+    if (runs.size() == 1 || !together_.run(member, changeover_.code(member), runs))
+      for (SweptRun& run : runs) run.end = run_alone(run, member);
+    for (SweptRun& run : runs) end(run, member);
+  }
+
+  /// Nothing is kept of what has not begun.
+  void leave_out(const std::vector<std::size_t>& points) {
+    RunEnd end;
+    end.interrupted = true;
+    for (const std::size_t point : points) ends_.add(point, end);
+  }
+
+  SweptRun begin(std::size_t point) {
     const std::size_t member = job_.points[point].member;
-    auto run = idle_.take(member);
-    job_.family->begin(member, job_.settings_of(point), *run);
-    std::vector<record::Recorder> recorders = recording_.recorders(point);
+    SweptRun run{point, idle_.take(member), recording_.recorders(point), {}};
+    job_.family->begin(member, job_.settings_of(point), *run.simulation);
+    return run;
+  }
+
+  RunEnd run_alone(SweptRun& run, std::size_t member) {
     RunOptions own;
     own.interrupt = options_.interrupt;
     own.observers = options_.observers;
-    ends_.add(point, run_simulation(*run, recorders, own, changeover_, member, point));
-    recording_.done(point, recorders);
-    idle_.give_back(member, std::move(run));
+    RunEnd end = run_simulation(*run.simulation, run.recorders, own, changeover_, member, run.point);
+    together_.done(end.ticks);
+    return end;
+  }
+
+  void end(SweptRun& run, std::size_t member) {
+    ends_.add(run.point, std::move(run.end));
+    recording_.done(run.point, run.recorders);
+    idle_.give_back(member, std::move(run.simulation));
     const double done = static_cast<double>(++done_);
     if (options_.progress) options_.progress(done / static_cast<double>(job_.points.size()));
   }
@@ -133,6 +160,8 @@ class SweepRun {
   Ends ends_;
   IdleRuns idle_;
   TieredExecution changeover_;
+  TogetherRuns together_;
+  PointQueue queue_;
   std::atomic<std::size_t> done_ = 0;
 };
 
