@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/agreement.hpp"
+#include "bench/lane_cost.hpp"
 #include "bench/load_cost.hpp"
 #include "bench/look_up.hpp"
 #include "bench/step_time.hpp"
@@ -52,6 +53,7 @@ int main(int argc, char** argv) {
   std::vector<Result> results = measure_load(10000, 7);
   for (const Result& result : measure_sweep()) results.push_back(result);
   for (const Result& result : measure_w1_sweep()) results.push_back(result);
+  for (const Result& result : measure_lanes()) results.push_back(result);
   for (const Result& result : measure_look_up(7)) results.push_back(result);
   for (const Result& result : results)
     fmt::print("{}: {:.3g} {}\n", result.workload, result.value, result.unit);

@@ -20,8 +20,8 @@ struct Delay : Resettable {
       y = Targets{*this};
       return;
     }
-    const double* row = samples.data() + static_cast<Index>(oldest) * y.size();
-    for (Index i = 0; i < y.size(); ++i) y[i] = row[i];
+    const Index first = static_cast<Index>(oldest) * y.size();
+    for (Index i = 0; i < y.size(); ++i) y[i] = samples[first + i];
   }
 
   void update() {
@@ -29,8 +29,7 @@ struct Delay : Resettable {
       for (Index k = 0; k < samples.size(); ++k) samples[k] = target(k % u.size());
     remember_reset();
     const Index row = static_cast<Index>(oldest);
-    double* place = samples.data() + row * u.size();
-    for (Index i = 0; i < u.size(); ++i) place[i] = u[i];
+    for (Index i = 0; i < u.size(); ++i) samples[row * u.size() + i] = u[i];
     oldest = row + 1 < periods ? static_cast<double>(row + 1) : 0.0;
   }
 

@@ -25,8 +25,8 @@ struct SavitzkyGolay : ResetInput {
     for (Index i = 0; i < y.size(); ++i) y[i] = coefficients[before] * u[i];
     Index row = static_cast<Index>(oldest);
     for (Index k = 0; k < before; ++k) {
-      const double* const sample = filled ? samples.data() + row * y.size() : u.data();
-      for (Index i = 0; i < y.size(); ++i) y[i] += coefficients[k] * sample[i];
+      for (Index i = 0; i < y.size(); ++i)
+        y[i] += coefficients[k] * (filled ? samples[row * y.size() + i] : u[i]);
       row = row + 1 < before ? row + 1 : 0;
     }
   }

@@ -27,8 +27,9 @@ struct VariableDelay : Resettable {
     const double back = std::clamp(delay / period, 1.0, static_cast<double>(rows - 1)) - 1.0;
     const auto whole = std::min(static_cast<Index>(back), rows - 2);
     const double part = back - static_cast<double>(whole);
-    const double *later = row(whole), *earlier = row(whole + 1);
-    for (Index i = 0; i < y.size(); ++i) y[i] = later[i] + part * (earlier[i] - later[i]);
+    const Index later = row(whole), earlier = row(whole + 1);
+    for (Index i = 0; i < y.size(); ++i)
+      y[i] = samples[later + i] + part * (samples[earlier + i] - samples[later + i]);
   }
 
   void update() {
@@ -36,8 +37,7 @@ struct VariableDelay : Resettable {
       for (Index k = 0; k < samples.size(); ++k) samples[k] = target(k % u.size());
     remember_reset();
     const Index next = static_cast<Index>(newest) + 1 < rows ? static_cast<Index>(newest) + 1 : 0;
-    double* place = samples.data() + next * u.size();
-    for (Index i = 0; i < u.size(); ++i) place[i] = u[i];
+    for (Index i = 0; i < u.size(); ++i) samples[next * u.size() + i] = u[i];
     newest = static_cast<double>(next);
   }
 
@@ -50,9 +50,10 @@ struct VariableDelay : Resettable {
   static void declare(Declare<VariableDelay>& is);
 
  private:
-  const double* row(Index before) const {
+  /// Where it begins.
+  Index row(Index before) const {
     const Index at = static_cast<Index>(newest) - before;
-    return samples.data() + (at < 0 ? at + rows : at) * y.size();
+    return (at < 0 ? at + rows : at) * y.size();
   }
 };
 

@@ -14,7 +14,7 @@ struct QuaternionProduct {
   void outputs() {
     const double sign = inverse ? -1.0 : 1.0;
     const double first[4] = {left[0], sign * left[1], sign * left[2], sign * left[3]};
-    rotation::multiply(first, right, y.data());
+    rotation::multiply(first, right, y);
   }
 
   static void declare(Declare<QuaternionProduct>& is);

@@ -20,8 +20,8 @@ inline void axes_of(Order order, Index* axes) {
 }
 
 /// q = a b
-template <class A, class B>
-void multiply(const A& a, const B& b, double* q) {
+template <class A, class B, class Product>
+void multiply(const A& a, const B& b, Product&& q) {
   q[0] = a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3];
   q[1] = a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2];
   q[2] = a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1];
@@ -29,8 +29,8 @@ void multiply(const A& a, const B& b, double* q) {
 }
 
 /// The matrix of a quaternion of any length but 0; nothing that is a number for that.
-template <class Q>
-void matrix_of(const Q& q, double* m) {
+template <class Q, class M>
+void matrix_of(const Q& q, M&& m) {
   const double s = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   m[0] = 1.0 - s * (q[2] * q[2] + q[3] * q[3]);
   m[1] = s * (q[1] * q[2] + q[0] * q[3]);
@@ -44,19 +44,18 @@ void matrix_of(const Q& q, double* m) {
 }
 
 /// The matrix of three turns one after the other.
-template <class Angles>
-void matrix_of_angles(Order order, const Angles& angles, double* m) {
+template <class Angles, class M>
+void matrix_of_angles(Order order, const Angles& angles, M&& m) {
   Index axes[3];
   axes_of(order, axes);
   for (Index k = 0; k < 9; ++k) m[k] = k % 4 == 0 ? 1.0 : 0.0;
   for (Index turn = 0; turn < 3; ++turn) {
     const double c = std::cos(angles[turn]), s = std::sin(angles[turn]);
-    double* const one = m + 3 * ((axes[turn] + 1) % 3);
-    double* const two = m + 3 * ((axes[turn] + 2) % 3);
+    const Index one = 3 * ((axes[turn] + 1) % 3), two = 3 * ((axes[turn] + 2) % 3);
     for (Index row = 0; row < 3; ++row) {
-      const double first = one[row], second = two[row];
-      one[row] = c * first + s * second;
-      two[row] = c * second - s * first;
+      const double first = m[one + row], second = m[two + row];
+      m[one + row] = c * first + s * second;
+      m[two + row] = c * second - s * first;
     }
   }
 }

@@ -14,11 +14,11 @@ struct RotationMatrix {
   Output<> y{};
 
   void outputs() {
-    if (angles.connected()) return rotation::matrix_of_angles(order, angles, y.data());
-    if (quaternion.connected()) return rotation::matrix_of(quaternion, y.data());
+    if (angles.connected()) return rotation::matrix_of_angles(order, angles, y);
+    if (quaternion.connected()) return rotation::matrix_of(quaternion, y);
     double q[4];
     rotation::quaternion_of_axis(axis, angle, q);
-    rotation::matrix_of(q, y.data());
+    rotation::matrix_of(q, y);
   }
 
   void configure(Configure& is);

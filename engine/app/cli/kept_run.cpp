@@ -21,9 +21,10 @@ session::Outcome KeptRun::run(session::Session& session, run::ExecutionMode engi
   return joined(session.run(model_, kept_, engine, threads));
 }
 
-session::Outcome KeptRun::joined(double seconds) {
+session::Outcome KeptRun::joined(const session::PointsReport& report) {
   session::Outcome outcome = session::joined_points(model_, {&kept_.journal()}, kept_.take_halves());
-  outcome.seconds = seconds;
+  outcome.seconds = report.seconds;
+  outcome.result.lanes = report.lanes;
   if (outcome.result.interrupted) note_interrupted();
   return outcome;
 }

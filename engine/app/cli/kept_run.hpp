@@ -20,8 +20,8 @@ class KeptRun {
   session::Outcome run(session::Session& session, run::ExecutionMode engine, unsigned threads = 0);
   /// Runs what is missing of a share, and says what is to be done with it.
   ExitCode run_share(session::Session& session, run::ExecutionMode engine, unsigned threads);
-  /// Joins all that is there, which took so long [s].
-  session::Outcome joined(double seconds);
+  /// Joins all that is there, and says how it was run.
+  session::Outcome joined(const session::PointsReport& report);
   session::KeptPoints& points() { return kept_; }
   /// Once the results are written: the points go.
   void drop();

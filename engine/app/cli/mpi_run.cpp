@@ -35,7 +35,7 @@ session::Outcome MpiRun::serve(KeptRun& kept, session::Session& session, run::Ex
   for (const std::string& death : server.deaths()) complain("{}\n", death);
   broken_ = !server.deaths().empty();
   whole_ = !broken_ && !interrupted();
-  return kept.joined(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  return kept.joined({std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), {}});
 }
 
 void MpiRun::finish(ExitCode code) {

@@ -100,14 +100,16 @@ Outcome run_model(const LoadedModel& model, run::ExecutionMode engine, plan::Cod
   return run_model(model, options_of(engine, code, monitor, threads));
 }
 
-double run_points(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
-                  const Monitor& monitor, run::PointExchange& exchange, unsigned threads) {
+PointsReport run_points(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
+                        const Monitor& monitor, run::PointExchange& exchange, unsigned threads) {
   run::RunOptions options = options_of(engine, code, monitor, threads);
   options.progress = [&](double) { monitor.show(exchange.done()); };
   options.numbers = model.kept.get();
   const Seconds seconds;
-  run::run_points(model.job, options, exchange);
-  return seconds.passed();
+  PointsReport report;
+  report.lanes = run::run_points(model.job, options, exchange);
+  report.seconds = seconds.passed();
+  return report;
 }
 
 }  // namespace stepwire::session

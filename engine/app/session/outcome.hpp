@@ -35,9 +35,15 @@ Outcome run_model(const LoadedModel& model, const run::RunOptions& options);
 Outcome run_model(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
                   const Monitor& monitor, unsigned threads = 0);
 
+/// How the points of an exchange were run.
+struct PointsReport {
+  double seconds = 0.0;
+  run::LaneReport lanes{};
+};
+
 /// Runs the points of a model's sweep that an exchange names, on so many threads (0: all cores); what they
-/// give is joined by the caller. Returns how long it took [s].
-double run_points(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
-                  const Monitor& monitor, run::PointExchange& exchange, unsigned threads = 0);
+/// give is joined by the caller.
+PointsReport run_points(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
+                        const Monitor& monitor, run::PointExchange& exchange, unsigned threads = 0);
 
 }  // namespace stepwire::session

@@ -104,6 +104,13 @@ Json diagnostics_json(const Outcome& outcome) {
   return diagnostics;
 }
 
+/// How many runs of a sweep were stepped together, and why some or all were not; null without a sweep.
+Json lanes_json(const run::Job& job, const run::RunResult& result) {
+  if (job.points.empty()) return nullptr;
+  const Json why = result.lanes.why_not.empty() ? Json(nullptr) : Json(result.lanes.why_not);
+  return Json::object().set("count", result.lanes.count).set("ticks", result.lane_ticks).set("why_not", why);
+}
+
 Json algebraic_loops_json(const std::vector<run::LoopCost>& loops) {
   Json list = Json::list();
   for (const run::LoopCost& loop : loops)
@@ -139,6 +146,7 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
       .set("runs", model.job.points.empty() ? std::size_t{1} : model.job.points.size())
       .set("ticks", outcome.result.ticks)
       .set("compiled_ticks", outcome.result.compiled_ticks)
+      .set("lanes", lanes_json(model.job, outcome.result))
       .set("blocks", diagram.blocks.size())
       .set("block_folders", Json::list_of(model.blocksets))
       .set("algebraic_loops", algebraic_loops_json(outcome.result.loops))

@@ -12,11 +12,11 @@ Outcome Session::run(const LoadedModel& model, run::ExecutionMode engine, unsign
   return outcome;
 }
 
-double Session::run(const LoadedModel& model, run::PointExchange& points, run::ExecutionMode engine,
-                    unsigned threads) {
-  const double seconds = run_points(model, engine, code_, monitor_, points, threads);
+PointsReport Session::run(const LoadedModel& model, run::PointExchange& points, run::ExecutionMode engine,
+                          unsigned threads) {
+  const PointsReport report = run_points(model, engine, code_, monitor_, points, threads);
   monitor_.note_interpreted(code_.take_problem());
-  return seconds;
+  return report;
 }
 
 estimation::FitResult Session::fit(const LoadedModel& model, const FitCall& call) {

@@ -32,10 +32,9 @@ class Session {
   /// Runs a model, or all points of its sweep on so many threads (0: all cores), and judges its claims.
   Outcome run(const LoadedModel& model, run::ExecutionMode engine = run::ExecutionMode::automatic,
               unsigned threads = 0);
-  /// Runs the points of the model's sweep that an exchange names, on so many threads (0: all cores). Returns
-  /// how long it took [s].
-  double run(const LoadedModel& model, run::PointExchange& points,
-             run::ExecutionMode engine = run::ExecutionMode::automatic, unsigned threads = 0);
+  /// Runs the points of the model's sweep that an exchange names, on so many threads (0: all cores).
+  PointsReport run(const LoadedModel& model, run::PointExchange& points,
+                   run::ExecutionMode engine = run::ExecutionMode::automatic, unsigned threads = 0);
   /// Finds the parameters that the model's section `fit` names.
   estimation::FitResult fit(const LoadedModel& model, const FitCall& call = {});
   /// The model with what a fit found.

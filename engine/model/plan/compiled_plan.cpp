@@ -41,9 +41,14 @@ NumberTable::Entry NumberTable::entry_of(const VariableBlock& variable, const Me
   return entry;
 }
 
+std::size_t NumberTable::singles() const {
+  std::size_t count = 0;
+  for (const Entry& entry : entries_) count += entry.singles.size();
+  return count;
+}
+
 void NumberTable::lay_out() {
-  std::size_t list = 0;
-  for (const Entry& entry : entries_) list += entry.singles.size();
+  std::size_t list = singles();
   numbers_.clear();
   for (const Entry& entry : entries_) {
     const std::size_t first = numbers_.size();
@@ -53,6 +58,16 @@ void NumberTable::lay_out() {
   }
   for (const Entry& entry : entries_)
     numbers_.insert(numbers_.end(), entry.in_lists.begin(), entry.in_lists.end());
+}
+
+std::vector<std::size_t> NumberTable::list_places() const {
+  std::vector<std::size_t> places;
+  std::size_t first = 0;
+  for (const Entry& entry : entries_) {
+    for (const List& one : entry.lists) places.push_back(first + one.place);
+    first += entry.singles.size();
+  }
+  return places;
 }
 
 bool NumberTable::read(std::size_t block) {

@@ -5,6 +5,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "engine/model/plan/lane_task.hpp"
 #include "engine/model/plan/member_items.hpp"
 #include "engine/model/plan/variable_blocks.hpp"
 
@@ -23,6 +24,20 @@ struct CompiledPlan {
   std::vector<VariableBlock> variable;
 };
 
+/// In what the runs of a plan differ: members of blocks that code reads from a table, and values of blocks.
+struct RunDifferences {
+  std::vector<VariableBlock> variable;
+  std::vector<diagram::Target> values;
+};
+
+/// Code that steps several runs of a plan together.
+struct CompiledLanes {
+  void (*run)(LaneTask& task) = nullptr;
+  int lanes = 0;
+  std::vector<VariableBlock> variable;
+  std::vector<bool> differs;  ///< numbers of the workspace; all others lie in lane 0 for all runs
+};
+
 /// The numbers that compiled code reads, of one run: single ones in their order, behind them the lists. The
 /// number in the place of a list is where it begins.
 class NumberTable {
@@ -35,6 +50,10 @@ class NumberTable {
   [[nodiscard]] bool read(std::size_t block);
   const double* data() const { return numbers_.data(); }
   std::size_t size() const { return numbers_.size(); }
+  /// How many stand before the lists.
+  std::size_t singles() const;
+  /// Places of numbers that say where a list begins.
+  std::vector<std::size_t> list_places() const;
 
  private:
   struct List {
@@ -63,6 +82,10 @@ class CodeSource {
   /// Compiles a plan; nothing where that cannot be, or a stop gives up.
   virtual std::optional<CompiledPlan> compile(const Plan& plan, const std::vector<VariableBlock>& variable,
                                               const std::stop_token& stop) = 0;
+  /// Compiles a plan for several runs at once; nothing where that cannot be, or is of no use on this machine:
+  /// then `why` has the reason.
+  virtual std::optional<CompiledLanes> compile_lanes(const Plan& plan, const RunDifferences& differences,
+                                                     const std::stop_token& stop, std::string& why) = 0;
 };
 
 }  // namespace stepwire::plan

@@ -15,6 +15,14 @@ namespace stepwire {
 /// Counts elements; the same type as Eigen's.
 using Index = std::ptrdiff_t;
 
+/// How many runs the numbers of a workspace belong to: number n of run l lies at n * lanes + l. More than one
+/// only in generated code that steps several runs together.
+#ifdef STEPWIRE_LANES
+inline constexpr Index lanes = STEPWIRE_LANES;
+#else
+inline constexpr Index lanes = 1;
+#endif
+
 /// A port or state whose size is known only when the diagram is planned.
 inline constexpr int any_size = -1;
 

@@ -8,9 +8,11 @@ namespace stepwire {
 template <int size_at_build = any_size>
 class Input {
  public:
-  double operator[](Index i) const { return data_[i]; }
+  double operator[](Index i) const { return data_[i * lanes]; }
   Index size() const { return size_; }
-  const double* data() const { return data_; }
+#ifndef STEPWIRE_LANES
+  const double* data() const { return data_; }  ///< see Signal::data()
+#endif
   bool connected() const { return data_ != nullptr; }
 
   Input() = default;
@@ -48,7 +50,7 @@ class Inputs {
     /// Element i of the signal; the only one where it has but one.
     double operator[](Index i) const {
       if (__builtin_constant_p(i) && i == 0) return *data;
-      return data[size == 1 ? 0 : i];
+      return data[size == 1 ? 0 : i * lanes];
     }
   };
 

@@ -10,6 +10,14 @@
 
 namespace stepwire {
 
+#ifdef STEPWIRE_LANES
+}  // namespace stepwire
+
+#include "engine/model/signal/lane_numbers.hpp"
+
+namespace stepwire {
+#else
+
 /// Numbers that a block is given and does not change during a run: a parameter that is a list, or what
 /// follows from parameters. Either its own, or a view of numbers that stay where they are.
 class Numbers {
@@ -89,6 +97,8 @@ class Numbers {
   Index size_ = 0;
   double* many_ = nullptr;
 };
+
+#endif
 
 /// A matrix that a block is given; column by column in memory.
 class Matrix {

@@ -4,6 +4,8 @@
 
 #include "engine/model/signal/numbers.hpp"
 
+#ifndef STEPWIRE_LANES  // there lane_numbers.hpp has another one
+
 namespace stepwire {
 
 /// A parameter with one number for each element of a signal. A file may give a single number for all of them,
@@ -76,3 +78,5 @@ class PerElement {
 };
 
 }  // namespace stepwire
+
+#endif

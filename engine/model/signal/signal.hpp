@@ -8,11 +8,14 @@ namespace stepwire {
 template <int size_at_build = any_size>
 class Signal {
  public:
-  double& operator[](Index i) { return data_[i]; }
-  double operator[](Index i) const { return data_[i]; }
+  double& operator[](Index i) { return data_[i * lanes]; }
+  double operator[](Index i) const { return data_[i * lanes]; }
   Index size() const { return size_; }
+  /// Its numbers one behind the other, which they are not in lanes: blocks that use it are never run so.
+#ifndef STEPWIRE_LANES
   double* data() { return data_; }
   const double* data() const { return data_; }
+#endif
 
   Signal() = default;
   Signal(const Signal&) = default;
@@ -46,7 +49,7 @@ class Signal {
  private:
   template <class Function>
   STEPWIRE_RARE void each_of_many(const Function& of) {
-    for (Index i = 0; i < size_; ++i) data_[i] = of(i);
+    for (Index i = 0; i < size_; ++i) data_[i * lanes] = of(i);
   }
 
   double* data_ = nullptr;

@@ -17,6 +17,7 @@ class Compiler {
   const std::string& problem() const { return problem_; }
   /// Name and version, as the compiler tells them.
   const std::string& version() const { return version_; }
+  bool is_gcc() const;
   /// How generated code is compiled: the same bits as the interpreter, so no contraction of multiply and add,
   /// and functions such as sin only ever computed by the library, never by the compiler.
   static std::vector<std::string> flags();
@@ -38,7 +39,6 @@ class Compiler {
 
  private:
   std::vector<std::string> command(const std::vector<std::string>& more) const;
-  bool is_gcc() const;
 
   std::string path_, version_;
   std::string problem_ = "no C++ compiler is there (c++, g++ or clang++, or what CXX names)";

@@ -1,34 +1,80 @@
 #include "engine/simulate/codegen/generated_code.hpp"
 
 #include "engine/base/subprocess/process.hpp"
+#include "engine/simulate/codegen/lane_places.hpp"
 
 namespace stepwire::codegen {
+
+namespace {
+
+/// Numbers in a register of this processor; 1 where several runs together are no faster.
+int lanes_of_processor() {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) return 8;
+  if (__builtin_cpu_supports("avx2")) return 4;
+#endif
+  return 1;
+}
+
+/// The first thing that a compiler finds wrong.
+std::string first_error(const std::string& problem) {
+  const std::size_t error = problem.find("error: ");
+  return error == std::string::npos ? problem : "a block of it cannot be in lanes: " +
+                                                    problem.substr(error + 7, problem.find('\n', error) - error - 7);
+}
+
+}  // namespace
 
 std::optional<plan::CompiledPlan> GeneratedCode::compile(const plan::Plan& plan,
                                                          const std::vector<plan::VariableBlock>& variable,
                                                          const std::stop_token& stop) {
   const std::lock_guard lock(mutex_);
   try {
-    const plan::StepFunctions functions = functions_of(make_steps(plan, variable), stop);
-    if (functions.evaluate && functions.advance) return plan::CompiledPlan{functions, variable};
+    std::string problem;
+    const ProgramFunctions functions = functions_of(make_steps(plan, variable), stop, problem);
+    if (functions) return plan::CompiledPlan{functions.steps, variable};
+    if (!problem.empty()) note(problem);
   } catch (const std::exception& error) {  // no reason to end a run, which goes on without
     note(error.what());
   }
   return std::nullopt;
 }
 
-plan::StepFunctions GeneratedCode::functions_of(const GeneratedProgram& program,
-                                                const std::stop_token& stop) {
-  if (!compiler_) compiler_.emplace();
-  if (!compiler_->found()) {
-    note(compiler_->problem());
-    return {};
+std::optional<plan::CompiledLanes> GeneratedCode::compile_lanes(const plan::Plan& plan,
+                                                                const plan::RunDifferences& differences,
+                                                                const std::stop_token& stop, std::string& why) {
+  const std::lock_guard lock(mutex_);
+  const int lanes = lanes_of_processor();
+  why = lanes == 1 ? "this processor has neither AVX2 nor AVX-512" : why_not_in_lanes(plan);
+  if (!why.empty()) return std::nullopt;
+  try {
+    const GeneratedProgram program = make_lanes(plan, differences, lanes);
+    if (flags_for_this_machine(program.headers).empty()) {
+      why = "blocks of it use other libraries";
+      return std::nullopt;
+    }
+    std::string problem;
+    if (const ProgramFunctions functions = functions_of(program, stop, problem))
+      return plan::CompiledLanes{functions.run, lanes, differences.variable,
+                                 lane_places(plan, differences, lanes).places};
+    why = first_error(problem);
+  } catch (const std::exception& error) {
+    why = error.what();
   }
+  return std::nullopt;
+}
+
+ProgramFunctions GeneratedCode::functions_of(const GeneratedProgram& program, const std::stop_token& stop,
+                                             std::string& problem) {
+  if (!compiler_) compiler_.emplace();
+  if (!compiler_->found()) problem = compiler_->problem();
+  if (program.lanes > 1 && compiler_->found() && !compiler_->is_gcc())
+    problem = compiler_->version() + " does not put runs into lanes; g++ does";
+  if (!problem.empty()) return {};
   if (const auto known = known_.find(program.text); known != known_.end()) return known->second;
-  std::string problem;
-  const plan::StepFunctions functions = cache_.load(program, *compiler_, stop, problem);
-  if (!problem.empty() && !stop.stop_requested()) note(problem);
-  if (functions.evaluate && functions.advance) known_.emplace(program.text, functions);
+  const ProgramFunctions functions = cache_.load(program, *compiler_, stop, problem);
+  if (stop.stop_requested()) problem.clear();
+  if (functions) known_.emplace(program.text, functions);
   return functions;
 }
 

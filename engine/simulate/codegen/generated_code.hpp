@@ -17,16 +17,23 @@ class GeneratedCode : public plan::CodeSource {
                                             const std::vector<plan::VariableBlock>& variable,
                                             const std::stop_token& stop) override;
 
+  /// With as many lanes as a register of this machine's processor has.
+  std::optional<plan::CompiledLanes> compile_lanes(const plan::Plan& plan,
+                                                   const plan::RunDifferences& differences,
+                                                   const std::stop_token& stop, std::string& why) override;
+
   /// Why there was no code the first time that there was none; empty once it has been taken.
   std::string take_problem();
 
  private:
-  plan::StepFunctions functions_of(const GeneratedProgram& program, const std::stop_token& stop);
+  /// On failure `problem` says why, but for that of a stop.
+  ProgramFunctions functions_of(const GeneratedProgram& program, const std::stop_token& stop,
+                                std::string& problem);
   void note(const std::string& problem);
 
   std::mutex mutex_;
   std::optional<Compiler> compiler_;                  ///< looked for when it is needed
-  std::map<std::string, plan::StepFunctions> known_;  ///< by the program's text
+  std::map<std::string, ProgramFunctions> known_;  ///< by the program's text
   CodeCache cache_;
   std::string problem_;
   bool noted_ = false;

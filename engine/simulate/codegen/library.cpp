@@ -48,13 +48,32 @@ int sealed_file(std::string_view bytes) {
   return file;
 }
 
-plan::StepFunctions open_library(const std::string& bytes, std::string& problem) {
+ProgramFunctions open_library(const std::string& bytes, std::string& problem) {
   void* library = load_library(bytes, problem);
   if (!library) return {};
-  plan::StepFunctions functions;
-  functions.evaluate = reinterpret_cast<decltype(functions.evaluate)>(::dlsym(library, "stepwire_evaluate"));
-  functions.advance = reinterpret_cast<decltype(functions.advance)>(::dlsym(library, "stepwire_advance"));
+  const auto find = [&](auto& function, const char* name) {
+    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(::dlsym(library, name));
+  };
+  ProgramFunctions functions;
+  find(functions.steps.evaluate, "stepwire_evaluate");
+  find(functions.steps.advance, "stepwire_advance");
+  find(functions.run, "stepwire_run");
   return functions;
+}
+
+/// Flags for a program, beside where its headers are. In lanes the compiler puts as many numbers into a
+/// register as there are lanes.
+std::vector<std::string> flags_of(const GeneratedProgram& program) {
+  std::vector<std::string> flags = flags_for_this_machine(program.headers);
+  if (program.lanes == 1) return flags;
+  // The program itself has functions of the same names, for one run: those of the code must stay its own.
+  flags.insert(flags.end(), {"-fopenmp-simd", "-fvisibility=hidden"});
+  // A loop over lanes goes into registers only if all that it calls is put into it, however much that is.
+  for (const char* limit : {"max-inline-insns-single", "large-function-growth", "large-stack-frame-growth",
+                            "inline-unit-growth"})
+    flags.push_back(fmt::format("--param={}=100000", limit));
+  flags.push_back(fmt::format("-mprefer-vector-width={}", 64 * program.lanes));
+  return flags;
 }
 
 std::string key(const std::string& source, const GeneratedProgram& program, const Compiler& compiler) {
@@ -62,19 +81,15 @@ std::string key(const std::string& source, const GeneratedProgram& program, cons
   hash.add(source);
   for (const std::string& header : with_included(program.headers).all) hash.add(header_text(header));
   for (const std::string& flag : Compiler::flags()) hash.add(flag);
-  for (const std::string& flag : flags_for_this_machine(program.headers)) hash.add(flag).add(processor());
+  for (const std::string& flag : flags_of(program)) hash.add(flag).add(processor());
   return hash.add(compiler.version()).text() + ".so";
 }
 
-std::vector<std::string> flags_of(const std::vector<std::string>& headers) {
-  std::vector<std::string> flags = flags_for_this_machine(headers);
-  std::ranges::copy(include_options(with_included(headers)), std::back_inserter(flags));
-  return flags;
-}
-
 /// The bytes of the compiled library; none where that fails.
-std::string compiled(const std::string& source, const std::vector<std::string>& flags,
-                     const Compiler& compiler, const std::stop_token& stop, std::string& problem) {
+std::string compiled(const std::string& source, const GeneratedProgram& program, const Compiler& compiler,
+                     const std::stop_token& stop, std::string& problem) {
+  std::vector<std::string> flags = flags_of(program);
+  std::ranges::copy(include_options(with_included(program.headers)), std::back_inserter(flags));
   const subprocess::ScratchFolder folder;
   const std::string library = folder.path() + "/program.so";
   io::write_file(folder.path() + "/program.cpp", source);
@@ -103,10 +118,14 @@ std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& 
 }
 
 std::string library_source(const GeneratedProgram& program) {
-  std::string source =
+  std::string source = program.lanes == 1 ? "" : fmt::format("#define STEPWIRE_LANES {}\n", program.lanes);
+  source +=
       "#define STEPWIRE_GENERATED\n#include <cmath>\n#include <cstdint>\n#include <limits>\n\n";
   for (const std::string& header : program.headers) source += fmt::format("#include \"{}\"\n", header);
   source += "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n}  // namespace\n\n";
+  if (program.lanes > 1)
+    return source + "extern \"C\" [[gnu::flatten, gnu::visibility(\"default\")]] void stepwire_run(plan::LaneTask& task) {\n"
+                    "  run(task);\n}\n";
   for (const char* function : {"evaluate", "advance"})
     source += fmt::format(
         "extern \"C\" [[gnu::flatten]] void stepwire_{0}(double* w, const double* numbers, std::int64_t "
@@ -116,12 +135,12 @@ std::string library_source(const GeneratedProgram& program) {
   return source;
 }
 
-plan::StepFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& compiler,
-                                    const std::stop_token& stop, std::string& problem) const {
+ProgramFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& compiler,
+                                 const std::stop_token& stop, std::string& problem) const {
   try {
     const std::string source = library_source(program), name = key(source, program, compiler);
     if (const auto kept = cache_.find(name)) return open_library(*kept, problem);
-    const std::string made = compiled(source, flags_of(program.headers), compiler, stop, problem);
+    const std::string made = compiled(source, program, compiler, stop, problem);
     if (made.empty()) return {};
     cache_.keep(name, made);
     return open_library(made, problem);

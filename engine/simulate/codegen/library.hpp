@@ -23,6 +23,13 @@ void* load_library(const std::string& bytes, std::string& problem);
 /// The source of a shared library with a program's functions.
 std::string library_source(const GeneratedProgram& program);
 
+/// What a compiled program has.
+struct ProgramFunctions {
+  plan::StepFunctions steps;                    ///< of one for one run
+  void (*run)(plan::LaneTask& task) = nullptr;  ///< of one for several
+  explicit operator bool() const { return run || (steps.evaluate && steps.advance); }
+};
+
 /// Compiled programs, kept so that the same diagram is compiled once.
 class CodeCache {
  public:
@@ -30,8 +37,8 @@ class CodeCache {
 
   /// The functions of a program, from the cache or compiled; they stay loaded. On failure they are null and
   /// `problem` says why, but for that of a stop.
-  plan::StepFunctions load(const GeneratedProgram& program, const Compiler& compiler,
-                           const std::stop_token& stop, std::string& problem) const;
+  ProgramFunctions load(const GeneratedProgram& program, const Compiler& compiler, const std::stop_token& stop,
+                        std::string& problem) const;
 
  private:
   io::Cache cache_;

@@ -16,7 +16,7 @@ std::string number_text(double value) {
 }
 
 std::string Literals::next() {
-  return fmt::format("numbers[{}]", count_++);
+  return fmt::format("{}[{}]", table_, count_++);
 }
 
 bool Literals::varies() {

@@ -14,6 +14,9 @@ namespace stepwire::codegen {
 /// that lists may have other lengths from run to run.
 class Literals : public LiteralWriter {
  public:
+  /// `table` names the numbers that vary.
+  explicit Literals(std::string table = "numbers") : table_(std::move(table)) {}
+
   /// Of the numbers and lists that are written next, which are read from `numbers`? Those behind the last of
   /// these are not.
   void vary(std::vector<bool> items) {
@@ -28,18 +31,22 @@ class Literals : public LiteralWriter {
   std::string whole(std::int64_t value) override;
   std::string natural(std::uint64_t value) override;
 
+  /// How many that vary have been written.
+  std::size_t varied() const { return count_; }
+
   /// What the next table is called.
   void name_tables(std::string name) { name_ = std::move(name); }
   /// Definitions of all tables so far.
   std::string tables() const { return tables_; }
 
  private:
-  /// "numbers[i]"
+  /// "numbers[i]", or what the table is called
   std::string next();
 
   /// Is the item that is written now read from `numbers`?
   bool varies();
 
+  std::string table_;
   std::vector<bool> items_;
   std::size_t item_ = 0;
   std::size_t count_ = 0;  ///< of numbers that vary

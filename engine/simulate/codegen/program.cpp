@@ -10,10 +10,12 @@
 #include "engine/simulate/codegen/functions.hpp"
 #include "engine/simulate/codegen/guard_text.hpp"
 #include "engine/simulate/codegen/headers.hpp"
+#include "engine/simulate/codegen/lane_steps.hpp"
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
 #include "engine/simulate/codegen/stage_places.hpp"
 #include "engine/simulate/codegen/start_text.hpp"
+#include "engine/simulate/codegen/workspace_text.hpp"
 #include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
@@ -24,18 +26,18 @@ namespace {
 constexpr std::size_t max_inlined = 150;  // calls in a stage; beyond, registers are too few anyway
 
 const std::string state_arguments = "w, numbers, tick";
-const std::string state_parameters =
-    "[[maybe_unused]] double* w, [[maybe_unused]] const double* numbers, [[maybe_unused]] std::int64_t tick";
 
 class Maker {
  public:
   Maker(const plan::Plan& plan, const std::vector<plan::VariableBlock>& variable,
-        const std::map<std::size_t, std::size_t>& places)
+        const std::map<std::size_t, std::size_t>& places, LanePlaces lanes = {})
       : plan_(plan),
+        lanes_(std::move(lanes)),
         names_(plan),
         start_(plan, names_, places),
-        statements_(plan, names_, variable, literals_),
-        small_(calls(plan.stage) + calls(plan.derivatives) <= max_inlined &&
+        literals_(in_lanes() ? "numbers.lane(l)" : "numbers"),
+        statements_(plan, names_, variable, lanes_, literals_),
+        small_(count_of(plan.stage) + count_of(plan.derivatives) <= max_inlined &&
                !solve::find_implicit(plan.diagram.solver) && plan.loops.empty()),
         functions_(small_) {}
 
@@ -78,7 +80,7 @@ class Maker {
   void add_between_ticks() {
     std::vector<Code> code{{plan_.timed.empty() ? "" : "  follow_time(w, numbers);\n"}};
     append(code, outputs_of(plan_.outputs));
-    functions_.add("outputs_here", state_parameters, state_arguments, code);
+    functions_.add("outputs_here", state_parameters(), state_arguments, code);
     functions_.add_text(
         fmt::format("inline void evaluate_here(double* w, const double* numbers) {{\n"
                     "  for (int i = {0}; i < {1}; ++i) w[i] = Diagnostic::never;\n"
@@ -87,38 +89,21 @@ class Maker {
                     evaluate_here_text(plan_)));
   }
 
+  void add_lanes() {
+    add_steps();
+    functions_.add_text(lane_steps_text(plan_, lanes_));
+  }
+
   GeneratedProgram program() const;
 
  private:
-  static std::size_t calls(const std::vector<plan::KernelCall>& batches) {
-    std::size_t count = 0;
-    for (const plan::KernelCall& batch : batches) count += batch.count;
-    return count;
-  }
-
-  std::string name_text() const {
-    std::string text = "/// Where each number of the workspace lies.\nnamespace at {\nenum : int {\n";
-    for (const NamedPlace& place : names_.places())
-      text += fmt::format("  {} = {},  // {}\n", place.name, place.offset, place.meaning);
-    text += "};\n}  // namespace at\n\n";
-    return text +
-           fmt::format(
-               "constexpr double step = {};  // [s]\n"
-               "constexpr int states = {}, first_derivative = {};  // where the first state and slope lie\n"
-               "constexpr int size = {};  // of the workspace\n\n",
-               number_text(plan_.diagram.step), plan_.layout.states, plan_.layout.derivatives,
-               plan_.layout.size);
-  }
-
-  std::string table_text() const {
-    const std::string tables = literals_.tables();
-    if (tables.empty()) return "";
-    return "/// Lists of numbers that blocks read.\nnamespace table {\n" + tables +
-           "}  // namespace table\n\n";
+  bool in_lanes() const { return lanes_.lanes > 1; }
+  std::string state_parameters() const {
+    return workspace_parameters(lanes_) + ", [[maybe_unused]] std::int64_t tick";
   }
 
   void add_timed() {
-    const std::string parameters = "double* w, [[maybe_unused]] const double* numbers";
+    const std::string parameters = workspace_parameters(lanes_);
     functions_.add("timed", parameters, "w, numbers",
                    calls_of(plan_, statements_, plan_.timed, Phase::outputs, at_tick()));
     functions_.add_text(
@@ -146,12 +131,12 @@ class Maker {
     if (plan_.rest.empty()) {
       append(code, outputs_of(plan_.outputs));
     } else {
-      functions_.add("ahead", state_parameters, state_arguments, outputs_of(plan_.ahead));
+      functions_.add("ahead", state_parameters(), state_arguments, outputs_of(plan_.ahead));
       code.push_back({fmt::format("  if (w[{}] == 0.0) ahead({});\n", ahead_place(), state_arguments)});
       append(code, outputs_of(plan_.rest));
     }
     if (plan_.crossing_count > 0) code.push_back({fmt::format("  w[{}] = 0.0;\n", ahead_place())});
-    functions_.add("evaluate", state_parameters, state_arguments, code);
+    functions_.add("evaluate", state_parameters(), state_arguments, code);
   }
 
   std::vector<Code> outputs_of(const std::vector<plan::KernelCall>& table) const {
@@ -166,33 +151,37 @@ class Maker {
   std::string ahead_place() const { return std::to_string(plan_.layout.events + solve::EventReport::ahead); }
 
   void add_updates() {
-    functions_.add("update", state_parameters, state_arguments,
+    functions_.add("update", state_parameters(), state_arguments,
                    calls_of(plan_, statements_, plan_.updates, Phase::update, at_tick()));
+  }
+
+  Places at_workspace() const {
+    Places places;
+    if (in_lanes()) places.dot = "w.from(first_derivative)";
+    return places;
   }
 
   /// A small program is written out: then all its numbers can be in registers.
   Places at_tick() const {
-    Places places;
+    Places places = at_workspace();
     if (small_) places.min_in_loop = max_inlined + 1;
     return places;
   }
 
   void add_slopes() {
-    const std::string own = "[[maybe_unused]] double* s, ";
-    const std::string before = "[[maybe_unused]] double* w, ",
-                      after = "[[maybe_unused]] const double* numbers, double* dot";
+    const std::string slopes = ", " + numbers_parameter(lanes_, "dot");
     Places tick = at_tick();
     tick.dot = "dot";
     std::vector<Code> at_start = given_slopes();
     if (small_ && !plan_.guards.empty()) at_start.push_back({zero_slopes_text(plan_)});
     append(at_start, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, tick));
-    functions_.add("derivatives", before + after, "w, numbers, dot", at_start);
+    functions_.add("derivatives", workspace_parameters(lanes_) + slopes, "w, numbers, dot", at_start);
     Places at_stage = small_ ? stage_places(plan_, at_tick()) : at_tick();
     at_stage.dot = "dot";
     std::vector<Code> code = calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_stage);
     append(code, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, at_stage));
     for (Code& piece : code) piece.period = 1;  // a stage computes all that it has
-    functions_.add("slopes", before + own + after, "w, s, numbers, dot", code);
+    functions_.add("slopes", workspace_parameters(lanes_) + ", " + numbers_parameter(lanes_, "s") + slopes, "w, numbers, s, dot", code);
   }
 
   /// Slopes that outputs have written to the workspace, where slopes have a place of their own.
@@ -203,8 +192,7 @@ class Maker {
       for (const plan::SignalSlot& slot : block.derivatives)
         for (std::size_t i = slot.offset; i < slot.offset + static_cast<std::size_t>(slot.size); ++i)
           if (block.slope_is_input && i >= plan_.layout.derivatives)  // discrete states have no slopes
-            code.push_back(
-                {fmt::format("  dot[{0}] = w[first_derivative + {0}];\n", i - plan_.layout.derivatives)});
+            code.push_back({given_slope_text(plan_, lanes_, i)});
     return code;
   }
 
@@ -217,21 +205,21 @@ class Maker {
           "  const double end = static_cast<double>(tick + 1) * step;\n";
       body += keep_text(names_, plan_);
       if (plan_.updates_continuous) {
-        const std::vector<Code> stage = calls_of(plan_, statements_, plan_.stage, Phase::outputs, {});
+        const std::vector<Code> stage = calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_workspace());
         body += with_conditions(stage, 0, stage.size());
       }
     }
     if (crosses) body += before_step_text(plan_);
-    if (moves) body += solver_text(plan_, {.small = small_});
+    if (moves) body += solver_text(plan_, {.small = small_, .lanes = lanes_});
     if (crosses) body += after_step_text(plan_);
     functions_.add_text(
-        fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters, body));
+        fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters(), body));
   }
 
   /// What is looked at for events, and what happens there. That happens rarely and is not put into others.
   void add_events() {
     const auto add = [&](const char* name, const std::vector<Code>& code) {
-      functions_.add(name, state_parameters, state_arguments, code);
+      functions_.add(name, state_parameters(), state_arguments, code);
     };
     std::vector<Code> ends = outputs_of(plan_.ahead);
     append(ends, outputs_of(plan_.crossing_outputs));
@@ -242,15 +230,15 @@ class Maker {
     add("event_updates", calls_of(plan_, statements_, plan_.event_updates, Phase::update, at_tick()));
     const char* const rarely = "[[gnu::noinline, gnu::cold]] inline void";
     functions_.add_text(fmt::format("{} look({}, double* z) {{\n{}}}\n\n", functions_.attribute() + " void",
-                                    state_parameters, look_text(plan_, statements_, at_tick())));
+                                    state_parameters(), look_text(plan_, statements_, at_tick())));
     if (plan_.layout.state_count > 0)
       functions_.add_text(
           fmt::format("{} slopes_in_place(double* w, [[maybe_unused]] const double* numbers) {{\n"
-                      "  slopes(w, w, numbers, w + first_derivative);\n}}\n\n",
+                      "  slopes(w, numbers, w, w + first_derivative);\n}}\n\n",
                       rarely));
     functions_.add_text(fmt::format("{} follow_crossings({}) {{\n  crossing_ends({});\n}}\n\n", rarely,
-                                    state_parameters, state_arguments));
-    functions_.add_text(fmt::format("{} locate({}, double* scratch) {{\n{}}}\n\n", rarely, state_parameters,
+                                    state_parameters(), state_arguments));
+    functions_.add_text(fmt::format("{} locate({}, double* scratch) {{\n{}}}\n\n", rarely, state_parameters(),
                                     locate_text(plan_, names_)));
   }
 
@@ -259,6 +247,7 @@ class Maker {
   }
 
   const plan::Plan& plan_;
+  LanePlaces lanes_;
   PlaceNames names_;
   StartText start_;
   Literals literals_;
@@ -268,7 +257,7 @@ class Maker {
 };
 
 GeneratedProgram Maker::program() const {
-  return {name_text() + table_text() + functions_.text(), headers_of(plan_)};
+  return {places_text(plan_, names_) + tables_text(literals_) + functions_.text(), headers_of(plan_)};
 }
 
 }  // namespace
@@ -293,6 +282,18 @@ GeneratedProgram make_steps(const plan::Plan& plan, const std::vector<plan::Vari
   Maker maker(plan, variable, none);
   maker.add_steps();
   return maker.program();
+}
+
+GeneratedProgram make_lanes(const plan::Plan& plan, const plan::RunDifferences& differences, int lanes) {
+  require_headers(plan);
+  const std::map<std::size_t, std::size_t> none;
+  Maker maker(plan, differences.variable, none, lane_places(plan, differences, lanes));
+  maker.add_lanes();
+  GeneratedProgram program = maker.program();
+  program.lanes = lanes;
+  program.headers.emplace_back("engine/model/plan/lane_task.hpp");
+  program.headers.emplace_back("engine/model/signal/lanes.hpp");
+  return program;
 }
 
 }  // namespace stepwire::codegen

@@ -17,6 +17,7 @@ namespace stepwire::codegen {
 struct GeneratedProgram {
   std::string text;                  ///< names of places, tables and the functions; inside of namespaces
   std::vector<std::string> headers;  ///< that it needs, from the root of the sources
+  int lanes = 1;                     ///< runs that it steps together
 };
 
 /// A program that begins by itself, with the plan's values. Throws Error for blocks that no program can have,
@@ -32,5 +33,10 @@ GeneratedProgram make_program(const plan::Plan& plan, const Tuning& tuning = {},
 /// The steps alone, for runs that begin in the interpreter: without reset(), and `variable` members read from
 /// a NumberTable.
 GeneratedProgram make_steps(const plan::Plan& plan, const std::vector<plan::VariableBlock>& variable);
+
+/// The steps of several runs together, which differ in these; why_not_in_lanes() has to be empty:
+///
+///     void run(plan::LaneTask& task)
+GeneratedProgram make_lanes(const plan::Plan& plan, const plan::RunDifferences& differences, int lanes);
 
 }  // namespace stepwire::codegen

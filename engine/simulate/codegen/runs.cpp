@@ -28,8 +28,9 @@ std::string type_of_number(const std::string& text) {
 /// Blocks whose set-ups are alike but for what fills the holes, as a loop over k.
 class Loop {
  public:
-  Loop(const plan::Plan& plan, std::vector<std::size_t> blocks, std::vector<Statements::Pieces> set_ups)
-      : plan_(plan), blocks_(std::move(blocks)), set_ups_(std::move(set_ups)) {}
+  Loop(const plan::Plan& plan, const Statements& statements, std::vector<std::size_t> blocks,
+       std::vector<Statements::Pieces> set_ups)
+      : plan_(plan), statements_(statements), blocks_(std::move(blocks)), set_ups_(std::move(set_ups)) {}
 
   /// Can the blocks be told apart by numbers and places alone?
   bool possible() const {
@@ -43,23 +44,23 @@ class Loop {
   }
 
   std::string text(Phase phase) {
-    std::string body;
+    std::string fixed, rest;
     for (std::size_t i = 0; i < set_ups_.front().size(); ++i) {
       const auto& piece = set_ups_.front()[i];
-      body += piece.before + filling(i) + piece.after;
+      (piece.fixed ? fixed : rest) += piece.before + filling(i) + piece.after;
     }
     std::string text = fmt::format("  // {} of {}: {} to {}\n", blocks_.size(), struct_of(plan_, blocks_[0]),
                                    comment_of(plan_, blocks_.front()), comment_of(plan_, blocks_.back()));
     if (!columns_.empty()) text += table();
-    text += fmt::format("  for (int k = 0; k < {}; ++k) {{\n    {} b;\n{}", blocks_.size(),
-                        struct_of(plan_, blocks_[0]), body);
-    text += fmt::format("    b.{}();\n  }}\n", function_of(phase));
+    text += fmt::format("  for (int k = 0; k < {}; ++k) {{\n{}  }}\n", blocks_.size(),
+                        statements_.call_text(blocks_[0], phase, fixed, rest));
     return columns_.empty() ? text : "  {\n" + text + "  }\n";
   }
 
  private:
   static bool alike(const Statements::Piece& a, const Statements::Piece& b) {
-    if (a.before != b.before || a.after != b.after || (a.offset < 0) != (b.offset < 0)) return false;
+    if (a.before != b.before || a.after != b.after || (a.offset < 0) != (b.offset < 0) || a.fixed != b.fixed)
+      return false;
     return a.offset >= 0 || a.hole == b.hole ||
            (type_of_number(a.hole) == type_of_number(b.hole) && !type_of_number(a.hole).empty());
   }
@@ -107,6 +108,7 @@ class Loop {
   };
 
   const plan::Plan& plan_;
+  const Statements& statements_;
   std::vector<std::size_t> blocks_;
   std::vector<Statements::Pieces> set_ups_;
   std::vector<Column> columns_;
@@ -173,7 +175,7 @@ class BatchCode {
                          all.begin() + static_cast<std::ptrdiff_t>(last));
     };
     if (last - first >= places_.min_in_loop) {
-      Loop loop(plan_, part(blocks_), part(set_ups_));
+      Loop loop(plan_, statements_, part(blocks_), part(set_ups_));
       if (loop.possible()) return push(loop.text(phase_), code);
     }
     for (std::size_t i = first; i < last; ++i) push(statements_.call(blocks_[i], phase_, places_), code);

@@ -27,11 +27,11 @@ class ExplicitText {
   }
 
   std::string text() const {
-    std::string text = form_.small ? fmt::format("  double s[first_derivative], dot[{}];\n", states_)
-                                   : "  double* const s = w;\n  double* const dot = w + first_derivative;\n";
+    std::string text = stage_text();
     for (int place = 0; place < solve::places_of(stages_); ++place)
-      text += fmt::format("  double {}[{}];\n", name(place), states_);
-    text += each([](const std::string& i) { return fmt::format("start[{0}] = w[states + {0}];", i); });
+      text += in_lanes() ? fmt::format("  alignas(64) double {}[{} * lanes];\n", name(place), states_)
+                         : fmt::format("  double {}[{}];\n", name(place), states_);
+    text += each([&](const std::string& i) { return fmt::format("start[{}] = {};", i, state("w", i)); });
     if (form_.begins) text += "  derivatives(w, numbers, dot);\n";
     for (std::size_t stage = 0; stage < stages_.size(); ++stage) {
       if (stage > 0) text += evaluation_text(stages_[stage - 1].next);
@@ -45,6 +45,25 @@ class ExplicitText {
     return place == solve::Addition::start ? "start" : fmt::format("sum_{}", place);
   }
 
+  bool in_lanes() const { return form_.lanes.lanes > 1; }
+
+  /// What a stage works on.
+  std::string stage_text() const {
+    if (!in_lanes())
+      return form_.small ? fmt::format("  double s[first_derivative], dot[{}];\n", states_)
+                         : "  double* const s = w;\n  double* const dot = w + first_derivative;\n";
+    return form_.small
+               ? fmt::format("  alignas(64) double s_[first_derivative * lanes], dot_[{} * lanes];\n"
+                             "  const Lanes s{{s_}}, dot{{dot_}};\n",
+                             states_)
+               : "  const Lanes s = w, dot = w.from(first_derivative);\n";
+  }
+
+  /// The i-th state: in lanes, the i-th number of the states of all lanes.
+  std::string state(const std::string& numbers, const std::string& i) const {
+    return fmt::format(fmt::runtime(in_lanes() ? "{}.first[states * lanes + {}]" : "{}[states + {}]"), numbers, i);
+  }
+
   std::string evaluation_text(double fraction) const {
     const std::string time = fraction == 1.0 ? "end" : fmt::format("now + {} * step", number_text(fraction));
     std::string text = fmt::format("  w[at::time] = {};\n", time);
@@ -56,6 +75,12 @@ class ExplicitText {
   template <class Statement>
   std::string each(const Statement& statement) const {
     std::string text;
+    if (in_lanes()) {
+      for (const LanePlaces::Stretch& one : form_.lanes.stretches(first_, first_ + states_))
+        text += fmt::format("#pragma GCC ivdep\n  for (int i = {} * lanes; i < {} * lanes; i += {}) {{ {} }}\n",
+                            one.first - first_, one.end - first_, one.differs ? "1" : "lanes", statement("i"));
+      return text;
+    }
     if (states_ > few) {
       for (const plan::ActivePiece& piece : pieces_) text += piece_text(piece, statement("i"));
       return text;
@@ -74,14 +99,15 @@ class ExplicitText {
   std::string additions_text(const solve::SolverStage& stage, bool last) const {
     const auto element = [&](int place, const std::string& i) {
       if (place != solve::Addition::states) return fmt::format("{}[{}]", name(place), i);
-      return fmt::format("{}[states + {}]", last ? "w" : "s", i);
+      return state(last ? "w" : "s", i);
     };
     return each([&](const std::string& i) {
       std::string text;
       for (const solve::Addition& addition : stage.additions)
         text +=
-            fmt::format("{}{} = {} + (step * {}) * dot[{}];", text.empty() ? "" : " ",
-                        element(addition.to, i), element(addition.from, i), number_text(addition.weight), i);
+            fmt::format("{}{} = {} + (step * {}) * {}[{}];", text.empty() ? "" : " ",
+                        element(addition.to, i), element(addition.from, i), number_text(addition.weight),
+                        in_lanes() ? "dot.first" : "dot", i);
       return text;
     });
   }

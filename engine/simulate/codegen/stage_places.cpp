@@ -27,4 +27,10 @@ Places stage_places(const plan::Plan& plan, Places places) {
   return places;
 }
 
+std::size_t count_of(const std::vector<plan::KernelCall>& batches) {
+  std::size_t count = 0;
+  for (const plan::KernelCall& batch : batches) count += batch.count;
+  return count;
+}
+
 }  // namespace stepwire::codegen

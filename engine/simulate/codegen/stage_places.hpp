@@ -8,4 +8,7 @@ namespace stepwire::codegen {
 /// the states lie in `s`.
 Places stage_places(const plan::Plan& plan, Places places);
 
+/// How many blocks a table of a plan calls.
+std::size_t count_of(const std::vector<plan::KernelCall>& batches);
+
 }  // namespace stepwire::codegen

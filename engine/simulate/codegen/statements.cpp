@@ -41,8 +41,8 @@ std::map<std::string, std::string> defaults_of(const BlockType& type) {
 }  // namespace
 
 Statements::Statements(const plan::Plan& plan, const PlaceNames& names,
-                       const std::vector<plan::VariableBlock>& variable, Literals& literals)
-    : plan_(plan), names_(names), members_(plan.blocks.size()) {
+                       const std::vector<plan::VariableBlock>& variable, const LanePlaces& lanes, Literals& literals)
+    : plan_(plan), names_(names), lanes_(lanes), members_(plan.blocks.size()) {
   std::map<std::string, std::map<std::string, std::string>> defaults;
   auto next = variable.begin();
   for (int index : plan.memory_order) {
@@ -54,8 +54,10 @@ Statements::Statements(const plan::Plan& plan, const PlaceNames& names,
     literals.vary(varies ? next->items : std::vector<bool>());
     for (const MemberSpec& member : block.type().members) {
       literals.name_tables(names.block(b) + "_" + member.member);
+      const std::size_t varied = literals.varied();
       const std::string value = member.literal(block.block.get(), literals);
-      members_[b].push_back({member.member, value, value == known->second[member.member]});
+      members_[b].push_back(
+          {member.member, value, value == known->second[member.member], varied == literals.varied()});
     }
     if (varies) ++next;
   }
@@ -65,7 +67,7 @@ Statements::Pieces Statements::set_up(std::size_t block, const Places& places, b
   Pieces pieces;
   for (const Member& member : members_[block])
     if (complete || !member.is_default)
-      pieces.push_back({fmt::format("    b.{} = ", member.name), member.value, ";\n"});
+      pieces.push_back({fmt::format("    b.{} = ", member.name), member.value, ";\n", -1, member.fixed});
   bind_inputs(block, places, pieces);
   bind_outputs(block, places, pieces);
   bind_states(block, places, pieces);
@@ -73,14 +75,19 @@ Statements::Pieces Statements::set_up(std::size_t block, const Places& places, b
   return pieces;
 }
 
+std::string Statements::in_lane(const std::string& numbers, std::size_t offset) const {
+  return lanes_.lanes == 1 ? numbers : numbers + lane_text(lanes_, lanes_.places[offset]);
+}
+
 Statements::Piece Statements::place(const std::string& before, std::size_t offset, const std::string& after,
                                     const Places& places) const {
   const bool fresh = offset < places.is_fresh.size() && places.is_fresh[offset];
   const auto at = static_cast<std::int64_t>(offset);
   if (fresh && offset >= plan_.layout.derivatives)
-    return {fmt::format("{}{} + (", before, places.dot), names_.at(offset), " - first_derivative)" + after,
-            at};
-  return {fmt::format("{}{} + ", before, fresh ? places.fresh : "w"), names_.at(offset), after, at};
+    return {fmt::format("{}{} + (", before, in_lane(places.dot, offset)), names_.at(offset),
+            " - first_derivative)" + after, at};
+  return {fmt::format("{}{} + ", before, in_lane(fresh ? places.fresh : "w", offset)), names_.at(offset), after,
+          at};
 }
 
 void Statements::bind_inputs(std::size_t block, const Places& places, Pieces& pieces) const {
@@ -122,8 +129,8 @@ void Statements::bind_states(std::size_t block, const Places& places, Pieces& pi
     const std::string end = fmt::format(", {});\n", slot.size);
     pieces.push_back(place(fmt::format("    b.{}.bind(", member), slot.offset, end, places));
     if (type.states[s].continuous)
-      pieces.push_back({fmt::format("    b.{}.derivative.bind({} + (", member, places.dot), names_.at(slot.offset),
-                        " - states)" + end, static_cast<std::int64_t>(slot.offset)});
+      pieces.push_back({fmt::format("    b.{}.derivative.bind({} + (", member, in_lane(places.dot, slot.offset)),
+                        names_.at(slot.offset), " - states)" + end, static_cast<std::int64_t>(slot.offset)});
   }
 }
 
@@ -141,12 +148,21 @@ void Statements::bind_rest(std::size_t block, const Places& places, Pieces& piec
   }
 }
 
+std::string Statements::call_text(std::size_t block, Phase phase, const std::string& fixed,
+                                  const std::string& rest) const {
+  const std::string call =
+      fmt::format("    b.{}({});\n", function_of(phase), phase == Phase::crossings ? "zero" : "");
+  const std::string made = fmt::format("    {} b;\n", struct_of(plan_, block)) + fixed;
+  if (lanes_.lanes == 1 || !lanes_.blocks[block]) return made + rest + call;
+  return made + fmt::format("    each_lane(b, [&]({} b, [[maybe_unused]] const int l) {{\n", struct_of(plan_, block)) +
+         rest + call + "    });\n";
+}
+
 std::string Statements::call(std::size_t block, Phase phase, const Places& places) const {
-  std::string text =
-      fmt::format("  {{  // {}\n    {} b;\n", comment_of(plan_, block), struct_of(plan_, block));
-  for (const Piece& piece : set_up(block, places, false)) text += piece.before + piece.hole + piece.after;
-  return text +
-         fmt::format("    b.{}({});\n  }}\n", function_of(phase), phase == Phase::crossings ? "zero" : "");
+  std::string fixed, rest;
+  for (const Piece& piece : set_up(block, places, lanes_.lanes > 1))
+    (piece.fixed ? fixed : rest) += piece.before + piece.hole + piece.after;
+  return fmt::format("  {{  // {}\n", comment_of(plan_, block)) + call_text(block, phase, fixed, rest) + "  }\n";
 }
 
 }  // namespace stepwire::codegen

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/model/plan/compiled_plan.hpp"
+#include "engine/simulate/codegen/lane_places.hpp"
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/names.hpp"
 
@@ -26,9 +27,10 @@ enum class Phase { outputs, derivatives, update, start, crossings };
 /// the compiler sees through.
 class Statements {
  public:
-  /// `variable` members are read from the numbers of a run, in the order of NumberTable.
+  /// `variable` members are read from the numbers of a run, in the order of NumberTable. All but plan and
+  /// `literals` must outlive it.
   Statements(const plan::Plan& plan, const PlaceNames& names,
-             const std::vector<plan::VariableBlock>& variable, Literals& literals);
+             const std::vector<plan::VariableBlock>& variable, const LanePlaces& lanes, Literals& literals);
 
   const PlaceNames& names() const { return names_; }
   /// The call of one block.
@@ -38,12 +40,18 @@ class Statements {
   struct Piece {
     std::string before, hole, after;
     std::int64_t offset = -1;  ///< where the hole is a place of the workspace
+    bool fixed = false;        ///< is it a member that has the same value in each run?
   };
   using Pieces = std::vector<Piece>;
   /// Everything between the making of a block and its call; `complete` with members that keep their defaults.
   Pieces set_up(std::size_t block, const Places& places, bool complete) const;
+  /// The making of a block, its set-up (members that are fixed, and the rest) and its call: in lanes the call
+  /// is a loop over them.
+  std::string call_text(std::size_t block, Phase phase, const std::string& fixed, const std::string& rest) const;
 
  private:
+  /// "w", or the lane of it that has a number.
+  std::string in_lane(const std::string& numbers, std::size_t offset) const;
   Piece place(const std::string& before, std::size_t offset, const std::string& after,
               const Places& places) const;
   void bind_inputs(std::size_t block, const Places& places, Pieces& pieces) const;
@@ -53,9 +61,10 @@ class Statements {
 
   const plan::Plan& plan_;
   const PlaceNames& names_;
+  const LanePlaces& lanes_;
   struct Member {
     std::string name, value;
-    bool is_default;
+    bool is_default, fixed;
   };
   std::vector<std::vector<Member>> members_;  ///< of each block
 };

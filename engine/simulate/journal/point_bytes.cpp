@@ -125,7 +125,7 @@ void run_end(Stream& stream, End& end) {
         one.first_unsolved);
   });
   std::int64_t stopped = end.stopped;
-  all(stream, end.events.located, end.events.most_in_a_step, stopped, end.ticks, end.compiled_ticks);
+  all(stream, end.events.located, end.events.most_in_a_step, stopped, end.ticks, end.lane_ticks, end.compiled_ticks);
   if constexpr (std::is_same_v<Stream, Reader>) end.stopped = stopped != 0;
 }
 

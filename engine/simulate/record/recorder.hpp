@@ -45,6 +45,18 @@ class Recorder {
     last_only_ = true;
     next_tick_ = -1;
   }
+  /// Keeps rows of the recorder's next ticks, one behind the other: numbers lie `stride` apart.
+  void record_rows(const double* numbers, std::size_t rows, std::size_t stride) {
+    if (last_only_) return;
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      for (std::size_t row = 0; row < rows; ++row)
+        columns_[i][filled_ + row] = numbers[(row * columns_.size() + i) * stride];
+    filled_ += rows;
+    next_tick_ += static_cast<std::int64_t>(rows) * every_;
+  }
+  /// Numbers in a row.
+  std::size_t columns() const { return columns_.size(); }
+
   /// Period [ticks].
   std::int64_t every() const { return every_; }
   /// Rows so far.

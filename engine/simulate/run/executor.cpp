@@ -241,7 +241,7 @@ void Executor::evaluate() {
     run_due(is_ahead() ? rest_ : outputs_);
     forget_ahead();
   }
-  healthy_ = healthy_ && is_finite() && loops_solved();
+  look_at_outputs();
 }
 
 void Executor::advance() {
@@ -254,11 +254,15 @@ void Executor::advance() {
   } else {
     take_step();
   }
+  look_at_step();
+  ++workspace_.tick;
+}
+
+void Executor::look_at_step() {
   if (!ending_diagnostics_.empty() && diagnostic_ends_run()) healthy_ = false;
   if (workspace_.values[plan_.layout.report] != solve::StepReport::fine || !loops_solved()) healthy_ = false;
   if (plan_.crossing_count > 0 && workspace_.values[plan_.layout.events + solve::EventReport::end] != 0.0)
     healthy_ = false;
-  ++workspace_.tick;
 }
 
 void Executor::take_step() {

@@ -48,6 +48,11 @@ class Executor {
   /// Adds what code must read from a table for the values that are set now.
   void widen(std::vector<plan::VariableBlock>& variable) const;
 
+  /// What code reads of this run; nothing where code with such a table has other numbers than this run.
+  std::optional<plan::NumberTable> numbers(const std::vector<plan::VariableBlock>& variable) const;
+  /// Stands where other code has stepped this run to: after the outputs of a tick, or after its step.
+  void stand_at(std::int64_t tick, std::span<const double> values, bool after_step);
+
   /// What set() came to.
   enum class Setting {
     done,
@@ -203,6 +208,9 @@ class Executor {
   void step_states(const solve::TimeStep& step);
   /// Those that the last step has moved.
   const std::vector<solve::StatePiece>& moving_states() const;
+  /// Looks whether the run may go on after outputs, and after a step.
+  void look_at_outputs() { healthy_ = healthy_ && is_finite() && loops_solved(); }
+  void look_at_step();
   bool diagnostic_ends_run() const;
   std::optional<RunFault> wrong_step() const;
   std::optional<RunFault> not_finite() const;

@@ -1,12 +1,27 @@
 // Values that are set while a run goes on.
 #include "engine/simulate/run/executor.hpp"
 
+#include <algorithm>
+
 namespace stepwire::run {
 
 void Executor::use(const plan::CompiledPlan& code) {
   numbers_.emplace(plan_, code.variable, [this](std::size_t block) { return memory(block); });
   code_ = &code;
   for (const auto& [block, written] : written_) read_numbers(block);
+}
+
+std::optional<plan::NumberTable> Executor::numbers(const std::vector<plan::VariableBlock>& variable) const {
+  plan::NumberTable numbers(plan_, variable, [this](std::size_t block) { return memory(block); });
+  for (const auto& [block, written] : written_)
+    if (!numbers.read(block)) return std::nullopt;
+  return numbers;
+}
+
+void Executor::stand_at(std::int64_t tick, std::span<const double> values, bool after_step) {
+  std::ranges::copy(values, workspace_.values.begin());
+  workspace_.tick = after_step ? tick + 1 : tick;
+  after_step ? look_at_step() : look_at_outputs();
 }
 
 void Executor::read_numbers(std::size_t block) {

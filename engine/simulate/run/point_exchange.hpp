@@ -32,7 +32,7 @@ class PointExchange {
 };
 
 /// Runs points of a job until there are no more, or until it is interrupted.
-void run_points(const Job& job, const RunOptions& options, PointExchange& exchange);
+LaneReport run_points(const Job& job, const RunOptions& options, PointExchange& exchange);
 
 /// Joins what all points have given, in any order, to what run_job() gives. A point that is missing has no
 /// rows.

@@ -6,12 +6,8 @@
 
 namespace stepwire::run {
 
-namespace {
-
-RunEnd end_of(const Executor& simulation, Drive::End how) {
+RunEnd end_of(const Executor& simulation) {
   RunEnd end;
-  end.interrupted = how == Drive::End::interrupted;
-  end.stopped = how == Drive::End::stopped || how == Drive::End::paused;
   if (auto fault = simulation.fault()) end.faults.push_back(std::move(*fault));
   end.diagnostics = simulation.diagnostics();
   end.loops = simulation.loop_costs();
@@ -19,8 +15,6 @@ RunEnd end_of(const Executor& simulation, Drive::End how) {
   end.ticks = simulation.tick();
   return end;
 }
-
-}  // namespace
 
 RunResult run_plan(const plan::Plan& plan, const RunOptions& options) {
   TieredExecution changeover(options.engine, options.code, {{&plan, {}}}, static_cast<double>(plan.steps));
@@ -51,7 +45,10 @@ RunEnd run_simulation(Executor& simulation, std::vector<record::Recorder>& recor
     if (options.progress)
       options.progress(static_cast<double>(simulation.tick()) / static_cast<double>(simulation.plan().steps));
   };
-  RunEnd end = end_of(simulation, drive.run());
+  const Drive::End how = drive.run();
+  RunEnd end = end_of(simulation);
+  end.interrupted = how == Drive::End::interrupted;
+  end.stopped = how == Drive::End::stopped || how == Drive::End::paused;
   end.compiled_ticks = changed < 0 ? 0 : end.ticks - changed;
   return end;
 }

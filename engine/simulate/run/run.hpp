@@ -9,6 +9,7 @@
 
 #include "engine/model/diagram/load.hpp"
 #include "engine/simulate/record/recorder.hpp"
+#include "engine/simulate/run/lane_code.hpp"
 #include "engine/simulate/run/loop_cost.hpp"
 #include "engine/simulate/run/observer.hpp"
 #include "engine/simulate/run/plan_family.hpp"
@@ -25,6 +26,7 @@ struct RunOptions {
   unsigned threads = 0;  ///< for sweeps; 0: all cores
   ExecutionMode engine = ExecutionMode::interpreted;
   plan::CodeSource* code = nullptr;     ///< for any other engine
+  LaneUse lanes = LaneUse::automatic;   ///< for the runs of a sweep, beside the interpreted engine
   std::vector<RunObserver*> observers;  ///< of every run; must outlive the call
   const RunNumbers* numbers = nullptr;  ///< what is kept of each run of a sweep in place of its rows
 };
@@ -39,11 +41,19 @@ struct RunEnd {
   bool stopped = false;             ///< by an observer, at least one run
   std::int64_t ticks = 0;           ///< of all runs together
   std::int64_t compiled_ticks = 0;  ///< of them, those that compiled code made
+  std::int64_t lane_ticks = 0;      ///< of these, those of runs that were stepped together
+};
+
+/// How runs of a sweep were stepped.
+struct LaneReport {
+  int count = 1;          ///< so many together
+  std::string why_not{};  ///< why some or all went one by one: a sentence; or nothing
 };
 
 /// What a run, or all runs of a sweep, gave.
 struct RunResult : RunEnd {
   std::vector<record::Recording> recordings;  ///< one for each period at which the file records
+  LaneReport lanes{};
 };
 
 /// Runs a plan once, from 0 to its stop.
@@ -54,6 +64,9 @@ RunResult run_plan(const plan::Plan& plan, const RunOptions& options = {});
 RunEnd run_simulation(Executor& simulation, std::vector<record::Recorder>& recorders,
                       const RunOptions& options, TieredExecution& changeover, std::size_t member,
                       std::size_t index);
+
+/// How a run has ended that went with a drive, or in a lane.
+RunEnd end_of(const Executor& simulation);
 
 /// One run of a sweep, or of a study.
 struct SweepPoint {

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/record/recorder.hpp"
-#include "engine/simulate/run/row_per_run.hpp"
 #include "engine/simulate/run/memory.hpp"
 #include "engine/simulate/run/point_exchange.hpp"
+#include "engine/simulate/run/point_queue.hpp"
+#include "engine/simulate/run/row_per_run.hpp"
 #include "engine/simulate/run/sweep_ends.hpp"
+#include "engine/simulate/run/together_runs.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire::run {
@@ -22,24 +25,32 @@ class PointRuns {
       : job_(job),
         options_(options),
         idle_(*job.family),
-        changeover_(options.engine, options.code, members_of(job), ticks_of(job)) {
+        changeover_(options.engine, options.code, members_of(job), ticks_of(job)),
+        together_(job, options) {
     own_.interrupt = options.interrupt;
     own_.observers = options.observers;
   }
 
-  /// From any thread.
-  RunEnd run(std::size_t point, std::vector<record::Recorder>& recorders) {
-    const std::size_t member = job_.points[point].member;
-    auto run = idle_.take(member);
-    job_.family->begin(member, job_.settings_of(point), *run);
-    RunEnd end = run_simulation(*run, recorders, own_, changeover_, member, point);
-    idle_.give_back(member, std::move(run));
-    const double done = static_cast<double>(++done_);
+  /// How many points of a member are to be given to run(), at most.
+  std::size_t at_once(std::size_t point) const { return together_.at_once(member_of(point)); }
+  std::size_t member_of(std::size_t point) const { return job_.points[point].member; }
+
+  /// Runs points of one member to their ends, which begin here. From any thread.
+  void run(std::vector<SweptRun>& runs) {
+    const std::size_t member = member_of(runs.front().point);
+    for (SweptRun& run : runs) {
+      run.simulation = idle_.take(member);
+      job_.family->begin(member, job_.settings_of(run.point), *run.simulation);
+    }
+    if (runs.size() == 1 || !together_.run(member, changeover_.code(member), runs))
+      for (SweptRun& run : runs) run_alone(run, member);
+    for (SweptRun& run : runs) idle_.give_back(member, std::move(run.simulation));
+    const double done = static_cast<double>(done_ += runs.size());
     if (options_.progress) options_.progress(done / static_cast<double>(job_.points.size()));
-    return end;
   }
 
   bool interrupted() const { return options_.interrupt && *options_.interrupt; }
+  LaneReport lanes() const { return {together_.lanes(), together_.why_not()}; }
 
  private:
   static std::vector<TieredExecution::Member> members_of(const Job& job) {
@@ -56,19 +67,99 @@ class PointRuns {
     return ticks;
   }
 
+  void run_alone(SweptRun& run, std::size_t member) {
+    run.end = run_simulation(*run.simulation, *run.recorders, own_, changeover_, member, run.point);
+    together_.done(run.end.ticks);
+  }
+
   const Job& job_;
   const RunOptions& options_;
   RunOptions own_;
   IdleRuns idle_;
   TieredExecution changeover_;
+  TogetherRuns together_;
   std::atomic<std::size_t> done_ = 0;
 };
 
-/// Nothing is kept of what has not begun.
-RunEnd not_begun() {
-  RunEnd end;
-  end.interrupted = true;
-  return end;
+/// On each thread, until make_take()'s function names no points any more: has `begin` make a place for what
+/// each of them records, runs them, and hands them to `done`.
+template <class MakeTake, class Begin, class Done>
+void run_groups(PointRuns& runs, unsigned threads, const MakeTake& make_take, const Begin& begin,
+                const Done& done) {
+  parallel::on_threads(threads, [&] {
+    auto take = make_take();
+    for (auto points = take(); !points.empty(); points = take()) {
+      std::vector<decltype(begin(0))> places;
+      std::vector<SweptRun> group;
+      for (const std::size_t point : points) places.push_back(begin(point));
+      for (std::size_t i = 0; i < points.size(); ++i)
+        group.push_back({points[i], nullptr, &places[i]->recorders(), {}});
+      runs.run(group);
+      for (std::size_t i = 0; i < points.size(); ++i) done(group[i], std::move(places[i]));
+    }
+  });
+}
+
+/// Names all points of a job; nothing is kept of what has not begun before an interruption.
+class AllPoints {
+ public:
+  AllPoints(const Job& job, const PointRuns& runs, SweepEnds& ends) : runs_(runs), ends_(ends), queue_(job) {}
+
+  std::vector<std::size_t> take() {
+    auto points = next();
+    for (; runs_.interrupted() && !points.empty(); points = next())
+      for (const std::size_t point : points) {
+        RunEnd end;
+        end.interrupted = true;
+        ends_.add(point, std::move(end));
+      }
+    return points;
+  }
+
+ private:
+  std::vector<std::size_t> next() {
+    return queue_.take([this](std::size_t first) { return runs_.at_once(first); });
+  }
+
+  const PointRuns& runs_;
+  SweepEnds& ends_;
+  PointQueue queue_;
+};
+
+/// Names points of an exchange, those of one member that come one after the other together.
+class ExchangedPoints {
+ public:
+  ExchangedPoints(const PointRuns& runs, PointExchange& exchange) : runs_(runs), exchange_(exchange) {}
+
+  std::vector<std::size_t> take() {
+    std::vector<std::size_t> points;
+    if (runs_.interrupted()) return points;
+    auto point = waiting_ ? std::exchange(waiting_, std::nullopt) : exchange_.next();
+    for (; point; point = exchange_.next()) {
+      if (!points.empty() && runs_.member_of(*point) != runs_.member_of(points.front())) break;
+      points.push_back(*point);
+      if (points.size() >= runs_.at_once(points.front())) return points;
+    }
+    waiting_ = point;
+    return points;
+  }
+
+ private:
+  const PointRuns& runs_;
+  PointExchange& exchange_;
+  std::optional<std::size_t> waiting_;  ///< the first of another member
+};
+
+/// Recorders that write where the rows stay.
+struct RecordersInPlace {
+  std::vector<record::Recorder> all;
+  std::vector<record::Recorder>& recorders() { return all; }
+};
+
+RunResult result_of(SweepEnds& ends, std::vector<record::Recording> recordings, const PointRuns& runs) {
+  RunResult result{ends.take(), std::move(recordings), {}};
+  result.lanes = runs.lanes();
+  return result;
 }
 
 /// All points, into one recording, where each writes its rows at once.
@@ -77,13 +168,17 @@ RunResult run_all(const Job& job, const RunOptions& options) {
   PooledRecording recording(job, swept, options.threads);
   SweepEnds ends(job);
   PointRuns runs(job, options);
-  parallel::in_parallel(job.points.size(), options.threads, [&](std::size_t point) {
-    if (runs.interrupted()) return ends.add(point, not_begun());
-    std::vector<record::Recorder> recorders = recording.recorders(point);
-    ends.add(point, runs.run(point, recorders));
-    recording.done(point, recorders);
-  });
-  return {ends.take(), recording.take()};
+  AllPoints points(job, runs, ends);
+  run_groups(
+      runs, options.threads, [&] { return [&] { return points.take(); }; },
+      [&](std::size_t point) {
+        return std::make_unique<RecordersInPlace>(RecordersInPlace{recording.recorders(point)});
+      },
+      [&](SweptRun& run, std::unique_ptr<RecordersInPlace> recorded) {
+        ends.add(run.point, std::move(run.end));
+        recording.done(run.point, recorded->all);
+      });
+  return result_of(ends, recording.take(), runs);
 }
 
 /// All points, of which each keeps a row.
@@ -93,15 +188,16 @@ RunResult run_for_rows(const Job& job, const RunOptions& options) {
   RowMaker rows(job, swept, options.numbers);
   SweepEnds ends(job);
   PointRuns runs(job, options);
-  parallel::in_parallel(job.points.size(), options.threads, [&](std::size_t point) {
-    if (runs.interrupted()) return ends.add(point, not_begun());
-    auto recorded = rows.take(job.points[point].member);
-    RunEnd end = runs.run(point, recorded->recorders());
-    const bool whole = end.faults.empty(), finished = !end.interrupted;
-    ends.add(point, std::move(end));
-    if (finished) kept.put(point, rows.row_of(point, whole, std::move(recorded)));
-  });
-  return {ends.take(), kept.recordings()};
+  AllPoints points(job, runs, ends);
+  run_groups(
+      runs, options.threads, [&] { return [&] { return points.take(); }; },
+      [&](std::size_t point) { return rows.take(runs.member_of(point)); },
+      [&](SweptRun& run, std::unique_ptr<record::RunRecording> recorded) {
+        const bool whole = run.end.faults.empty(), finished = !run.end.interrupted;
+        ends.add(run.point, std::move(run.end));
+        if (finished) kept.put(run.point, rows.row_of(run.point, whole, std::move(recorded)));
+      });
+  return result_of(ends, kept.recordings(), runs);
 }
 
 /// What is set from outside is not swept any more: each run has that value.
@@ -196,23 +292,25 @@ RunResult run_job(const Job& job, const RunOptions& options) {
   return keeps_a_row(job, options.numbers) ? run_for_rows(job, options) : run_all(job, options);
 }
 
-void run_points(const Job& job, const RunOptions& options, PointExchange& exchange) {
+LaneReport run_points(const Job& job, const RunOptions& options, PointExchange& exchange) {
   const SweptColumns swept(job);
   RowMaker rows(job, swept, options.numbers);
   const bool one_row = keeps_a_row(job, options.numbers);
   PointRuns runs(job, options);
-  parallel::on_threads(options.threads, [&] {
-    for (auto point = exchange.next(); point && !runs.interrupted(); point = exchange.next()) {
-      auto recorded = rows.take(job.points[*point].member);
-      PointResult result{*point, runs.run(*point, recorded->recorders())};
-      const bool whole = result.end.faults.empty();
-      if (!one_row)
-        result.recordings = recorded->take();
-      else if (!result.end.interrupted)
-        result.recordings = rows.row_of(*point, whole, std::move(recorded));
-      exchange.take(std::move(result));
-    }
-  });
+  run_groups(
+      runs, options.threads,
+      [&] { return [points = ExchangedPoints(runs, exchange)]() mutable { return points.take(); }; },
+      [&](std::size_t point) { return rows.take(runs.member_of(point)); },
+      [&](SweptRun& run, std::unique_ptr<record::RunRecording> recorded) {
+        PointResult result{run.point, std::move(run.end)};
+        const bool whole = result.end.faults.empty();
+        if (!one_row)
+          result.recordings = recorded->take();
+        else if (!result.end.interrupted)
+          result.recordings = rows.row_of(run.point, whole, std::move(recorded));
+        exchange.take(std::move(result));
+      });
+  return runs.lanes();
 }
 
 JoinedPoints::JoinedPoints(const Job& job, const RunNumbers* numbers) : swept_(job), ends_(job) {
@@ -231,7 +329,7 @@ void JoinedPoints::add(PointResult result) {
 }
 
 RunResult JoinedPoints::take() {
-  return {ends_.take(), kept_ ? kept_->recordings() : recording_->take()};
+  return {ends_.take(), kept_ ? kept_->recordings() : recording_->take(), {}};
 }
 
 }  // namespace stepwire::run

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "engine/model/plan/compiled_plan.hpp"
+
+namespace stepwire::run {
+
+/// Whether runs that differ in numbers only are stepped together. The results are the same to the last bit.
+enum class LaneUse {
+  automatic,  ///< once compiling the plan for it is worth it and done
+  at_once,    ///< from the first run on, where that can be
+  never
+};
+
+/// Compiles the plans of some runs for several runs at once, and decides by measurement which of them are
+/// stepped so.
+class LaneCode {
+ public:
+  /// A plan of some runs.
+  struct Member {
+    const plan::Plan* plan;
+    plan::RunDifferences differences;
+    std::size_t runs = 0;
+  };
+
+  LaneCode(LaneUse use, plan::CodeSource* source, std::vector<Member> members);
+
+  /// The code of the i-th plan; null while there is none, and where its runs go one by one. From any thread.
+  const plan::CompiledLanes* code(std::size_t member) const;
+  /// Has it been found out which way is the faster one?
+  bool is_decided(std::size_t member) const { return states_[member].decided; }
+  /// Says what has been found out: nothing against it, or why the runs go one by one. From any thread.
+  void decide(std::size_t member, const std::string& why_not = "");
+  /// Notes that so many more ticks of all are done. From any thread.
+  void done(std::int64_t ticks);
+
+  /// Runs that are stepped together; 1: none were to be.
+  int lanes() const;
+  /// Why runs went one by one: a sentence; empty where none had to.
+  std::string why_not() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct State {
+    plan::CompiledLanes code;
+    std::atomic<bool> ready = false, decided = false;
+  };
+
+  void compile(const std::stop_token& stop);
+  void refuse(std::size_t member, const std::string& why);
+  bool is_worth_it(std::int64_t done) const;
+
+  plan::CodeSource* source_;
+  std::vector<Member> members_;
+  std::vector<State> states_;
+  double all_ticks_ = 0.0, compile_seconds_ = 0.0;
+  Clock::time_point start_ = Clock::now();
+  std::atomic<std::int64_t> done_ = 0;
+  std::atomic<bool> begun_ = false;
+  mutable std::mutex mutex_;  ///< of the reason
+  std::string why_not_;
+  std::jthread thread_;  ///< last: it uses the others
+};
+
+}  // namespace stepwire::run

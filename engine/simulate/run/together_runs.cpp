@@ -1,0 +1,121 @@
+#include "engine/simulate/run/together_runs.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "engine/simulate/run/drive.hpp"
+
+namespace stepwire::run {
+
+namespace {
+
+constexpr std::int64_t tried = 1024;  // ticks that show which way is faster
+
+/// The shortest time that a stretch of ticks has taken [s]: what else the machine does only makes it longer.
+class Shortest {
+ public:
+  template <class Work>
+  void measure(const Work& work) {
+    const auto start = Clock::now();
+    work();
+    seconds_ = std::min(seconds_, std::chrono::duration<double>(Clock::now() - start).count());
+  }
+  double seconds() const { return seconds_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double seconds_ = 1e9;
+};
+
+}  // namespace
+
+TogetherRuns::TogetherRuns(const Job& job, const RunOptions& options)
+    : options_(options),
+      code_(options.engine == ExecutionMode::interpreted || !options.observers.empty() ? LaneUse::never
+                                                                                       : options.lanes,
+            options.code, members_of(job)) {}
+
+std::vector<LaneCode::Member> TogetherRuns::members_of(const Job& job) {
+  std::vector<LaneCode::Member> members;
+  for (std::size_t m = 0; m < job.family->size(); ++m)
+    members.push_back({&job.family->plan(m), {job.family->variable(m), job.family->targets(m)}, 0});
+  for (const SweepPoint& point : job.points) ++members[point.member].runs;
+  return members;
+}
+
+std::size_t TogetherRuns::at_once(std::size_t member) const {
+  const plan::CompiledLanes* code = code_.code(member);
+  return code ? static_cast<std::size_t>(code->lanes) : 1;
+}
+
+bool TogetherRuns::run(std::size_t member, const plan::CompiledPlan* alone, std::vector<SweptRun>& runs) {
+  const plan::CompiledLanes* code = code_.code(member);
+  if (!code) return false;
+  std::vector<LaneGroup::Run> lanes;
+  for (SweptRun& run : runs) lanes.push_back({run.simulation.get(), run.recorders});
+  LaneGroup group(*code, std::move(lanes));
+  if (!group.fits()) {
+    code_.decide(member, "its runs differ in numbers that the code has for all");
+    return false;
+  }
+  if (!stays(member, group, alone, runs)) return false;
+  go_on(group);
+  const std::uint32_t interrupted = group.interrupt();
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    RunEnd& end = runs[i].end = end_of(*runs[i].simulation);
+    end.interrupted = (interrupted >> i & 1u) != 0;
+    end.compiled_ticks = end.lane_ticks = end.ticks;
+  }
+  return true;
+}
+
+/// Finds out once whether a member's runs are faster together; where they are not, all is as before.
+bool TogetherRuns::stays(std::size_t member, LaneGroup& group, const plan::CompiledPlan* alone,
+                         std::vector<SweptRun>& runs) {
+  if (code_.is_decided(member) || options_.lanes == LaneUse::at_once) return true;
+  if (is_faster(group, *runs.front().simulation, alone)) {
+    code_.decide(member);
+    return true;
+  }
+  code_.decide(member, "the runs are faster one by one");
+  for (SweptRun& run : runs) {
+    run.simulation->reset();
+    for (record::Recorder& recorder : *run.recorders) recorder.go_back_to(0);
+  }
+  return false;
+}
+
+/// The first ticks show it; those of the group count, and those of the run alone do not.
+bool TogetherRuns::is_faster(LaneGroup& group, Executor& alone, const plan::CompiledPlan* code) const {
+  Shortest together, one;
+  if (!code) return true;
+  alone.use(*code);
+  const auto goes_on = [&] { return alone.healthy() && !alone.finished() && alone.tick() < tried; };
+  while (goes_on())
+    one.measure([&] {
+      for (std::int64_t tick = 0; tick < LaneGroup::ticks_at_once && goes_on(); ++tick) {
+        alone.evaluate();
+        alone.advance();
+      }
+    });
+  alone.reset();
+  while (group.goes_on() && group.tick() < tried)
+    together.measure([&] { group.step(LaneGroup::ticks_at_once); });
+  return together.seconds() < static_cast<double>(group.runs()) * one.seconds();
+}
+
+void TogetherRuns::go_on(LaneGroup& group) {
+  std::int64_t looked = group.tick();
+  while (group.goes_on()) {
+    group.step(LaneGroup::ticks_at_once);
+    if (group.tick() - looked < Drive::ticks_between_looks) continue;
+    looked = group.tick();
+    if (options_.interrupt && *options_.interrupt) return;
+  }
+}
+
+std::string TogetherRuns::why_not() const {
+  return options_.observers.empty() ? code_.why_not() : "observers watch the runs";
+}
+
+}  // namespace stepwire::run

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/simulate/run/lane_code.hpp"
+#include "engine/simulate/run/lane_group.hpp"
+#include "engine/simulate/run/run.hpp"
+
+namespace stepwire::run {
+
+/// A run of a sweep, from its beginning to its end.
+struct SweptRun {
+  std::size_t point;
+  std::unique_ptr<Executor> simulation;
+  std::vector<record::Recorder>* recorders;
+  RunEnd end;
+};
+
+/// Steps runs of a sweep that have one plan together, where that can be and is faster. From any thread.
+class TogetherRuns {
+ public:
+  /// Both must outlive it.
+  TogetherRuns(const Job& job, const RunOptions& options);
+
+  /// How many runs of a member are to be given to run().
+  std::size_t at_once(std::size_t member) const;
+  /// Runs them, which stand at time 0, to their ends. False, and nothing has happened, where they have to go
+  /// one by one. `alone` is the code that they go with then; null: none is there.
+  bool run(std::size_t member, const plan::CompiledPlan* alone, std::vector<SweptRun>& runs);
+  /// Notes that a run has made so many ticks alone.
+  void done(std::int64_t ticks) { code_.done(ticks); }
+
+  int lanes() const { return code_.lanes(); }
+  std::string why_not() const;
+
+ private:
+  static std::vector<LaneCode::Member> members_of(const Job& job);
+  bool stays(std::size_t member, LaneGroup& group, const plan::CompiledPlan* alone,
+             std::vector<SweptRun>& runs);
+  bool is_faster(LaneGroup& group, Executor& alone, const plan::CompiledPlan* code) const;
+  void go_on(LaneGroup& group);
+
+  const RunOptions& options_;
+  LaneCode code_;
+};
+
+}  // namespace stepwire::run
