@@ -42,7 +42,8 @@ class Runs {
   Runs(const Workload& of, int count) {
     for (int i = 0; i < count; ++i) {
       runs_.push_back(std::make_unique<run::Executor>(of.plan));
-      static_cast<void>(runs_.back()->set(of.varies, fmt::format("{} {}", of.from * (1.0 + 1e-4 * i), of.unit)));
+      static_cast<void>(
+          runs_.back()->set(of.varies, fmt::format("{} {}", of.from * (1.0 + 1e-4 * i), of.unit)));
       runs_.back()->reset();
       recordings_.push_back(std::make_unique<record::RunRecording>(of.plan));
     }
@@ -106,8 +107,8 @@ std::vector<Result> measure(codegen::GeneratedCode& source, Workload of) {
 std::vector<Result> measure_lanes() {
   const Registry registry = blocks();
   const auto figure_14 = [&] {
-    return plan::make_plan(diagram::Loader(registry).load(STEPWIRE_BENCH_DIR
-                                                          "/../diagrams/thesis/fig14-controller-1d.yaml"));
+    return plan::make_plan(
+        diagram::Loader(registry).load(STEPWIRE_BENCH_DIR "/../diagrams/thesis/fig14-controller-1d.yaml"));
   };
   codegen::GeneratedCode source;
   std::vector<Result> results;

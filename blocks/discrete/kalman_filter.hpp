@@ -50,8 +50,8 @@ struct KalmanFilter : Resettable {
  private:
   Index states() const { return A.rows(); }
   Index outputs_count() const { return C.rows(); }
-  dense::View covariance() const { return {P.data(), states()}; }
-  dense::View gain() const { return {K.data(), states()}; }
+  dense::View covariance() const { return {P.elements(), states()}; }
+  dense::View gain() const { return {K.elements(), states()}; }
 
   /// The covariance of a start; the gain is that of a start, too, except within start() itself.
   void begin() {
@@ -81,7 +81,7 @@ struct KalmanFilter : Resettable {
   /// P = A ((I - K C) P (I - K C)' + K R K') A' + Q, in Joseph's form, which stays symmetric and positive.
   bool predict_covariance() {
     const Index n = states(), p = outputs_count();
-    double *one = work.data(), *two = one + n * n;
+    const Lane one = work.elements(), two = one + n * n;
     const auto kept = [&](Index i, Index j) {
       double sum = i == j ? 1.0 : 0.0;
       for (Index k = 0; k < p; ++k) sum -= K[k * n + i] * C(k, j);
@@ -91,7 +91,7 @@ struct KalmanFilter : Resettable {
     const dense::View moved{one, n};
     dense::multiply(n, n, n, moved, covariance(), two);
     const dense::View half{two, n};
-    dense::multiply(n, n, n, half, dense::transposed(moved), P.data());
+    dense::multiply(n, n, n, half, dense::transposed(moved), P.elements());
     dense::multiply(n, n, p, A, gain(), one);
     const dense::View noise{one, n};
     dense::multiply(n, p, p, noise, R, two);
@@ -118,13 +118,13 @@ struct KalmanFilter : Resettable {
   /// K = P C' (C P C' + R)^-1
   bool find_gain() {
     const Index n = states(), p = outputs_count();
-    double *crossed = work.data(), *sum = crossed + n * p;
+    const Lane crossed = work.elements(), sum = crossed + n * p;
     dense::multiply(n, n, p, covariance(), dense::transposed(C), crossed);
     dense::multiply(p, n, p, C, dense::View{crossed, n}, sum);
     for (Index k = 0; k < p * p; ++k) sum[k] += R.elements()[k];
     if (!dense::factorize(p, sum)) return false;
     for (Index k = 0; k < n * p; ++k) K[k] = crossed[k];
-    for (Index i = 0; i < n; ++i) dense::solve_factorized(p, sum, K.data() + i, n);
+    for (Index i = 0; i < n; ++i) dense::solve_factorized(p, sum, K.elements() + i, n);
     return true;
   }
 };

@@ -1,8 +1,8 @@
+#include <fmt/format.h>
 #include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <cstring>
-#include <fmt/format.h>
 #include <functional>
 #include <set>
 #include <thread>
@@ -101,7 +101,8 @@ bool same_bits(const std::vector<record::Recording>& a, const std::vector<record
   for (std::size_t r = 0; r < a.size(); ++r)
     for (std::size_t c = 0; c < a[r].table.columns.size(); ++c) {
       const auto &one = a[r].table.columns[c].values, &other = b[r].table.columns[c].values;
-      if (one.size() != other.size() || std::memcmp(one.data(), other.data(), one.size() * sizeof(double)) != 0)
+      if (one.size() != other.size() ||
+          std::memcmp(one.data(), other.data(), one.size() * sizeof(double)) != 0)
         return false;
     }
   return true;
@@ -116,7 +117,8 @@ plan::Plan short_plan(const run::Job& job) {
   return plan;
 }
 
-std::string difference_of(const plan::Plan& plan, const std::vector<Varied>& varied, const plan::CompiledLanes& code) {
+std::string difference_of(const plan::Plan& plan, const std::vector<Varied>& varied,
+                          const plan::CompiledLanes& code) {
   std::vector<std::unique_ptr<run::Executor>> runs;
   std::vector<std::unique_ptr<record::RunRecording>> recordings;
   std::vector<run::LaneGroup::Run> lanes;
@@ -189,8 +191,10 @@ void compare_all(const std::vector<run::Job>& jobs) {
   std::size_t in_lanes = 0;
   for (const auto& one : all) {
     INFO(one->plan.diagram.file);
-    if (one->code) CHECK(difference_of(one->plan, one->varied, *one->code) == "");
-    else WARN(one->plan.diagram.file << " has no lanes: " << one->refused);
+    if (one->code)
+      CHECK(difference_of(one->plan, one->varied, *one->code) == "");
+    else
+      WARN(one->plan.diagram.file << " has no lanes: " << one->refused);
     in_lanes += one->code ? 1 : 0;
   }
   CHECK(3 * in_lanes >= 2 * all.size());

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/model/signal/lane.hpp"
 #include "engine/model/signal/numbers.hpp"
 
 namespace stepwire {
@@ -20,7 +21,7 @@ void add(const Matrix& matrix, const From& from, To& to, double sign = 1.0) {
 
 /// out (rows x columns) = a (rows x inner) b (inner x columns); `a(i, k)` and `b(k, j)` are functions.
 template <class A, class B>
-void multiply(Index rows, Index inner, Index columns, const A& a, const B& b, double* out) {
+void multiply(Index rows, Index inner, Index columns, const A& a, const B& b, Lane out) {
   for (Index j = 0; j < columns; ++j)
     for (Index i = 0; i < rows; ++i) {
       double sum = 0.0;
@@ -29,9 +30,9 @@ void multiply(Index rows, Index inner, Index columns, const A& a, const B& b, do
     }
 }
 
-/// Numbers at `data` as a matrix with so many rows.
+/// Numbers as a matrix with so many rows.
 struct View {
-  const double* data;
+  Lane data;
   Index rows;
   double operator()(Index i, Index j) const { return data[j * rows + i]; }
 };
@@ -49,7 +50,7 @@ Transposed<Of> transposed(const Of& of) {
 
 /// Turns a symmetric positive definite matrix (n x n) into its Cholesky factor L, below and on the diagonal;
 /// false where it is none.
-inline bool factorize(Index n, double* s) {
+inline bool factorize(Index n, Lane s) {
   for (Index j = 0; j < n; ++j) {
     for (Index k = 0; k < j; ++k)
       for (Index i = j; i < n; ++i) s[j * n + i] -= s[k * n + i] * s[k * n + j];
@@ -61,7 +62,7 @@ inline bool factorize(Index n, double* s) {
 }
 
 /// Solves L L^T x = b in place; the elements of x are `stride` apart.
-inline void solve_factorized(Index n, const double* l, double* x, Index stride) {
+inline void solve_factorized(Index n, Lane l, Lane x, Index stride) {
   for (Index i = 0; i < n; ++i) {
     for (Index k = 0; k < i; ++k) x[i * stride] -= l[k * n + i] * x[k * stride];
     x[i * stride] /= l[i * n + i];

@@ -6,6 +6,11 @@ namespace stepwire {
 
 struct Value;
 
+#ifdef STEPWIRE_GENERATED
+/// Nothing of it is left in generated code, which only steps.
+class Tree {};
+#else
+
 /// Maps and lists that a block is given and reads before a run only: a parameter. What they are made of, a
 /// block's header need not know.
 class Tree {
@@ -24,5 +29,7 @@ class Tree {
  private:
   std::unique_ptr<const Value, void (*)(const Value*)> value_{nullptr, nullptr};
 };
+
+#endif
 
 }  // namespace stepwire

@@ -52,7 +52,8 @@ using Numbers = NumbersInLanes;
 class PerElementInLanes {
  public:
   PerElementInLanes(double all) : one_(all) {}
-  explicit PerElementInLanes(const NumbersInLanes&) : PerElementInLanes(made_in_a_step<PerElementInLanes>()) {}
+  explicit PerElementInLanes(const NumbersInLanes&)
+      : PerElementInLanes(made_in_a_step<PerElementInLanes>()) {}
   static PerElementInLanes view(const double* counted) {
     PerElementInLanes elements(counted[0] == 0.0 ? 0.0 : counted[1]);
     elements.many_ = counted + 1;

@@ -1,18 +1,10 @@
 #pragma once
 
-#include "engine/model/signal/index.hpp"
+#include "engine/model/signal/lane.hpp"
 
 // What generated code that steps several runs together writes its loops with.
 
 namespace stepwire {
-
-/// The numbers of one lane.
-struct Lane {
-  double* first;
-  operator double*() const { return first; }
-  double& operator[](Index n) const { return first[n * lanes]; }
-  Lane operator+(Index n) const { return {first + n * lanes}; }
-};
 
 /// Numbers of all lanes. What is the same in all of them lies in lane 0.
 struct Lanes {
@@ -33,12 +25,13 @@ struct LaneNumbers {
   const double* operator+(Index list) const { return first + list; }
 };
 
-/// Calls the same for each lane, with a block of its own that has the members of one made before; the compiler
-/// puts the lanes side by side into registers where it can.
-template <class Block, class Call>
-[[gnu::always_inline]] inline void each_lane(const Block& made, const Call& call) {
+/// Calls the same for each lane; the compiler puts the lanes side by side into registers where it can. The
+/// call makes its block itself: of one that it is given the loop keeps a copy for each lane in memory, which
+/// the compiler does not see through.
+template <class Call>
+[[gnu::always_inline]] inline void each_lane(const Call& call) {
 #pragma omp simd
-  for (int l = 0; l < static_cast<int>(lanes); ++l) call(made, l);
+  for (int l = 0; l < static_cast<int>(lanes); ++l) call(l);
 }
 
 /// Numbers of all lanes in a register, or several.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/model/signal/index.hpp"
+#include "engine/model/signal/lane.hpp"
 
 namespace stepwire {
 
@@ -11,8 +11,10 @@ class Signal {
   double& operator[](Index i) { return data_[i * lanes]; }
   double operator[](Index i) const { return data_[i * lanes]; }
   Index size() const { return size_; }
-  /// Its numbers one behind the other, which they are not in lanes: blocks that use it are never run so.
+  /// Its numbers from the first one on, for what goes through them in its own way.
+  Lane elements() const { return {data_}; }
 #ifndef STEPWIRE_LANES
+  /// One behind the other, which they are not in lanes: blocks that use it are never run so.
   double* data() { return data_; }
   const double* data() const { return data_; }
 #endif

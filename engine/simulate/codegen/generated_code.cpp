@@ -19,8 +19,9 @@ int lanes_of_processor() {
 /// The first thing that a compiler finds wrong.
 std::string first_error(const std::string& problem) {
   const std::size_t error = problem.find("error: ");
-  return error == std::string::npos ? problem : "a block of it cannot be in lanes: " +
-                                                    problem.substr(error + 7, problem.find('\n', error) - error - 7);
+  return error == std::string::npos ? problem
+                                    : "a block of it cannot be in lanes: " +
+                                          problem.substr(error + 7, problem.find('\n', error) - error - 7);
 }
 
 }  // namespace
@@ -42,7 +43,8 @@ std::optional<plan::CompiledPlan> GeneratedCode::compile(const plan::Plan& plan,
 
 std::optional<plan::CompiledLanes> GeneratedCode::compile_lanes(const plan::Plan& plan,
                                                                 const plan::RunDifferences& differences,
-                                                                const std::stop_token& stop, std::string& why) {
+                                                                const std::stop_token& stop,
+                                                                std::string& why) {
   const std::lock_guard lock(mutex_);
   const int lanes = lanes_of_processor();
   why = lanes == 1 ? "this processor has neither AVX2 nor AVX-512" : why_not_in_lanes(plan);

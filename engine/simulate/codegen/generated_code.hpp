@@ -32,7 +32,7 @@ class GeneratedCode : public plan::CodeSource {
   void note(const std::string& problem);
 
   std::mutex mutex_;
-  std::optional<Compiler> compiler_;                  ///< looked for when it is needed
+  std::optional<Compiler> compiler_;               ///< looked for when it is needed
   std::map<std::string, ProgramFunctions> known_;  ///< by the program's text
   CodeCache cache_;
   std::string problem_;

@@ -16,8 +16,10 @@ class Follower {
     for (const plan::VariableBlock& variable : differences.variable) mark_block(variable.block);
     for (const diagram::Target& target : differences.values) {
       const auto block = static_cast<std::size_t>(target.block);
-      if (target.kind != diagram::Target::Kind::constant) mark_block(block);
-      else mark(plan_.blocks[block].inputs[static_cast<std::size_t>(target.index)]);
+      if (target.kind != diagram::Target::Kind::constant)
+        mark_block(block);
+      else
+        mark(plan_.blocks[block].inputs[static_cast<std::size_t>(target.index)]);
     }
   }
 
@@ -69,8 +71,10 @@ class Follower {
 std::vector<LanePlaces::Stretch> LanePlaces::stretches(std::size_t first, std::size_t end) const {
   std::vector<Stretch> result;
   for (std::size_t i = first; i < end; ++i)
-    if (!result.empty() && result.back().differs == places[i]) ++result.back().end;
-    else result.push_back({i, i + 1, places[i]});
+    if (!result.empty() && result.back().differs == places[i])
+      ++result.back().end;
+    else
+      result.push_back({i, i + 1, places[i]});
   return result;
 }
 

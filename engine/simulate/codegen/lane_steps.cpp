@@ -31,7 +31,8 @@ constexpr char form[] =
 std::string leave_text(const std::string& condition, const char* how) {
   if (condition.empty()) return "";
   return fmt::format(
-      "    if (const unsigned ended = lanes_where([&](unsigned l) {{ return {}; }}) & task.active; ended != 0)\n"
+      "    if (const unsigned ended = lanes_where([&](unsigned l) {{ return {}; }}) & task.active; ended != "
+      "0)\n"
       "      task.leave(task, ended, plan::LaneTask::{});\n",
       condition, how);
 }

@@ -69,8 +69,8 @@ std::vector<std::string> flags_of(const GeneratedProgram& program) {
   // The program itself has functions of the same names, for one run: those of the code must stay its own.
   flags.insert(flags.end(), {"-fopenmp-simd", "-fvisibility=hidden"});
   // A loop over lanes goes into registers only if all that it calls is put into it, however much that is.
-  for (const char* limit : {"max-inline-insns-single", "large-function-growth", "large-stack-frame-growth",
-                            "inline-unit-growth"})
+  for (const char* limit :
+       {"max-inline-insns-single", "large-function-growth", "large-stack-frame-growth", "inline-unit-growth"})
     flags.push_back(fmt::format("--param={}=100000", limit));
   flags.push_back(fmt::format("-mprefer-vector-width={}", 64 * program.lanes));
   return flags;
@@ -119,13 +119,14 @@ std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& 
 
 std::string library_source(const GeneratedProgram& program) {
   std::string source = program.lanes == 1 ? "" : fmt::format("#define STEPWIRE_LANES {}\n", program.lanes);
-  source +=
-      "#define STEPWIRE_GENERATED\n#include <cmath>\n#include <cstdint>\n#include <limits>\n\n";
+  source += "#define STEPWIRE_GENERATED\n#include <cmath>\n#include <cstdint>\n#include <limits>\n\n";
   for (const std::string& header : program.headers) source += fmt::format("#include \"{}\"\n", header);
   source += "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n}  // namespace\n\n";
   if (program.lanes > 1)
-    return source + "extern \"C\" [[gnu::flatten, gnu::visibility(\"default\")]] void stepwire_run(plan::LaneTask& task) {\n"
-                    "  run(task);\n}\n";
+    return source +
+           "extern \"C\" [[gnu::flatten, gnu::visibility(\"default\")]] void stepwire_run(plan::LaneTask& "
+           "task) {\n"
+           "  run(task);\n}\n";
   for (const char* function : {"evaluate", "advance"})
     source += fmt::format(
         "extern \"C\" [[gnu::flatten]] void stepwire_{0}(double* w, const double* numbers, std::int64_t "

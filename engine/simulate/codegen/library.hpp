@@ -37,8 +37,8 @@ class CodeCache {
 
   /// The functions of a program, from the cache or compiled; they stay loaded. On failure they are null and
   /// `problem` says why, but for that of a stop.
-  ProgramFunctions load(const GeneratedProgram& program, const Compiler& compiler, const std::stop_token& stop,
-                        std::string& problem) const;
+  ProgramFunctions load(const GeneratedProgram& program, const Compiler& compiler,
+                        const std::stop_token& stop, std::string& problem) const;
 
  private:
   io::Cache cache_;

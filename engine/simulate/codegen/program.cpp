@@ -26,6 +26,7 @@ namespace {
 constexpr std::size_t max_inlined = 150;  // calls in a stage; beyond, registers are too few anyway
 
 const std::string state_arguments = "w, numbers, tick";
+const std::map<std::size_t, std::size_t> no_places;
 
 class Maker {
  public:
@@ -181,7 +182,8 @@ class Maker {
     std::vector<Code> code = calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_stage);
     append(code, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, at_stage));
     for (Code& piece : code) piece.period = 1;  // a stage computes all that it has
-    functions_.add("slopes", workspace_parameters(lanes_) + ", " + numbers_parameter(lanes_, "s") + slopes, "w, numbers, s, dot", code);
+    functions_.add("slopes", workspace_parameters(lanes_) + ", " + numbers_parameter(lanes_, "s") + slopes,
+                   "w, numbers, s, dot", code);
   }
 
   /// Slopes that outputs have written to the workspace, where slopes have a place of their own.
@@ -205,7 +207,8 @@ class Maker {
           "  const double end = static_cast<double>(tick + 1) * step;\n";
       body += keep_text(names_, plan_);
       if (plan_.updates_continuous) {
-        const std::vector<Code> stage = calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_workspace());
+        const std::vector<Code> stage =
+            calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_workspace());
         body += with_conditions(stage, 0, stage.size());
       }
     }
@@ -278,21 +281,19 @@ GeneratedProgram make_program(const plan::Plan& plan, const Tuning& tuning, bool
 
 GeneratedProgram make_steps(const plan::Plan& plan, const std::vector<plan::VariableBlock>& variable) {
   require_headers(plan);
-  const std::map<std::size_t, std::size_t> none;
-  Maker maker(plan, variable, none);
+  Maker maker(plan, variable, no_places);
   maker.add_steps();
   return maker.program();
 }
 
 GeneratedProgram make_lanes(const plan::Plan& plan, const plan::RunDifferences& differences, int lanes) {
   require_headers(plan);
-  const std::map<std::size_t, std::size_t> none;
-  Maker maker(plan, differences.variable, none, lane_places(plan, differences, lanes));
+  Maker maker(plan, differences.variable, no_places, lane_places(plan, differences, lanes));
   maker.add_lanes();
   GeneratedProgram program = maker.program();
   program.lanes = lanes;
-  program.headers.emplace_back("engine/model/plan/lane_task.hpp");
-  program.headers.emplace_back("engine/model/signal/lanes.hpp");
+  program.headers.insert(program.headers.end(),
+                         {"engine/model/plan/lane_task.hpp", "engine/model/signal/lanes.hpp"});
   return program;
 }
 

@@ -27,7 +27,8 @@ struct GeneratedProgram {
 ///
 /// With `between_ticks`, for which why_ticks_only() has to be empty, also
 ///
-///     void evaluate_here(double* w, const double* numbers)   outputs and slopes for the time and the states in w
+///     void evaluate_here(double* w, const double* numbers)   outputs and slopes for the time and the states
+///     in w
 GeneratedProgram make_program(const plan::Plan& plan, const Tuning& tuning = {}, bool between_ticks = false);
 
 /// The steps alone, for runs that begin in the interpreter: without reset(), and `variable` members read from

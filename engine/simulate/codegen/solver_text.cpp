@@ -52,16 +52,17 @@ class ExplicitText {
     if (!in_lanes())
       return form_.small ? fmt::format("  double s[first_derivative], dot[{}];\n", states_)
                          : "  double* const s = w;\n  double* const dot = w + first_derivative;\n";
-    return form_.small
-               ? fmt::format("  alignas(64) double s_[first_derivative * lanes], dot_[{} * lanes];\n"
+    return form_.small ? fmt::format(
+                             "  alignas(64) double s_[first_derivative * lanes], dot_[{} * lanes];\n"
                              "  const Lanes s{{s_}}, dot{{dot_}};\n",
                              states_)
-               : "  const Lanes s = w, dot = w.from(first_derivative);\n";
+                       : "  const Lanes s = w, dot = w.from(first_derivative);\n";
   }
 
   /// The i-th state: in lanes, the i-th number of the states of all lanes.
   std::string state(const std::string& numbers, const std::string& i) const {
-    return fmt::format(fmt::runtime(in_lanes() ? "{}.first[states * lanes + {}]" : "{}[states + {}]"), numbers, i);
+    return fmt::format(fmt::runtime(in_lanes() ? "{}.first[states * lanes + {}]" : "{}[states + {}]"),
+                       numbers, i);
   }
 
   std::string evaluation_text(double fraction) const {
@@ -77,8 +78,9 @@ class ExplicitText {
     std::string text;
     if (in_lanes()) {
       for (const LanePlaces::Stretch& one : form_.lanes.stretches(first_, first_ + states_))
-        text += fmt::format("#pragma GCC ivdep\n  for (int i = {} * lanes; i < {} * lanes; i += {}) {{ {} }}\n",
-                            one.first - first_, one.end - first_, one.differs ? "1" : "lanes", statement("i"));
+        text +=
+            fmt::format("#pragma GCC ivdep\n  for (int i = {} * lanes; i < {} * lanes; i += {}) {{ {} }}\n",
+                        one.first - first_, one.end - first_, one.differs ? "1" : "lanes", statement("i"));
       return text;
     }
     if (states_ > few) {
@@ -104,10 +106,9 @@ class ExplicitText {
     return each([&](const std::string& i) {
       std::string text;
       for (const solve::Addition& addition : stage.additions)
-        text +=
-            fmt::format("{}{} = {} + (step * {}) * {}[{}];", text.empty() ? "" : " ",
-                        element(addition.to, i), element(addition.from, i), number_text(addition.weight),
-                        in_lanes() ? "dot.first" : "dot", i);
+        text += fmt::format("{}{} = {} + (step * {}) * {}[{}];", text.empty() ? "" : " ",
+                            element(addition.to, i), element(addition.from, i), number_text(addition.weight),
+                            in_lanes() ? "dot.first" : "dot", i);
       return text;
     });
   }

@@ -41,7 +41,8 @@ std::map<std::string, std::string> defaults_of(const BlockType& type) {
 }  // namespace
 
 Statements::Statements(const plan::Plan& plan, const PlaceNames& names,
-                       const std::vector<plan::VariableBlock>& variable, const LanePlaces& lanes, Literals& literals)
+                       const std::vector<plan::VariableBlock>& variable, const LanePlaces& lanes,
+                       Literals& literals)
     : plan_(plan), names_(names), lanes_(lanes), members_(plan.blocks.size()) {
   std::map<std::string, std::map<std::string, std::string>> defaults;
   auto next = variable.begin();
@@ -86,8 +87,8 @@ Statements::Piece Statements::place(const std::string& before, std::size_t offse
   if (fresh && offset >= plan_.layout.derivatives)
     return {fmt::format("{}{} + (", before, in_lane(places.dot, offset)), names_.at(offset),
             " - first_derivative)" + after, at};
-  return {fmt::format("{}{} + ", before, in_lane(fresh ? places.fresh : "w", offset)), names_.at(offset), after,
-          at};
+  return {fmt::format("{}{} + ", before, in_lane(fresh ? places.fresh : "w", offset)), names_.at(offset),
+          after, at};
 }
 
 void Statements::bind_inputs(std::size_t block, const Places& places, Pieces& pieces) const {
@@ -129,8 +130,9 @@ void Statements::bind_states(std::size_t block, const Places& places, Pieces& pi
     const std::string end = fmt::format(", {});\n", slot.size);
     pieces.push_back(place(fmt::format("    b.{}.bind(", member), slot.offset, end, places));
     if (type.states[s].continuous)
-      pieces.push_back({fmt::format("    b.{}.derivative.bind({} + (", member, in_lane(places.dot, slot.offset)),
-                        names_.at(slot.offset), " - states)" + end, static_cast<std::int64_t>(slot.offset)});
+      pieces.push_back(
+          {fmt::format("    b.{}.derivative.bind({} + (", member, in_lane(places.dot, slot.offset)),
+           names_.at(slot.offset), " - states)" + end, static_cast<std::int64_t>(slot.offset)});
   }
 }
 
@@ -154,7 +156,9 @@ std::string Statements::call_text(std::size_t block, Phase phase, const std::str
       fmt::format("    b.{}({});\n", function_of(phase), phase == Phase::crossings ? "zero" : "");
   const std::string made = fmt::format("    {} b;\n", struct_of(plan_, block)) + fixed;
   if (lanes_.lanes == 1 || !lanes_.blocks[block]) return made + rest + call;
-  return made + fmt::format("    each_lane(b, [&]({} b, [[maybe_unused]] const int l) {{\n", struct_of(plan_, block)) +
+  return made +
+         fmt::format("    each_lane([&, &made = b]([[maybe_unused]] const int l) {{\n    {} b = made;\n",
+                     struct_of(plan_, block)) +
          rest + call + "    });\n";
 }
 
@@ -162,7 +166,8 @@ std::string Statements::call(std::size_t block, Phase phase, const Places& place
   std::string fixed, rest;
   for (const Piece& piece : set_up(block, places, lanes_.lanes > 1))
     (piece.fixed ? fixed : rest) += piece.before + piece.hole + piece.after;
-  return fmt::format("  {{  // {}\n", comment_of(plan_, block)) + call_text(block, phase, fixed, rest) + "  }\n";
+  return fmt::format("  {{  // {}\n", comment_of(plan_, block)) + call_text(block, phase, fixed, rest) +
+         "  }\n";
 }
 
 }  // namespace stepwire::codegen

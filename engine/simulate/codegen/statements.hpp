@@ -47,7 +47,8 @@ class Statements {
   Pieces set_up(std::size_t block, const Places& places, bool complete) const;
   /// The making of a block, its set-up (members that are fixed, and the rest) and its call: in lanes the call
   /// is a loop over them.
-  std::string call_text(std::size_t block, Phase phase, const std::string& fixed, const std::string& rest) const;
+  std::string call_text(std::size_t block, Phase phase, const std::string& fixed,
+                        const std::string& rest) const;
 
  private:
   /// "w", or the lane of it that has a number.

@@ -36,8 +36,8 @@ std::string given_slope_text(const plan::Plan& plan, const LanePlaces& lanes, st
   const std::size_t i = place - plan.layout.derivatives;
   if (lanes.lanes == 1 || !lanes.places[place])
     return fmt::format("  dot[{0}] = w[first_derivative + {0}];\n", i);
-  return fmt::format("  for (int l = 0; l < lanes; ++l) dot.lane(l)[{0}] = w.lane(l)[first_derivative + {0}];\n",
-                     i);
+  return fmt::format(
+      "  for (int l = 0; l < lanes; ++l) dot.lane(l)[{0}] = w.lane(l)[first_derivative + {0}];\n", i);
 }
 
 }  // namespace stepwire::codegen

@@ -9,14 +9,16 @@ namespace {
 
 // Measured for g++ 12: what a compilation takes [s].
 constexpr double for_headers = 1.0, for_a_block = 10e-3;
-constexpr double patience = 0.2;  // [s] after which it is known how fast the runs are
-constexpr double margin = 2.0;    // times a compilation that must be left to do
+constexpr double patience = 0.2;   // [s] after which it is known how fast the runs are
+constexpr double margin = 2.0;     // times a compilation that must be left to do
 constexpr std::size_t fewest = 3;  // runs of a plan that are worth a compilation
 
 }  // namespace
 
 LaneCode::LaneCode(LaneUse use, plan::CodeSource* source, std::vector<Member> members)
-    : source_(use == LaneUse::never ? nullptr : source), members_(std::move(members)), states_(members_.size()) {
+    : source_(use == LaneUse::never ? nullptr : source),
+      members_(std::move(members)),
+      states_(members_.size()) {
   if (!source_) why_not_ = "no code is compiled";
   for (std::size_t m = 0; m < members_.size(); ++m) {
     all_ticks_ += static_cast<double>(members_[m].runs) * static_cast<double>(members_[m].plan->steps);
@@ -52,8 +54,10 @@ void LaneCode::compile(const std::stop_token& stop) {
 }
 
 void LaneCode::decide(std::size_t member, const std::string& why_not) {
-  if (why_not.empty()) states_[member].decided = true;
-  else refuse(member, why_not);
+  if (why_not.empty())
+    states_[member].decided = true;
+  else
+    refuse(member, why_not);
 }
 
 void LaneCode::refuse(std::size_t member, const std::string& why) {

@@ -56,7 +56,7 @@ class LaneGroup {
   const plan::Plan& plan_;
   plan::LaneTask task_{};
   Aligned values_, numbers_, row_memory_;
-  std::size_t singles_ = 0;           ///< numbers of a table, before its lists
+  std::size_t singles_ = 0;            ///< numbers of a table, before its lists
   std::vector<double*> first_, next_;  ///< rows of each request
   bool fits_;
 };

@@ -1,154 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
-#include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/memory.hpp"
 #include "engine/simulate/run/point_exchange.hpp"
-#include "engine/simulate/run/point_queue.hpp"
+#include "engine/simulate/run/point_runs.hpp"
 #include "engine/simulate/run/row_per_run.hpp"
-#include "engine/simulate/run/sweep_ends.hpp"
-#include "engine/simulate/run/together_runs.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire::run {
 
 namespace {
-
-/// Runs points of a job, and shares between them what they can share.
-class PointRuns {
- public:
-  PointRuns(const Job& job, const RunOptions& options)
-      : job_(job),
-        options_(options),
-        idle_(*job.family),
-        changeover_(options.engine, options.code, members_of(job), ticks_of(job)),
-        together_(job, options) {
-    own_.interrupt = options.interrupt;
-    own_.observers = options.observers;
-  }
-
-  /// How many points of a member are to be given to run(), at most.
-  std::size_t at_once(std::size_t point) const { return together_.at_once(member_of(point)); }
-  std::size_t member_of(std::size_t point) const { return job_.points[point].member; }
-
-  /// Runs points of one member to their ends, which begin here. From any thread.
-  void run(std::vector<SweptRun>& runs) {
-    const std::size_t member = member_of(runs.front().point);
-    for (SweptRun& run : runs) {
-      run.simulation = idle_.take(member);
-      job_.family->begin(member, job_.settings_of(run.point), *run.simulation);
-    }
-    if (runs.size() == 1 || !together_.run(member, changeover_.code(member), runs))
-      for (SweptRun& run : runs) run_alone(run, member);
-    for (SweptRun& run : runs) idle_.give_back(member, std::move(run.simulation));
-    const double done = static_cast<double>(done_ += runs.size());
-    if (options_.progress) options_.progress(done / static_cast<double>(job_.points.size()));
-  }
-
-  bool interrupted() const { return options_.interrupt && *options_.interrupt; }
-  LaneReport lanes() const { return {together_.lanes(), together_.why_not()}; }
-
- private:
-  static std::vector<TieredExecution::Member> members_of(const Job& job) {
-    std::vector<TieredExecution::Member> members;
-    for (std::size_t m = 0; m < job.family->size(); ++m)
-      members.push_back({&job.family->plan(m), job.family->variable(m)});
-    return members;
-  }
-
-  static double ticks_of(const Job& job) {
-    double ticks = 0.0;
-    for (std::size_t point = 0; point < job.points.size(); ++point)
-      ticks += static_cast<double>(job.plan_of(point).steps);
-    return ticks;
-  }
-
-  void run_alone(SweptRun& run, std::size_t member) {
-    run.end = run_simulation(*run.simulation, *run.recorders, own_, changeover_, member, run.point);
-    together_.done(run.end.ticks);
-  }
-
-  const Job& job_;
-  const RunOptions& options_;
-  RunOptions own_;
-  IdleRuns idle_;
-  TieredExecution changeover_;
-  TogetherRuns together_;
-  std::atomic<std::size_t> done_ = 0;
-};
-
-/// On each thread, until make_take()'s function names no points any more: has `begin` make a place for what
-/// each of them records, runs them, and hands them to `done`.
-template <class MakeTake, class Begin, class Done>
-void run_groups(PointRuns& runs, unsigned threads, const MakeTake& make_take, const Begin& begin,
-                const Done& done) {
-  parallel::on_threads(threads, [&] {
-    auto take = make_take();
-    for (auto points = take(); !points.empty(); points = take()) {
-      std::vector<decltype(begin(0))> places;
-      std::vector<SweptRun> group;
-      for (const std::size_t point : points) places.push_back(begin(point));
-      for (std::size_t i = 0; i < points.size(); ++i)
-        group.push_back({points[i], nullptr, &places[i]->recorders(), {}});
-      runs.run(group);
-      for (std::size_t i = 0; i < points.size(); ++i) done(group[i], std::move(places[i]));
-    }
-  });
-}
-
-/// Names all points of a job; nothing is kept of what has not begun before an interruption.
-class AllPoints {
- public:
-  AllPoints(const Job& job, const PointRuns& runs, SweepEnds& ends) : runs_(runs), ends_(ends), queue_(job) {}
-
-  std::vector<std::size_t> take() {
-    auto points = next();
-    for (; runs_.interrupted() && !points.empty(); points = next())
-      for (const std::size_t point : points) {
-        RunEnd end;
-        end.interrupted = true;
-        ends_.add(point, std::move(end));
-      }
-    return points;
-  }
-
- private:
-  std::vector<std::size_t> next() {
-    return queue_.take([this](std::size_t first) { return runs_.at_once(first); });
-  }
-
-  const PointRuns& runs_;
-  SweepEnds& ends_;
-  PointQueue queue_;
-};
-
-/// Names points of an exchange, those of one member that come one after the other together.
-class ExchangedPoints {
- public:
-  ExchangedPoints(const PointRuns& runs, PointExchange& exchange) : runs_(runs), exchange_(exchange) {}
-
-  std::vector<std::size_t> take() {
-    std::vector<std::size_t> points;
-    if (runs_.interrupted()) return points;
-    auto point = waiting_ ? std::exchange(waiting_, std::nullopt) : exchange_.next();
-    for (; point; point = exchange_.next()) {
-      if (!points.empty() && runs_.member_of(*point) != runs_.member_of(points.front())) break;
-      points.push_back(*point);
-      if (points.size() >= runs_.at_once(points.front())) return points;
-    }
-    waiting_ = point;
-    return points;
-  }
-
- private:
-  const PointRuns& runs_;
-  PointExchange& exchange_;
-  std::optional<std::size_t> waiting_;  ///< the first of another member
-};
 
 /// Recorders that write where the rows stay.
 struct RecordersInPlace {

@@ -29,6 +29,7 @@ void SweepEnds::add(std::size_t point, RunEnd end) {
   all_.stopped = all_.stopped || end.stopped;
   all_.ticks += end.ticks;
   all_.compiled_ticks += end.compiled_ticks;
+  all_.lane_ticks += end.lane_ticks;
   add_loops(all_.loops, end.loops);
   all_.events += end.events;
 }

@@ -1,0 +1,81 @@
+#include "engine/simulate/run/point_runs.hpp"
+
+#include <utility>
+
+namespace stepwire::run {
+
+namespace {
+
+std::vector<TieredExecution::Member> members_of(const Job& job) {
+  std::vector<TieredExecution::Member> members;
+  for (std::size_t m = 0; m < job.family->size(); ++m)
+    members.push_back({&job.family->plan(m), job.family->variable(m)});
+  return members;
+}
+
+double ticks_of(const Job& job) {
+  double ticks = 0.0;
+  for (std::size_t point = 0; point < job.points.size(); ++point)
+    ticks += static_cast<double>(job.plan_of(point).steps);
+  return ticks;
+}
+
+}  // namespace
+
+PointRuns::PointRuns(const Job& job, const RunOptions& options)
+    : job_(job),
+      options_(options),
+      idle_(*job.family),
+      changeover_(options.engine, options.code, members_of(job), ticks_of(job)),
+      together_(job, options) {
+  own_.interrupt = options.interrupt;
+  own_.observers = options.observers;
+}
+
+void PointRuns::run(std::vector<SweptRun>& runs) {
+  const std::size_t member = member_of(runs.front().point);
+  for (SweptRun& run : runs) {
+    run.simulation = idle_.take(member);
+    job_.family->begin(member, job_.settings_of(run.point), *run.simulation);
+  }
+  if (runs.size() == 1 || !together_.run(member, changeover_.code(member), runs))
+    for (SweptRun& run : runs) run_alone(run, member);
+  for (SweptRun& run : runs) idle_.give_back(member, std::move(run.simulation));
+  const double done = static_cast<double>(done_ += runs.size());
+  if (options_.progress) options_.progress(done / static_cast<double>(job_.points.size()));
+}
+
+void PointRuns::run_alone(SweptRun& run, std::size_t member) {
+  run.end = run_simulation(*run.simulation, *run.recorders, own_, changeover_, member, run.point);
+  together_.done(run.end.ticks);
+}
+
+std::vector<std::size_t> AllPoints::take() {
+  auto points = next();
+  for (; runs_.interrupted() && !points.empty(); points = next())
+    for (const std::size_t point : points) {
+      RunEnd end;
+      end.interrupted = true;
+      ends_.add(point, std::move(end));
+    }
+  return points;
+}
+
+std::vector<std::size_t> AllPoints::next() {
+  return queue_.take([this](std::size_t first) { return runs_.at_once(first); });
+}
+
+std::vector<std::size_t> ExchangedPoints::take() {
+  std::vector<std::size_t> points;
+  if (runs_.interrupted()) return points;
+  auto point = waiting_ ? std::exchange(waiting_, std::nullopt) : exchange_.next();
+  for (; point; point = exchange_.next()) {
+    if (!points.empty() && runs_.member_of(*point) != runs_.member_of(points.front())) break;
+    points.push_back(*point);
+    if (points.size() >= runs_.at_once(points.front())) return points;
+  }
+  waiting_ = point;
+  return points;
+}
+
+}  // namespace stepwire::run

@@ -1,0 +1,69 @@
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/run.hpp"
+#include "tests/support/plan_text.hpp"
+
+namespace stepwire::codegen {
+
+namespace {
+
+/// x grows by its rate k: some runs end by `stop_when`, one by a number that is not finite, others at the
+/// stop.
+const std::string growing =
+    "stepwire: 1\nstep: 10 ms\nstop: 2 s\nsolver: rk4\nparameters: {k: 1}\n"
+    "blocks:\n  rate: {block: Gain, gain: $k, u: x}\n  x: {block: Integrator, u: rate, initial: 1}\n"
+    "  clock: {block: Sine, frequency: 1 Hz}\n"
+    "stop_when: x > 4\nrecord: {every: 30 ms, signals: [x, rate, clock]}\n"
+    "sweep: {k: [0.1, -1, 1e200, 0.9, 2, 400, 0.5, 0.2, 3, -2, 0.7, 1.1, 1.2]}\n";
+
+run::RunResult swept(run::LaneUse lanes, unsigned threads = 2) {
+  const DiagramFolder folder;
+  folder.write("sweep.yaml", growing);
+  diagram::Loader loader(library());
+  const run::Job job = run::make_job(loader, folder.path("sweep.yaml"));
+  GeneratedCode code;
+  run::RunOptions options;
+  options.threads = threads;
+  options.engine = run::ExecutionMode::compiled;
+  options.code = &code;
+  options.lanes = lanes;
+  return run::run_job(job, options);
+}
+
+bool same_bits(const table::Table& a, const table::Table& b) {
+  if (a.columns.size() != b.columns.size()) return false;
+  for (std::size_t i = 0; i < a.columns.size(); ++i) {
+    const auto &x = a.columns[i].values, &y = b.columns[i].values;
+    if (x.size() != y.size() || std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) != 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("runs of a sweep end in lanes as they end alone") {
+  const run::RunResult alone = swept(run::LaneUse::never), together = swept(run::LaneUse::at_once);
+  INFO(together.lanes.why_not);
+  CHECK(alone.lanes.count == 1);
+  CHECK(alone.lane_ticks == 0);
+  CHECK_FALSE(alone.lanes.why_not.empty());
+  CHECK(same_bits(alone.recordings.front().table, together.recordings.front().table));
+  CHECK(alone.ticks == together.ticks);
+  REQUIRE(alone.faults.size() == 1);
+  REQUIRE(together.faults.size() == 1);
+  CHECK(alone.faults[0].fault.message == together.faults[0].fault.message);
+  const Compiler compiler;
+  if (!compiler.found() || !compiler.is_gcc() || !__builtin_cpu_supports("avx2")) return;
+  CHECK(together.lanes.why_not == "");
+  CHECK(together.lanes.count == (__builtin_cpu_supports("avx512f") ? 8 : 4));
+  CHECK(together.lane_ticks > together.ticks / 2);
+}
+
+TEST_CASE("what a sweep gives in lanes does not hang on the number of threads") {
+  CHECK(same_bits(swept(run::LaneUse::at_once, 1).recordings.front().table,
+                  swept(run::LaneUse::at_once, 3).recordings.front().table));
+}
+
+}  // namespace stepwire::codegen
