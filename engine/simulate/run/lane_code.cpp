@@ -8,7 +8,7 @@ namespace stepwire::run {
 namespace {
 
 // Measured for g++ 12: what a compilation takes [s].
-constexpr double for_headers = 1.0, for_a_block = 10e-3;
+constexpr double for_headers = 0.7, for_a_block = 40e-3;
 constexpr double patience = 0.2;   // [s] after which it is known how fast the runs are
 constexpr double margin = 2.0;     // times a compilation that must be left to do
 constexpr std::size_t fewest = 3;  // runs of a plan that are worth a compilation
