@@ -86,6 +86,8 @@ class CodeSource {
   /// then `why` has the reason.
   virtual std::optional<CompiledLanes> compile_lanes(const Plan& plan, const RunDifferences& differences,
                                                      const std::stop_token& stop, std::string& why) = 0;
+  /// So many runs go together where compile_lanes() succeeds; 1: it never does on this machine.
+  virtual int lanes() = 0;
 };
 
 }  // namespace stepwire::plan

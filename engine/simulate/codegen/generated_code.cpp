@@ -66,6 +66,12 @@ std::optional<plan::CompiledLanes> GeneratedCode::compile_lanes(const plan::Plan
   return std::nullopt;
 }
 
+int GeneratedCode::lanes() {
+  const std::lock_guard lock(mutex_);
+  if (!compiler_) compiler_.emplace();
+  return compiler_->found() && compiler_->is_gcc() ? lanes_of_processor() : 1;
+}
+
 ProgramFunctions GeneratedCode::functions_of(const GeneratedProgram& program, const std::stop_token& stop,
                                              std::string& problem) {
   if (!compiler_) compiler_.emplace();

@@ -21,6 +21,7 @@ class GeneratedCode : public plan::CodeSource {
   std::optional<plan::CompiledLanes> compile_lanes(const plan::Plan& plan,
                                                    const plan::RunDifferences& differences,
                                                    const std::stop_token& stop, std::string& why) override;
+  int lanes() override;
 
   /// Why there was no code the first time that there was none; empty once it has been taken.
   std::string take_problem();

@@ -21,8 +21,8 @@ LaneCode::LaneCode(LaneUse use, plan::CodeSource* source, std::vector<Member> me
       states_(members_.size()) {
   if (!source_) why_not_ = "no code is compiled";
   for (std::size_t m = 0; m < members_.size(); ++m) {
-    all_ticks_ += static_cast<double>(members_[m].runs) * static_cast<double>(members_[m].plan->steps);
-    if (members_[m].runs < fewest && use != LaneUse::at_once)
+    add_ticks(members_[m]);
+    if (members_[m].runs.value_or(fewest) < fewest && use != LaneUse::at_once)
       refuse(m, "too few runs have the same structure");
     else
       compile_seconds_ += for_headers + for_a_block * static_cast<double>(members_[m].plan->blocks.size());
@@ -32,6 +32,11 @@ LaneCode::LaneCode(LaneUse use, plan::CodeSource* source, std::vector<Member> me
     begun_ = true;
     compile({});
   }
+}
+
+void LaneCode::add_ticks(const Member& member) {
+  if (!member.runs) all_ticks_.reset();
+  if (all_ticks_) *all_ticks_ += static_cast<double>(*member.runs) * static_cast<double>(member.plan->steps);
 }
 
 const plan::CompiledLanes* LaneCode::code(std::size_t member) const {
@@ -69,7 +74,8 @@ void LaneCode::refuse(std::size_t member, const std::string& why) {
 
 bool LaneCode::is_worth_it(std::int64_t done) const {
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  const double left = seconds * (all_ticks_ - static_cast<double>(done)) / static_cast<double>(done);
+  const double left =
+      all_ticks_ ? seconds * (*all_ticks_ - static_cast<double>(done)) / static_cast<double>(done) : seconds;
   return seconds > patience && left > margin * compile_seconds_;
 }
 
@@ -87,6 +93,10 @@ int LaneCode::lanes() const {
   for (const State& state : states_)
     if (state.ready.load(std::memory_order_acquire)) lanes = std::max(lanes, state.code.lanes);
   return lanes;
+}
+
+int LaneCode::most_lanes() const {
+  return source_ && compile_seconds_ > 0.0 ? source_->lanes() : 1;
 }
 
 std::string LaneCode::why_not() const {

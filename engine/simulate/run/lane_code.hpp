@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -27,7 +28,7 @@ class LaneCode {
   struct Member {
     const plan::Plan* plan;
     plan::RunDifferences differences;
-    std::size_t runs = 0;
+    std::optional<std::size_t> runs{};  ///< nothing: nobody knows, and as much is expected as has been done
   };
 
   LaneCode(LaneUse use, plan::CodeSource* source, std::vector<Member> members);
@@ -43,6 +44,8 @@ class LaneCode {
 
   /// Runs that are stepped together; 1: none were to be.
   int lanes() const;
+  /// The same once code is there, of any plan for which some is sought.
+  int most_lanes() const;
   /// Why runs went one by one: a sentence; empty where none had to.
   std::string why_not() const;
 
@@ -53,6 +56,7 @@ class LaneCode {
     std::atomic<bool> ready = false, decided = false;
   };
 
+  void add_ticks(const Member& member);
   void compile(const std::stop_token& stop);
   void refuse(std::size_t member, const std::string& why);
   bool is_worth_it(std::int64_t done) const;
@@ -60,7 +64,8 @@ class LaneCode {
   plan::CodeSource* source_;
   std::vector<Member> members_;
   std::vector<State> states_;
-  double all_ticks_ = 0.0, compile_seconds_ = 0.0;
+  std::optional<double> all_ticks_ = 0.0;
+  double compile_seconds_ = 0.0;
   Clock::time_point start_ = Clock::now();
   std::atomic<std::int64_t> done_ = 0;
   std::atomic<bool> begun_ = false;

@@ -20,6 +20,19 @@ double ticks_of(const Job& job) {
   return ticks;
 }
 
+TogetherRuns::Members plans_of(const Job& job) {
+  TogetherRuns::Members plans;
+  for (std::size_t m = 0; m < job.family->size(); ++m)
+    plans.push_back({&job.family->plan(m), {job.family->variable(m), job.family->targets(m)}, 0});
+  for (const SweepPoint& point : job.points) ++*plans[point.member].runs;
+  return plans;
+}
+
+LaneUse use_of(const RunOptions& options) {
+  const bool alone = options.engine == ExecutionMode::interpreted || !options.observers.empty();
+  return alone ? LaneUse::never : options.lanes;
+}
+
 }  // namespace
 
 PointRuns::PointRuns(const Job& job, const RunOptions& options)
@@ -27,7 +40,7 @@ PointRuns::PointRuns(const Job& job, const RunOptions& options)
       options_(options),
       idle_(*job.family),
       changeover_(options.engine, options.code, members_of(job), ticks_of(job)),
-      together_(job, options) {
+      together_(plans_of(job), use_of(options), options.code, options.interrupt) {
   own_.interrupt = options.interrupt;
   own_.observers = options.observers;
 }
@@ -38,7 +51,7 @@ void PointRuns::run(std::vector<SweptRun>& runs) {
     run.simulation = idle_.take(member);
     job_.family->begin(member, job_.settings_of(run.point), *run.simulation);
   }
-  if (runs.size() == 1 || !together_.run(member, changeover_.code(member), runs))
+  if (!together_.run(member, changeover_.code(member), runs))
     for (SweptRun& run : runs) run_alone(run, member);
   for (SweptRun& run : runs) idle_.give_back(member, std::move(run.simulation));
   const double done = static_cast<double>(done_ += runs.size());
@@ -48,6 +61,12 @@ void PointRuns::run(std::vector<SweptRun>& runs) {
 void PointRuns::run_alone(SweptRun& run, std::size_t member) {
   run.end = run_simulation(*run.simulation, *run.recorders, own_, changeover_, member, run.point);
   together_.done(run.end.ticks);
+}
+
+LaneReport PointRuns::lanes() const {
+  LaneReport report = together_.report();
+  if (!options_.observers.empty()) report.why_not = "observers watch the runs";
+  return report;
 }
 
 std::vector<std::size_t> AllPoints::take() {

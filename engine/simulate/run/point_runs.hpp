@@ -25,7 +25,7 @@ class PointRuns {
   /// Runs points of one member to their ends, which begin here. From any thread.
   void run(std::vector<SweptRun>& runs);
   bool interrupted() const { return options_.interrupt && *options_.interrupt; }
-  LaneReport lanes() const { return {together_.lanes(), together_.why_not()}; }
+  LaneReport lanes() const;
 
  private:
   void run_alone(SweptRun& run, std::size_t member);

@@ -27,21 +27,12 @@ class Shortest {
   double seconds_ = 1e9;
 };
 
-}  // namespace
-
-TogetherRuns::TogetherRuns(const Job& job, const RunOptions& options)
-    : options_(options),
-      code_(options.engine == ExecutionMode::interpreted || !options.observers.empty() ? LaneUse::never
-                                                                                       : options.lanes,
-            options.code, members_of(job)) {}
-
-std::vector<LaneCode::Member> TogetherRuns::members_of(const Job& job) {
-  std::vector<LaneCode::Member> members;
-  for (std::size_t m = 0; m < job.family->size(); ++m)
-    members.push_back({&job.family->plan(m), {job.family->variable(m), job.family->targets(m)}, 0});
-  for (const SweepPoint& point : job.points) ++members[point.member].runs;
-  return members;
+/// A step of all lanes takes as long as two of a run alone, or three.
+bool pays(std::size_t runs, int lanes) {
+  return 10 * runs >= 3 * static_cast<std::size_t>(lanes);
 }
+
+}  // namespace
 
 std::size_t TogetherRuns::at_once(std::size_t member) const {
   const plan::CompiledLanes* code = code_.code(member);
@@ -50,7 +41,7 @@ std::size_t TogetherRuns::at_once(std::size_t member) const {
 
 bool TogetherRuns::run(std::size_t member, const plan::CompiledPlan* alone, std::vector<SweptRun>& runs) {
   const plan::CompiledLanes* code = code_.code(member);
-  if (!code) return false;
+  if (!code || (use_ != LaneUse::at_once && !pays(runs.size(), code->lanes))) return false;
   std::vector<LaneGroup::Run> lanes;
   for (SweptRun& run : runs) lanes.push_back({run.simulation.get(), run.recorders});
   LaneGroup group(*code, std::move(lanes));
@@ -72,7 +63,7 @@ bool TogetherRuns::run(std::size_t member, const plan::CompiledPlan* alone, std:
 /// Finds out once whether a member's runs are faster together; where they are not, all is as before.
 bool TogetherRuns::stays(std::size_t member, LaneGroup& group, const plan::CompiledPlan* alone,
                          std::vector<SweptRun>& runs) {
-  if (code_.is_decided(member) || options_.lanes == LaneUse::at_once) return true;
+  if (code_.is_decided(member) || use_ == LaneUse::at_once) return true;
   if (is_faster(group, *runs.front().simulation, alone)) {
     code_.decide(member);
     return true;
@@ -110,12 +101,8 @@ void TogetherRuns::go_on(LaneGroup& group) {
     group.step(LaneGroup::ticks_at_once);
     if (group.tick() - looked < Drive::ticks_between_looks) continue;
     looked = group.tick();
-    if (options_.interrupt && *options_.interrupt) return;
+    if (interrupt_ && *interrupt_) return;
   }
-}
-
-std::string TogetherRuns::why_not() const {
-  return options_.observers.empty() ? code_.why_not() : "observers watch the runs";
 }
 
 }  // namespace stepwire::run

@@ -21,28 +21,32 @@ struct SweptRun {
 /// Steps runs of a sweep that have one plan together, where that can be and is faster. From any thread.
 class TogetherRuns {
  public:
-  /// Both must outlive it.
-  TogetherRuns(const Job& job, const RunOptions& options);
+  using Members = std::vector<LaneCode::Member>;
+
+  /// The plans and what `interrupt` points to must outlive it.
+  TogetherRuns(Members members, LaneUse use, plan::CodeSource* source, const std::atomic<bool>* interrupt)
+      : use_(use), interrupt_(interrupt), code_(use, source, std::move(members)) {}
 
   /// How many runs of a member are to be given to run().
   std::size_t at_once(std::size_t member) const;
+  /// The same of any plan for which code is sought, once that is there.
+  int most_lanes() const { return code_.most_lanes(); }
   /// Runs them, which stand at time 0, to their ends. False, and nothing has happened, where they have to go
   /// one by one. `alone` is the code that they go with then; null: none is there.
   bool run(std::size_t member, const plan::CompiledPlan* alone, std::vector<SweptRun>& runs);
   /// Notes that a run has made so many ticks alone.
   void done(std::int64_t ticks) { code_.done(ticks); }
 
-  int lanes() const { return code_.lanes(); }
-  std::string why_not() const;
+  LaneReport report() const { return {code_.lanes(), code_.why_not()}; }
 
  private:
-  static std::vector<LaneCode::Member> members_of(const Job& job);
   bool stays(std::size_t member, LaneGroup& group, const plan::CompiledPlan* alone,
              std::vector<SweptRun>& runs);
   bool is_faster(LaneGroup& group, Executor& alone, const plan::CompiledPlan* code) const;
   void go_on(LaneGroup& group);
 
-  const RunOptions& options_;
+  LaneUse use_;
+  const std::atomic<bool>* interrupt_;
   LaneCode code_;
 };
 

@@ -1,0 +1,107 @@
+#include "engine/simulate/run/run_meeting.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <thread>
+#include <utility>
+
+namespace stepwire::run {
+
+unsigned RunMeeting::threads(unsigned cores) const {
+  const unsigned all = cores > 0 ? cores : std::max(1u, std::thread::hardware_concurrency());
+  return all * static_cast<unsigned>(together_.most_lanes());
+}
+
+RunMeeting::Items::Items(RunMeeting& meeting, std::size_t count, unsigned threads)
+    : meeting_(meeting), left_(count), threads_(threads) {
+  const std::lock_guard lock(meeting_.mutex_);
+  expect();
+}
+
+RunMeeting::Items::~Items() {
+  const std::lock_guard lock(meeting_.mutex_);
+  left_ = 0;
+  expect();
+}
+
+void RunMeeting::Items::done() {
+  const std::lock_guard lock(meeting_.mutex_);
+  if (left_ > 0) --left_;
+  expect();
+}
+
+/// The thread that has begun the work is expected anyway.
+void RunMeeting::Items::expect() {
+  const std::size_t now = left_ == 0 ? 0 : std::min(left_, threads_) - 1;
+  meeting_.expected_ += now;
+  meeting_.expected_ -= std::exchange(expected_, now);
+  meeting_.changed_.notify_all();
+}
+
+bool RunMeeting::run(std::size_t member, const plan::CompiledPlan* alone, SweptRun& run) {
+  if (together_.at_once(member) == 1) return false;
+  Waiting own{member, &run};
+  std::unique_lock lock(mutex_);
+  waiting_.push_back(&own);
+  changed_.notify_all();
+  while (!own.ended) {
+    const bool begins = std::ranges::find(waiting_, &own) != waiting_.end();
+    if (begins && may_go(member))
+      go(member, alone, lock);
+    else
+      changed_.wait(lock);
+  }
+  if (own.failure) std::rethrow_exception(own.failure);
+  return own.together;
+}
+
+std::size_t RunMeeting::waiting_for(std::size_t member) const {
+  return static_cast<std::size_t>(std::ranges::count(waiting_, member, &Waiting::member));
+}
+
+/// Where all wait, the plan of which there are most goes, the first of equal ones.
+bool RunMeeting::may_go(std::size_t member) const {
+  if (waiting_for(member) >= together_.at_once(member)) return true;
+  if (waiting_.size() + busy_ < expected_) return false;
+  const auto most =
+      std::ranges::max_element(waiting_, {}, [this](const Waiting* one) { return waiting_for(one->member); });
+  return (*most)->member == member;
+}
+
+std::vector<RunMeeting::Waiting*> RunMeeting::take(std::size_t member) {
+  std::vector<Waiting*> group;
+  const std::size_t most = together_.at_once(member);
+  std::erase_if(waiting_, [&](Waiting* one) {
+    const bool taken = one->member == member && group.size() < most;
+    if (taken) group.push_back(one);
+    return taken;
+  });
+  return group;
+}
+
+/// Steps a group of this plan, whoever brought its runs.
+void RunMeeting::go(std::size_t member, const plan::CompiledPlan* alone, std::unique_lock<std::mutex>& lock) {
+  const std::vector<Waiting*> group = take(member);
+  busy_ += group.size();
+  lock.unlock();
+  bool together = false;
+  std::exception_ptr failure;
+  try {
+    std::vector<SweptRun> runs;
+    for (Waiting* one : group) runs.push_back(std::move(*one->run));
+    together = together_.run(member, alone, runs);
+    for (std::size_t i = 0; i < group.size(); ++i) *group[i]->run = std::move(runs[i]);
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  lock.lock();
+  busy_ -= group.size();
+  for (Waiting* one : group) {
+    one->ended = true;
+    one->together = together;
+    one->failure = failure;
+  }
+  changed_.notify_all();
+}
+
+}  // namespace stepwire::run
