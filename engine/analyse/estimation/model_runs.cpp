@@ -159,30 +159,42 @@ void ModelRuns::make_records() {
     records_.push_back(
         std::make_unique<Record>(plan::make_plan(part_ ? part_->of(diagram) : std::move(diagram)), names()));
   }
-  if (source_.code) compile_all();
+  run::TogetherRuns::Members plans;
+  if (source_.code) plans = compile_all();
+  const bool together = compiled_ && !part_;  // what is played back goes into one run
+  meeting_ = std::make_unique<run::RunMeeting>(std::move(plans),
+                                               together ? run::LaneUse::automatic : run::LaneUse::never,
+                                               source_.code, source_.interrupt);
 }
 
-std::vector<plan::VariableBlock> ModelRuns::variable(const Record& record) const {
+diagram::Variation ModelRuns::variation(const Record& record) const {
   std::vector<std::string> all = names();
   if (!job_.points.empty())
     for (const diagram::Sweep::Axis& axis : job_.plan.diagram.sweep->axes)
       if (!axis.label) all.push_back(axis.parameter);
-  return plan::variable_blocks(record.plan, diagram::Variation(record.plan.diagram, all));
+  return diagram::Variation(record.plan.diagram, all);
+}
+
+std::vector<plan::VariableBlock> ModelRuns::variable(const Record& record) const {
+  return plan::variable_blocks(record.plan, variation(record));
 }
 
 /// The text of records that differ in numbers is the same, since what their sweep varies is read from the
 /// run as well.
-void ModelRuns::compile_all() {
+run::TogetherRuns::Members ModelRuns::compile_all() {
   const plan::Plan& first = records_.front()->plan;
   std::vector<plan::VariableBlock> shared = variable(*records_.front());
   for (const auto& record : records_)
     if (are_alike(shared, first, record->plan))
       plan::widen(shared, first, [&](std::size_t b) { return record->plan.diagram.blocks[b].block.get(); });
+  run::TogetherRuns::Members plans;
   for (const auto& record : records_) {
-    const bool shares = are_alike(shared, first, record->plan);
-    record->code = source_.code->compile(record->plan, shares ? shared : variable(*record), {});
+    auto own = are_alike(shared, first, record->plan) ? shared : variable(*record);
+    record->code = source_.code->compile(record->plan, own, {});
+    plans.push_back({&record->plan, {std::move(own), variation(*record).targets()}});
   }
   compiled_ = std::ranges::all_of(records_, [](const auto& record) { return record->code.has_value(); });
+  return plans;
 }
 
 diagram::Diagram ModelRuns::load(std::size_t record, const Values& values) const {
@@ -273,14 +285,28 @@ std::string ModelRuns::refusal(std::size_t record, const Values& values) const {
   }
 }
 
-std::vector<record::Recording> ModelRuns::take(std::size_t record, run::Executor& simulation,
-                                               std::string* fault, run::RunObserver* observer) const {
-  record::RunRecording recording(simulation.plan());
-  run::Drive drive(simulation, recording.recorders());
+/// Goes with others, where some are there and its plan is the record's.
+bool ModelRuns::meet(run::PendingRun& run) const {
+  const bool own = meeting_ && &run.simulation->plan() == &records_[run.index]->plan;
+  const auto* code = own && records_[run.index]->code ? &*records_[run.index]->code : nullptr;
+  return own && meeting_->run(run.index, code, run);
+}
+
+void ModelRuns::go_alone(run::PendingRun& run, run::RunObserver* observer) const {
+  run::Drive drive(*run.simulation, *run.recorders);
   drive.interrupt = source_.interrupt;
   if (observer) drive.observers = {&observer, 1};
   drive.shows_rows = false;  // what is recorded is read at the end
-  if (drive.run() == run::Drive::End::interrupted) {
+  run.end.interrupted = drive.run() == run::Drive::End::interrupted;
+  if (meeting_) meeting_->done(run.simulation->tick());
+}
+
+std::vector<record::Recording> ModelRuns::take(std::size_t record, run::Executor& simulation,
+                                               std::string* fault, run::RunObserver* observer) const {
+  record::RunRecording recording(simulation.plan());
+  run::PendingRun run{record, &simulation, &recording.recorders()};
+  if (!meet(run)) go_alone(run, observer);
+  if (run.end.interrupted) {
     if (fault) *fault = "interrupted, so that there is nothing yet to write";
     return {};
   }

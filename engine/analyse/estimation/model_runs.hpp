@@ -11,7 +11,7 @@
 #include "engine/analyse/estimation/sensitive_subdiagram.hpp"
 #include "engine/model/diagram/load.hpp"
 #include "engine/simulate/run/drive.hpp"
-#include "engine/simulate/run/run.hpp"
+#include "engine/simulate/run/run_meeting.hpp"
 
 namespace stepwire::estimation {
 
@@ -41,6 +41,10 @@ class ModelRuns {
   bool compiled() const { return compiled_; }
   /// Is only a part of the diagram run, and the rest played back?
   bool in_part() const { return part_.has_value(); }
+  /// Does task(0) to task(count - 1), which call run(), on so many cores (0: all).
+  void in_parallel(std::size_t count, unsigned cores, const std::function<void(std::size_t)>& task) const {
+    meeting_->in_parallel(count, meeting_->threads(cores), task);
+  }
   /// All that a run records, with the swept parameters; nothing where it ends with a fault, which `fault`
   /// then says. From any thread.
   std::vector<record::Recording> run(std::size_t record, const Values& values,
@@ -71,7 +75,8 @@ class ModelRuns {
   void find_part();
   bool play_in(std::size_t record, const plan::Plan& whole);
   void make_records();
-  void compile_all();
+  run::TogetherRuns::Members compile_all();
+  diagram::Variation variation(const Record& record) const;
   std::vector<plan::VariableBlock> variable(const Record& record) const;
   /// A run at time 0 with these values; null where they need another plan. Throws Error for refused ones.
   std::unique_ptr<run::Executor> begin(Record& record, const Values& values) const;
@@ -79,6 +84,8 @@ class ModelRuns {
   /// Runs to the end and takes all that is recorded; nothing after a fault.
   std::vector<record::Recording> take(std::size_t record, run::Executor& simulation, std::string* fault,
                                       run::RunObserver* observer = nullptr) const;
+  bool meet(run::PendingRun& run) const;
+  void go_alone(run::PendingRun& run, run::RunObserver* observer) const;
   std::vector<record::Recording> complete(std::size_t record, std::vector<record::Recording> moved) const;
 
   ModelSource source_;
@@ -88,6 +95,7 @@ class ModelRuns {
   std::vector<std::vector<table::Column>> swept_;
   std::vector<std::unique_ptr<Record>> records_;
   bool compiled_ = false;
+  std::unique_ptr<run::RunMeeting> meeting_;  ///< null until the records have plans
   std::optional<SensitiveSubdiagram> part_;
   std::vector<std::vector<double>> tapes_;             ///< [record]: what the part reads, tick by tick
   std::vector<std::vector<record::Recording>> still_;  ///< [record]: what is compared and does not move

@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "engine/analyse/estimation/row_values.hpp"
-#include "engine/base/parallel/parallel.hpp"
 
 namespace stepwire::estimation {
 
@@ -54,8 +53,8 @@ Residuals::Residuals(const ModelRuns& runs, const FitRequest& request, unsigned 
     throw yaml::Error(
         yaml::Fault{request.place, "fit.hold_out", "holds out every record; leave some to be fitted", {}});
   selections_.resize(runs.records());
-  parallel::in_parallel(runs.records(), threads,
-                        [&](std::size_t record) { selections_[record] = select(record); });
+  runs.in_parallel(runs.records(), threads,
+                   [&](std::size_t record) { selections_[record] = select(record); });
   find_unknowns();
   first_row_.assign(runs.records(), 0);
   for (std::size_t record : fitted_) {
@@ -201,7 +200,7 @@ bool Residuals::run(std::size_t record, const Values& values, double* out) const
 bool Residuals::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& residuals) const {
   residuals.resize(count_);
   std::atomic<bool> good = true;
-  parallel::in_parallel(fitted_.size(), threads_, [&](std::size_t i) {
+  runs_.in_parallel(fitted_.size(), threads_, [&](std::size_t i) {
     const std::size_t record = fitted_[i];
     if (good && !run(record, values(record, x), residuals.data() + first_row_[record])) good = false;
   });
@@ -263,7 +262,7 @@ bool Residuals::differentiate(const Eigen::VectorXd& x, const Eigen::VectorXd& r
   jacobian.setZero(count_, x.size());
   const std::size_t parameters = request_.parameters.size();
   std::atomic<bool> good = true;
-  parallel::in_parallel(fitted_.size() * parameters, threads_, [&](std::size_t task) {
+  runs_.in_parallel(fitted_.size() * parameters, threads_, [&](std::size_t task) {
     const std::size_t record = fitted_[task / parameters], parameter = task % parameters;
     const Eigen::Index first = first_row_[record], rows = rows_of(record);
     Eigen::VectorXd slope(rows);

@@ -7,7 +7,6 @@
 
 #include "engine/analyse/statistics/statistics_error.hpp"
 #include "engine/analyse/study/signal_map.hpp"
-#include "engine/base/parallel/parallel.hpp"
 
 namespace stepwire::study {
 
@@ -32,6 +31,7 @@ void take(std::vector<TrialRun> runs, const StudyRequest& request, Experiment& e
     remark(run, request, experiment);
     experiment.ticks += run.result.ticks;
     experiment.compiled_ticks += run.result.compiled_ticks;
+    experiment.lane_ticks += run.result.lane_ticks;
     if (run.done && run.practice == 0) experiment.runs.push_back(std::move(run));
   }
 }
@@ -87,8 +87,7 @@ class OpenExperiments {
 
   void perform() {
     const std::size_t people = study_count(job_) * request_.subjects.size();
-    parallel::in_parallel(seeds_.size() * people, runs_.threads(),
-                          [&](std::size_t i) { work(i / people, i % people); });
+    runs_.in_parallel(seeds_.size() * people, [&](std::size_t i) { work(i / people, i % people); });
   }
 
  private:
@@ -115,6 +114,7 @@ class OpenExperiments {
   void finish(std::size_t which, std::size_t study, Experiment& experiment) {
     experiment.seed = seeds_[which];
     experiment.family = runs_.family();
+    experiment.lanes = runs_.lanes();
     if (!job_.points.empty()) experiment.sets = job_.settings_of(study);
     std::ranges::stable_sort(experiment.runs, {},
                              [](const TrialRun& run) { return std::pair(run.subject, run.condition); });

@@ -28,7 +28,8 @@ struct Experiment {
   std::optional<TaskAnalysis> analysis;
   std::string not_analysed;          ///< why there is none
   std::vector<std::string> remarks;  ///< trials that were repeated, left out, or took too long
-  std::int64_t ticks = 0, compiled_ticks = 0;
+  std::int64_t ticks = 0, compiled_ticks = 0, lane_ticks = 0;
+  run::LaneReport lanes;  ///< of all trials that were run by the end of this one
   std::vector<ExperimentOutcome> others{};  ///< of other people: what the seeds behind this one gave
 };
 

@@ -88,6 +88,9 @@ TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const run:
   const auto trials = static_cast<double>(study_count(job) * request.subjects.size() * experiments *
                                           (request.conditions.size() + request.practice.size()));
   changeover_.emplace(source_.engine, source_.code, members(), trials * static_cast<double>(job.plan.steps));
+  const bool alone = source_.engine == run::ExecutionMode::interpreted || !source_.observers.empty();
+  meeting_.emplace(plans(), alone ? run::LaneUse::never : run::LaneUse::automatic, source_.code,
+                   source_.interrupt);
 }
 
 /// One member or more for each study and condition, so that code that is compiled for the first trials serves
@@ -121,6 +124,13 @@ std::vector<run::TieredExecution::Member> TrialRuns::members() const {
   for (std::size_t m = 0; m < family_->size(); ++m)
     members.push_back({&family_->plan(m), family_->variable(m)});
   return members;
+}
+
+run::TogetherRuns::Members TrialRuns::plans() const {
+  run::TogetherRuns::Members plans;
+  for (std::size_t m = 0; m < family_->size(); ++m)
+    plans.push_back({&family_->plan(m), {family_->variable(m), family_->targets(m)}});
+  return plans;
 }
 
 /// Compiles beside the first trials what they need. They find it by its text.
@@ -247,17 +257,26 @@ std::size_t TrialRuns::number_of(const TrialRun& trial) const {
   return counting + person * request_.practice.size() + trial.practice - 1;
 }
 
+/// Makes a run, with others where it meets some.
+run::RunEnd TrialRuns::end_of(std::size_t member, run::PendingRun run) {
+  if (meeting_->run(member, changeover_->code(member), run)) return std::move(run.end);
+  run::RunOptions options;
+  options.interrupt = source_.interrupt;
+  options.observers = source_.observers;
+  run::RunEnd end =
+      run::run_simulation(*run.simulation, *run.recorders, options, *changeover_, member, run.index);
+  meeting_->done(end.ticks);
+  return end;
+}
+
 void TrialRuns::run_once(TrialRun& trial) {
   const std::size_t member = trial.point.member;
   auto run = idle_.take(member);
   family_->begin(member, trial.point.own, *run);
   trial.begun = begun_with(*run);
   record::RunRecording recording(run->plan());
-  run::RunOptions options;
-  options.interrupt = source_.interrupt;
-  options.observers = source_.observers;
   static_cast<run::RunEnd&>(trial.result) =
-      run::run_simulation(*run, recording.recorders(), options, *changeover_, member, number_of(trial));
+      end_of(member, {number_of(trial), run.get(), &recording.recorders()});
   trial.result.recordings = recording.take();
   note_end(*run, trial);
   const auto& faults = trial.result.faults;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,7 +10,7 @@
 
 #include "engine/analyse/statistics/circle.hpp"
 #include "engine/analyse/study/study_request.hpp"
-#include "engine/simulate/run/run.hpp"
+#include "engine/simulate/run/run_meeting.hpp"
 
 namespace stepwire::study {
 
@@ -82,8 +83,12 @@ class TrialRuns {
   /// What it leaves to the next one.
   std::vector<diagram::Setting> carried(const TrialRun& trial) const;
 
+  run::LaneReport lanes() const { return meeting_->lanes(); }
   bool interrupted() const { return source_.interrupt && *source_.interrupt; }
-  unsigned threads() const { return source_.threads; }
+  /// Does task(0) to task(count - 1), which run trials, several at a time.
+  void in_parallel(std::size_t count, const std::function<void(std::size_t)>& task) {
+    meeting_->in_parallel(count, meeting_->threads(source_.threads), task);
+  }
   /// The plans of the trials.
   const std::shared_ptr<run::PlanFamily>& family() const { return family_; }
 
@@ -93,6 +98,8 @@ class TrialRuns {
   void plan(TrialRun& trial, const HandedOver& handed);
   void find_members();
   std::vector<run::TieredExecution::Member> members() const;
+  run::TogetherRuns::Members plans() const;
+  run::RunEnd end_of(std::size_t member, run::PendingRun run);
   void compile_ahead();
   void find_member(TrialRun trial, HandedOver handed, double share);
   HandedOver file_values(const TrialRun& trial, double share) const;
@@ -107,6 +114,7 @@ class TrialRuns {
   std::shared_ptr<run::PlanFamily> family_;
   run::IdleRuns idle_;
   std::optional<run::TieredExecution> changeover_;
+  std::optional<run::RunMeeting> meeting_;
   std::jthread ahead_;  ///< compiles beside the first trials; last: it uses the others
 };
 

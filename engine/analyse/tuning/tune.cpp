@@ -6,11 +6,9 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
-#include <thread>
 
 #include "engine/analyse/tuning/constraint.hpp"
 #include "engine/analyse/tuning/search.hpp"
-#include "engine/base/parallel/parallel.hpp"
 
 namespace stepwire::tuning {
 
@@ -68,9 +66,7 @@ class Tuning {
   }
 
  private:
-  unsigned threads() const {
-    return options_.threads > 0 ? options_.threads : std::max(1u, std::thread::hardware_concurrency());
-  }
+  unsigned threads() const { return runs_.meeting().threads(options_.threads); }
 
   /// Its numbers are what objective and claims are measured by.
   void look_at_start() {
@@ -92,7 +88,7 @@ class Tuning {
     problem_.threads = std::max(1u, threads() / beside);
     problem_.watch = [&](const Evaluation& one) { watch_.show(one); };
     std::vector<SearchResult> found(count);
-    parallel::in_parallel(count, beside, [&](std::size_t i) {
+    runs_.meeting().in_parallel(count, beside, [&](std::size_t i) {
       if (runs_.interrupted() && i > 0) return;
       found[i] = search(problem_, i, i == 0 ? start_ : std::nullopt);
     });

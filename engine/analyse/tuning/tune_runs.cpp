@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "engine/analyse/linear/columns.hpp"
-#include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/run/drive.hpp"
 
 namespace stepwire::tuning {
@@ -86,7 +85,10 @@ TuneRuns::TuneRuns(TuneSource source, const run::Job& job, const TuneRequest& re
   for (const TuneParameter& parameter : request.parameters)
     recorded_.push_back(std::ranges::find(columns, parameter.name) != columns.end());
   make_structures();
-  if (source_.code) compile();
+  run::TogetherRuns::Members plans;
+  if (source_.code) plans = compile();
+  const run::LaneUse use = compiled_ ? run::LaneUse::automatic : run::LaneUse::never;
+  meeting_ = std::make_unique<run::RunMeeting>(std::move(plans), use, source_.code, source_.interrupt);
 }
 
 /// One for each plan of the sweep.
@@ -128,12 +130,13 @@ TuneRuns::Structure& TuneRuns::structure_of(std::size_t point) const {
 }
 
 /// Numbers that differ between the points are read from a table as the tuned ones are.
-void TuneRuns::compile() {
+run::TogetherRuns::Members TuneRuns::compile() {
+  run::TogetherRuns::Members plans;
   Values start;
   for (const TuneParameter& parameter : request_.parameters) start.push_back(parameter.start);
   for (std::size_t s = 0; s < structures_.size(); ++s) {
     Structure& of = *structures_[s];
-    if (!of.is_free()) return;
+    if (!of.is_free()) return {};
     std::vector<plan::VariableBlock> variable = plan::variable_blocks(of.plan, of.varied);
     run::Executor probe(of.plan);
     for (std::size_t point = 0; point < count(); ++point)
@@ -141,9 +144,11 @@ void TuneRuns::compile() {
           probe.set(of.varied, assignments(point, start)) == run::Executor::Setting::done)
         probe.widen(variable);
     of.code = source_.code->compile(of.plan, variable, {});
+    plans.push_back({&of.plan, {std::move(variable), of.varied.targets()}});
   }
   compiled_ =
       std::ranges::all_of(structures_, [](const auto& structure) { return structure->code.has_value(); });
+  return plans;
 }
 
 std::vector<diagram::Assignment> TuneRuns::assignments(std::size_t point, const Values& values) const {
@@ -168,7 +173,7 @@ std::vector<record::Recording> TuneRuns::run(const Values& values, unsigned thre
                                              std::string& fault) const {
   std::vector<Recordings> of_points(count());
   std::vector<std::string> faults(count());
-  parallel::in_parallel(count(), threads, [&](std::size_t point) {
+  meeting_->in_parallel(count(), threads, [&](std::size_t point) {
     if (!interrupted()) of_points[point] = run_point(point, values, faults[point]);
   });
   Recordings all;
@@ -194,7 +199,7 @@ std::vector<record::Recording> TuneRuns::run_point(std::size_t point, const Valu
     if (run->set(of.varied, assignments(point, values)) == run::Executor::Setting::done) {
       if (of.code && !run->compiled()) run->use(*of.code);
       run->reset();
-      recordings = take(point, values, *run, fault);
+      recordings = take(point, values, *run, fault, meeting_.get());
     } else {
       recordings = run_anew(point, values, fault);
     }
@@ -220,13 +225,23 @@ std::vector<record::Recording> TuneRuns::run_anew(std::size_t point, const Value
   return take(point, values, simulation, fault);
 }
 
-std::vector<record::Recording> TuneRuns::take(std::size_t point, const Values& values,
-                                              run::Executor& simulation, std::string& fault) const {
-  record::RunRecording recording(simulation.plan());
-  run::Drive drive(simulation, recording.recorders());
+void TuneRuns::go_alone(run::PendingRun& run) const {
+  run::Drive drive(*run.simulation, *run.recorders);
   drive.interrupt = source_.interrupt;
   drive.shows_rows = false;  // what is recorded is read at the end
-  if (drive.run() == run::Drive::End::interrupted) {
+  run.end.interrupted = drive.run() == run::Drive::End::interrupted;
+}
+
+std::vector<record::Recording> TuneRuns::take(std::size_t point, const Values& values,
+                                              run::Executor& simulation, std::string& fault,
+                                              run::RunMeeting* meeting) const {
+  record::RunRecording recording(simulation.plan());
+  run::PendingRun run{point, &simulation, &recording.recorders()};
+  const Structure& of = structure_of(point);
+  const bool together = meeting && meeting->run(of_point_[point], of.code ? &*of.code : nullptr, run);
+  if (!together) go_alone(run);
+  if (meeting && !together) meeting->done(simulation.tick());
+  if (run.end.interrupted) {
     fault = "interrupted";
     return {};
   }

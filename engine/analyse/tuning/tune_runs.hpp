@@ -10,7 +10,7 @@
 #include "engine/analyse/tuning/tune_request.hpp"
 #include "engine/model/diagram/load.hpp"
 #include "engine/simulate/run/pooling.hpp"
-#include "engine/simulate/run/run.hpp"
+#include "engine/simulate/run/run_meeting.hpp"
 
 namespace stepwire::tuning {
 
@@ -41,6 +41,8 @@ class TuneRuns {
   /// The swept values of a run: "load=2 kg"; empty for the only one.
   std::string label(std::size_t run) const;
   bool compiled() const { return compiled_; }
+  /// Runs of a search may go beside each other with those of others, on so many threads of so many cores.
+  run::RunMeeting& meeting() const { return *meeting_; }
   bool interrupted() const { return source_.interrupt && *source_.interrupt; }
   /// What all runs record, pooled in the order of the sweep, with the linear analyses that the request reads;
   /// nothing where one of them ends with a fault or refuses the values, which `fault` then has.
@@ -52,13 +54,15 @@ class TuneRuns {
 
   void make_structures();
   std::vector<std::string> names_at(std::size_t point, const plan::Plan& plan) const;
-  void compile();
+  run::TogetherRuns::Members compile();
   Structure& structure_of(std::size_t point) const;
   std::vector<diagram::Assignment> assignments(std::size_t point, const Values& values) const;
   Recordings run_point(std::size_t point, const Values& values, std::string& fault) const;
   Recordings run_anew(std::size_t point, const Values& values, std::string& fault) const;
-  Recordings take(std::size_t point, const Values& values, run::Executor& simulation,
-                  std::string& fault) const;
+  /// With others in `meeting`, which may be null.
+  Recordings take(std::size_t point, const Values& values, run::Executor& simulation, std::string& fault,
+                  run::RunMeeting* meeting = nullptr) const;
+  void go_alone(run::PendingRun& run) const;
   void add_analyses(const run::Executor& simulation, Recordings& recordings) const;
   void add_parameters(std::size_t point, const Values& values, Recordings& recordings) const;
 
@@ -72,6 +76,7 @@ class TuneRuns {
   std::vector<std::size_t> of_point_;  ///< structure of each point
   mutable std::mutex loading_;
   bool compiled_ = false;
+  std::unique_ptr<run::RunMeeting> meeting_;
 };
 
 /// What sets these parameters to these values.

@@ -104,7 +104,7 @@ Json diagnostics_json(const Outcome& outcome) {
   return diagnostics;
 }
 
-/// How many runs of a sweep were stepped together, and why some or all were not; null without a sweep.
+/// How many runs of a sweep or a study were stepped together, and why some or all were not; null for a single one.
 Json lanes_json(const run::Job& job, const run::RunResult& result) {
   if (job.points.empty()) return nullptr;
   const Json why = result.lanes.why_not.empty() ? Json(nullptr) : Json(result.lanes.why_not);

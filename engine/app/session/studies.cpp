@@ -179,6 +179,8 @@ Outcome study_outcome(LoadedModel& model, const study::Experiments& experiments)
   for (const study::Experiment& experiment : experiments) {
     outcome.result.ticks += experiment.ticks;
     outcome.result.compiled_ticks += experiment.compiled_ticks;
+    outcome.result.lane_ticks += experiment.lane_ticks;
+    outcome.result.lanes = experiment.lanes;
     for (const study::TrialRun& run : experiment.runs) model.job.points.push_back(run.point);
   }
   judge_claims(model, outcome);

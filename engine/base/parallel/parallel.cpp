@@ -17,7 +17,8 @@ std::vector<std::jthread> begin_threads(std::size_t wanted, const std::function<
   return threads;
 }
 
-void on_threads(unsigned threads, const std::function<void()>& work) {
+void on_threads(unsigned threads, const std::function<void()>& work,
+                const std::function<void(std::size_t)>& begun) {
   std::mutex mutex;
   std::exception_ptr failure;
   const auto caught = [&] {
@@ -31,6 +32,7 @@ void on_threads(unsigned threads, const std::function<void()>& work) {
   {
     const std::vector<std::jthread> others =
         begin_threads(threads ? threads : std::max(1u, std::thread::hardware_concurrency()), caught);
+    if (begun) begun(others.size() + 1);
     caught();
   }
   if (failure) std::rethrow_exception(failure);

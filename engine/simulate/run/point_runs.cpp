@@ -1,5 +1,6 @@
 #include "engine/simulate/run/point_runs.hpp"
 
+#include <memory>
 #include <utility>
 
 namespace stepwire::run {
@@ -45,21 +46,22 @@ PointRuns::PointRuns(const Job& job, const RunOptions& options)
   own_.observers = options.observers;
 }
 
-void PointRuns::run(std::vector<SweptRun>& runs) {
-  const std::size_t member = member_of(runs.front().point);
-  for (SweptRun& run : runs) {
-    run.simulation = idle_.take(member);
-    job_.family->begin(member, job_.settings_of(run.point), *run.simulation);
+void PointRuns::run(std::vector<PendingRun>& runs) {
+  const std::size_t member = member_of(runs.front().index);
+  std::vector<std::unique_ptr<Executor>> simulations;
+  for (PendingRun& run : runs) {
+    run.simulation = simulations.emplace_back(idle_.take(member)).get();
+    job_.family->begin(member, job_.settings_of(run.index), *run.simulation);
   }
   if (!together_.run(member, changeover_.code(member), runs))
-    for (SweptRun& run : runs) run_alone(run, member);
-  for (SweptRun& run : runs) idle_.give_back(member, std::move(run.simulation));
+    for (PendingRun& run : runs) run_alone(run, member);
+  for (auto& simulation : simulations) idle_.give_back(member, std::move(simulation));
   const double done = static_cast<double>(done_ += runs.size());
   if (options_.progress) options_.progress(done / static_cast<double>(job_.points.size()));
 }
 
-void PointRuns::run_alone(SweptRun& run, std::size_t member) {
-  run.end = run_simulation(*run.simulation, *run.recorders, own_, changeover_, member, run.point);
+void PointRuns::run_alone(PendingRun& run, std::size_t member) {
+  run.end = run_simulation(*run.simulation, *run.recorders, own_, changeover_, member, run.index);
   together_.done(run.end.ticks);
 }
 

@@ -23,12 +23,12 @@ class PointRuns {
   std::size_t at_once(std::size_t point) const { return together_.at_once(member_of(point)); }
   std::size_t member_of(std::size_t point) const { return job_.points[point].member; }
   /// Runs points of one member to their ends, which begin here. From any thread.
-  void run(std::vector<SweptRun>& runs);
+  void run(std::vector<PendingRun>& runs);
   bool interrupted() const { return options_.interrupt && *options_.interrupt; }
   LaneReport lanes() const;
 
  private:
-  void run_alone(SweptRun& run, std::size_t member);
+  void run_alone(PendingRun& run, std::size_t member);
 
   const Job& job_;
   const RunOptions& options_;
@@ -48,7 +48,7 @@ void run_groups(PointRuns& runs, unsigned threads, const MakeTake& make_take, co
     auto take = make_take();
     for (auto points = take(); !points.empty(); points = take()) {
       std::vector<decltype(begin(0))> places;
-      std::vector<SweptRun> group;
+      std::vector<PendingRun> group;
       for (const std::size_t point : points) places.push_back(begin(point));
       for (std::size_t i = 0; i < points.size(); ++i)
         group.push_back({points[i], nullptr, &places[i]->recorders(), {}});

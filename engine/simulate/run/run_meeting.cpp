@@ -1,44 +1,80 @@
 #include "engine/simulate/run/run_meeting.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <thread>
 #include <utility>
 
+#include "engine/base/parallel/parallel.hpp"
+
 namespace stepwire::run {
+
+/// What several threads share. The one that begins it is expected anyway.
+class RunMeeting::Tasks {
+ public:
+  Tasks(RunMeeting& meeting, std::size_t count, std::size_t threads)
+      : meeting_(meeting), left_(count), threads_(threads) {
+    change([] {});
+  }
+  ~Tasks() {
+    change([this] { left_ = 0; });
+  }
+  Tasks(const Tasks&) = delete;
+  Tasks& operator=(const Tasks&) = delete;
+
+  void begun(std::size_t threads) {
+    change([&] { threads_ -= wanted_ - threads; });
+  }
+  void done() {
+    change([this] { --left_; });
+  }
+  void lose_thread() {
+    change([this] { --left_, --threads_; });
+  }
+
+ private:
+  template <class Change>
+  void change(const Change& change) {
+    const std::lock_guard lock(meeting_.mutex_);
+    change();
+    const std::size_t now = std::max<std::size_t>(std::min(left_, threads_), 1) - 1;
+    meeting_.expected_ += now;
+    meeting_.expected_ -= std::exchange(expected_, now);
+    meeting_.changed_.notify_all();
+  }
+
+  RunMeeting& meeting_;
+  std::size_t left_, threads_;
+  const std::size_t wanted_ = threads_;
+  std::size_t expected_ = 0;
+};
 
 unsigned RunMeeting::threads(unsigned cores) const {
   const unsigned all = cores > 0 ? cores : std::max(1u, std::thread::hardware_concurrency());
   return all * static_cast<unsigned>(together_.most_lanes());
 }
 
-RunMeeting::Items::Items(RunMeeting& meeting, std::size_t count, unsigned threads)
-    : meeting_(meeting), left_(count), threads_(threads) {
-  const std::lock_guard lock(meeting_.mutex_);
-  expect();
+void RunMeeting::in_parallel(std::size_t count, unsigned threads,
+                             const std::function<void(std::size_t)>& task) {
+  const std::size_t wanted = std::clamp<std::size_t>(count, 1, std::max(1u, threads));
+  Tasks tasks(*this, count, wanted);
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < count; i = next++) {
+        task(i);
+        tasks.done();
+      }
+    } catch (...) {
+      tasks.lose_thread();
+      throw;
+    }
+  };
+  parallel::on_threads(static_cast<unsigned>(wanted), work, [&](std::size_t begun) { tasks.begun(begun); });
 }
 
-RunMeeting::Items::~Items() {
-  const std::lock_guard lock(meeting_.mutex_);
-  left_ = 0;
-  expect();
-}
-
-void RunMeeting::Items::done() {
-  const std::lock_guard lock(meeting_.mutex_);
-  if (left_ > 0) --left_;
-  expect();
-}
-
-/// The thread that has begun the work is expected anyway.
-void RunMeeting::Items::expect() {
-  const std::size_t now = left_ == 0 ? 0 : std::min(left_, threads_) - 1;
-  meeting_.expected_ += now;
-  meeting_.expected_ -= std::exchange(expected_, now);
-  meeting_.changed_.notify_all();
-}
-
-bool RunMeeting::run(std::size_t member, const plan::CompiledPlan* alone, SweptRun& run) {
+bool RunMeeting::run(std::size_t member, const plan::CompiledPlan* alone, PendingRun& run) {
   if (together_.at_once(member) == 1) return false;
   Waiting own{member, &run};
   std::unique_lock lock(mutex_);
@@ -87,7 +123,7 @@ void RunMeeting::go(std::size_t member, const plan::CompiledPlan* alone, std::un
   bool together = false;
   std::exception_ptr failure;
   try {
-    std::vector<SweptRun> runs;
+    std::vector<PendingRun> runs;
     for (Waiting* one : group) runs.push_back(std::move(*one->run));
     together = together_.run(member, alone, runs);
     for (std::size_t i = 0; i < group.size(); ++i) *group[i]->run = std::move(runs[i]);

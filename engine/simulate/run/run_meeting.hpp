@@ -2,6 +2,7 @@
 
 #include <condition_variable>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <vector>
 
@@ -22,35 +23,22 @@ class RunMeeting {
   /// So many threads fill the lanes, where there may be some, of so many cores (0: all).
   unsigned threads(unsigned cores) const;
 
-  /// Work that several threads share, the one that begins it among them: that many items, of which each
-  /// brings runs. Threads are expected as long as items are left.
-  class Items {
-   public:
-    Items(RunMeeting& meeting, std::size_t count, unsigned threads);
-    ~Items();
-    Items(const Items&) = delete;
-    Items& operator=(const Items&) = delete;
-    /// Notes the end of one. From any thread.
-    void done();
-
-   private:
-    void expect();
-
-    RunMeeting& meeting_;
-    std::size_t left_, threads_, expected_ = 0;
-  };
+  /// Does task(0) to task(count - 1), which bring runs, on so many threads; each is waited for until it ends
+  /// its last one. Tasks may do the same. What a task throws is thrown again.
+  void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task);
 
   /// Makes a run that stands at time 0, and gives true; false, and nothing has happened, where it is to go
   /// alone, by what `alone` points to; null: no code is there. Where lanes are not there yet, done() has to
   /// say how far it went. From any thread that is expected.
-  bool run(std::size_t member, const plan::CompiledPlan* alone, SweptRun& run);
+  bool run(std::size_t member, const plan::CompiledPlan* alone, PendingRun& run);
   void done(std::int64_t ticks) { together_.done(ticks); }
   LaneReport lanes() const { return together_.report(); }
 
  private:
+  class Tasks;
   struct Waiting {
     std::size_t member;
-    SweptRun* run;
+    PendingRun* run;
     bool ended = false, together = false;
     std::exception_ptr failure{};
   };
@@ -64,7 +52,7 @@ class RunMeeting {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<Waiting*> waiting_;  ///< that have not begun, in the order in which they came
-  std::size_t expected_ = 1;       ///< threads that may bring runs: the first one always
+  std::size_t expected_ = 1;       ///< threads that may bring runs; the first one always may
   std::size_t busy_ = 0;           ///< of them, those whose runs go on
 };
 

@@ -38,9 +38,9 @@ RunResult run_all(const Job& job, const RunOptions& options) {
       [&](std::size_t point) {
         return std::make_unique<RecordersInPlace>(RecordersInPlace{recording.recorders(point)});
       },
-      [&](SweptRun& run, std::unique_ptr<RecordersInPlace> recorded) {
-        ends.add(run.point, std::move(run.end));
-        recording.done(run.point, recorded->all);
+      [&](PendingRun& run, std::unique_ptr<RecordersInPlace> recorded) {
+        ends.add(run.index, std::move(run.end));
+        recording.done(run.index, recorded->all);
       });
   return result_of(ends, recording.take(), runs);
 }
@@ -56,10 +56,10 @@ RunResult run_for_rows(const Job& job, const RunOptions& options) {
   run_groups(
       runs, options.threads, [&] { return [&] { return points.take(); }; },
       [&](std::size_t point) { return rows.take(runs.member_of(point)); },
-      [&](SweptRun& run, std::unique_ptr<record::RunRecording> recorded) {
+      [&](PendingRun& run, std::unique_ptr<record::RunRecording> recorded) {
         const bool whole = run.end.faults.empty(), finished = !run.end.interrupted;
-        ends.add(run.point, std::move(run.end));
-        if (finished) kept.put(run.point, rows.row_of(run.point, whole, std::move(recorded)));
+        ends.add(run.index, std::move(run.end));
+        if (finished) kept.put(run.index, rows.row_of(run.index, whole, std::move(recorded)));
       });
   return result_of(ends, kept.recordings(), runs);
 }
@@ -165,13 +165,13 @@ LaneReport run_points(const Job& job, const RunOptions& options, PointExchange& 
       runs, options.threads,
       [&] { return [points = ExchangedPoints(runs, exchange)]() mutable { return points.take(); }; },
       [&](std::size_t point) { return rows.take(runs.member_of(point)); },
-      [&](SweptRun& run, std::unique_ptr<record::RunRecording> recorded) {
-        PointResult result{run.point, std::move(run.end)};
+      [&](PendingRun& run, std::unique_ptr<record::RunRecording> recorded) {
+        PointResult result{run.index, std::move(run.end)};
         const bool whole = result.end.faults.empty();
         if (!one_row)
           result.recordings = recorded->take();
         else if (!result.end.interrupted)
-          result.recordings = rows.row_of(run.point, whole, std::move(recorded));
+          result.recordings = rows.row_of(run.index, whole, std::move(recorded));
         exchange.take(std::move(result));
       });
   return runs.lanes();

@@ -39,11 +39,11 @@ std::size_t TogetherRuns::at_once(std::size_t member) const {
   return code ? static_cast<std::size_t>(code->lanes) : 1;
 }
 
-bool TogetherRuns::run(std::size_t member, const plan::CompiledPlan* alone, std::vector<SweptRun>& runs) {
+bool TogetherRuns::run(std::size_t member, const plan::CompiledPlan* alone, std::vector<PendingRun>& runs) {
   const plan::CompiledLanes* code = code_.code(member);
   if (!code || (use_ != LaneUse::at_once && !pays(runs.size(), code->lanes))) return false;
   std::vector<LaneGroup::Run> lanes;
-  for (SweptRun& run : runs) lanes.push_back({run.simulation.get(), run.recorders});
+  for (PendingRun& run : runs) lanes.push_back({run.simulation, run.recorders});
   LaneGroup group(*code, std::move(lanes));
   if (!group.fits()) {
     code_.decide(member, "its runs differ in numbers that the code has for all");
@@ -62,14 +62,14 @@ bool TogetherRuns::run(std::size_t member, const plan::CompiledPlan* alone, std:
 
 /// Finds out once whether a member's runs are faster together; where they are not, all is as before.
 bool TogetherRuns::stays(std::size_t member, LaneGroup& group, const plan::CompiledPlan* alone,
-                         std::vector<SweptRun>& runs) {
+                         std::vector<PendingRun>& runs) {
   if (code_.is_decided(member) || use_ == LaneUse::at_once) return true;
   if (is_faster(group, *runs.front().simulation, alone)) {
     code_.decide(member);
     return true;
   }
   code_.decide(member, "the runs are faster one by one");
-  for (SweptRun& run : runs) {
+  for (PendingRun& run : runs) {
     run.simulation->reset();
     for (record::Recorder& recorder : *run.recorders) recorder.go_back_to(0);
   }

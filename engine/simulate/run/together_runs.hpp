@@ -10,15 +10,15 @@
 
 namespace stepwire::run {
 
-/// A run of a sweep, from its beginning to its end.
-struct SweptRun {
-  std::size_t point;
-  std::unique_ptr<Executor> simulation;
+/// A run that stands at time 0, and how it has ended.
+struct PendingRun {
+  std::size_t index;  ///< which one of several
+  Executor* simulation;
   std::vector<record::Recorder>* recorders;
-  RunEnd end;
+  RunEnd end{};
 };
 
-/// Steps runs of a sweep that have one plan together, where that can be and is faster. From any thread.
+/// Steps runs that have one plan together, where that can be and is faster. From any thread.
 class TogetherRuns {
  public:
   using Members = std::vector<LaneCode::Member>;
@@ -33,7 +33,7 @@ class TogetherRuns {
   int most_lanes() const { return code_.most_lanes(); }
   /// Runs them, which stand at time 0, to their ends. False, and nothing has happened, where they have to go
   /// one by one. `alone` is the code that they go with then; null: none is there.
-  bool run(std::size_t member, const plan::CompiledPlan* alone, std::vector<SweptRun>& runs);
+  bool run(std::size_t member, const plan::CompiledPlan* alone, std::vector<PendingRun>& runs);
   /// Notes that a run has made so many ticks alone.
   void done(std::int64_t ticks) { code_.done(ticks); }
 
@@ -41,7 +41,7 @@ class TogetherRuns {
 
  private:
   bool stays(std::size_t member, LaneGroup& group, const plan::CompiledPlan* alone,
-             std::vector<SweptRun>& runs);
+             std::vector<PendingRun>& runs);
   bool is_faster(LaneGroup& group, Executor& alone, const plan::CompiledPlan* code) const;
   void go_on(LaneGroup& group);
 

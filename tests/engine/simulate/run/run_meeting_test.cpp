@@ -1,9 +1,8 @@
 #include "engine/simulate/run/run_meeting.hpp"
 
 #include <catch2/catch.hpp>
-#include <cstring>
+#include <stdexcept>
 
-#include "engine/base/parallel/parallel.hpp"
 #include "engine/model/plan/variable_blocks.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "tests/support/plan_text.hpp"
@@ -19,26 +18,26 @@ const std::string decaying =
 
 /// x of a run with rate -k at its end, or where it is given up.
 struct Decay {
-  explicit Decay(const plan::Plan& plan, std::size_t number) : recording(plan) {
-    run.simulation = std::make_unique<Executor>(plan);
-    static_cast<void>(run.simulation->set("k", std::to_string(-0.1 * static_cast<double>(number))));
-    run.simulation->reset();
-    run.recorders = &recording.recorders();
+  explicit Decay(const plan::Plan& plan, std::size_t number)
+      : recording(plan), simulation(plan), run{number, &simulation, &recording.recorders()} {
+    static_cast<void>(simulation.set("k", std::to_string(-0.1 * static_cast<double>(number))));
+    simulation.reset();
   }
 
   void go_alone() {
-    for (; !run.simulation->finished(); run.simulation->advance()) record();
+    for (; !simulation.finished(); simulation.advance()) record();
     record();
   }
   void record() {
-    run.simulation->evaluate();
-    for (record::Recorder& one : *run.recorders)
-      one.record(run.simulation->tick(), run.simulation->values(), false);
+    simulation.evaluate();
+    for (record::Recorder& one : recording.recorders())
+      one.record(simulation.tick(), simulation.values(), false);
   }
   std::vector<double> x() { return recording.take().front().table.find("x")->values; }
 
   record::RunRecording recording;
-  SweptRun run{};
+  Executor simulation;
+  PendingRun run;
 };
 
 TogetherRuns::Members members_of(const plan::Plan& plan) {
@@ -52,8 +51,7 @@ std::vector<std::vector<double>> meet(const plan::Plan& plan, std::size_t chains
   codegen::GeneratedCode code;
   RunMeeting meeting(members_of(plan), LaneUse::at_once, &code, nullptr);
   std::vector<std::vector<double>> all(3 * chains);
-  RunMeeting::Items items(meeting, chains, threads);
-  parallel::in_parallel(chains, threads, [&](std::size_t chain) {
+  meeting.in_parallel(chains, threads, [&](std::size_t chain) {
     for (std::size_t i = 3 * chain; i < 3 * chain + 3; ++i) {
       Decay one(plan, i);
       if (meeting.run(0, nullptr, one.run))
@@ -62,7 +60,6 @@ std::vector<std::vector<double>> meet(const plan::Plan& plan, std::size_t chains
         one.go_alone();
       all[i] = one.x();
     }
-    items.done();
   });
   report = meeting.lanes();
   return all;
@@ -89,10 +86,26 @@ TEST_CASE("runs that threads bring one after the other meet and give what they g
 TEST_CASE("without lanes no run waits for another") {
   const plan::Plan plan = plan_text(decaying);
   RunMeeting meeting(members_of(plan), LaneUse::never, nullptr, nullptr);
-  const RunMeeting::Items items(meeting, 5, 5);
-  Decay one(plan, 1);
-  CHECK_FALSE(meeting.run(0, nullptr, one.run));
+  meeting.in_parallel(5, 5, [&](std::size_t i) {
+    Decay one(plan, i);
+    if (meeting.run(0, nullptr, one.run)) throw std::logic_error("a run met another one");
+  });
   CHECK(meeting.threads(2) == 2);
+}
+
+TEST_CASE("a thread that fails is not waited for") {
+  const plan::Plan plan = plan_text(decaying);
+  codegen::GeneratedCode code;
+  RunMeeting meeting(members_of(plan), LaneUse::at_once, &code, nullptr);
+  std::atomic<std::size_t> made = 0;
+  const auto task = [&](std::size_t i) {
+    if (i == 1) throw std::runtime_error("the second one fails");
+    Decay one(plan, i);
+    if (!meeting.run(0, nullptr, one.run)) one.go_alone();
+    ++made;
+  };
+  CHECK_THROWS_WITH(meeting.in_parallel(9, 4, task), "the second one fails");
+  CHECK(made == 8);
 }
 
 }  // namespace stepwire::run
