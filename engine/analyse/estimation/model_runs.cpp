@@ -7,6 +7,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "engine/analyse/estimation/tape.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/stop_condition.hpp"
 
@@ -49,31 +50,6 @@ std::vector<std::string> columns_of(const FitRequest& request) {
   return columns;
 }
 
-/// Keeps what a part reads of a run of the whole.
-class TapeWriter : public run::RunObserver {
- public:
-  TapeWriter(const SensitiveSubdiagram& part, std::vector<double>& tape) : part_(part), tape_(tape) {}
-  void evaluated(const run::ObservedRun& run) override { part_.append(run.simulation.values(), tape_); }
-
- private:
-  const SensitiveSubdiagram& part_;
-  std::vector<double>& tape_;
-};
-
-/// Plays it back into a run of the part.
-class TapePlayer : public run::RunObserver {
- public:
-  TapePlayer(const SensitiveSubdiagram& part, const std::vector<double>& tape) : part_(part), tape_(tape) {}
-  run::Flow before_tick(const run::ObservedRun& run) override {
-    part_.play(tape_, run.simulation);
-    return run::Flow::go_on;
-  }
-
- private:
-  const SensitiveSubdiagram& part_;
-  const std::vector<double>& tape_;
-};
-
 /// May the records' plans share code that reads these blocks from a table?
 bool are_alike(const std::vector<plan::VariableBlock>& variable, const plan::Plan& one,
                const plan::Plan& other) {
@@ -83,11 +59,6 @@ bool are_alike(const std::vector<plan::VariableBlock>& variable, const plan::Pla
     return &a.type() == &b.type() &&
            plan::MemberItems(a.type(), a.get()).outline() == plan::MemberItems(b.type(), b.get()).outline();
   });
-}
-
-std::string fault_of(const run::Executor& simulation) {
-  const auto fault = simulation.fault();
-  return fault ? fault->fault.text() : "the run ended early";
 }
 
 }  // namespace
@@ -311,7 +282,7 @@ std::vector<record::Recording> ModelRuns::take(std::size_t record, run::Executor
     return {};
   }
   if (!simulation.healthy()) {
-    if (fault) *fault = fault_of(simulation);
+    if (fault) *fault = run::fault_of(simulation);
     return {};
   }
   std::vector<record::Recording> recordings = recording.take();

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/analyse/statistics/statistics_error.hpp"
+#include "engine/analyse/study/drawn_number.hpp"
 
 namespace stepwire::study {
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <system_error>
 
+#include "engine/analyse/study/drawn_number.hpp"
 #include "engine/model/diagram/named_signals.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/pooling.hpp"
@@ -16,7 +17,6 @@ namespace stepwire::study {
 
 namespace {
 
-constexpr std::uint64_t most = 1'000'000'000;
 enum Purpose : std::uint64_t { person = 1, noise = 2, noise_of_practice = 4 };  // 3: the order
 
 const diagram::DiagramParameter& parameter_of(const diagram::Diagram& diagram, const std::string& name) {
@@ -63,17 +63,6 @@ std::string name_of(const TrialRun& trial, const StudyRequest& request) {
   return fmt::format("subject {}, condition {}{}", trial.subject,
                      request.conditions[trial.condition].feedback.name,
                      trial.practice == 0 ? "" : fmt::format(" (practice {})", trial.practice));
-}
-
-std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from) {
-  std::uint64_t hash = 0;
-  for (const std::uint64_t number : from) {  // SplitMix64 (Steele, Lea and Flood 2014) of each sum
-    hash += number + 0x9e3779b97f4a7c15u;
-    hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
-    hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
-    hash ^= hash >> 31;
-  }
-  return hash % most;
 }
 
 TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const run::Job& job,

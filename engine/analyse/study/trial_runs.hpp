@@ -64,10 +64,6 @@ diagram::Diagram diagram_of(const run::Job& job, std::size_t study);
 /// What sets it apart: " with half_width=1 mm, offset=5 N"; empty where there is no sweep.
 std::string with_swept(const run::Job& job, std::size_t study);
 
-/// Whole numbers below 1e9 that follow from others, each as if drawn: who the subject is, the noise of a
-/// trial, the order of the conditions.
-std::uint64_t drawn_number(std::initializer_list<std::uint64_t> from);
-
 /// Runs trials of a file. Trials that differ in numbers share a plan and a compilation.
 class TrialRuns {
  public:

@@ -28,11 +28,6 @@ bool reads_recording(const TuneRequest& request, std::size_t recording) {
   return std::ranges::any_of(request.minimise.reductions, in) || std::ranges::any_of(request.constraints, in);
 }
 
-std::string fault_of(const run::Executor& simulation) {
-  const auto fault = simulation.fault();
-  return fault ? fault->fault.text() : "the run ended early";
-}
-
 }  // namespace
 
 /// A plan, and its runs that wait to be used again.
@@ -246,7 +241,7 @@ std::vector<record::Recording> TuneRuns::take(std::size_t point, const Values& v
     return {};
   }
   if (!simulation.healthy()) {
-    fault = fault_of(simulation);
+    fault = run::fault_of(simulation);
     return {};
   }
   Recordings recordings = recording.take();

@@ -69,9 +69,9 @@ bool Compiler::is_gcc() const {
 std::vector<std::string> Compiler::command(const std::vector<std::string>& more) const {
   std::vector<std::string> command{path_};
   for (const std::string& flag : flags()) command.push_back(flag);
-  command.insert(command.end(), more.begin(), more.end());
   // What these passes find in straight-line code is little, and the first one's time grows with its square.
   if (is_gcc()) command.insert(command.end(), {"-fno-tree-pta", "-fno-tree-slp-vectorize"});
+  command.insert(command.end(), more.begin(), more.end());
   command.insert(command.end(), {"-fPIC", "-w"});
   return command;
 }

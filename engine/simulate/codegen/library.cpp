@@ -72,6 +72,8 @@ std::vector<std::string> flags_of(const GeneratedProgram& program) {
   for (const char* limit :
        {"max-inline-insns-single", "large-function-growth", "large-stack-frame-growth", "inline-unit-growth"})
     flags.push_back(fmt::format("--param={}=100000", limit));
+  // Copies in pieces narrower than a register make the next read of it wait for all of them.
+  flags.insert(flags.end(), {"-ftree-pta", "-ftree-slp-vectorize", "-fno-tree-loop-distribute-patterns"});
   flags.push_back(fmt::format("-mprefer-vector-width={}", 64 * program.lanes));
   return flags;
 }

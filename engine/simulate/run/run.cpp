@@ -6,6 +6,11 @@
 
 namespace stepwire::run {
 
+std::string fault_of(const Executor& simulation) {
+  const auto fault = simulation.fault();
+  return fault ? fault->fault.text() : "the run ended early";
+}
+
 RunEnd end_of(const Executor& simulation) {
   RunEnd end;
   if (auto fault = simulation.fault()) end.faults.push_back(std::move(*fault));

@@ -68,6 +68,9 @@ RunEnd run_simulation(Executor& simulation, std::vector<record::Recorder>& recor
 /// How a run has ended that went with a drive, or in a lane.
 RunEnd end_of(const Executor& simulation);
 
+/// Why a run ended that is not healthy.
+std::string fault_of(const Executor& simulation);
+
 /// One run of a sweep, or of a study.
 struct SweepPoint {
   std::size_t member = 0;               ///< of Job::family, whose plan it runs
