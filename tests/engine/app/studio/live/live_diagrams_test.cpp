@@ -82,8 +82,8 @@ TEST_CASE("of a sweep that keeps numbers a run that is watched has its own numbe
   CHECK(row.find("time")->values.front() == 0.5);
   CHECK(row.find("rise")->values.front() == Approx(0.02 * std::log(9.0)).epsilon(1e-3));
   const json::Json claims = claims_now(live);
-  CHECK(*claims.find("claims")->items().at(0).find("verdict")->as_text() == "ok");
-  CHECK(*claims.find("claims")->items().at(1).find("verdict")->as_text() == "FAIL");
+  CHECK(*claims.find("claims")->items()[0].find("verdict")->as_text() == "ok");
+  CHECK(*claims.find("claims")->items()[1].find("verdict")->as_text() == "FAIL");
   CHECK(figures_now(live).find("figures")->items().front().find("fault") == nullptr);
 }
 
