@@ -16,6 +16,7 @@ struct Model::Content {
   explicit Content(std::shared_ptr<const run::Job> of);
 
   std::shared_ptr<const run::Job> job;
+  std::shared_ptr<const run::RunNumbers> kept;  ///< what its sweep keeps of each run; null: rows
   std::vector<SignalInfo> signals;
   std::vector<InputInfo> inputs;
   std::vector<plan::SignalSlot> slots;  ///< of the signals, in the plan of the job

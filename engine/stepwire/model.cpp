@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/analyse/kept/kept_numbers.hpp"
+#include "engine/analyse/kept/names.hpp"
 #include "engine/stepwire/content.hpp"
 
 namespace stepwire {
@@ -46,6 +48,15 @@ struct Loaded {
   run::Job job;
 };
 
+/// Throws Error where a number that its sweep keeps has a fault.
+std::shared_ptr<const run::RunNumbers> kept_of(const run::Job& job) {
+  query::SymbolTable names = kept::names_of(job);
+  yaml::Faults faults;
+  auto numbers = kept::read_kept_numbers(job.plan.diagram, names, faults);
+  faults.throw_if_any();
+  return numbers;
+}
+
 template <class Id>
 std::size_t index_of(Id id, const Model::Content* model) {
   if (id.model != model) throw std::logic_error("a signal or input of another model is used");
@@ -54,7 +65,7 @@ std::size_t index_of(Id id, const Model::Content* model) {
 
 }  // namespace
 
-Model::Content::Content(std::shared_ptr<const run::Job> of) : job(std::move(of)) {
+Model::Content::Content(std::shared_ptr<const run::Job> of) : job(std::move(of)), kept(kept_of(*job)) {
   const plan::Plan& plan = job->plan;
   for (const auto& [name, signal] : diagram::named_signals(plan.diagram)) {
     slots.push_back(plan.slot(signal));

@@ -21,6 +21,7 @@ Result simulate(const Model& model, const SimulateOptions& options) {
   run.threads = options.threads;
   run.engine = options.engine;
   run.code = &code;
+  run.numbers = model.content().kept.get();
   for (Observer* observer : options.observers) {
     shown.push_back(std::make_unique<Shown>(model.content(), *observer));
     run.observers.push_back(shown.back().get());

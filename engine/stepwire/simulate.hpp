@@ -31,7 +31,8 @@ struct SimulateOptions {
 
 /// What a run, or all runs of a sweep, recorded, and how they ended.
 struct Result {
-  std::vector<Recording> recordings;  ///< one for each period at which the file records
+  /// One for each period at which the file records; of a sweep that keeps numbers of each run one with these.
+  std::vector<Recording> recordings;
   std::vector<RunFault> faults;       ///< at most one for each run
   std::vector<RaisedDiagnostic> diagnostics;
   bool interrupted = false;         ///< by SimulateOptions::stop

@@ -180,6 +180,9 @@ void check_sweep() {
     CHECK(near(result["way"][k], 0.5 * result["g"][k] * result["time"][k] * result["time"][k]));
   const sw::Model one = sw::load(CONSUMER_DIR "/fall.yaml", {{"g", "6 m/s^2"}});
   CHECK(near(sw::simulate(one)["way"].back(), 3.0));
+  const sw::Result kept = sw::simulate(sw::load(CONSUMER_DIR "/kept.yaml"));
+  CHECK(kept.recordings.size() == 1 && kept["end"].size() == 3 && kept["g"].size() == 3);
+  for (std::size_t run = 0; run < 3; ++run) CHECK(near(kept["end"][run], 0.5 * kept["g"][run]));
 }
 
 void check_compiled() {

@@ -13,7 +13,7 @@ namespace {
 using Folders = std::set<std::string>;
 
 /// The floors, from below.
-const std::vector<std::string> floors{"base", "model", "simulate", "stepwire", "analyse", "view", "app"};
+const std::vector<std::string> floors{"base", "model", "simulate", "analyse", "stepwire", "view", "app"};
 
 std::string floor_of(const std::string& room) {
   return room.substr(0, room.find('/'));

@@ -31,18 +31,6 @@ bool is_selected(const std::vector<double>& where, const record::Recording& reco
   return false;
 }
 
-/// The numbers of the runs that count.
-std::vector<double> numbers_of(const Claim& claim, std::span<const record::Recording> recordings) {
-  const auto values = values_of(*claim.of_run, recordings);
-  const record::Recording& recording = recordings[claim.recording];
-  const std::vector<double> where =
-      claim.where ? query::evaluate(*claim.where, recording) : std::vector<double>{};
-  std::vector<double> numbers;
-  for (std::size_t run = 0; run < values.size(); ++run)
-    if (values[run] && (!claim.where || is_selected(where, recording, run))) numbers.push_back(*values[run]);
-  return numbers;
-}
-
 Found fraction_of(const std::vector<double>& numbers, double confidence) {
   const auto count =
       static_cast<std::size_t>(std::ranges::count_if(numbers, [](double number) { return number != 0.0; }));
@@ -66,8 +54,16 @@ std::string shown_text(const Claim& claim, const Found& found, double confidence
 
 }  // namespace
 
-void judge_runs(const Claim& claim, std::span<const record::Recording> recordings, Verdict& verdict) {
-  const std::vector<double> numbers = numbers_of(claim, recordings);
+void add_numbers(const Claim& claim, std::span<const record::Recording> runs, std::vector<double>& numbers) {
+  const auto values = values_of(*claim.of_run, runs);
+  const record::Recording& recording = runs[claim.recording];
+  const std::vector<double> where =
+      claim.where ? query::evaluate(*claim.where, recording) : std::vector<double>{};
+  for (std::size_t run = 0; run < values.size(); ++run)
+    if (values[run] && (!claim.where || is_selected(where, recording, run))) numbers.push_back(*values[run]);
+}
+
+void judge_runs(const Claim& claim, const std::vector<double>& numbers, Verdict& verdict) {
   const auto undefined = std::ranges::count_if(numbers, [](double number) { return std::isnan(number); });
   if (numbers.empty()) {
     verdict.note = "no run counts";

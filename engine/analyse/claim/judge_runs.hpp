@@ -1,11 +1,17 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "engine/analyse/claim/claim.hpp"
 
 namespace stepwire::claim {
 
-/// Judges a claim about a fraction or a quantile of runs. Throws std::invalid_argument where a column is not
-/// there.
-void judge_runs(const Claim& claim, std::span<const record::Recording> recordings, Verdict& verdict);
+/// Adds the numbers of runs that count in a claim about a fraction or a quantile of runs. Throws
+/// std::invalid_argument where a column is not there.
+void add_numbers(const Claim& claim, std::span<const record::Recording> runs, std::vector<double>& numbers);
+
+/// Judges such a claim on the numbers of all runs that count.
+void judge_runs(const Claim& claim, const std::vector<double>& numbers, Verdict& verdict);
 
 }  // namespace stepwire::claim

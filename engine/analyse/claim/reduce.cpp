@@ -11,25 +11,8 @@
 namespace stepwire::claim {
 namespace {
 
-std::vector<double> selected(const std::vector<double>& values, const Rows& rows) {
-  std::vector<double> result;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (rows.selected[i]) result.push_back(values[i]);
-  return result;
-}
-
 double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-/// A nan among the values is the answer: what cannot be compared must not win or lose.
-double extreme(const std::vector<double>& values, bool largest) {
-  double result = values.front();
-  for (const double value : values) {
-    if (std::isnan(value)) return query::nothing;
-    result = largest ? std::max(result, value) : std::min(result, value);
-  }
-  return result;
 }
 
 /// Calls visit(i, i + 1) for neighbouring rows of one run that are both selected.
@@ -40,48 +23,9 @@ void for_each_interval(const Rows& rows, Visit visit) {
       if (rows.selected[i] && rows.selected[i + 1]) visit(i, i + 1);
 }
 
-double squared_if(double value, bool squared) {
-  return squared ? value * value : value;
-}
-
-/// Mean over time of the value or its square, by the trapezoid rule.
-double time_mean(const Rows& rows, bool squared) {
-  double integral = 0.0, duration = 0.0;
-  for_each_interval(rows, [&](std::size_t i, std::size_t j) {
-    const double step = rows.time[j] - rows.time[i];
-    integral += 0.5 * step * (squared_if(rows.value[i], squared) + squared_if(rows.value[j], squared));
-    duration += step;
-  });
-  if (duration > 0.0) return integral / duration;
-  // Single rows have no duration: each counts the same.
-  std::vector<double> values = selected(rows.value, rows);
-  for (double& value : values) value = squared_if(value, squared);
-  return mean_of(values);
-}
-
-double fraction(const std::vector<double>& values) {
-  std::size_t count = 0;
-  for (const double value : values) {
-    if (std::isnan(value)) return query::nothing;
-    if (value != 0.0) ++count;
-  }
-  return static_cast<double>(count) / static_cast<double>(values.size());
-}
-
 double quantile(std::vector<double> values, double share) {
-  if (std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return query::nothing;
   std::ranges::sort(values);
   return statistics::hazen_quantile(values, share);
-}
-
-double rising_edges(const Rows& rows) {
-  double count = 0.0;
-  for (std::size_t i = 0; i < rows.value.size(); ++i)
-    if (rows.selected[i] && std::isnan(rows.value[i])) return query::nothing;
-  for_each_interval(rows, [&](std::size_t i, std::size_t j) {
-    if (rows.value[i] == 0.0 && rows.value[j] != 0.0) count += 1.0;
-  });
-  return count;
 }
 
 /// 100 (1 - |model - measured| / |measured - mean|).
@@ -111,32 +55,88 @@ Rows Rows::of_run(std::size_t run) const {
   return {piece(value), piece(other), piece(time), piece(selected), {0}, free_offset, share};
 }
 
+bool keeps_rows(Reduction reduction) {
+  return reduction == Reduction::quantile || reduction == Reduction::rising || reduction == Reduction::fit;
+}
+
+void Reducing::add(const Rows& rows) {
+  free_offset_ = rows.free_offset;
+  share_ = rows.share;
+  if (reduction_ == Reduction::count) add_edges(rows);
+  if (reduction_ == Reduction::mean || reduction_ == Reduction::rms) add_times(rows);
+  for (std::size_t row = 0; row < rows.value.size(); ++row) {
+    if (!rows.selected[row]) continue;
+    take(rows.value[row]);
+    if (!keeps_rows(reduction_)) continue;
+    values_.push_back(rows.value[row]);
+    if (!rows.other.empty()) others_.push_back(rows.other[row]);
+  }
+}
+
+/// A nan among the values is the answer: what cannot be compared must not win or lose.
+void Reducing::take(double value) {
+  undefined_ = undefined_ || std::isnan(value);
+  largest_ = all_ == 0 ? value : std::max(largest_, value);
+  smallest_ = all_ == 0 ? value : std::min(smallest_, value);
+  sum_ += reduction_ == Reduction::rms ? value * value : value;
+  ++all_;
+  if (reduction_ == Reduction::fraction && value != 0.0) ++counted_;
+}
+
+void Reducing::add_edges(const Rows& rows) {
+  for_each_interval(rows, [&](std::size_t i, std::size_t j) {
+    if (rows.value[i] == 0.0 && rows.value[j] != 0.0) ++counted_;
+  });
+}
+
+/// By the trapezoid rule.
+void Reducing::add_times(const Rows& rows) {
+  const auto value = [&](std::size_t row) {
+    return reduction_ == Reduction::rms ? rows.value[row] * rows.value[row] : rows.value[row];
+  };
+  for_each_interval(rows, [&](std::size_t i, std::size_t j) {
+    const double step = rows.time[j] - rows.time[i];
+    integral_ += 0.5 * step * (value(i) + value(j));
+    duration_ += step;
+  });
+}
+
+/// Single rows have no duration: each counts the same.
+double Reducing::time_mean() const {
+  return duration_ > 0.0 ? integral_ / duration_ : sum_ / static_cast<double>(all_);
+}
+
+double Reducing::value() const {
+  if (reduction_ == Reduction::mean) return time_mean();
+  if (reduction_ == Reduction::rms) return std::sqrt(time_mean());
+  if (undefined_) return query::nothing;
+  switch (reduction_) {
+    case Reduction::max:
+      return largest_;
+    case Reduction::min:
+      return smallest_;
+    case Reduction::spread:
+      return largest_ - smallest_;
+    case Reduction::fraction:
+      return static_cast<double>(counted_) / static_cast<double>(all_);
+    case Reduction::count:
+      return static_cast<double>(counted_);
+    case Reduction::quantile:
+      return quantile(values_, share_);
+    case Reduction::rising:
+      return statistics::rank_correlation(values_, others_);
+    case Reduction::fit:
+      return fit_percent(values_, others_, free_offset_);
+    default:
+      return query::nothing;
+  }
+}
+
 double reduce(Reduction reduction, const Rows& rows) {
   if (is_of_step(reduction)) return reduce_step(reduction, rows);
-  const std::vector<double> values = selected(rows.value, rows);
-  switch (reduction) {
-    case Reduction::max:
-    case Reduction::min:
-      return extreme(values, reduction == Reduction::max);
-    case Reduction::spread:
-      return extreme(values, true) - extreme(values, false);
-    case Reduction::mean:
-    case Reduction::rms:
-      return reduction == Reduction::rms ? std::sqrt(time_mean(rows, true)) : time_mean(rows, false);
-    case Reduction::fraction:
-      return fraction(values);
-    case Reduction::count:
-      return rising_edges(rows);
-    case Reduction::quantile:
-      return quantile(values, rows.share);
-    case Reduction::rising:
-      return statistics::rank_correlation(values, selected(rows.other, rows));
-    case Reduction::fit:
-      return fit_percent(values, selected(rows.other, rows), rows.free_offset);
-    default:
-      break;
-  }
-  return query::nothing;
+  Reducing reducing(reduction);
+  reducing.add(rows);
+  return reducing.value();
 }
 
 }  // namespace stepwire::claim

@@ -13,13 +13,6 @@ namespace {
 
 using statistics::Estimate;
 
-std::vector<double> outcomes_of(const Outcome& outcome, std::span<const record::Recording> recordings) {
-  std::vector<double> numbers;
-  for (const std::optional<double>& value : claim::values_of(outcome.of_run, recordings))
-    numbers.push_back(value.value_or(query::nothing));
-  return numbers;
-}
-
 /// Which parameter each step of the ways changes.
 std::vector<statistics::MorrisStep> steps_of(const sampling::Points& points, std::size_t of_way) {
   std::vector<statistics::MorrisStep> steps;
@@ -61,11 +54,19 @@ std::vector<query::RecordedName> result_names(const Request& request, std::size_
   return names;
 }
 
-record::Recording results(const Request& request, std::span<const record::Recording> recordings) {
+void add_outcomes(const Request& request, std::span<const record::Recording> runs, OutcomeNumbers& numbers) {
+  numbers.resize(request.outcomes.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    for (const std::optional<double>& value : claim::values_of(request.outcomes[i].of_run, runs))
+      numbers[i].push_back(value.value_or(query::nothing));
+}
+
+record::Recording results(const Request& request, const OutcomeNumbers& numbers) {
   record::Recording found;
   found.table.columns.push_back({"time", "s", {0.0}});
-  for (const Outcome& outcome : request.outcomes) {
-    const auto estimates = estimates_of(request, outcomes_of(outcome, recordings));
+  for (std::size_t i = 0; i < request.outcomes.size(); ++i) {
+    const Outcome& outcome = request.outcomes[i];
+    const auto estimates = estimates_of(request, numbers.at(i));
     const auto& dimension = outcome.of_run.formula->dimension;
     const std::string unit = request.screens() && dimension ? unit::si_name(*dimension) : "1";
     const std::vector<std::string> measures = request.measures();

@@ -41,8 +41,14 @@ Request read_sensitivity(const yaml::Node& node, const diagram::Diagram& diagram
 /// What figures and claims may name, all in one recording: peak.total.k, peak.total.k.low, peak.total.k.high.
 std::vector<query::RecordedName> result_names(const Request& request, std::size_t recording);
 
-/// What is found, as a recording of one row with these columns.
-record::Recording results(const Request& request, std::span<const record::Recording> recordings);
+/// The numbers of each outcome, one of each run.
+using OutcomeNumbers = std::vector<std::vector<double>>;
+
+/// Adds the numbers of runs that come behind those that are there.
+void add_outcomes(const Request& request, std::span<const record::Recording> runs, OutcomeNumbers& numbers);
+
+/// What is found of the numbers of all runs, as a recording of one row with these columns.
+record::Recording results(const Request& request, const OutcomeNumbers& numbers);
 
 /// The same for readers: a line for each outcome and parameter.
 text::TextTable results_table(const Request& request, const record::Recording& results);

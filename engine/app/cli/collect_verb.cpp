@@ -19,7 +19,7 @@ namespace {
 struct CollectCall {
   std::vector<std::string> folders;
   std::string out;
-  session::FileKinds files = session::usual_files;
+  std::optional<session::FileKinds> files;
   render::PictureKinds pictures = render::usual_pictures;
 };
 
@@ -68,11 +68,13 @@ ExitCode collect(const CollectCall& call, const Registry& registry) {
              model.file, model.job.points.size(), missing);
     return ExitCode::surroundings;
   }
-  const auto owned = session::own_results(call.out, model, call.files);
+  const session::RowUse use{call.out, session::files_for(model, call.files)};
+  session::require_rows(model, use);
+  const auto owned = session::own_results(call.out, model, use.files);
   if (!call.out.empty()) replay::write_replay(call.out, model.job);
-  const session::Outcome outcome = session::joined_points(model, shares.journals());
+  const session::Outcome outcome = session::joined_points(model, shares.journals(), use);
   print_faults(outcome.result);
-  if (!call.out.empty()) session::write_outputs(call.out, model, outcome, call.files, call.pictures);
+  if (!call.out.empty()) session::write_outputs(call.out, model, outcome, use.files, call.pictures);
   put_outcome(model, outcome);
   if (!call.out.empty()) say("  written to {}\n", call.out);
   return code_of(outcome);

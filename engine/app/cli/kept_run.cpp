@@ -11,10 +11,10 @@
 
 namespace stepwire::cli {
 
-KeptRun::KeptRun(const session::LoadedModel& model, const std::string& folder, const session::Share& share)
-    : model_(model), folder_(folder), share_(share), kept_(model, folder, share) {
+KeptRun::KeptRun(const session::LoadedModel& model, const session::RowUse& use, const session::Share& share)
+    : model_(model), use_(use), folder_(use.folder), share_(share), kept_(model, use.folder, share) {
   if (kept_.found() > 0)
-    complain("{}: {} of {} points are there from an earlier call\n", folder, kept_.found(), kept_.points());
+    complain("{}: {} of {} points are there from an earlier call\n", folder_, kept_.found(), kept_.points());
 }
 
 session::Outcome KeptRun::run(session::Session& session, run::ExecutionMode engine, unsigned threads) {
@@ -22,7 +22,7 @@ session::Outcome KeptRun::run(session::Session& session, run::ExecutionMode engi
 }
 
 session::Outcome KeptRun::joined(const session::PointsReport& report) {
-  session::Outcome outcome = session::joined_points(model_, {&kept_.journal()}, kept_.take_halves());
+  session::Outcome outcome = session::joined_points(model_, {&kept_.journal()}, use_, kept_.take_halves());
   outcome.seconds = report.seconds;
   outcome.result.lanes = report.lanes;
   if (outcome.result.interrupted) note_interrupted();

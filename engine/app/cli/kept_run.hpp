@@ -14,7 +14,7 @@ namespace stepwire::cli {
 class KeptRun {
  public:
   /// Says what an earlier call has left. Throws EnvironmentError.
-  KeptRun(const session::LoadedModel& model, const std::string& folder, const session::Share& share = {});
+  KeptRun(const session::LoadedModel& model, const session::RowUse& use, const session::Share& share = {});
 
   /// Runs what is missing, on so many threads (0: all cores), and joins all.
   session::Outcome run(session::Session& session, run::ExecutionMode engine, unsigned threads = 0);
@@ -30,6 +30,7 @@ class KeptRun {
   void note_interrupted();
 
   const session::LoadedModel& model_;
+  const session::RowUse use_;
   const std::string folder_;
   const session::Share share_;
   session::KeptPoints kept_;

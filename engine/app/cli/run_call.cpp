@@ -113,14 +113,17 @@ auto kinds_of(const std::string& option, const std::string& list, const std::str
 
 }  // namespace
 
-void add_kinds_options(CLI::App& verb, session::FileKinds& of_files, render::PictureKinds& of_pictures) {
+void add_kinds_options(CLI::App& verb, std::optional<session::FileKinds>& of_files,
+                       render::PictureKinds& of_pictures) {
   const std::string files = session::file_kind_names(), pictures = render::picture_kind_names();
   verb.add_option_function<std::string>(
           "--files",
           [&of_files, files](const std::string& list) {
             of_files = kinds_of("--files", list, files, session::file_kind);
           },
-          fmt::format("kinds of files for the recorded signals in --out, of {}; left out: csv,mat", files))
+          fmt::format("kinds of files for the recorded signals in --out, of {}; left out: csv,mat, and h5 for "
+                      "more than {:.0f} million numbers, of which no csv is written",
+                      files, session::most_numbers_of_csv * 1e-6))
       ->option_text("KIND,...");
   verb.add_option_function<std::string>(
           "--pictures",

@@ -20,7 +20,7 @@ struct RunCall {
   std::string out;       ///< folder; empty: nothing is written; "-": an archive on the standard output
   bool archive = false;  ///< `out` holds what becomes an archive: a folder for each file
   std::string csv;       ///< file for the recorded table; "-": the standard output; empty: none
-  session::FileKinds files = session::usual_files;
+  std::optional<session::FileKinds> files{};
   render::PictureKinds pictures = render::usual_pictures;
   run::ExecutionMode engine = run::ExecutionMode::automatic;
   bool profile = false;          ///< measure what each block costs
@@ -38,7 +38,8 @@ inline constexpr const char* standard_output = "-";
 void add_run_options(CLI::App& verb, RunCall& call, const std::string& out);
 
 /// Declares --files and --pictures.
-void add_kinds_options(CLI::App& verb, session::FileKinds& files, render::PictureKinds& pictures);
+void add_kinds_options(CLI::App& verb, std::optional<session::FileKinds>& files,
+                       render::PictureKinds& pictures);
 
 /// Runs the files; one with a fit is fitted first, and of one with a study the trials are run.
 ExitCode run_models(const RunCall& call, const Registry& registry);

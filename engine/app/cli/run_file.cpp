@@ -45,8 +45,13 @@ class FileRun {
     const EndDelay delay(EndDelay::Signals::first);
     render::require_converter(call_.pictures);
     const std::string folder = folder_of(call_, model.file);
-    const auto owned = session::own_results(folder, model, call_.files);
-    if (call_.part) return KeptRun(model, folder, *call_.part).run_share(session_, call_.engine, call_.threads);
+    use_ = {folder, session::files_for(model, call_.files), !call_.csv.empty()};
+    if (!folder.empty() && !call_.files && use_.files != session::usual_files)
+      complain("{}: more than {:.0f} million numbers, so signals.h5 is written, and no csv or mat\n", model.file,
+               session::most_numbers_of_csv * 1e-6);
+    if (!call_.part) session::require_rows(model, use_);
+    const auto owned = session::own_results(folder, model, use_.files);
+    if (call_.part) return KeptRun(model, use_, *call_.part).run_share(session_, call_.engine, call_.threads);
     if (model.study) return study(model, folder, results);
     const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
     if (fitted != ExitCode::done) return fitted;
@@ -114,17 +119,21 @@ class FileRun {
   session::Outcome written_run(const session::LoadedModel& model, const std::string& folder) {
     const auto partial = partial_signals(folder, model);
     std::optional<KeptRun> kept;
-    if (!folder.empty() && !model.job.points.empty()) kept.emplace(model, folder);
+    if (!folder.empty() && !model.job.points.empty()) kept.emplace(model, use_);
     session::Outcome outcome = [&] {
       const auto watch = watched(file_name(model));
       if (mpi_) return mpi_->serve(*kept, session_, call_.engine);
       if (kept) return kept->run(session_, call_.engine, call_.threads);
+      if (session::goes_run_by_run(model, use_)) return session_.pass(model, call_.engine, call_.threads);
       if (partial) session_.monitor().observers = {partial.get()};
       return session_.run(model, call_.engine, call_.threads);
     }();
     session_.monitor().observers.clear();
     print_faults(outcome.result);
-    if (!folder.empty()) session::write_outputs(folder, model, outcome, call_.files, call_.pictures);
+    if (const auto left = session::csv_left_out(outcome.result.recordings, use_.files);
+        !folder.empty() && !left.empty())
+      complain("{}: {}\n", folder, left);
+    if (!folder.empty()) session::write_outputs(folder, model, outcome, use_.files, call_.pictures);
     if (partial) partial->remove();
     if (kept && !outcome.result.interrupted) kept->drop();
     if (!call_.csv.empty()) put_csv(outcome);
@@ -134,7 +143,7 @@ class FileRun {
   /// What is left of a run that is killed; null where that has no place.
   std::unique_ptr<session::PartialSignals> partial_signals(const std::string& folder,
                                                            const session::LoadedModel& model) const {
-    const bool kept = std::ranges::find(call_.files, session::FileKind::h5) != call_.files.end();
+    const bool kept = std::ranges::find(use_.files, session::FileKind::h5) != use_.files.end();
     if (folder.empty() || !kept || !model.job.points.empty()) return nullptr;
     return std::make_unique<session::PartialSignals>(folder, model);
   }
@@ -181,7 +190,7 @@ class FileRun {
       return ExitCode::interrupted;
     }
     if (!folder.empty()) {
-      session::write_outputs(folder, model, outcome, call_.files, call_.pictures);
+      session::write_outputs(folder, model, outcome, use_.files, call_.pictures);
       session::write_study(folder, model, *experiments, outcome);
     }
     if (call_.models.json) {
@@ -198,6 +207,7 @@ class FileRun {
   const RunCall& call_;
   session::Session& session_;
   MpiRun* const mpi_;
+  session::RowUse use_;
 };
 
 }  // namespace

@@ -44,7 +44,7 @@ py::dict categories(const Results& of, std::size_t recording) {
   py::dict all;
   for (const record::Categories& column : recording_of(of, recording).categories) {
     py::list texts;
-    for (const std::string& text : column.texts) texts.append(session::unquoted(text));
+    for (const std::string& text : column.texts) texts.append(session::without_quotes(text));
     all[py::str(column.column)] = texts;
   }
   return all;
@@ -81,7 +81,7 @@ py::list points(const Results& of) {
   for (std::size_t point = 0; point < of.model->job.points.size(); ++point) {
     py::dict sets;
     for (const diagram::Setting& setting : of.model->job.settings_of(point))
-      sets[py::str(setting.name)] = session::unquoted(setting.value);
+      sets[py::str(setting.name)] = session::without_quotes(setting.value);
     all.append(sets);
   }
   return all;

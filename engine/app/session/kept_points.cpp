@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/app/session/build_note.hpp"
+#include "engine/app/session/passed_runs.hpp"
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/owned_folder.hpp"
 #include "engine/base/yaml/yaml_text.hpp"
@@ -157,20 +159,42 @@ std::size_t KeptPoints::kept() const {
   return count;
 }
 
+namespace {
+
+/// Calls `take` with what journals hold, and with halves of runs, in the order of the points.
+template <class Take>
+void in_order(const std::vector<journal::Journal*>& journals, std::vector<run::PointResult> halves,
+              const Take& take) {
+  std::ranges::sort(halves, {}, &run::PointResult::point);
+  auto half = halves.begin();
+  const auto take_before = [&](std::size_t end) {
+    for (; half != halves.end() && half->point < end; ++half) take(std::move(*half));
+  };
+  journal::Journal::each(journals, [&](run::PointResult result) {
+    take_before(result.point);
+    take(std::move(result));
+  });
+  take_before(std::numeric_limits<std::size_t>::max());
+}
+
+}  // namespace
+
 Outcome joined_points(const LoadedModel& model, const std::vector<journal::Journal*>& journals,
-                      std::vector<run::PointResult> halves) {
+                      const RowUse& use, std::vector<run::PointResult> halves) {
+  if (goes_run_by_run(model, use)) {
+    PassedRuns passed(model, use);
+    in_order(journals, std::move(halves), [&](run::PointResult result) { passed.add(std::move(result)); });
+    return passed.take();
+  }
   run::JoinedPoints joined(model.job, model.kept.get());
-  std::vector<bool> taken(model.job.points.size());
-  for (journal::Journal* journal : journals)
-    journal->each([&](run::PointResult result) {
-      if (taken[result.point]) return;
-      taken[result.point] = true;
-      joined.add(std::move(result));
-    });
-  for (run::PointResult& half : halves) joined.add(std::move(half));
+  std::size_t whole = 0;
+  in_order(journals, std::move(halves), [&](run::PointResult result) {
+    if (!result.end.interrupted) ++whole;
+    joined.add(std::move(result));
+  });
   Outcome outcome;
   outcome.result = joined.take();
-  outcome.result.interrupted = std::ranges::find(taken, false) != taken.end();
+  outcome.result.interrupted = whole < model.job.points.size();
   judge_claims(model, outcome);
   return outcome;
 }

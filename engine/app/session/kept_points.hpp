@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/app/session/outcome.hpp"
+#include "engine/app/session/row_use.hpp"
 #include "engine/simulate/journal/journal.hpp"
 
 namespace stepwire::session {
@@ -65,9 +66,9 @@ class KeptPoints : public run::PointExchange {
 };
 
 /// What journals of one job hold together, judged as by run_model(); a point that is in none has no rows, and
-/// then the result is that of an interrupted run.
+/// then the result is that of an interrupted run. Where the runs go one by one, files of signals are written.
 Outcome joined_points(const LoadedModel& model, const std::vector<journal::Journal*>& journals,
-                      std::vector<run::PointResult> halves = {});
+                      const RowUse& use, std::vector<run::PointResult> halves = {});
 
 /// "12, 40 to 99 and 7 more": which points no journal has, numbered from 1; empty where there are none.
 std::string missing_points(const LoadedModel& model, const std::vector<journal::Journal*>& journals);

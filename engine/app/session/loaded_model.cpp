@@ -1,13 +1,9 @@
-// More than 300 lines with its header: the sections of a file are read in one place, in the order in which they name each other.
 #include "engine/app/session/loaded_model.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <string_view>
-#include <unordered_set>
 
 #include "engine/analyse/linear/columns.hpp"
 #include "engine/analyse/study/study_columns.hpp"
@@ -15,10 +11,8 @@
 #include "engine/app/session/pointer_names.hpp"
 #include "engine/app/session/sweep_sections.hpp"
 #include "engine/model/diagram/flatten.hpp"
-#include "engine/model/diagram/output_names.hpp"
-#include "engine/model/diagram/signal_words.hpp"
 #include "engine/simulate/record/recorder.hpp"
-#include "engine/simulate/run/pooling.hpp"
+#include "engine/simulate/run/memory.hpp"
 #include "engine/view/drawing/draw.hpp"
 #include "engine/view/plot/drawn.hpp"
 #include "engine/view/scene/scene_states.hpp"
@@ -26,98 +20,6 @@
 namespace stepwire::session {
 
 namespace {
-
-void add_swept_names(const run::Job& job, query::SymbolTable& names) {
-  if (job.points.empty()) return;
-  for (const diagram::Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
-    query::RecordedName name{axis.parameter, std::nullopt, std::nullopt};
-    if (axis.label) name.words = run::words_of(axis);
-    for (const diagram::DiagramParameter& parameter : job.plan.diagram.parameters) {
-      if (parameter.name != axis.parameter) continue;
-      name.dimension = parameter.dimension;
-      if (!std::holds_alternative<double>(parameter.value.content))
-        for (const std::string& word : run::words_of(axis)) name.words.push_back(unquoted(word));
-    }
-    names.columns.push_back(std::move(name));
-  }
-}
-
-void add_signals(const diagram::Diagram& diagram, query::SymbolTable& names) {
-  for (const diagram::DiagramBlock& block : diagram.blocks) {
-    const auto& outputs = block.type().outputs;
-    if (diagram::has_one_output(block.type())) names.signals.push_back(block.name);
-    for (const OutputSpec& output : outputs) names.signals.push_back(block.name + "." + output.name);
-  }
-}
-
-void add_outlines(const diagram::Diagram& diagram, query::SymbolTable& names) {
-  for (const diagram::DiagramBlock& block : diagram.blocks) {
-    if (!block.type().outline) continue;
-    names.outlines.push_back({block.name, {}});
-    block.type().outline(block.block.get(), names.outlines.back().outline);
-  }
-}
-
-/// A number of a block as an expression has it; empty where the unit is that of what is wired to it.
-std::string number_text(const ParameterSpec& spec, double value) {
-  const auto unit = unit::parse_unit(spec.unit);
-  if (!unit) return {};
-  std::string name = unit->dimension == unit::Dimension{} ? "" : " " + unit::si_name(unit->dimension);
-  std::replace(name.begin() + (name.empty() ? 0 : 1), name.end(), ' ', '.');
-  return fmt::format("{}{}", value, name);
-}
-
-/// What has a name already, recorded or not: a set, since a large diagram has very many.
-using Taken = std::unordered_set<std::string_view>;
-
-/// Adds a number of a block where its name is free.
-void add_number(const std::string& name, const ParameterSpec& spec, double value, const Taken& taken,
-                query::SymbolTable& names) {
-  if (!std::isfinite(value) || taken.contains(name)) return;
-  if (std::string text = number_text(spec, value); !text.empty())
-    names.drawn.push_back({name, std::move(text)});
-}
-
-/// Numbers that blocks were given, by their file, a preset or as defaults: "rig.damper.beta"; of a list
-/// "rig.damper.alpha.2".
-void add_numbers_of_blocks(const diagram::Diagram& diagram, query::SymbolTable& names) {
-  Taken taken(names.signals.begin(), names.signals.end());
-  for (const query::RecordedName& column : names.columns) taken.insert(column.name);
-  for (const diagram::DiagramBlock& block : diagram.blocks)
-    for (const ParameterSpec& spec : block.type().parameters) {
-      const Value value = spec.get(block.block.get());
-      const std::string name = block.name + "." + spec.name;
-      if (const auto* number = std::get_if<double>(&value.content))
-        add_number(name, spec, *number, taken, names);
-      const auto* list = std::get_if<Eigen::VectorXd>(&value.content);
-      if (list && list->size() == 1) add_number(name, spec, (*list)[0], taken, names);
-      for (Eigen::Index k = 0; list && list->size() > 1 && k < list->size(); ++k)
-        add_number(fmt::format("{}.{}", name, k + 1), spec, (*list)[k], taken, names);
-    }
-}
-
-/// What figures and claims of a file may name.
-query::SymbolTable names_of(const run::Job& job) {
-  const diagram::Diagram& diagram = job.plan.diagram;
-  query::SymbolTable names{diagram.file, {}, {}};
-  names.columns.push_back({"time", unit::parse_unit("s")->dimension, std::nullopt});
-  add_swept_names(job, names);
-  for (std::size_t r = 0; r < diagram.records.size(); ++r) {
-    const auto columns = record::recorded_columns(job.plan, diagram.records[r]);
-    for (std::size_t i = 1; i < columns.size(); ++i)
-      names.columns.push_back({columns[i].name, columns[i].dimension, r});
-    for (const diagram::RecordedSignal& signal : diagram.records[r].signals)
-      for (query::RecordedName& column : names.columns)
-        if (column.name == signal.name) column.words = diagram::signal_words(diagram, signal.signal);
-  }
-  for (const diagram::DiagramParameter& parameter : diagram.parameters)
-    if (const double* number = std::get_if<double>(&parameter.value.content))
-      names.parameters.push_back({parameter.name, *number, parameter.dimension});
-  add_signals(diagram, names);
-  add_outlines(diagram, names);
-  add_numbers_of_blocks(diagram, names);
-  return names;
-}
 
 /// Reads what the file asks of a study, and adds the names that it makes.
 void add_study(diagram::Loader& loader, const LoadOptions& options, LoadedModel& model,
@@ -211,11 +113,6 @@ void read_all_claims(const diagram::Diagram& diagram, LoadedModel& model, query:
 
 }  // namespace
 
-std::string unquoted(const std::string& word) {
-  const bool quoted = word.size() > 1 && word.front() == '"' && word.back() == '"';
-  return quoted ? word.substr(1, word.size() - 2) : word;
-}
-
 LoadedModel load_model(const Registry& registry, const std::string& file, const LoadOptions& options) {
   diagram::Loader loader(registry, options.limits, options.reader);
   return load_model(loader, file, options);
@@ -228,12 +125,13 @@ LoadedModel load_model(diagram::Loader& loader, const std::string& file, const L
   model.registry = &loader.registry();
   model.blocksets = loader.registry().blocksets();
   model.job = run::make_job(loader, file, options.settings, options.stop, options.of_points);
-  query::SymbolTable names = names_of(model.job);
+  query::SymbolTable names = kept::names_of(model.job);
   yaml::Faults faults;
   const diagram::Diagram& diagram = model.job.plan.diagram;
   const drawing::DiagramView view(diagram, loader);
   names.diagram = &view;
   add_study(loader, options, model, names, faults);
+  if (model.study) run::require_memory_of_all_rows(model.job);
   read_analyses(loader, model, names, faults);
   names.scene = model.scene = read_scene_of(diagram, names, faults);
   read_all_figures(diagram, model, names, faults);

@@ -7,6 +7,7 @@
 
 #include "engine/analyse/claim/claim.hpp"
 #include "engine/analyse/estimation/fit_request.hpp"
+#include "engine/analyse/kept/names.hpp"
 #include "engine/analyse/linear/section.hpp"
 #include "engine/analyse/linear/trim.hpp"
 #include "engine/analyse/sensitivity/sensitivity.hpp"
@@ -57,7 +58,6 @@ inline constexpr const char* sensitivity_table = "sensitivity";
 LoadedModel load_model(diagram::Loader& loader, const std::string& file, const LoadOptions& options);
 LoadedModel load_model(const Registry& registry, const std::string& file, const LoadOptions& options);
 
-/// A swept word as it is meant, without the quotes of its file.
-std::string unquoted(const std::string& word);
+using kept::without_quotes;
 
 }  // namespace stepwire::session

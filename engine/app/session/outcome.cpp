@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "engine/app/session/linearizing.hpp"
+#include "engine/app/session/sweep_sections.hpp"
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/view/scene/scene_states.hpp"
 
@@ -34,28 +35,64 @@ void name_run(const run::Job& job, claim::Verdict& verdict) {
   verdict.shown += fmt::format(" ({})", verdict.worst);
 }
 
-}  // namespace
-
-void add_shown(const LoadedModel& model, Outcome& outcome) {
-  if (!model.scene && model.linear.empty() && !model.sensitivity) return;
-  outcome.shown = outcome.result.recordings;
-  if (model.scene) scene::add_scene_states(*model.scene, outcome.shown);
+/// Adds linear analyses, and what is found of the numbers of a sensitivity, behind the recordings of runs.
+void add_analyses(const LoadedModel& model, const sensitivity::OutcomeNumbers& numbers, Outcome& outcome) {
   std::ranges::move(linear_recordings(model), std::back_inserter(outcome.shown));
   if (!model.sensitivity) return;
-  outcome.shown.push_back(sensitivity::results(*model.sensitivity, outcome.result.recordings));
+  outcome.shown.push_back(sensitivity::results(*model.sensitivity, numbers));
   for (const query::NamedTable& table : model.tables)
     if (table.name == sensitivity_table)
       *table.table = sensitivity::results_table(*model.sensitivity, outcome.shown.back());
 }
 
-void judge_claims(const LoadedModel& model, Outcome& outcome) {
+bool shows_more(const LoadedModel& model) {
+  return model.scene || !model.linear.empty() || model.sensitivity;
+}
+
+void show_rows(const LoadedModel& model, Outcome& outcome) {
+  if (!shows_more(model)) return;
+  outcome.shown = outcome.result.recordings;
+  if (model.scene && !outcome.rows_passed) scene::add_scene_states(*model.scene, outcome.shown);
+}
+
+}  // namespace
+
+void add_shown(const LoadedModel& model, Outcome& outcome) {
+  show_rows(model, outcome);
+  sensitivity::OutcomeNumbers numbers;
+  if (model.sensitivity) sensitivity::add_outcomes(*model.sensitivity, outcome.result.recordings, numbers);
+  add_analyses(model, numbers, outcome);
+}
+
+RunJudges::RunJudges(const LoadedModel& model) : model_(model), of_runs_(recordings_of(model)) {
+  for (const claim::Claim& claim : model.claims) judges_.emplace_back(claim);
+}
+
+void RunJudges::add(std::span<const record::Recording> runs) {
+  for (std::size_t i = 0; i < judges_.size(); ++i)
+    if (model_.claims[i].recording < of_runs_) judges_[i].add(runs);
+  if (model_.sensitivity) sensitivity::add_outcomes(*model_.sensitivity, runs, numbers_);
+}
+
+void RunJudges::judge(Outcome& outcome) {
   const bool early = outcome.early();
-  if (!early) add_shown(model, outcome);
-  for (const claim::Claim& claim : model.claims) {
-    outcome.verdicts.push_back(early ? not_judged(claim, "the run ended early")
-                                     : claim::judge(claim, outcome.recordings()));
-    name_run(model.job, outcome.verdicts.back());
+  if (!early && outcome.shown.empty()) show_rows(model_, outcome);
+  if (!early) add_analyses(model_, numbers_, outcome);
+  for (std::size_t i = 0; i < judges_.size(); ++i) {
+    const claim::Claim& claim = model_.claims[i];
+    if (!early && claim.recording >= of_runs_) judges_[i].add(outcome.recordings());
+    outcome.verdicts.push_back(early ? not_judged(claim, "the run ended early") : judges_[i].verdict());
+    name_run(model_.job, outcome.verdicts.back());
   }
+}
+
+void judge_claims(const LoadedModel& model, Outcome& outcome) {
+  RunJudges judges(model);
+  if (!outcome.early()) {
+    show_rows(model, outcome);
+    judges.add(outcome.recordings());
+  }
+  judges.judge(outcome);
 }
 
 namespace {

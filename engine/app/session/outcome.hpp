@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/analyse/claim/judge.hpp"
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/app/session/monitor.hpp"
 #include "engine/simulate/run/point_exchange.hpp"
@@ -16,6 +17,9 @@ struct Outcome {
       shown;  ///< the recordings with what the scene shows and linear analyses; empty without either
   std::vector<claim::Verdict> verdicts;
   double seconds = 0.0;  ///< of the run itself, without loading and drawing
+  /// Were the runs looked at one by one? Then the files of signals are written, and the recordings have those
+  /// rows alone that figures read.
+  bool rows_passed = false;
 
   /// What figures and claims read.
   std::span<const record::Recording> recordings() const { return shown.empty() ? result.recordings : shown; }
@@ -25,6 +29,24 @@ struct Outcome {
 
 /// Adds what the scene shows and linear analyses to what figures and claims read.
 void add_shown(const LoadedModel& model, Outcome& outcome);
+
+/// What claims and the sensitivity of a model make of runs, which are added in pieces, in their order.
+class RunJudges {
+ public:
+  /// The model must outlive it.
+  explicit RunJudges(const LoadedModel& model);
+
+  /// Adds runs with what the scene shows in them.
+  void add(std::span<const record::Recording> runs);
+  /// Adds what else claims read behind the recordings of all runs, and judges.
+  void judge(Outcome& outcome);
+
+ private:
+  const LoadedModel& model_;
+  std::size_t of_runs_;  ///< recordings
+  std::vector<claim::Judge> judges_;
+  sensitivity::OutcomeNumbers numbers_;
+};
 
 /// Judges all claims on what was recorded; those about a run that ended early do not hold.
 void judge_claims(const LoadedModel& model, Outcome& outcome);

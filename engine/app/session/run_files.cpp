@@ -28,7 +28,7 @@ Json sweep_json(const run::Job& job) {
     const auto words = run::has_words(axis) ? run::words_of(axis) : std::vector<std::string>{};
     const std::size_t count = words.empty() ? axis.count() : words.size();
     for (std::size_t i = 0; count <= max_listed && i < count; ++i)
-      values.push(unquoted(words.empty() ? axis.text(i) : words[i]));
+      values.push(without_quotes(words.empty() ? axis.text(i) : words[i]));
     axes.push(
         Json::object().set("parameter", axis.parameter).set("count", count).set("values", std::move(values)));
   }
@@ -41,6 +41,15 @@ Json kept_word(const LoadedModel& model) {
   const auto& sweep = model.job.plan.diagram.sweep;
   if (model.job.points.empty() || !sweep) return {};
   return sweep->keep == diagram::Sweep::Keep::final ? "final" : "rows";
+}
+
+/// The reductions by name, as they are written; null where none are kept.
+Json kept_texts(const LoadedModel& model) {
+  if (!model.kept) return {};
+  Json texts = Json::object();
+  for (const yaml::Entry& entry : model.job.plan.diagram.sweep->kept.entries)
+    texts.set(entry.key, entry.value.text);
+  return texts;
 }
 
 Json parameter_value(const diagram::DiagramParameter& parameter) {
@@ -142,7 +151,7 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
       .set("stop", diagram.stop)
       .set("solver", diagram.solver.empty() ? Json() : Json(diagram.solver))
       .set("sweep", sweep_json(model.job))
-      .set("keep", kept_word(model))
+      .set("keep", kept_word(model)).set("kept", kept_texts(model))
       .set("runs", model.job.points.empty() ? std::size_t{1} : model.job.points.size())
       .set("ticks", outcome.result.ticks)
       .set("compiled_ticks", outcome.result.compiled_ticks)
@@ -162,7 +171,7 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
 std::vector<std::string> write_outputs(const std::string& folder, const LoadedModel& model,
                                        const Outcome& outcome, const FileKinds& kinds,
                                        const render::PictureKinds& drawn) {
-  write_signals(folder, model, outcome.result.recordings, kinds);
+  if (!outcome.rows_passed) write_signals(folder, model, outcome.result.recordings, kinds);
   io::write_file(folder + "/claims.json", claims_json(model, outcome).text() + "\n");
   io::write_file(folder + "/run.json", run_json(model, outcome).text() + "\n");
   std::vector<std::string> pictures;

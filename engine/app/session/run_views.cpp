@@ -4,14 +4,14 @@
 
 namespace stepwire::session {
 
-RunViews::RunViews(const LoadedModel& model, const record::Recording& recording)
-    : recording_(recording), words_(recording.categories) {
+RunViews::RunViews(const LoadedModel& model, const record::Recording& recording, std::size_t first)
+    : recording_(recording), first_(first), words_(recording.categories) {
   // Of a sweep that keeps one row of each run these rows are one table.
   if (const auto& sweep = model.job.plan.diagram.sweep;
       sweep && !model.job.points.empty() && sweep->keep == diagram::Sweep::Keep::rows)
     for (const diagram::Sweep::Axis& axis : sweep->axes) swept_.insert(axis.parameter);
   for (record::Categories& column : words_)
-    for (std::string& text : column.texts) text = unquoted(text);
+    for (std::string& text : column.texts) text = without_quotes(text);
 }
 
 std::span<const std::string> RunViews::words_of(const std::string& column) const {
@@ -26,7 +26,7 @@ table::RunView RunViews::view(std::size_t run) const {
   const bool last = only || run + 1 == recording_.starts.size();
   const std::size_t end = last ? recording_.table.rows() : recording_.starts[run + 1];
   table::RunView view;
-  if (!only) view.name = fmt::format("run-{}", run + 1);
+  if (!only) view.name = fmt::format("run-{}", first_ + run + 1);
   for (const table::Column& column : recording_.table.columns) {
     const auto words = words_of(column.name);
     if (!swept_.contains(column.name)) {

@@ -15,7 +15,8 @@ namespace stepwire::session {
 /// the views.
 class RunViews {
  public:
-  RunViews(const LoadedModel& model, const record::Recording& recording);
+  /// `first` is the index of the recording's first run among all runs.
+  RunViews(const LoadedModel& model, const record::Recording& recording, std::size_t first = 0);
 
   std::size_t count() const { return swept_.empty() ? 1 : recording_.starts.size(); }
   /// A run without rows has empty columns, and no values of what it sets.
@@ -25,6 +26,7 @@ class RunViews {
   std::span<const std::string> words_of(const std::string& column) const;
 
   const record::Recording& recording_;
+  std::size_t first_;
   std::set<std::string> swept_;            ///< columns that are one value in each run
   std::vector<record::Categories> words_;  ///< without quotes
 };

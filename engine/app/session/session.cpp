@@ -1,5 +1,8 @@
 #include "engine/app/session/session.hpp"
 
+#include "engine/analyse/kept/kept_numbers.hpp"
+#include "engine/app/session/passed_runs.hpp"
+
 namespace stepwire::session {
 
 LoadedModel Session::load(const std::string& file, const LoadOptions& options) const {
@@ -9,6 +12,15 @@ LoadedModel Session::load(const std::string& file, const LoadOptions& options) c
 Outcome Session::run(const LoadedModel& model, run::ExecutionMode engine, unsigned threads) {
   Outcome outcome = run_model(model, engine, code_, monitor_, threads);
   monitor_.note_interpreted(code_.take_problem());
+  return outcome;
+}
+
+Outcome Session::pass(const LoadedModel& model, run::ExecutionMode engine, unsigned threads) {
+  PointsInOrder points(model);
+  const PointsReport report = run(model, points, engine, threads);
+  Outcome outcome = points.outcome();
+  outcome.seconds = report.seconds;
+  outcome.result.lanes = report.lanes;
   return outcome;
 }
 
@@ -40,7 +52,7 @@ Studies::Shared Session::study(const LoadedModel& model, const StudyCall& call) 
 }
 
 replay::Verification Session::replay(const std::string& folder) const {
-  return replay::verify(folder, registry_, monitor_.interrupt);
+  return replay::verify(folder, registry_, monitor_.interrupt, kept::numbers_of_folder);
 }
 
 }  // namespace stepwire::session

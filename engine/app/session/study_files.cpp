@@ -23,7 +23,7 @@ namespace {
 
 Json settings_json(const std::vector<diagram::Setting>& settings) {
   Json json = Json::object();
-  for (const diagram::Setting& setting : settings) json.set(setting.name, unquoted(setting.value));
+  for (const diagram::Setting& setting : settings) json.set(setting.name, without_quotes(setting.value));
   return json;
 }
 
@@ -152,7 +152,7 @@ std::string errors_csv(const LoadedModel& model, const study::Experiments& exper
   table.columns.insert(table.columns.begin(), swept, swept + swept_columns_of(recording));
   for (const record::Categories& one : recording.categories)
     for (const std::string& text : one.texts)
-      if (one.column != "subject" && one.column != "condition") words[one.column].push_back(unquoted(text));
+      if (one.column != "subject" && one.column != "condition") words[one.column].push_back(without_quotes(text));
   return table::csv_text(table, words);
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "engine/app/session/kept_numbers.hpp"
+#include "engine/analyse/kept/kept_numbers.hpp"
 
 namespace stepwire::session {
 
@@ -16,7 +16,7 @@ void add_kept(LoadedModel& model, query::SymbolTable& names, yaml::Faults& fault
   if (model.study && sweep && sweep->keep != diagram::Sweep::Keep::rows)
     faults.add(
         {{model.file, {}}, "sweep.keep", "the trials of a study are kept as scores; leave it out", {}});
-  model.kept = read_kept_numbers(model.job.plan.diagram, names, faults);
+  model.kept = kept::read_kept_numbers(model.job.plan.diagram, names, faults);
 }
 
 void draw_kept_as_points(const LoadedModel& model, std::vector<plot::Figure>& figures) {

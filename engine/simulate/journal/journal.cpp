@@ -6,8 +6,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <memory>
 
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/environment_error.hpp"
@@ -20,7 +22,6 @@ namespace {
 
 constexpr std::string_view mark = "stepwire points 1 ";
 constexpr std::size_t longest_head = std::size_t{1} << 20;
-constexpr std::size_t most_mapped = std::size_t{16} << 20, points_mapped = 10'000;
 constexpr std::size_t most_waiting = std::size_t{1} << 20;
 constexpr std::chrono::milliseconds longest_wait{500};
 constexpr std::size_t sum_size = 16;
@@ -30,8 +31,10 @@ std::string sum_of(std::string_view bytes) {
   return hash::hash_of(bytes).substr(0, sum_size);
 }
 
+}  // namespace
+
 /// A file as it is now, in memory as far as it is looked at.
-class Mapped {
+class Journal::Mapped {
  public:
   Mapped(int file, const std::string& path) {
     struct stat state {};
@@ -50,15 +53,22 @@ class Mapped {
 
   std::string_view bytes() const { return {start_, size_}; }
 
-  /// Lets go of what was looked at, so that a large file does not stay in memory.
-  void forget() const {
-    if (start_) ::madvise(const_cast<char*>(start_), size_, MADV_DONTNEED);
+  /// Lets go of what was looked at once that is much, so that a large file does not stay in memory.
+  void note_seen(std::size_t bytes) const {
+    constexpr std::size_t most = std::size_t{16} << 20, least = 4096;  // of each piece a page at least
+    seen_ += std::max(bytes, least);
+    if (seen_ < most) return;
+    ::madvise(const_cast<char*>(start_), size_, MADV_DONTNEED);
+    seen_ = 0;
   }
 
  private:
   const char* start_ = nullptr;
   std::size_t size_ = 0;
+  mutable std::size_t seen_ = 0;
 };
+
+namespace {
 
 /// With its end; empty where the file is no journal.
 std::string_view first_line(std::string_view file) {
@@ -119,9 +129,8 @@ Journal::~Journal() {
 void Journal::find_points(std::uint64_t first) {
   const Mapped mapped(file_.number(), path_);
   end_ = first;
-  std::size_t looked_at = 0;
   while (const auto bytes = record_at(mapped.bytes(), end_)) {
-    if ((looked_at += bytes->size()) > most_mapped) mapped.forget(), looked_at = 0;
+    mapped.note_seen(bytes->size());
     std::uint64_t point = 0;
     if (bytes->size() < sizeof(point)) return;
     std::memcpy(&point, bytes->data(), sizeof(point));
@@ -167,8 +176,9 @@ void Journal::write_waiting() {
   written_ = std::chrono::steady_clock::now();
 }
 
-run::PointResult Journal::point(std::string_view file, std::size_t point) const {
-  const auto bytes = record_at(file, places_[point]);
+run::PointResult Journal::point(const Mapped& file, std::size_t point) const {
+  const auto bytes = record_at(file.bytes(), places_[point]);
+  if (bytes) file.note_seen(bytes->size());
   auto result = bytes ? point_of(*bytes, job_, numbers_) : std::nullopt;
   if (!result || result->point != point)
     throw io::EnvironmentError(fmt::format(
@@ -177,13 +187,18 @@ run::PointResult Journal::point(std::string_view file, std::size_t point) const 
   return std::move(*result);
 }
 
-void Journal::each(const std::function<void(run::PointResult)>& take) {
-  flush();
-  const Mapped mapped(file_.number(), path_);
-  for (std::size_t of = 0, looked_at = 0; of < places_.size(); ++of) {
-    if (!has(of)) continue;
-    take(point(mapped.bytes(), of));
-    if (++looked_at % points_mapped == 0) mapped.forget();
+void Journal::each(const std::vector<Journal*>& journals, const std::function<void(run::PointResult)>& take) {
+  std::vector<std::unique_ptr<Mapped>> files;
+  for (Journal* journal : journals) {
+    journal->flush();
+    files.push_back(std::make_unique<Mapped>(journal->file_.number(), journal->path_));
+  }
+  const std::size_t points = journals.empty() ? 0 : journals.front()->places_.size();
+  for (std::size_t point = 0; point < points; ++point) {
+    const auto of = std::ranges::find_if(journals, [&](const Journal* journal) { return journal->has(point); });
+    if (of == journals.end()) continue;
+    const Mapped& file = *files[static_cast<std::size_t>(of - journals.begin())];
+    take((*of)->point(file, point));
   }
 }
 

@@ -42,16 +42,17 @@ class Journal {
   void add_bytes(std::size_t point, std::string_view bytes);
   /// Hands all that was added to the system.
   void flush();
-  /// Calls `take` with all points that it has, in their order. Throws EnvironmentError where the file was
-  /// damaged since it was opened.
-  void each(const std::function<void(run::PointResult)>& take);
+  /// Calls `take` with all points that journals of one job have together, each once, in their order. Throws
+  /// EnvironmentError where a file was damaged since it was opened.
+  static void each(const std::vector<Journal*>& journals, const std::function<void(run::PointResult)>& take);
   const std::string& path() const { return path_; }
 
  private:
+  class Mapped;
   static constexpr std::uint64_t missing = ~std::uint64_t{0};
 
   void find_points(std::uint64_t first);
-  run::PointResult point(std::string_view file, std::size_t point) const;
+  run::PointResult point(const Mapped& file, std::size_t point) const;
   void write_waiting();
 
   const std::string path_;

@@ -7,21 +7,16 @@
 #include <iterator>
 
 #include "engine/base/table/table_file.hpp"
+#include "engine/simulate/replay/kept_replay.hpp"
 #include "engine/simulate/replay/loop_replay.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
+#include "engine/simulate/replay/run_note.hpp"
 #include "engine/simulate/replay/run_replay.hpp"
 #include "engine/simulate/replay/sweep_runs.hpp"
 
 namespace stepwire::replay {
 
 namespace {
-
-/// What run.json says of a run.
-struct RunNote {
-  std::vector<std::string> swept;  ///< parameters of a sweep, in the order of their columns; empty for none
-  std::size_t runs = 1;
-  std::string keep{};  ///< what a sweep keeps of each run, if not its rows
-};
 
 [[noreturn]] void refuse(const std::string& file, std::string message) {
   throw yaml::Error(yaml::Fault{{file, {}}, "", std::move(message), {}});
@@ -33,8 +28,9 @@ const char* plural(std::size_t count) {
 
 class Verifier {
  public:
-  Verifier(std::string folder, const Registry& registry, const std::atomic<bool>* interrupt)
-      : folder_(std::move(folder)), registry_(registry) {
+  Verifier(std::string folder, const Registry& registry, const std::atomic<bool>* interrupt,
+           const NumbersReader& numbers)
+      : folder_(std::move(folder)), registry_(registry), numbers_(numbers) {
     options_.interrupt = interrupt;
   }
 
@@ -60,6 +56,8 @@ class Verifier {
       verify_run();
     } else if (note.keep == "final") {
       verify_last_rows(note);
+    } else if (note.keep == "numbers") {
+      verify_numbers(note);
     } else {
       verify_sweep(note);
     }
@@ -118,22 +116,7 @@ class Verifier {
 
   RunNote read_note() const {
     require_file("run.json");
-    // What is JSON is YAML as well.
-    const yaml::Node note = yaml::read_document(path("run.json"), wide_limits).root;
-    const yaml::Node *sweep = note.find("sweep"), *runs = note.find("runs");
-    const auto count = runs ? unit::parse_quantity(runs->text) : std::nullopt;
-    if (!sweep || !count || !(count->value >= 1.0 && count->value < 1e9))
-      refuse(path("run.json"), "does not say 'sweep' and 'runs', as every run does");
-    RunNote result;
-    result.runs = static_cast<std::size_t>(count->value);
-    for (const yaml::Node& axis : sweep->items)
-      if (const yaml::Node* parameter = axis.find("parameter")) result.swept.push_back(parameter->text);
-    if (const yaml::Node* keep = note.find("keep")) result.keep = keep->text;
-    if (result.keep == "numbers")
-      refuse(path("run.json"),
-             "says that numbers of the runs are kept, and verify compares rows; run it with 'keep: "
-             "rows' or 'keep: final'");
-    return result;
+    return read_run_note(path("run.json"));
   }
 
   /// The tables of a plan's recordings; their signals begin behind what else they have.
@@ -207,6 +190,24 @@ class Verifier {
     }
   }
 
+  /// Of a sweep that keeps numbers of each run.
+  void verify_numbers(const RunNote& note) {
+    if (!numbers_) refuse(path("run.json"), "says that numbers of the runs are kept, which are not read here");
+    result_.runs = note.runs;
+    SweepRuns runs(folder_, note.runs, registry_);
+    const KeptTable table = read_kept_table(path("signals.csv"), note.swept, note.runs);
+    result_.signals = table.recorded.signals();
+    std::shared_ptr<const run::RunNumbers> numbers;
+    for (std::size_t run = 0; run < note.runs && result_.difference.empty() && !result_.interrupted; ++run) {
+      run::Executor& simulation = runs.begin(run);
+      if (!numbers) numbers = numbers_(simulation.plan(), note.document, table.swept, table.words);
+      if (numbers->columns.size() != table.recorded.signals())
+        refuse(table.recorded.file, fmt::format("has {} numbers of each run, and run.json {}",
+                                                table.recorded.signals(), numbers->columns.size()));
+      replay_numbers(simulation, *numbers, table, run, options_, result_);
+    }
+  }
+
   /// The next run begins where the time is 0 again.
   static std::size_t length_of_run(const Recorded& recorded, std::size_t first) {
     const auto begin = recorded.times().begin() + static_cast<std::ptrdiff_t>(first);
@@ -216,14 +217,16 @@ class Verifier {
 
   std::string folder_;
   const Registry& registry_;
+  const NumbersReader& numbers_;
   run::RunOptions options_;
   Verification result_;
 };
 
 }  // namespace
 
-Verification verify(const std::string& folder, const Registry& registry, const std::atomic<bool>* interrupt) {
-  return Verifier(folder, registry, interrupt).run();
+Verification verify(const std::string& folder, const Registry& registry, const std::atomic<bool>* interrupt,
+                    const NumbersReader& numbers) {
+  return Verifier(folder, registry, interrupt, numbers).run();
 }
 
 std::string verification_text(const Verification& verification) {

@@ -2,9 +2,14 @@
 
 #include <atomic>
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <string>
 
+#include "engine/base/table/table_file.hpp"
 #include "engine/model/block/registry.hpp"
+#include "engine/model/plan/plan.hpp"
+#include "engine/simulate/run/run_numbers.hpp"
 
 namespace stepwire::replay {
 
@@ -19,11 +24,17 @@ struct Verification {
   std::string difference;        ///< the first in time, with its place; empty where all bits agree
 };
 
-/// Replays what `run` or `loop` left in a folder, and compares all signals that were recorded bit by bit.
-/// Once `interrupt` is true it gives up. Throws Error or TableError where the folder is not such a one or
-/// damaged, EnvironmentError.
+/// Reads the numbers that the sweep of a folder keeps of its runs, of what run.json says of them, for the plan
+/// of its diagram. `swept` are the columns of what is swept, `words` what the numbers of some of them stand
+/// for. Throws Error.
+using NumbersReader = std::function<std::shared_ptr<const run::RunNumbers>(
+    const plan::Plan& plan, const yaml::Node& note, const table::Table& swept, const table::ColumnWords& words)>;
+
+/// Replays what `run` or `loop` left in a folder, and compares all signals that were recorded bit by bit, or
+/// the numbers that were made of them. Once `interrupt` is true it gives up. Throws Error or TableError where
+/// the folder is not such a one or damaged, and Error for numbers without a reader; EnvironmentError.
 Verification verify(const std::string& folder, const Registry& registry,
-                    const std::atomic<bool>* interrupt = nullptr);
+                    const std::atomic<bool>* interrupt = nullptr, const NumbersReader& numbers = {});
 
 /// "3 signals in 3001 rows: all bits agree", or the difference, with its place first.
 std::string verification_text(const Verification& verification);

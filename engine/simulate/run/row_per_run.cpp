@@ -1,5 +1,7 @@
 #include "engine/simulate/run/row_per_run.hpp"
 
+#include "engine/simulate/run/number_row.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -78,15 +80,24 @@ std::vector<record::Recording> RowMaker::last_row(std::size_t point, bool whole,
 
 std::vector<record::Recording> RowMaker::number_row(std::size_t point, bool whole,
                                                     const std::vector<record::Recording>& run) const {
-  auto row = empty_recordings(job_.plan_of(point), numbers_);
-  auto& columns = row.front().table.columns;
-  for (table::Column& column : columns) column.values = {no_row};
-  if (!whole) return row;
+  if (!whole) {
+    auto row = empty_recordings(job_.plan_of(point), numbers_);
+    for (table::Column& column : row.front().table.columns) column.values = {no_row};
+    return row;
+  }
   std::vector<record::Recording> all;
   for (const record::Recording& one : run) all.push_back(with_swept(one, swept_, point));
-  const std::vector<double> numbers = numbers_->of(all);
-  columns.front().values = {run.empty() ? no_row : last_time(run.front())};
-  for (std::size_t i = 0; i < numbers.size(); ++i) columns[1 + i].values = {numbers[i]};
+  return {run::number_row(*numbers_, all)};
+}
+
+record::Recording number_row(const RunNumbers& numbers, std::span<const record::Recording> run) {
+  record::Recording row;
+  row.table.columns.push_back({"time", "s", {run.empty() ? no_row : last_time(run.front())}});
+  const std::vector<double> values = numbers.of(run);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    row.table.columns.push_back(numbers.columns[i]);
+    row.table.columns.back().values = {values[i]};
+  }
   return row;
 }
 

@@ -153,7 +153,9 @@ std::vector<table::Column> swept_columns(const Job& job, std::size_t point) {
 
 RunResult run_job(const Job& job, const RunOptions& options) {
   if (job.points.empty()) return run_plan(job.plan, options);
-  return keeps_a_row(job, options.numbers) ? run_for_rows(job, options) : run_all(job, options);
+  if (keeps_a_row(job, options.numbers)) return run_for_rows(job, options);
+  require_memory_of_all_rows(job);
+  return run_all(job, options);
 }
 
 LaneReport run_points(const Job& job, const RunOptions& options, PointExchange& exchange) {

@@ -83,6 +83,7 @@ struct Panel {
   bool equal = false;
   bool final_rows = false;  ///< only the last row of each run
   PanelContent content{};   ///< of a plot that has no axes of its own
+  bool reads_rows = true;   ///< of what was recorded
 
   // Options of single kinds; without a value it is as the kind has it.
   std::optional<double> bins{}, cells{}, gap{}, scale{}, elevation{}, azimuth{};

@@ -104,6 +104,7 @@ PlotKind diagram_plot() {
   for (const DrawingRow& row : drawing_rows()) kind.options.push_back({row.name, row.doc, row});
   kind.plane = false;
   kind.read = read_diagram;
+  kind.reads_rows = [](const yaml::Node&) { return false; };
   return kind;
 }
 

@@ -63,6 +63,9 @@ struct PlotKind {
   /// only describe them.
   PanelContent (*read)(const yaml::Node& node, const query::SymbolTable& names,
                        yaml::Faults& faults) = nullptr;
+  /// Does one that is read so show what was recorded? Null: it does.
+  bool (*reads_rows)(const yaml::Node& node) = nullptr;
+  bool last_rows = false;  ///< reads the last row of each run alone, whatever the file has
 
   /// The channel of this name, or nullptr.
   const Channel* channel(std::string_view key) const;

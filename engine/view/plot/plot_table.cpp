@@ -66,6 +66,7 @@ PlotKind table_plot() {
   }
   kind.plane = false;
   kind.read = read_table_plot;
+  kind.reads_rows = [](const yaml::Node& node) { return node.find("of") == nullptr; };
   return kind;
 }
 

@@ -156,7 +156,7 @@ void draw_tornado(const Panel& panel, std::span<const record::Recording> recordi
 }  // namespace
 
 PlotKind tornado_plot() {
-  return {
+  PlotKind kind{
       "tornado",
       "what each unknown does to an outcome, the widest bar on top: one parameter at a time differs from "
       "the file's value, by `sweep: {one_at_a_time: ..}`. An outcome is the last row of a run, of several "
@@ -172,6 +172,8 @@ PlotKind tornado_plot() {
         }}},
       false,
       draw_tornado};
+  kind.last_rows = true;
+  return kind;
 }
 
 }  // namespace stepwire::plot

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/simulate/run/number_row.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
 namespace stepwire::live {
@@ -58,6 +59,11 @@ void add_swept(const diagram::Diagram& diagram, RunControl& run, record::Recordi
   }
 }
 
+void leave_last_row(record::Recording& recording) {
+  for (table::Column& column : recording.table.columns)
+    if (column.values.size() > 1) column.values = {column.values.back()};
+}
+
 }  // namespace
 
 std::vector<record::Recording> recorded_rows(const plan::Plan& plan, const SignalList& signals,
@@ -82,7 +88,13 @@ std::vector<record::Recording> recorded_so_far(const session::LoadedModel& model
                                                RunControl& run, bool ended, std::int64_t from) {
   auto recordings = recorded_rows(model.job.plan, signals, run, ended, from);
   for (record::Recording& recording : recordings) add_swept(model.job.plan.diagram, run, recording);
-  return recordings;
+  const auto& sweep = model.job.plan.diagram.sweep;
+  if (sweep && sweep->keep == diagram::Sweep::Keep::final)
+    for (record::Recording& recording : recordings) leave_last_row(recording);
+  if (!model.kept) return recordings;
+  record::Recording row = run::number_row(*model.kept, recordings);
+  add_swept(model.job.plan.diagram, run, row);
+  return {row};
 }
 
 }  // namespace stepwire::live

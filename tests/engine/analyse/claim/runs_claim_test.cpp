@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "engine/analyse/claim/judge.hpp"
 #include "engine/analyse/statistics/proportion.hpp"
 #include "tests/engine/view/plot/samples.hpp"
 
@@ -85,6 +86,46 @@ TEST_CASE("what is wrong with a claim about runs is one sentence") {
   CHECK_THAT(faults_of("fraction_of_runs: max(rig.x) < 1 m, at_least: 0.5, confidence: 2"),
              Contains("2 is not allowed"));
   CHECK_THAT(faults_of("max: rig.x, at_most: 1, confidence: 95 %"), Contains("goes with"));
+}
+
+TEST_CASE("runs that come one by one are judged as all of them together") {
+  const auto all = runs(7);
+  for (const std::string text :
+       {"final: rig.x, at_most: 6.5 m", "max: rig.x, at_most: 5 m", "min: rig.x, at_least: 0 m",
+        "mean: rig.x, at_most: 2 m", "rms: rig.x, where: current > 2 A, at_most: 2 m", "spread: rig.x, equals: 7 m",
+        "fraction: rig.x > 2.5 m, at_least: 0.3", "count: rig.x > 2.5 m, equals: 5",
+        "quantile: {share: 25 %, value: rig.x}, at_most: 1 m", "at: {time: 1 s, value: rig.x}, at_most: 1 m",
+        "max: rig.x, where: current > 9 A, at_most: 1 m", "fraction_of_runs: max(rig.x) < 3.5 m, equals: 3/7",
+        "quantile_of_runs: {share: 50 %, value: max(rig.x)}, at_most: 9 m"}) {
+    const auto read = claims_of("- {that: a, " + text + "}");
+    INFO(text << read.faults);
+    REQUIRE(read.faults.empty());
+    Judge judge(read.claims.at(0));
+    for (std::size_t run = 0; run < 7; ++run) {
+      record::Recording one = all.front();
+      one.starts = {0};
+      for (table::Column& column : one.table.columns)
+        column.values = {column.values[2 * run], column.values[2 * run + 1]};
+      judge.add(std::vector{one});
+    }
+    const Verdict alone = judge.verdict(), together = claim::judge(read.claims.at(0), all);
+    CHECK(alone.shown == together.shown);
+    CHECK(alone.note == together.note);
+    CHECK(alone.holds == together.holds);
+    CHECK(alone.run == together.run);
+    CHECK((alone.value == together.value || std::isnan(alone.value)));
+  }
+}
+
+TEST_CASE("only claims that have to sort all rows, or to pair them, keep them") {
+  const auto keeps = [](const std::string& text) {
+    const auto read = claims_of("- {that: a, " + text + "}");
+    REQUIRE(read.faults.empty());
+    return keeps_rows(read.claims.at(0));
+  };
+  CHECK(keeps("quantile: {share: 25 %, value: rig.x}, at_most: 1 m"));
+  CHECK_FALSE(keeps("mean: rig.x, at_most: 2 m"));
+  CHECK_FALSE(keeps("quantile_of_runs: {share: 50 %, value: max(rig.x)}, at_most: 9 m"));
 }
 
 }  // namespace stepwire::claim

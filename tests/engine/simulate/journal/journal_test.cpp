@@ -106,7 +106,7 @@ TEST_CASE("a journal has its points in their order after it was closed, each onc
   CHECK_FALSE(journal.has(0));
   journal.add(result_of(job, 0));
   std::vector<std::size_t> points;
-  journal.each([&](const run::PointResult& result) {
+  Journal::each({&journal}, [&](const run::PointResult& result) {
     CHECK(same(result, result_of(job, result.point)));
     points.push_back(result.point);
   });
@@ -129,7 +129,7 @@ TEST_CASE("a journal that was cut anywhere keeps the points before, and goes on 
     CHECK_FALSE(journal.has(4));
     journal.add(result_of(job, 4));
     std::size_t count = 0;
-    journal.each([&](const run::PointResult& result) {
+    Journal::each({&journal}, [&](const run::PointResult& result) {
       CHECK(same(result, result_of(job, result.point)));
       ++count;
     });

@@ -1,10 +1,12 @@
 // Diagrams of the project under a page: what is seen of them live is what `run` gives.
+#include <cmath>
 #include <filesystem>
 
 #include "engine/app/session/session.hpp"
 #include "engine/app/studio/live/recorded_so_far.hpp"
 #include "engine/app/studio/live/run_results.hpp"
 #include "tests/engine/app/studio/live/waiting.hpp"
+#include "tests/engine/base/table/scratch.hpp"
 
 namespace stepwire::live {
 
@@ -58,6 +60,31 @@ TEST_CASE("each example can be loaded, watched for some ticks and drawn") {
     CHECK(figures_now(live).find("figures")->items().size() == live.model().figures.size());
     CHECK(claims_now(live).find("claims")->items().size() == live.model().claims.size());
   }
+}
+
+TEST_CASE("of a sweep that keeps numbers a run that is watched has its own numbers, and claims judge them") {
+  const Scratch folder;
+  folder.file("lag.yaml",
+              "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 500 ms\nsolver: rk4\nparameters: {tau: 20 ms}\n"
+              "record: lag\nblocks:\n  lag: {block: Lag, tau: $tau, u: 1}\n"
+              "sweep: {tau: [10 ms, 20 ms], keep: {rise: rise_time(lag), end: final(lag)}}\n"
+              "figure: {plot: xy, x: tau in ms, y: rise in ms}\n"
+              "claims: [{that: a, max: abs(rise - log(9)*tau), at_most: 10 us}, {that: b, min: end, at_least: 1}]\n");
+  session::Session session(library());
+  LoadedRun live(session.load(folder.path("lag.yaml")), simulated());
+  live.thread().play(0.0);
+  wait_for_end(live.thread());
+  const auto recordings = recorded_so_far(live.model(), live.signals(), live.thread(), true);
+  REQUIRE(recordings.size() == 1);
+  const table::Table& row = recordings.front().table;
+  REQUIRE(row.rows() == 1);
+  CHECK(row.find("tau")->values.front() == 0.02);
+  CHECK(row.find("time")->values.front() == 0.5);
+  CHECK(row.find("rise")->values.front() == Approx(0.02 * std::log(9.0)).epsilon(1e-3));
+  const json::Json claims = claims_now(live);
+  CHECK(*claims.find("claims")->items()[0].find("verdict")->as_text() == "ok");
+  CHECK(*claims.find("claims")->items()[1].find("verdict")->as_text() == "FAIL");
+  CHECK(figures_now(live).find("figures")->items().front().find("fault") == nullptr);
 }
 
 }  // namespace stepwire::live

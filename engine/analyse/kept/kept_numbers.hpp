@@ -3,15 +3,22 @@
 #include <memory>
 
 #include "engine/analyse/query/symbol_table.hpp"
+#include "engine/base/table/table_file.hpp"
 #include "engine/base/yaml/error.hpp"
 #include "engine/model/diagram/diagram.hpp"
+#include "engine/model/plan/plan.hpp"
 #include "engine/simulate/run/run_numbers.hpp"
 
-namespace stepwire::session {
+namespace stepwire::kept {
 
 /// Reads the reductions that a sweep keeps of each run, and leaves names of these in the place of those of
 /// signals. Null where the sweep keeps rows, or a reduction has a fault.
 std::shared_ptr<const run::RunNumbers> read_kept_numbers(const diagram::Diagram& diagram,
                                                          query::SymbolTable& names, yaml::Faults& faults);
 
-}  // namespace stepwire::session
+/// The same of the folder of a run, for the plan of its flattened diagram, as replay::verify() reads it.
+std::shared_ptr<const run::RunNumbers> numbers_of_folder(const plan::Plan& plan, const yaml::Node& note,
+                                                         const table::Table& swept,
+                                                         const table::ColumnWords& words);
+
+}  // namespace stepwire::kept

@@ -1,0 +1,117 @@
+#include "engine/analyse/kept/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <unordered_set>
+
+#include "engine/model/diagram/output_names.hpp"
+#include "engine/model/diagram/signal_words.hpp"
+#include "engine/simulate/record/recorder.hpp"
+#include "engine/simulate/run/pooling.hpp"
+
+namespace stepwire::kept {
+
+namespace {
+
+void add_swept_names(const run::Job& job, query::SymbolTable& names) {
+  if (job.points.empty()) return;
+  for (const diagram::Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
+    query::RecordedName name{axis.parameter, std::nullopt, std::nullopt};
+    if (axis.label) name.words = run::words_of(axis);
+    for (const diagram::DiagramParameter& parameter : job.plan.diagram.parameters) {
+      if (parameter.name != axis.parameter) continue;
+      name.dimension = parameter.dimension;
+      if (!std::holds_alternative<double>(parameter.value.content))
+        for (const std::string& word : run::words_of(axis)) name.words.push_back(without_quotes(word));
+    }
+    names.columns.push_back(std::move(name));
+  }
+}
+
+void add_signals(const diagram::Diagram& diagram, query::SymbolTable& names) {
+  for (const diagram::DiagramBlock& block : diagram.blocks) {
+    const auto& outputs = block.type().outputs;
+    if (diagram::has_one_output(block.type())) names.signals.push_back(block.name);
+    for (const OutputSpec& output : outputs) names.signals.push_back(block.name + "." + output.name);
+  }
+}
+
+void add_outlines(const diagram::Diagram& diagram, query::SymbolTable& names) {
+  for (const diagram::DiagramBlock& block : diagram.blocks) {
+    if (!block.type().outline) continue;
+    names.outlines.push_back({block.name, {}});
+    block.type().outline(block.block.get(), names.outlines.back().outline);
+  }
+}
+
+/// A number of a block as an expression has it; empty where the unit is that of what is wired to it.
+std::string number_text(const ParameterSpec& spec, double value) {
+  const auto unit = unit::parse_unit(spec.unit);
+  if (!unit) return {};
+  std::string name = unit->dimension == unit::Dimension{} ? "" : " " + unit::si_name(unit->dimension);
+  std::replace(name.begin() + (name.empty() ? 0 : 1), name.end(), ' ', '.');
+  return fmt::format("{}{}", value, name);
+}
+
+/// What has a name already, recorded or not: a set, since a large diagram has very many.
+using Taken = std::unordered_set<std::string_view>;
+
+/// Adds a number of a block where its name is free.
+void add_number(const std::string& name, const ParameterSpec& spec, double value, const Taken& taken,
+                query::SymbolTable& names) {
+  if (!std::isfinite(value) || taken.contains(name)) return;
+  if (std::string text = number_text(spec, value); !text.empty())
+    names.drawn.push_back({name, std::move(text)});
+}
+
+/// Numbers that blocks were given, by their file, a preset or as defaults: "rig.damper.beta"; of a list
+/// "rig.damper.alpha.2".
+void add_numbers_of_blocks(const diagram::Diagram& diagram, query::SymbolTable& names) {
+  Taken taken(names.signals.begin(), names.signals.end());
+  for (const query::RecordedName& column : names.columns) taken.insert(column.name);
+  for (const diagram::DiagramBlock& block : diagram.blocks)
+    for (const ParameterSpec& spec : block.type().parameters) {
+      const Value value = spec.get(block.block.get());
+      const std::string name = block.name + "." + spec.name;
+      if (const auto* number = std::get_if<double>(&value.content))
+        add_number(name, spec, *number, taken, names);
+      const auto* list = std::get_if<Eigen::VectorXd>(&value.content);
+      if (list && list->size() == 1) add_number(name, spec, (*list)[0], taken, names);
+      for (Eigen::Index k = 0; list && list->size() > 1 && k < list->size(); ++k)
+        add_number(fmt::format("{}.{}", name, k + 1), spec, (*list)[k], taken, names);
+    }
+}
+
+}  // namespace
+
+std::string without_quotes(const std::string& word) {
+  const bool quoted = word.size() > 1 && word.front() == '"' && word.back() == '"';
+  return quoted ? word.substr(1, word.size() - 2) : word;
+}
+
+query::SymbolTable names_of(const run::Job& job) {
+  const diagram::Diagram& diagram = job.plan.diagram;
+  query::SymbolTable names{diagram.file, {}, {}};
+  names.columns.push_back({"time", unit::parse_unit("s")->dimension, std::nullopt});
+  add_swept_names(job, names);
+  for (std::size_t r = 0; r < diagram.records.size(); ++r) {
+    const auto columns = record::recorded_columns(job.plan, diagram.records[r]);
+    for (std::size_t i = 1; i < columns.size(); ++i)
+      names.columns.push_back({columns[i].name, columns[i].dimension, r});
+    for (const diagram::RecordedSignal& signal : diagram.records[r].signals)
+      for (query::RecordedName& column : names.columns)
+        if (column.name == signal.name) column.words = diagram::signal_words(diagram, signal.signal);
+  }
+  for (const diagram::DiagramParameter& parameter : diagram.parameters)
+    if (const double* number = std::get_if<double>(&parameter.value.content))
+      names.parameters.push_back({parameter.name, *number, parameter.dimension});
+  add_signals(diagram, names);
+  add_outlines(diagram, names);
+  add_numbers_of_blocks(diagram, names);
+  return names;
+}
+
+}  // namespace stepwire::kept

@@ -1,0 +1,126 @@
+#include "engine/app/session/passed_runs.hpp"
+
+#include <algorithm>
+
+#include "engine/app/session/run_views.hpp"
+#include "engine/simulate/run/row_per_run.hpp"
+#include "engine/view/plot/last_rows.hpp"
+#include "engine/view/scene/scene_states.hpp"
+
+namespace stepwire::session {
+
+namespace {
+
+/// Appends the rows of a run from one of them on.
+void append_rows(record::Recording& all, const record::Recording& run, std::size_t first) {
+  all.starts.push_back(all.table.rows());
+  for (std::size_t i = 0; i < run.table.columns.size(); ++i) {
+    const std::vector<double>& values = run.table.columns[i].values;
+    all.table.columns[i].values.insert(all.table.columns[i].values.end(),
+                                       values.begin() + static_cast<std::ptrdiff_t>(first), values.end());
+  }
+}
+
+}  // namespace
+
+void DrawnRows::add(const std::vector<record::Recording>& run) {
+  if (rows_.empty()) {
+    rows_ = run;
+    for (record::Recording& recording : rows_) {
+      recording.starts.clear();
+      for (table::Column& column : recording.table.columns) column.values.clear();
+    }
+  }
+  for (std::size_t r = 0; r < run.size(); ++r) append_rows(rows_[r], run[r], first_drawn(run, r));
+}
+
+std::size_t DrawnRows::first_drawn(const std::vector<record::Recording>& run, std::size_t recording) const {
+  std::size_t first = run[recording].table.rows();
+  for (const plot::Figure& figure : model_.figures)
+    for (const plot::Panel& panel : figure.panels)
+      if (plot::rows_read(panel, run.size()) == plot::RowsRead::last &&
+          std::ranges::find(panel.recordings, recording) != panel.recordings.end())
+        first = std::min(first, plot::first_drawn_row(panel, run, recording));
+  return first;
+}
+
+PassedRuns::PassedRuns(const LoadedModel& model, const RowUse& use)
+    : model_(model),
+      swept_(model.job),
+      ends_(model.job),
+      judges_(model),
+      drawn_(model),
+      draws_(!use.folder.empty()) {
+  const diagram::Diagram& diagram = model.job.plan.diagram;
+  files_.resize(diagram.records.size());
+  for (std::size_t r = 0; r < files_.size() && draws_; ++r)
+    for (const FileKind kind : use.files)
+      files_[r].push_back(open_run_file(signals_path(use.folder, kind, r), kind, diagram.title));
+}
+
+void PassedRuns::add(run::PointResult result) {
+  pass_missing(result.point);
+  for (record::Recording& recording : result.recordings) swept_.add(recording, result.point);
+  ends_.add(result.point, std::move(result.end));
+  pass(std::move(result.recordings));
+}
+
+void PassedRuns::pass(std::vector<record::Recording> run) {
+  for (std::size_t r = 0; r < files_.size(); ++r) {
+    if (files_[r].empty()) continue;
+    const table::RunView view = RunViews(model_, run[r], next_).view(0);
+    for (const auto& file : files_[r]) file->add(view);
+  }
+  ++next_;
+  if (model_.scene) scene::add_scene_states(*model_.scene, run);
+  judges_.add(run);
+  if (draws_) drawn_.add(run);
+}
+
+void PassedRuns::pass_missing(std::size_t end) {
+  while (next_ < end) {
+    misses_ = true;
+    auto run = run::empty_recordings(model_.job.plan_of(next_), nullptr);
+    for (record::Recording& recording : run) swept_.add(recording, next_);
+    pass(std::move(run));
+  }
+}
+
+Outcome PassedRuns::take() {
+  pass_missing(model_.job.points.size());
+  for (const auto& files : files_)
+    for (const auto& file : files) file->finish();
+  Outcome outcome;
+  static_cast<run::RunEnd&>(outcome.result) = ends_.take();
+  outcome.result.interrupted = outcome.result.interrupted || misses_;
+  outcome.result.recordings = drawn_.take();
+  outcome.rows_passed = true;
+  judges_.judge(outcome);
+  return outcome;
+}
+
+std::optional<std::size_t> PointsInOrder::next() {
+  const std::lock_guard lock(mutex_);
+  return named_ < points_ ? std::optional(named_++) : std::nullopt;
+}
+
+void PointsInOrder::take(run::PointResult result) {
+  const std::lock_guard lock(mutex_);
+  ++taken_;
+  waiting_.emplace(result.point, std::move(result));
+  for (auto first = waiting_.find(next_); first != waiting_.end(); first = waiting_.find(++next_)) {
+    passed_.add(std::move(first->second));
+    waiting_.erase(first);
+  }
+}
+
+double PointsInOrder::done() const {
+  return static_cast<double>(taken_) / static_cast<double>(points_);
+}
+
+Outcome PointsInOrder::outcome() {
+  for (auto& [point, result] : waiting_) passed_.add(std::move(result));
+  return passed_.take();
+}
+
+}  // namespace stepwire::session

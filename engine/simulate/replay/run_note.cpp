@@ -1,0 +1,23 @@
+#include "engine/simulate/replay/run_note.hpp"
+
+#include "engine/base/unit/unit.hpp"
+#include "engine/simulate/replay/replay_folder.hpp"
+
+namespace stepwire::replay {
+
+RunNote read_run_note(const std::string& file) {
+  RunNote note;
+  note.document = yaml::read_document(file, wide_limits).root;  // what is JSON is YAML as well
+  const yaml::Node *sweep = note.document.find("sweep"), *runs = note.document.find("runs");
+  const auto count = runs ? unit::parse_quantity(runs->text) : std::nullopt;
+  if (!sweep || !count || !(count->value >= 1.0 && count->value < 1e9))
+    throw yaml::Error(
+        yaml::Fault{{file, {}}, "", "does not say 'sweep' and 'runs', as every run does", {}});
+  note.runs = static_cast<std::size_t>(count->value);
+  for (const yaml::Node& axis : sweep->items)
+    if (const yaml::Node* parameter = axis.find("parameter")) note.swept.push_back(parameter->text);
+  if (const yaml::Node* keep = note.document.find("keep")) note.keep = keep->text;
+  return note;
+}
+
+}  // namespace stepwire::replay
