@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view mark = "stepwire points 1 ";
 constexpr std::size_t longest_head = std::size_t{1} << 20;
-constexpr std::size_t most_mapped = std::size_t{16} << 20, points_mapped = 10'000;
+constexpr std::size_t most_mapped = std::size_t{16} << 20, pieces_mapped = 10'000;
 constexpr std::size_t most_waiting = std::size_t{1} << 20;
 constexpr std::chrono::milliseconds longest_wait{500};
 constexpr std::size_t sum_size = 16;
@@ -80,7 +80,7 @@ std::optional<std::string_view> record_at(std::string_view file, std::uint64_t p
 
 }  // namespace
 
-std::optional<std::string> Journal::head_of(const std::string& path) {
+std::optional<std::string> ByteJournal::head_of(const std::string& path) {
   const io::Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
   if (!file.open()) {
     if (errno == ENOENT) return std::nullopt;
@@ -92,15 +92,14 @@ std::optional<std::string> Journal::head_of(const std::string& path) {
   return std::string(line.substr(mark.size(), line.size() - mark.size() - 1));
 }
 
-Journal::Journal(std::string path, const std::string& head, const run::Job& job,
-                 const run::RunNumbers* numbers, Use use)
-    : path_(std::move(path)), job_(job), numbers_(numbers), places_(job.points.size(), missing) {
+ByteJournal::ByteJournal(std::string path, const std::string& head, std::size_t pieces, Use use)
+    : path_(std::move(path)), places_(pieces, missing) {
   const int how = use == Use::read ? O_RDONLY : O_RDWR | O_CREAT;
   file_ = io::Descriptor(::open(path_.c_str(), how | O_CLOEXEC | O_NOFOLLOW, 0666));
   if (!file_.open()) io::refuse_file(path_, errno);
   const std::string line = fmt::format("{}{}\n", mark, head);
   const bool is_known = first_line(Mapped(file_.number(), path_).bytes()) == line;
-  if (is_known) find_points(line.size());
+  if (is_known) find_pieces(line.size());
   if (use == Use::read) return;
   if (::ftruncate(file_.number(), static_cast<off_t>(end_)) != 0) io::refuse_file(path_, errno);
   if (is_known) return;
@@ -108,7 +107,7 @@ Journal::Journal(std::string path, const std::string& head, const run::Job& job,
   write_waiting();
 }
 
-Journal::~Journal() {
+ByteJournal::~ByteJournal() {
   try {
     flush();
   } catch (const std::exception&) {  // what is not in the file is run again
@@ -116,44 +115,44 @@ Journal::~Journal() {
 }
 
 /// Goes from record to record, up to the first that is not whole.
-void Journal::find_points(std::uint64_t first) {
+void ByteJournal::find_pieces(std::uint64_t first) {
   const Mapped mapped(file_.number(), path_);
   end_ = first;
   std::size_t looked_at = 0;
   while (const auto bytes = record_at(mapped.bytes(), end_)) {
     if ((looked_at += bytes->size()) > most_mapped) mapped.forget(), looked_at = 0;
-    std::uint64_t point = 0;
-    if (bytes->size() < sizeof(point)) return;
-    std::memcpy(&point, bytes->data(), sizeof(point));
-    if (point >= places_.size()) return;
-    if (!has(point)) ++count_;
-    places_[point] = end_;
+    std::uint64_t piece = 0;
+    if (bytes->size() < sizeof(piece)) return;
+    std::memcpy(&piece, bytes->data(), sizeof(piece));
+    if (piece >= places_.size()) return;
+    if (!has(piece)) ++count_;
+    places_[piece] = end_;
     end_ += record_head + bytes->size();
   }
 }
 
-void Journal::add(const run::PointResult& result) {
-  add_bytes(result.point, bytes_of(result));
+std::string ByteJournal::record_of(std::string_view bytes) {
+  const std::uint64_t size = bytes.size();
+  std::string record(reinterpret_cast<const char*>(&size), sizeof(size));
+  return record.append(sum_of(bytes)).append(bytes);
 }
 
-void Journal::add_bytes(std::size_t point, std::string_view bytes) {
-  const std::uint64_t size = bytes.size();
-  const std::string sum = sum_of(bytes);
+void ByteJournal::add_record(std::size_t piece, std::string_view record) {
   const std::lock_guard lock(mutex_);
-  if (has(point)) return;
-  places_[point] = end_ + waiting_.size();
+  if (has(piece)) return;
+  places_[piece] = end_ + waiting_.size();
   ++count_;
-  waiting_.append(reinterpret_cast<const char*>(&size), sizeof(size)).append(sum).append(bytes);
+  waiting_.append(record);
   if (waiting_.size() >= most_waiting || std::chrono::steady_clock::now() - written_ >= longest_wait)
     write_waiting();
 }
 
-void Journal::flush() {
+void ByteJournal::flush() {
   const std::lock_guard lock(mutex_);
   write_waiting();
 }
 
-void Journal::write_waiting() {
+void ByteJournal::write_waiting() {
   std::size_t done = 0;
   while (done < waiting_.size()) {
     const ssize_t written = ::pwrite(file_.number(), waiting_.data() + done, waiting_.size() - done,
@@ -167,24 +166,29 @@ void Journal::write_waiting() {
   written_ = std::chrono::steady_clock::now();
 }
 
-run::PointResult Journal::point(std::string_view file, std::size_t point) const {
-  const auto bytes = record_at(file, places_[point]);
-  auto result = bytes ? point_of(*bytes, job_, numbers_) : std::nullopt;
-  if (!result || result->point != point)
-    throw io::EnvironmentError(fmt::format(
-        "{}: the record of point {} is not one of this diagram; remove the file, and run its points again",
-        path_, point + 1));
-  return std::move(*result);
-}
-
-void Journal::each(const std::function<void(run::PointResult)>& take) {
+void ByteJournal::each_bytes(const std::function<void(std::size_t, std::string_view)>& take) {
   flush();
   const Mapped mapped(file_.number(), path_);
   for (std::size_t of = 0, looked_at = 0; of < places_.size(); ++of) {
     if (!has(of)) continue;
-    take(point(mapped.bytes(), of));
-    if (++looked_at % points_mapped == 0) mapped.forget();
+    take(of, record_at(mapped.bytes(), places_[of]).value_or(""));
+    if (++looked_at % pieces_mapped == 0) mapped.forget();
   }
+}
+
+void Journal::add(const run::PointResult& result) {
+  add_bytes(result.point, bytes_of(result));
+}
+
+void Journal::each(const std::function<void(run::PointResult)>& take) {
+  each_bytes([&](std::size_t point, std::string_view bytes) {
+    auto result = point_of(bytes, job_, numbers_);
+    if (!result || result->point != point)
+      throw io::EnvironmentError(fmt::format(
+          "{}: the record of point {} is not one of this diagram; remove the file, and run its points again",
+          path(), point + 1));
+    take(std::move(*result));
+  });
 }
 
 }  // namespace stepwire::journal
