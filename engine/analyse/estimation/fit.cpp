@@ -11,13 +11,12 @@
 #include "engine/analyse/estimation/certainty.hpp"
 #include "engine/analyse/estimation/least_squares.hpp"
 #include "engine/analyse/estimation/loss.hpp"
+#include "engine/analyse/estimation/searches.hpp"
 #include "engine/analyse/estimation/starts.hpp"
 
 namespace stepwire::estimation {
 
 namespace {
-
-constexpr std::size_t first_look = 6;  // steps after which the starts are compared
 
 class Fit {
  public:
@@ -80,14 +79,13 @@ class Fit {
     start_ = std::move(start);
   }
 
-  Minimum descend(const Eigen::VectorXd& from, std::size_t iterations, double done, double share,
-                  const std::string& what) const {
-    LeastSquaresOptions options{iterations, source_.interrupt, {}, start_};
+  Minimum descend(const SearchStart& start, double done, double share, const std::string& what) const {
+    LeastSquaresOptions options{start.iterations, source_.interrupt, {}, start_};
     options.watch = [&](std::size_t step, double cost) {
       const double part = 1.0 - std::exp(-static_cast<double>(step) / 8.0);  // nobody knows how many steps
       tell(done + share * part, fmt::format("{}, step {}: cost {:.5g}", what, step, cost));
     };
-    return minimise(residuals_, request_, from, options);
+    return minimise(residuals_, request_, start.from, options);
   }
 
   void search() {
@@ -97,18 +95,10 @@ class Fit {
         tell(0.3 * static_cast<double>(g) / static_cast<double>(request_.global->generations),
              fmt::format("generation {}: cost {:.5g}", g, cost));
       }));
-    std::vector<Minimum> minima = first_looks(starts);
-    const std::vector<std::size_t> order = ranking(minima);
-    const std::size_t kept = request_.follow ? *request_.follow : (starts.size() + 3) / 4;
-    for (std::size_t k = 0; k < kept && k < order.size() && !interrupted(); ++k) {
-      Minimum& one = minima[order[k]];
-      if (one.converged || !std::isfinite(one.cost)) continue;
-      const std::size_t before = one.iterations;
-      one =
-          descend(one.x, request_.iterations, 0.6 + 0.4 * static_cast<double>(k) / static_cast<double>(kept),
-                  0.4 / static_cast<double>(kept), fmt::format("start {}", order[k] + 1));
-      one.iterations += before;
-    }
+    const Searches searches(request_, source_.interrupt, options_.workers,
+                            [this](const SearchStart& start, double done, double share,
+                                   const std::string& what) { return descend(start, done, share, what); });
+    const std::vector<Minimum> minima = searches.from(starts);
     best_ = minima[ranking(minima).front()];
     for (const Minimum& one : minima) result_.starts.push_back({one.cost, one.converged, one.iterations});
     if (!std::isfinite(best_.cost) && !interrupted())
@@ -132,27 +122,6 @@ class Fit {
       if (!held && std::abs(slopes.col(i).dot(r)) > flat * slopes.col(i).norm() * r.norm())
         return limit(best_.refusal);
     }
-  }
-
-  std::vector<Minimum> first_looks(const std::vector<Eigen::VectorXd>& starts) const {
-    const std::size_t count = starts.size();
-    const std::size_t steps = count == 1 ? request_.iterations : std::min(first_look, request_.iterations);
-    std::vector<Minimum> minima;
-    for (std::size_t k = 0; k < count; ++k) {
-      if (interrupted() && k > 0) break;
-      minima.push_back(descend(starts[k], steps, 0.6 * static_cast<double>(k) / static_cast<double>(count),
-                               0.6 / static_cast<double>(count),
-                               fmt::format("start {} of {}", k + 1, count)));
-    }
-    return minima;
-  }
-
-  static std::vector<std::size_t> ranking(const std::vector<Minimum>& minima) {
-    std::vector<std::size_t> order(minima.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return minima[a].cost < minima[b].cost; });
-    return order;
   }
 
   double predict() {

@@ -9,6 +9,7 @@
 #include "engine/analyse/estimation/fitted_curve.hpp"
 #include "engine/analyse/estimation/model_runs.hpp"
 #include "engine/analyse/estimation/residuals.hpp"
+#include "engine/base/messages/items.hpp"
 
 namespace stepwire::estimation {
 
@@ -16,6 +17,7 @@ namespace stepwire::estimation {
 struct FitOptions {
   unsigned threads = 0;  ///< 0: all cores; the result is the same to the last bit
   std::function<void(double fraction, const std::string& what)> progress{};
+  messages::ItemWorkers* workers = nullptr;  ///< that search from the starts; null: this process does
 };
 
 /// A number that was found, in SI.

@@ -66,6 +66,18 @@ void score(const StudyRequest& request, const diagram::Diagram& diagram, Experim
   }
 }
 
+/// The experiment of one study, whose runs are there.
+void finish(const StudyRequest& request, const run::Job& job, std::size_t study, Experiment& experiment) {
+  if (!job.points.empty()) experiment.sets = job.settings_of(study);
+  std::ranges::stable_sort(experiment.runs, {},
+                           [](const TrialRun& run) { return std::pair(run.subject, run.condition); });
+  for (const TrialRun& run : experiment.runs) experiment.trials.push_back(trial_of(run, request));
+  if (experiment.trials.empty())
+    refuse(request,
+           fmt::format("no trial was done within the time that 'stop' leaves{}", with_swept(job, study)));
+  score(request, diagram_of(job, study), experiment);
+}
+
 /// One experiment whose persons are at work, at all points of the sweep.
 struct OpenExperiment {
   std::vector<std::vector<TrialRun>> people;  ///< of each study all subjects
@@ -80,49 +92,26 @@ class OpenExperiments {
                   const std::vector<std::uint64_t>& seeds, const ExperimentSink& sink)
       : runs_(runs), request_(request), job_(job), seeds_(seeds), sink_(sink), open_(seeds.size()) {
     for (OpenExperiment& one : open_) {
-      one.people.resize(study_count(job) * request.subjects.size());
+      one.people.resize(people_of(request, job));
       one.left = one.people.size();
     }
   }
 
   void perform() {
-    const std::size_t people = study_count(job_) * request_.subjects.size();
+    const std::size_t people = people_of(request_, job_);
     runs_.in_parallel(seeds_.size() * people, [&](std::size_t i) { work(i / people, i % people); });
   }
 
  private:
   void work(std::size_t which, std::size_t person) {
     OpenExperiment& open = open_[which];
-    const std::size_t subjects = request_.subjects.size();
-    open.people[person] =
-        run_person(runs_, request_, {seeds_[which], person / subjects, request_.subjects[person % subjects]},
-                   sink_.told);
+    open.people[person] = run_person(runs_, request_, person_of(request_, seeds_[which], person), sink_.told);
     for (const TrialRun& trial : open.people[person])
       if (trial.result.interrupted) open.interrupted = true;
-    if (--open.left == 0 && !open.interrupted) sink_.done(finished(which));
-  }
-
-  Experiments finished(std::size_t which) {
-    Experiments experiments(study_count(job_));
-    std::vector<std::vector<TrialRun>> people = std::move(open_[which].people);
-    for (std::size_t person = 0; person < people.size(); ++person)
-      take(std::move(people[person]), request_, experiments[person / request_.subjects.size()]);
-    for (std::size_t study = 0; study < experiments.size(); ++study) finish(which, study, experiments[study]);
-    return experiments;
-  }
-
-  void finish(std::size_t which, std::size_t study, Experiment& experiment) {
-    experiment.seed = seeds_[which];
-    experiment.family = runs_.family();
-    experiment.lanes = runs_.lanes();
-    if (!job_.points.empty()) experiment.sets = job_.settings_of(study);
-    std::ranges::stable_sort(experiment.runs, {},
-                             [](const TrialRun& run) { return std::pair(run.subject, run.condition); });
-    for (const TrialRun& run : experiment.runs) experiment.trials.push_back(trial_of(run, request_));
-    if (experiment.trials.empty())
-      refuse(request_,
-             fmt::format("no trial was done within the time that 'stop' leaves{}", with_swept(job_, study)));
-    score(request_, diagram_of(job_, study), experiment);
+    if (--open.left > 0 || open.interrupted) return;
+    Experiments done = experiments_of(std::move(open.people), seeds_[which], runs_.family(), request_, job_);
+    for (Experiment& one : done) one.lanes = runs_.lanes();
+    sink_.done(std::move(done));
   }
 
   TrialRuns& runs_;
@@ -134,6 +123,20 @@ class OpenExperiments {
 };
 
 }  // namespace
+
+Experiments experiments_of(std::vector<std::vector<TrialRun>> people, std::uint64_t seed,
+                           const std::shared_ptr<run::PlanFamily>& family, const StudyRequest& request,
+                           const run::Job& job) {
+  Experiments experiments(study_count(job));
+  for (std::size_t person = 0; person < people.size(); ++person)
+    take(std::move(people[person]), request, experiments[person / request.subjects.size()]);
+  for (std::size_t study = 0; study < experiments.size(); ++study) {
+    experiments[study].seed = seed;
+    experiments[study].family = family;
+    finish(request, job, study, experiments[study]);
+  }
+  return experiments;
+}
 
 void perform(TrialRuns& runs, const StudyRequest& request, const run::Job& job,
              const std::vector<std::uint64_t>& seeds, const ExperimentSink& sink) {

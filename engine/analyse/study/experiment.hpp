@@ -47,6 +47,11 @@ struct ExperimentSink {
 void perform(TrialRuns& runs, const StudyRequest& request, const run::Job& job,
              const std::vector<std::uint64_t>& seeds, const ExperimentSink& sink);
 
+/// The experiments of a seed, one for each study, out of the trials of all people_of() it. Throws Error.
+Experiments experiments_of(std::vector<std::vector<TrialRun>> people, std::uint64_t seed,
+                           const std::shared_ptr<run::PlanFamily>& family, const StudyRequest& request,
+                           const run::Job& job);
+
 /// Scores trials that were recorded. Throws Error.
 Experiment score_recorded(const StudyRequest& request, const diagram::Diagram& diagram);
 

@@ -84,6 +84,15 @@ class PersonAtWork {
 
 }  // namespace
 
+std::size_t people_of(const StudyRequest& request, const run::Job& job) {
+  return study_count(job) * request.subjects.size();
+}
+
+Person person_of(const StudyRequest& request, std::uint64_t seed, std::size_t number) {
+  const std::size_t subjects = request.subjects.size();
+  return {seed, number / subjects, request.subjects[number % subjects]};
+}
+
 std::vector<TrialRun> run_person(TrialRuns& runs, const StudyRequest& request, const Person& person,
                                  const std::function<void()>& told) {
   return PersonAtWork(runs, request, person, told).work();

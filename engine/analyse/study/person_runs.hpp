@@ -13,6 +13,11 @@ struct Person {
   std::size_t study = 0, subject = 0;
 };
 
+/// The people of an experiment at all points of the sweep, each of them a person.
+std::size_t people_of(const StudyRequest& request, const run::Job& job);
+/// One of these people of the experiment of a seed.
+Person person_of(const StudyRequest& request, std::uint64_t seed, std::size_t number);
+
 /// The trials of a person one after the other: practice, then the conditions in this person's order. Values
 /// are carried from each to the next, and the circle of the first one is handed to the others. A trial that
 /// is not done in any attempt is left out, and carries nothing on; behind one to which a circle is to be

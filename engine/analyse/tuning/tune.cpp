@@ -8,7 +8,7 @@
 #include <mutex>
 
 #include "engine/analyse/tuning/constraint.hpp"
-#include "engine/analyse/tuning/search.hpp"
+#include "engine/analyse/tuning/search_items.hpp"
 
 namespace stepwire::tuning {
 
@@ -83,6 +83,13 @@ class Tuning {
   }
 
   void search_all() {
+    std::vector<SearchResult> found =
+        options_.workers ? search_by(*options_.workers, problem_, start_) : search_here();
+    for (SearchResult& one : found) take(std::move(one));
+    if (!choose()) restore_claims();
+  }
+
+  std::vector<SearchResult> search_here() {
     const std::size_t count = request_.starts;
     const auto beside = static_cast<unsigned>(std::min<std::size_t>(threads(), count));
     problem_.threads = std::max(1u, threads() / beside);
@@ -92,8 +99,7 @@ class Tuning {
       if (runs_.interrupted() && i > 0) return;
       found[i] = search(problem_, i, i == 0 ? start_ : std::nullopt);
     });
-    for (SearchResult& one : found) take(std::move(one));
-    if (!choose()) restore_claims();
+    return found;
   }
 
   void take(SearchResult&& one) {

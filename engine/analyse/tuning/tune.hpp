@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/analyse/tuning/evaluation.hpp"
+#include "engine/base/messages/items.hpp"
 
 namespace stepwire::tuning {
 
@@ -12,6 +13,7 @@ namespace stepwire::tuning {
 struct TuneOptions {
   unsigned threads = 0;  ///< 0: all cores; the result is the same to the last bit
   std::function<void(double fraction, const std::string& what)> progress{};
+  messages::ItemWorkers* workers = nullptr;  ///< that search from the starts; null: this process does
 };
 
 /// A number that was found, in SI.

@@ -31,8 +31,12 @@ session::Outcome KeptRun::joined(const session::PointsReport& report) {
 
 ExitCode KeptRun::run_share(session::Session& session, run::ExecutionMode engine, unsigned threads) {
   session.run(model_, kept_, engine, threads);
+  return end_share();
+}
+
+ExitCode KeptRun::end_share() {
   kept_.journal().flush();
-  if (interrupted()) {
+  if (interrupted() || kept_.kept() < kept_.points()) {
     note_interrupted();
     return ExitCode::interrupted;
   }

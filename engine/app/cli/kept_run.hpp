@@ -20,6 +20,8 @@ class KeptRun {
   session::Outcome run(session::Session& session, run::ExecutionMode engine, unsigned threads = 0);
   /// Runs what is missing of a share, and says what is to be done with it.
   ExitCode run_share(session::Session& session, run::ExecutionMode engine, unsigned threads);
+  /// The same for a share that was run meanwhile, as far as it was.
+  ExitCode end_share();
   /// Joins all that is there, and says how it was run.
   session::Outcome joined(const session::PointsReport& report);
   session::KeptPoints& points() { return kept_; }

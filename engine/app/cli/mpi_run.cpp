@@ -1,46 +1,94 @@
 #include "engine/app/cli/mpi_run.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/interrupt.hpp"
-#include "engine/app/session/shared_points.hpp"
+#include "engine/app/cluster/job_worker.hpp"
+#include "engine/app/cluster/served_points.hpp"
 
 namespace stepwire::cli {
 
-void MpiRun::work(const RunCall& call, const Registry& registry) {
-  const EndDelay delay(EndDelay::Signals::first);
-  session::ServedPoints served(*messages_, &interrupted());
-  try {
-    session::Session session(registry);
-    session.monitor().interrupt = &interrupted();
-    session.monitor().progress = [&](double, const std::string&) { served.note_alive(); };
-    const session::LoadedModel model =
-        session.load(call.models.files.front(), load_options(call.models.words));
-    session.run(model, served, call.engine, 1);
-  } catch (const std::exception& error) {
-    served.fail(error.what());
-  }
-  whole_ = true;
+using cluster::SharedJob;
+
+namespace {
+
+/// A process of many has one thread, unless the call says otherwise.
+unsigned threads_of(unsigned threads) {
+  return std::max(1u, threads);
 }
 
-session::Outcome MpiRun::serve(KeptRun& kept, session::Session& session, run::ExecutionMode engine) {
-  if (messages_->size() == 1) {
-    whole_ = true;
-    return kept.run(session, engine);
+cluster::SharedCall shared_call(const RunCall& call) {
+  cluster::SharedCall shared{call.models.files.front(), load_options(call.models.words), {}, call.fit, call.tune};
+  shared.options.study = call.models.study;
+  shared.study = {call.engine, threads_of(call.threads)};
+  shared.fit.engine = shared.tune.engine = shared.engine = call.engine;
+  shared.fit.threads = threads_of(call.fit.threads);
+  shared.tune.threads = threads_of(call.tune.threads);
+  shared.threads = threads_of(call.threads);
+  return shared;
+}
+
+}  // namespace
+
+ExitCode work_for(messages::Connection& server, const RunCall& call, const Registry& registry) {
+  cluster::ItemClient client(server);
+  try {
+    cluster::JobWorker(registry, shared_call(call), client).work();
+  } catch (const std::exception& error) {
+    client.fail(error.what());
   }
+  return ExitCode::done;
+}
+
+void MpiRun::serve(KeptRun& kept, const session::LoadedModel& model, const session::Monitor& monitor) {
+  cluster::PointItems points(kept.points());
+  server_.serve(points, bytes_of(job_of(SharedJob::Kind::points, model)), monitor);
+  kept.points().journal().flush();
+  say_deaths();
+}
+
+session::Outcome MpiRun::run(KeptRun& kept, const session::LoadedModel& model,
+                             const session::Monitor& monitor) {
   const auto start = std::chrono::steady_clock::now();
-  session::PointServer server(*messages_, kept.points());
-  server.serve(session.monitor());
-  for (const std::string& death : server.deaths()) complain("{}\n", death);
-  broken_ = !server.deaths().empty();
-  whole_ = !broken_ && !interrupted();
+  serve(kept, model, monitor);
   return kept.joined({std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), {}});
 }
 
-void MpiRun::finish(ExitCode code) {
-  if (!whole_) messages_->abort(static_cast<int>(code));
-  messages_->finish();
+ExitCode MpiRun::run_share(KeptRun& kept, const session::LoadedModel& model,
+                           const session::Monitor& monitor) {
+  serve(kept, model, monitor);
+  return kept.end_share();
+}
+
+messages::ItemWorkers& MpiRun::workers(const SharedJob& job, const std::string& folder,
+                                       const std::string& follows_from, std::size_t most,
+                                       const session::Monitor& monitor) {
+  works_.push_back(
+      std::make_unique<cluster::ServedWork>(server_, monitor, job, folder, follows_from, most));
+  if (works_.back()->found() > 0) complain("{}\n", works_.back()->state());
+  return *works_.back();
+}
+
+void MpiRun::say_deaths() {
+  for (; said_ < server_.deaths().size(); ++said_) complain("{}\n", server_.deaths()[said_]);
+}
+
+void MpiRun::say_kept() const {
+  for (const auto& work : works_) complain("{}\n", work->state());
+}
+
+void MpiRun::drop() {
+  for (const auto& work : works_) work->drop();
+}
+
+ExitCode MpiRun::finish(ExitCode code) {
+  if (!server_.deaths().empty() && code == ExitCode::interrupted) code = ExitCode::surroundings;
+  if (interrupted() || !server_.finish()) messages_.abort(static_cast<int>(code));
+  say_deaths();
+  messages_.finish();
+  return code;
 }
 
 }  // namespace stepwire::cli

@@ -13,7 +13,9 @@
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/mpi_run.hpp"
 #include "engine/app/cli/run_file.hpp"
+#include "engine/app/cluster/relay.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/base/messages/worker_process.hpp"
 #include "engine/base/subprocess/scratch_folder.hpp"
 
 namespace stepwire::cli {
@@ -59,21 +61,24 @@ ExitCode run_each(const RunCall& call, const Registry& registry, MpiRun* mpi = n
   });
 }
 
-/// Of the processes of mpirun only process 0 writes and says anything.
+/// Each process has a worker, made before MPI begins, whose death leaves the process as it is. Of all
+/// processes only process 0 writes and says anything.
 ExitCode run_by_mpi(const RunCall& call, const Registry& registry) {
   if (call.models.files.size() != 1) {
     complain("--mpi runs one file; give each file a call of its own\n");
     return ExitCode::wrong;
   }
-  MpiRun mpi;
-  ExitCode code = ExitCode::done;
-  if (mpi.is_worker())
-    mpi.work(call, registry);
-  else
-    code = run_each(call, registry, &mpi);
-  if (mpi.broken() && code == ExitCode::interrupted) code = ExitCode::surroundings;
-  mpi.finish(code);
-  return code;
+  messages::WorkerProcess worker;
+  if (worker.is_worker()) return work_for(worker.other(), call, registry);
+  const std::unique_ptr<messages::Messages> messages = messages::open_mpi();
+  if (messages->rank() > 0) {
+    cluster::relay(*messages, worker);
+    messages->finish();
+    return ExitCode::done;
+  }
+  worker.end();
+  MpiRun mpi(*messages);
+  return mpi.finish(run_each(call, registry, mpi.shares() ? &mpi : nullptr));
 }
 
 /// What --out - gives: the folders of the runs, which are there as long as this takes.
@@ -140,6 +145,9 @@ void add_run_options(CLI::App& verb, RunCall& call, const std::string& out) {
                     "interpreted, compiled, or auto: compiled once that is worth it; all to the same bits");
   verb.add_option("--out", call.out, out + "; - writes them as a tar archive to the standard output");
   add_kinds_options(verb, call.files, call.pictures);
+  verb.add_flag("--mpi", call.mpi,
+                "the processes of mpirun share points of a sweep, people and experiments of a study, searches "
+                "of a fit or a tuning");
 }
 
 ExitCode run_models(const RunCall& call, const Registry& registry) {

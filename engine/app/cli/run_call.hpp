@@ -29,7 +29,7 @@ struct RunCall {
   session::TuneCall tune;
   unsigned threads = 0;                ///< of a sweep or a study; 0: all cores
   std::optional<session::Share> part;  ///< of a sweep: what this call runs
-  bool mpi = false;                    ///< the processes of mpirun share the points of the one file
+  bool mpi = false;                    ///< the processes of mpirun share the work of the one file
 };
 
 inline constexpr const char* standard_output = "-";

@@ -47,11 +47,25 @@ class FileRun {
     const std::string folder = folder_of(call_, model.file);
     use_ = {folder, session::files_for(model, call_.files), !call_.csv.empty()};
     if (!folder.empty() && !call_.files && use_.files != session::usual_files)
-      complain("{}: more than {:.0f} million numbers, so signals.h5 is written, and no csv or mat\n", model.file,
-               session::most_numbers_of_csv * 1e-6);
+      complain("{}: more than {:.0f} million numbers, so signals.h5 is written, and no csv or mat\n",
+               model.file, session::most_numbers_of_csv * 1e-6);
     if (!call_.part) session::require_rows(model, use_);
     const auto owned = session::own_results(folder, model, use_.files);
-    if (call_.part) return KeptRun(model, use_, *call_.part).run_share(session_, call_.engine, call_.threads);
+    if (!mpi_) return carry_out(model, folder, results);
+    try {
+      const ExitCode code = carry_out(model, folder, results);
+      if (code != ExitCode::interrupted) mpi_->drop();
+      return code;
+    } catch (const std::exception&) {
+      mpi_->say_deaths();
+      if (interrupted()) mpi_->say_kept();
+      throw;
+    }
+  }
+
+ private:
+  ExitCode carry_out(session::LoadedModel& model, const std::string& folder, Json& results) {
+    if (call_.part) return run_share(model, folder);
     if (model.study) return study(model, folder, results);
     const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
     if (fitted != ExitCode::done) return fitted;
@@ -60,11 +74,27 @@ class FileRun {
     return tuned == ExitCode::done ? run(model, folder, results) : tuned;
   }
 
- private:
+  ExitCode run_share(const session::LoadedModel& model, const std::string& folder) {
+    KeptRun kept(model, use_, *call_.part);
+    const auto watch = watched(file_name(model));
+    return mpi_ ? mpi_->run_share(kept, model, session_.monitor())
+                : kept.run_share(session_, call_.engine, call_.threads);
+  }
+
+  /// Other processes for a job of the model; null where there are none.
+  messages::ItemWorkers* others(cluster::SharedJob::Kind kind, const session::LoadedModel& model,
+                                const std::string& folder, const std::string& follows_from,
+                                std::size_t most) {
+    if (!mpi_) return nullptr;
+    return &mpi_->workers(job_of(kind, model), folder, follows_from, most, session_.monitor());
+  }
+
   /// Finds the parameters of the section `tune`, prints them, and loads the model with them.
   ExitCode tune(session::LoadedModel& model, const std::string& folder, Json& results) {
     session::TuneCall call = call_.tune;
     call.engine = call_.engine;
+    call.workers = others(cluster::SharedJob::Kind::tune, model, folder, session::tune_key(model, call),
+                          session::most_searches(model, call));
     const tuning::TuneResult result = [&] {
       const auto watch = watched("tune " + file_name(model));
       return session_.tune(model, call);
@@ -83,6 +113,8 @@ class FileRun {
   ExitCode fit(session::LoadedModel& model, const std::string& folder, Json& results) {
     session::FitCall call = call_.fit;
     call.engine = call_.engine;
+    call.workers = others(cluster::SharedJob::Kind::fit, model, folder, session::fit_key(model, call),
+                          session::most_searches(model, call));
     const estimation::FitResult result = [&] {
       const auto watch = watched("fit " + file_name(model));
       return session_.fit(model, call);
@@ -122,7 +154,7 @@ class FileRun {
     if (!folder.empty() && !model.job.points.empty()) kept.emplace(model, use_);
     session::Outcome outcome = [&] {
       const auto watch = watched(file_name(model));
-      if (mpi_) return mpi_->serve(*kept, session_, call_.engine);
+      if (mpi_ && kept) return mpi_->run(*kept, model, session_.monitor());
       if (kept) return kept->run(session_, call_.engine, call_.threads);
       if (session::goes_run_by_run(model, use_)) return session_.pass(model, call_.engine, call_.threads);
       if (partial) session_.monitor().observers = {partial.get()};
@@ -177,12 +209,17 @@ class FileRun {
     render::write_figure(folder, "profile", report::profile_figure(model, profile), {}, call_.pictures);
   }
 
+  session::Studies::Shared perform(const session::LoadedModel& model, const std::string& folder) {
+    session::StudyCall call{call_.engine, call_.threads, folder};
+    call.workers = others(cluster::SharedJob::Kind::study, model, folder, session::study_items_key(model),
+                          session::most_items(model));
+    const auto watch = watched("study " + file_name(model));
+    return session_.study(model, call);
+  }
+
   /// Makes the study of the section `study`, in the place of a run.
   ExitCode study(session::LoadedModel& model, const std::string& folder, Json& results) {
-    const auto experiments = [&] {
-      const auto watch = watched("study " + file_name(model));
-      return session_.study(model, {call_.engine, call_.threads, folder});
-    }();
+    const session::Studies::Shared experiments = perform(model, folder);
     const session::Outcome outcome = session::study_outcome(model, *experiments);
     if (outcome.result.interrupted) {  // nothing is kept of half an experiment
       if (!folder.empty() && model.study->experiments > 1)

@@ -38,15 +38,17 @@ void require_one_table(const RunCall& call, const session::LoadedModel& model) {
         count));
 }
 
-/// A share is of a sweep alone, and lies in a folder.
+/// What several calls or processes share lies in a folder. A share is of a sweep alone.
 void require_shares(const RunCall& call, const session::LoadedModel& model) {
   if (!call.part && !call.mpi) return;
   const auto refuse = [&](const char* message) {
     throw yaml::Error(yaml::Fault{{model.file, {}}, call.part ? "--part" : "--mpi", message, {}});
   };
-  if (model.job.points.empty() || model.study)
-    refuse("needs a file with a section 'sweep', and without a study");
-  if (call.out.empty() || call.archive) refuse("needs --out DIR, in which the points are kept");
+  const bool sweeps = !model.job.points.empty();
+  if (call.part && (!sweeps || model.study)) refuse("needs a file with a section 'sweep', and without a study");
+  if (!sweeps && !model.study && !model.fit && call.requires_section.empty())
+    refuse("needs a file with a section 'sweep', 'study' or 'fit', whose runs processes can share");
+  if (call.out.empty() || call.archive) refuse("needs --out DIR, in which what is done is kept");
 }
 
 /// Better now than after the run.

@@ -22,8 +22,7 @@ Action declare_run(CLI::App& verb) {
   verb.add_option_function<std::string>(
           "--part", [call](const std::string& text) { call->part = share_of(text); },
           "run only this share of a sweep's points, and keep them in --out for 'collect'")
-      ->option_text("K/N")
-      ->excludes(verb.add_flag("--mpi", call->mpi, "the processes of mpirun share the points of a sweep"));
+      ->option_text("K/N");
   return [call](const Registry& registry) { return run_models(*call, registry); };
 }
 

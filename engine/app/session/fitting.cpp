@@ -1,5 +1,9 @@
 #include "engine/app/session/fitting.hpp"
 
+#include <fmt/format.h>
+
+#include "engine/analyse/estimation/search_items.hpp"
+#include "engine/app/session/build_note.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/view/render/figure_file.hpp"
@@ -18,22 +22,63 @@ bool worth_compiling(const LoadedModel& model) {
   return run * runs * steps > compilation;
 }
 
-estimation::FitResult fit_model(const Registry& registry, const LoadedModel& model, const FitCall& call,
-                                const Monitor& monitor) {
+namespace {
+
+estimation::FitRequest request_of(const LoadedModel& model, const FitCall& call) {
   estimation::FitRequest request = *model.fit;
   if (call.starts) request.starts = *call.starts;
   if (call.follow) request.follow = call.follow;
   if (call.seed) request.seed = *call.seed;
+  return request;
+}
+
+/// What the runs of a fit are made of.
+struct FitRuns {
+  FitRuns(const Registry& registry, const LoadedModel& model, const FitCall& call,
+          const std::atomic<bool>* interrupt)
+      : request(request_of(model, call)),
+        loader(registry, model.options.limits, model.options.reader),
+        source{loader, model.file, model.options.settings, nullptr, interrupt} {
+    const bool compiles = call.engine == run::ExecutionMode::compiled ||
+                          (call.engine == run::ExecutionMode::automatic && worth_compiling(model));
+    if (compiles) source.code = &code;
+    if (const auto& stop = model.options.stop)
+      source.settings.push_back({"stop", *stop, "--stop " + *stop});
+  }
+
+  estimation::FitRequest request;
   codegen::GeneratedCode code;
-  const bool compiles = call.engine == run::ExecutionMode::compiled ||
-                        (call.engine == run::ExecutionMode::automatic && worth_compiling(model));
-  diagram::Loader loader(registry, model.options.limits, model.options.reader);
-  estimation::ModelSource source{loader, model.file, model.options.settings, compiles ? &code : nullptr,
-                                 monitor.interrupt};
-  if (const auto& stop = model.options.stop) source.settings.push_back({"stop", *stop, "--stop " + *stop});
-  estimation::FitResult result = fit(source, model.job, request, {call.threads, monitor.progress});
-  monitor.note_interpreted(code.take_problem());
+  diagram::Loader loader;
+  estimation::ModelSource source;
+};
+
+}  // namespace
+
+estimation::FitResult fit_model(const Registry& registry, const LoadedModel& model, const FitCall& call,
+                                const Monitor& monitor) {
+  FitRuns runs(registry, model, call, monitor.interrupt);
+  estimation::FitResult result =
+      fit(runs.source, model.job, runs.request, {call.threads, monitor.progress, call.workers});
+  monitor.note_interpreted(runs.code.take_problem());
   return result;
+}
+
+messages::ItemWork fit_work(const Registry& registry, const LoadedModel& model, const FitCall& call) {
+  const auto runs = std::make_shared<FitRuns>(registry, model, call, nullptr);
+  const auto work =
+      std::make_shared<estimation::SearchWork>(runs->source, model.job, runs->request, call.threads);
+  return [runs, work](const messages::Item& item) { return work->work(item); };
+}
+
+/// A few steps from each start and from what a global search gives, and searches that go on.
+std::size_t most_searches(const LoadedModel& model, const FitCall& call) {
+  return 2 * (request_of(model, call).starts + 1);
+}
+
+std::string fit_key(const LoadedModel& model, const FitCall& call) {
+  const estimation::FitRequest request = request_of(model, call);
+  return fmt::format("{} {} {} {}", search_key(model), request.starts, request.follow.value_or(0),
+                     request.seed);
 }
 
 LoadOptions with_fitted(LoadOptions options, const estimation::FitResult& result) {

@@ -18,6 +18,7 @@ struct FitCall {
   std::optional<std::uint64_t> seed;
   unsigned threads = 0;  ///< 0: all cores
   run::ExecutionMode engine = run::ExecutionMode::automatic;
+  messages::ItemWorkers* workers = nullptr;  ///< that search from the starts; null: this process does
 };
 
 /// Will the fit's runs take longer than a compilation?
@@ -26,6 +27,12 @@ bool worth_compiling(const LoadedModel& model);
 /// Finds the parameters that the file asks for. Throws Error.
 estimation::FitResult fit_model(const Registry& registry, const LoadedModel& model, const FitCall& call,
                                 const Monitor& monitor);
+
+/// Searches of such a fit for another process. The model must outlive it. Throws Error.
+messages::ItemWork fit_work(const Registry& registry, const LoadedModel& model, const FitCall& call);
+/// How many searches there are at most, and all that decides what they find.
+std::size_t most_searches(const LoadedModel& model, const FitCall& call);
+std::string fit_key(const LoadedModel& model, const FitCall& call);
 
 /// The options with what was found in the place of the file's values.
 LoadOptions with_fitted(LoadOptions options, const estimation::FitResult& result);

@@ -76,6 +76,12 @@ void KeptExperiments::add(const study::Experiments& experiments) {
   if (!path_.empty()) io::write_file(path_, repetition_.csv());
 }
 
+void KeptExperiments::add(std::uint64_t seed, const std::vector<std::vector<study::NamedValue>>& outcomes) {
+  const std::lock_guard lock(mutex_);
+  for (std::size_t point = 0; point < outcomes.size(); ++point)
+    repetition_.add({seed, outcomes[point]}, point);
+}
+
 void KeptExperiments::complete(study::Experiments& first) const {
   const study::StudyRequest& request = *model_.study;
   for (std::size_t point = 0; point < first.size(); ++point)

@@ -30,6 +30,8 @@ class KeptExperiments {
   std::vector<std::uint64_t> missing() const;
   /// From any thread.
   void add(const study::Experiments& experiments);
+  /// Adds what came out of one at each point of the sweep, which is written with the next whole one.
+  void add(std::uint64_t seed, const std::vector<std::vector<study::NamedValue>>& outcomes);
   /// Puts what other people did behind the experiments of the first seed.
   void complete(study::Experiments& first) const;
 

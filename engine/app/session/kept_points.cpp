@@ -99,6 +99,10 @@ std::string points_path(const std::string& folder) {
   return folder + "/points.journal";
 }
 
+std::string items_path(const std::string& folder, const std::string& of) {
+  return folder + "/" + of + ".journal";
+}
+
 std::string points_head(const LoadedModel& model) {
   Json settings = Json::list();
   for (const diagram::Setting& setting : model.options.settings)

@@ -25,6 +25,8 @@ struct Share {
 
 /// Where the points of a model's sweep are kept in a folder.
 std::string points_path(const std::string& folder);
+/// Where what other processes did of a "study", a "fit" or a "tune" is kept.
+std::string items_path(const std::string& folder, const std::string& of);
 
 /// What the points of a model's sweep follow from: the diagram, its data, what each point sets, the program
 /// and blocks from outside; and by which call the model is loaded again. A line of JSON.

@@ -14,6 +14,7 @@ std::unique_ptr<io::OwnedFolder> own_results(const std::string& folder, const Lo
   auto owned = std::make_unique<io::OwnedFolder>(folder, [&] {
     std::set<std::string> files = replay::files_read(model.job);
     files.insert({folder + "/experiments.csv", folder + "/experiments.json", points_path(folder)});
+    for (const char* of : {"study", "fit", "tune"}) files.insert(items_path(folder, of));
     if (model.study && !model.study->trials.empty()) files.insert(model.study->trials);
     return files;
   });

@@ -10,7 +10,7 @@
 #include "engine/analyse/study/study_columns.hpp"
 #include "engine/analyse/study/study_tables.hpp"
 #include "engine/app/session/kept_experiments.hpp"
-#include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/app/session/study_parts.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
 namespace stepwire::session {
@@ -66,15 +66,13 @@ study::Experiments make_experiments(const Registry& registry, const LoadedModel&
   if (!request.trials.empty()) return {study::score_recorded(request, model.job.plan.diagram)};
   KeptExperiments kept(model, call.kept);
   const std::vector<std::uint64_t> seeds = kept.missing();
-  diagram::Loader loader(registry, model.options.limits, model.options.reader);
-  codegen::GeneratedCode code;
-  study::TrialSource source = trial_source(
-      loader, model, engine_of(model, call, study::study_count(model.job) * seeds.size()), code, monitor);
-  source.threads = call.threads;
-  std::optional<study::TrialRuns> runs(std::in_place, std::move(source), request, model.job, seeds.size());
-  study::Experiments experiments = perform_all(*runs, model, seeds, kept, monitor);
-  runs.reset();  // so that nothing is compiled any more, which may have a problem to tell
-  monitor.note_interpreted(code.take_problem());
+  StudyCall own = call;
+  if (call.workers) own.engine = run::ExecutionMode::interpreted;  // it runs nothing itself
+  StudyParts parts(registry, model, own, seeds.size(), monitor);
+  if (call.workers) return perform_by(*call.workers, parts, model, seeds, kept);
+  study::Experiments experiments = perform_all(*parts.runs, model, seeds, kept, monitor);
+  parts.runs.reset();  // so that nothing is compiled any more, which may have a problem to tell
+  monitor.note_interpreted(parts.code.take_problem());
   return experiments;
 }
 

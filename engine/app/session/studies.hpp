@@ -10,6 +10,7 @@
 #include "engine/analyse/study/experiment.hpp"
 #include "engine/app/session/outcome.hpp"
 #include "engine/base/json/json.hpp"
+#include "engine/base/messages/items.hpp"
 
 namespace stepwire::session {
 
@@ -18,6 +19,7 @@ struct StudyCall {
   run::ExecutionMode engine = run::ExecutionMode::automatic;
   unsigned threads = 0;  ///< 0: all cores
   std::string kept{};    ///< folder in which experiments are kept that are done; empty: none
+  messages::ItemWorkers* workers = nullptr;  ///< that perform them; null: this process does
 };
 
 /// The studies of one call. Files of one study, which differ in figures and claims only, share its
@@ -35,6 +37,12 @@ class Studies {
   std::mutex mutex_;
   std::map<std::string, std::shared_future<Shared>> known_;
 };
+
+/// People and experiments of a study for another process. The model must outlive it. Throws Error.
+messages::ItemWork study_work(const Registry& registry, const LoadedModel& model, const StudyCall& call);
+/// How many items such a study has at most, and all that decides what they give.
+std::size_t most_items(const LoadedModel& model);
+std::string study_items_key(const LoadedModel& model);
 
 /// Puts the experiments into the place of a run: their trials as runs of the model, tables, recordings; and
 /// judges the claims.

@@ -1,7 +1,11 @@
 #include "engine/app/session/tuning.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "engine/analyse/tuning/search_items.hpp"
+#include "engine/app/session/build_note.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/view/render/figure_file.hpp"
@@ -25,29 +29,63 @@ bool is_long(const LoadedModel& model, const tuning::TuneRequest& request) {
   return per_block * ticks * static_cast<double>(job.plan.diagram.blocks.size()) * evaluations > compilation;
 }
 
-}  // namespace
-
-tuning::TuneResult tune_model(const Registry& registry, const LoadedModel& model, const TuneCall& call,
-                              const Monitor& monitor) {
+tuning::TuneRequest request_of(const LoadedModel& model, const TuneCall& call) {
   tuning::TuneRequest request = *model.tune;
   if (call.starts) request.starts = *call.starts;
   if (call.evaluations) request.evaluations = *call.evaluations;
   if (call.seed) request.seed = *call.seed;
+  return request;
+}
+
+/// What the runs of a tuning are made of.
+struct TuneParts {
+  TuneParts(const Registry& registry, const LoadedModel& model, const TuneCall& call,
+            const std::atomic<bool>* interrupt)
+      : request(request_of(model, call)),
+        loader(registry, model.options.limits, model.options.reader),
+        source{loader, model.file, model.options.settings, model.linear, nullptr, interrupt} {
+    const bool compiles = call.engine == run::ExecutionMode::compiled ||
+                          (call.engine == run::ExecutionMode::automatic && is_long(model, request));
+    if (compiles) source.code = &code;
+    if (model.scene)
+      source.add_shown = [scene = model.scene](std::vector<record::Recording>& recordings) {
+        scene::add_scene_states(*scene, recordings);
+      };
+    if (const auto& stop = model.options.stop)
+      source.settings.push_back({"stop", *stop, "--stop " + *stop});
+  }
+
+  tuning::TuneRequest request;
   codegen::GeneratedCode code;
-  const bool compiles = call.engine == run::ExecutionMode::compiled ||
-                        (call.engine == run::ExecutionMode::automatic && is_long(model, request));
-  diagram::Loader loader(registry, model.options.limits, model.options.reader);
-  tuning::TuneSource source{loader,       model.file, model.options.settings,
-                            model.linear, nullptr,    monitor.interrupt};
-  if (compiles) source.code = &code;
-  if (model.scene)
-    source.add_shown = [scene = model.scene](std::vector<record::Recording>& recordings) {
-      scene::add_scene_states(*scene, recordings);
-    };
-  if (const auto& stop = model.options.stop) source.settings.push_back({"stop", *stop, "--stop " + *stop});
-  tuning::TuneResult result = tuning::tune(source, model.job, request, {call.threads, monitor.progress});
-  monitor.note_interpreted(code.take_problem());
+  diagram::Loader loader;
+  tuning::TuneSource source;
+};
+
+}  // namespace
+
+tuning::TuneResult tune_model(const Registry& registry, const LoadedModel& model, const TuneCall& call,
+                              const Monitor& monitor) {
+  TuneParts parts(registry, model, call, monitor.interrupt);
+  tuning::TuneResult result = tuning::tune(parts.source, model.job, parts.request,
+                                           {call.threads, monitor.progress, call.workers});
+  monitor.note_interpreted(parts.code.take_problem());
   return result;
+}
+
+messages::ItemWork tune_work(const Registry& registry, const LoadedModel& model, const TuneCall& call) {
+  const auto parts = std::make_shared<TuneParts>(registry, model, call, nullptr);
+  const auto work =
+      std::make_shared<tuning::SearchWork>(parts->source, model.job, parts->request, call.threads);
+  return [parts, work](const messages::Item& item) { return work->work(item); };
+}
+
+std::size_t most_searches(const LoadedModel& model, const TuneCall& call) {
+  return request_of(model, call).starts;
+}
+
+std::string tune_key(const LoadedModel& model, const TuneCall& call) {
+  const tuning::TuneRequest request = request_of(model, call);
+  return fmt::format("{} {} {} {}", search_key(model), request.starts, request.evaluations, request.seed);
 }
 
 LoadOptions with_tuned(LoadOptions options, const tuning::TuneResult& result) {

@@ -19,11 +19,18 @@ struct TuneCall {
   std::optional<std::uint64_t> seed;
   unsigned threads = 0;  ///< 0: all cores
   run::ExecutionMode engine = run::ExecutionMode::automatic;
+  messages::ItemWorkers* workers = nullptr;  ///< that search from the starts; null: this process does
 };
 
 /// Finds the parameters that the file's section `tune` asks for. Throws Error.
 tuning::TuneResult tune_model(const Registry& registry, const LoadedModel& model, const TuneCall& call,
                               const Monitor& monitor);
+
+/// Searches of such a tuning for another process. The model must outlive it. Throws Error.
+messages::ItemWork tune_work(const Registry& registry, const LoadedModel& model, const TuneCall& call);
+/// How many searches there are, and all that decides what they find.
+std::size_t most_searches(const LoadedModel& model, const TuneCall& call);
+std::string tune_key(const LoadedModel& model, const TuneCall& call);
 
 /// The options with what was found in the place of the file's values.
 LoadOptions with_tuned(LoadOptions options, const tuning::TuneResult& result);

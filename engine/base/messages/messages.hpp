@@ -14,6 +14,17 @@ struct Message {
   std::string bytes;
 };
 
+/// A way to one other process. One thread at a time.
+class Connection {
+ public:
+  virtual ~Connection() = default;
+  /// Sends bytes, in their order. Throws EnvironmentError where the other process has gone.
+  virtual void send(std::string_view bytes) = 0;
+  /// The next bytes that came, which may take so long; nothing where none came. Throws EnvironmentError where
+  /// the other process has gone, and all that it has sent is read.
+  virtual std::optional<std::string> receive(std::chrono::milliseconds wait) = 0;
+};
+
 /// Processes that one call has started on one machine or on several, numbered from 0. One thread at a time.
 class Messages {
  public:

@@ -34,7 +34,7 @@ std::string sum_of(std::string_view bytes) {
 }  // namespace
 
 /// A file as it is now, in memory as far as it is looked at.
-class Journal::Mapped {
+class ByteJournal::Mapped {
  public:
   Mapped(int file, const std::string& path) {
     struct stat state {};
@@ -90,7 +90,7 @@ std::optional<std::string_view> record_at(std::string_view file, std::uint64_t p
 
 }  // namespace
 
-std::optional<std::string> Journal::head_of(const std::string& path) {
+std::optional<std::string> ByteJournal::head_of(const std::string& path) {
   const io::Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
   if (!file.open()) {
     if (errno == ENOENT) return std::nullopt;
@@ -102,15 +102,14 @@ std::optional<std::string> Journal::head_of(const std::string& path) {
   return std::string(line.substr(mark.size(), line.size() - mark.size() - 1));
 }
 
-Journal::Journal(std::string path, const std::string& head, const run::Job& job,
-                 const run::RunNumbers* numbers, Use use)
-    : path_(std::move(path)), job_(job), numbers_(numbers), places_(job.points.size(), missing) {
+ByteJournal::ByteJournal(std::string path, const std::string& head, std::size_t pieces, Use use)
+    : path_(std::move(path)), places_(pieces, missing) {
   const int how = use == Use::read ? O_RDONLY : O_RDWR | O_CREAT;
   file_ = io::Descriptor(::open(path_.c_str(), how | O_CLOEXEC | O_NOFOLLOW, 0666));
   if (!file_.open()) io::refuse_file(path_, errno);
   const std::string line = fmt::format("{}{}\n", mark, head);
   const bool is_known = first_line(Mapped(file_.number(), path_).bytes()) == line;
-  if (is_known) find_points(line.size());
+  if (is_known) find_pieces(line.size());
   if (use == Use::read) return;
   if (::ftruncate(file_.number(), static_cast<off_t>(end_)) != 0) io::refuse_file(path_, errno);
   if (is_known) return;
@@ -118,7 +117,7 @@ Journal::Journal(std::string path, const std::string& head, const run::Job& job,
   write_waiting();
 }
 
-Journal::~Journal() {
+ByteJournal::~ByteJournal() {
   try {
     flush();
   } catch (const std::exception&) {  // what is not in the file is run again
@@ -126,43 +125,43 @@ Journal::~Journal() {
 }
 
 /// Goes from record to record, up to the first that is not whole.
-void Journal::find_points(std::uint64_t first) {
+void ByteJournal::find_pieces(std::uint64_t first) {
   const Mapped mapped(file_.number(), path_);
   end_ = first;
   while (const auto bytes = record_at(mapped.bytes(), end_)) {
     mapped.note_seen(bytes->size());
-    std::uint64_t point = 0;
-    if (bytes->size() < sizeof(point)) return;
-    std::memcpy(&point, bytes->data(), sizeof(point));
-    if (point >= places_.size()) return;
-    if (!has(point)) ++count_;
-    places_[point] = end_;
+    std::uint64_t piece = 0;
+    if (bytes->size() < sizeof(piece)) return;
+    std::memcpy(&piece, bytes->data(), sizeof(piece));
+    if (piece >= places_.size()) return;
+    if (!has(piece)) ++count_;
+    places_[piece] = end_;
     end_ += record_head + bytes->size();
   }
 }
 
-void Journal::add(const run::PointResult& result) {
-  add_bytes(result.point, bytes_of(result));
+std::string ByteJournal::record_of(std::string_view bytes) {
+  const std::uint64_t size = bytes.size();
+  std::string record(reinterpret_cast<const char*>(&size), sizeof(size));
+  return record.append(sum_of(bytes)).append(bytes);
 }
 
-void Journal::add_bytes(std::size_t point, std::string_view bytes) {
-  const std::uint64_t size = bytes.size();
-  const std::string sum = sum_of(bytes);
+void ByteJournal::add_record(std::size_t piece, std::string_view record) {
   const std::lock_guard lock(mutex_);
-  if (has(point)) return;
-  places_[point] = end_ + waiting_.size();
+  if (has(piece)) return;
+  places_[piece] = end_ + waiting_.size();
   ++count_;
-  waiting_.append(reinterpret_cast<const char*>(&size), sizeof(size)).append(sum).append(bytes);
+  waiting_.append(record);
   if (waiting_.size() >= most_waiting || std::chrono::steady_clock::now() - written_ >= longest_wait)
     write_waiting();
 }
 
-void Journal::flush() {
+void ByteJournal::flush() {
   const std::lock_guard lock(mutex_);
   write_waiting();
 }
 
-void Journal::write_waiting() {
+void ByteJournal::write_waiting() {
   std::size_t done = 0;
   while (done < waiting_.size()) {
     const ssize_t written = ::pwrite(file_.number(), waiting_.data() + done, waiting_.size() - done,
@@ -176,30 +175,37 @@ void Journal::write_waiting() {
   written_ = std::chrono::steady_clock::now();
 }
 
-run::PointResult Journal::point(const Mapped& file, std::size_t point) const {
-  const auto bytes = record_at(file.bytes(), places_[point]);
-  if (bytes) file.note_seen(bytes->size());
-  auto result = bytes ? point_of(*bytes, job_, numbers_) : std::nullopt;
-  if (!result || result->point != point)
-    throw io::EnvironmentError(fmt::format(
-        "{}: the record of point {} is not one of this diagram; remove the file, and run its points again",
-        path_, point + 1));
-  return std::move(*result);
-}
-
-void Journal::each(const std::vector<Journal*>& journals, const std::function<void(run::PointResult)>& take) {
+void ByteJournal::each_bytes(const std::vector<ByteJournal*>& journals, const Take& take) {
   std::vector<std::unique_ptr<Mapped>> files;
-  for (Journal* journal : journals) {
+  for (ByteJournal* journal : journals) {
     journal->flush();
     files.push_back(std::make_unique<Mapped>(journal->file_.number(), journal->path_));
   }
-  const std::size_t points = journals.empty() ? 0 : journals.front()->places_.size();
-  for (std::size_t point = 0; point < points; ++point) {
-    const auto of = std::ranges::find_if(journals, [&](const Journal* journal) { return journal->has(point); });
+  const std::size_t pieces = journals.empty() ? 0 : journals.front()->places_.size();
+  for (std::size_t piece = 0; piece < pieces; ++piece) {
+    const auto of = std::ranges::find_if(journals, [&](const ByteJournal* one) { return one->has(piece); });
     if (of == journals.end()) continue;
     const Mapped& file = *files[static_cast<std::size_t>(of - journals.begin())];
-    take((*of)->point(file, point));
+    const std::string_view bytes = record_at(file.bytes(), (*of)->places_[piece]).value_or("");
+    file.note_seen(bytes.size());
+    take(piece, bytes);
   }
+}
+
+void Journal::add(const run::PointResult& result) {
+  add_bytes(result.point, bytes_of(result));
+}
+
+void Journal::each(const std::vector<Journal*>& journals, const std::function<void(run::PointResult)>& take) {
+  each_bytes({journals.begin(), journals.end()}, [&](std::size_t point, std::string_view bytes) {
+    const Journal& one = **std::ranges::find_if(journals, [&](const Journal* of) { return of->has(point); });
+    auto result = point_of(bytes, one.job_, one.numbers_);
+    if (!result || result->point != point)
+      throw io::EnvironmentError(fmt::format(
+          "{}: the record of point {} is not one of this diagram; remove the file, and run its points again",
+          one.path(), point + 1));
+    take(std::move(*result));
+  });
 }
 
 }  // namespace stepwire::journal

@@ -14,57 +14,74 @@
 
 namespace stepwire::journal {
 
-/// Results of the points of a sweep in a file, each kept as soon as it is there (those of the last half
+/// Results of numbered pieces of work in a file, each kept as soon as it is there (those of the last half
 /// second, if they are many, together), so that a call that was killed goes on and several calls share the
-/// points. The file is a line of text that says what its points follow from, and a record for each point, in
-/// the order in which they ended: its length, a checksum, and its bytes. A record that was cut off by the end
-/// of its process is none.
-class Journal {
+/// work. The file is a line of text that says what its results follow from, and a record for each piece, in
+/// the order in which they ended: its length, a checksum, and its bytes, which begin with its number (8
+/// bytes). A record that was cut off by the end of its process is none.
+class ByteJournal {
  public:
   /// The first line of a journal; nothing where the file is none. Throws EnvironmentError.
   static std::optional<std::string> head_of(const std::string& path);
 
   enum class Use { read, write };
-  /// Opens a journal of a job whose sweep keeps these numbers (null: rows), to write also makes it; `head` is
-  /// one line, and what is there with another one is replaced. Job and numbers must outlive it. Throws
-  /// EnvironmentError.
-  Journal(std::string path, const std::string& head, const run::Job& job, const run::RunNumbers* numbers,
-          Use use);
-  ~Journal();
-  Journal(const Journal&) = delete;
-  Journal& operator=(const Journal&) = delete;
+  /// Opens a journal of so many pieces, to write also makes it; `head` is one line, and what is there with
+  /// another one is replaced. Throws EnvironmentError.
+  ByteJournal(std::string path, const std::string& head, std::size_t pieces, Use use);
+  ~ByteJournal();
+  ByteJournal(const ByteJournal&) = delete;
+  ByteJournal& operator=(const ByteJournal&) = delete;
 
-  bool has(std::size_t point) const { return places_[point] != missing; }
-  /// Points that it has.
+  bool has(std::size_t piece) const { return places_[piece] != missing; }
+  /// Pieces that it has.
   std::size_t count() const { return count_; }
-  /// Adds a point, or its bytes_of(). From any thread. Throws EnvironmentError.
-  void add(const run::PointResult& result);
-  void add_bytes(std::size_t point, std::string_view bytes);
+  /// Adds the bytes of a piece, which begin with its number. From any thread. Throws EnvironmentError.
+  void add_bytes(std::size_t piece, std::string_view bytes) { add_record(piece, record_of(bytes)); }
+  /// The record of such bytes, which another process may make; adds it.
+  static std::string record_of(std::string_view bytes);
+  void add_record(std::size_t piece, std::string_view record);
   /// Hands all that was added to the system.
   void flush();
-  /// Calls `take` with all points that journals of one job have together, each once, in their order. Throws
-  /// EnvironmentError where a file was damaged since it was opened.
-  static void each(const std::vector<Journal*>& journals, const std::function<void(run::PointResult)>& take);
+  /// Calls `take` with the bytes of all pieces that journals of one work have together, each once, in their
+  /// order; of one that was damaged since its file was opened with none.
+  using Take = std::function<void(std::size_t piece, std::string_view bytes)>;
+  static void each_bytes(const std::vector<ByteJournal*>& journals, const Take& take);
   const std::string& path() const { return path_; }
 
  private:
   class Mapped;
   static constexpr std::uint64_t missing = ~std::uint64_t{0};
 
-  void find_points(std::uint64_t first);
-  run::PointResult point(const Mapped& file, std::size_t point) const;
+  void find_pieces(std::uint64_t first);
   void write_waiting();
 
   const std::string path_;
-  const run::Job& job_;
-  const run::RunNumbers* numbers_;
   io::Descriptor file_;
   std::mutex mutex_;
   std::string waiting_;    ///< records that are not in the file yet
   std::uint64_t end_ = 0;  ///< of the file [bytes]
   std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
-  std::vector<std::uint64_t> places_;  ///< of each point's record in the file
+  std::vector<std::uint64_t> places_;  ///< of each piece's record in the file
   std::atomic<std::size_t> count_ = 0;
+};
+
+/// The points of a sweep in such a file.
+class Journal : public ByteJournal {
+ public:
+  /// Of a job whose sweep keeps these numbers (null: rows), which must outlive it. Throws EnvironmentError.
+  Journal(std::string path, const std::string& head, const run::Job& job, const run::RunNumbers* numbers,
+          Use use)
+      : ByteJournal(std::move(path), head, job.points.size(), use), job_(job), numbers_(numbers) {}
+
+  /// Adds a point. From any thread. Throws EnvironmentError.
+  void add(const run::PointResult& result);
+  /// Calls `take` with all points that journals of one job have together, each once, in their order. Throws
+  /// EnvironmentError where a file was damaged since it was opened.
+  static void each(const std::vector<Journal*>& journals, const std::function<void(run::PointResult)>& take);
+
+ private:
+  const run::Job& job_;
+  const run::RunNumbers* numbers_;
 };
 
 }  // namespace stepwire::journal

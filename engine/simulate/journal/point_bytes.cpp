@@ -1,133 +1,11 @@
 #include "engine/simulate/journal/point_bytes.hpp"
 
-#include <bit>
-#include <cstring>
-#include <type_traits>
-
+#include "engine/simulate/journal/run_bytes.hpp"
 #include "engine/simulate/record/recorder.hpp"
 
 namespace stepwire::journal {
 
 namespace {
-
-static_assert(std::endian::native == std::endian::little);
-
-class Writer {
- public:
-  template <class Number>
-  void put(Number number) {
-    bytes_.append(reinterpret_cast<const char*>(&number), sizeof(number));
-  }
-  void put(const std::string& text) {
-    put<std::uint64_t>(text.size());
-    bytes_ += text;
-  }
-  void put(const std::vector<double>& numbers) {
-    bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
-  }
-  std::string take() { return std::move(bytes_); }
-
- private:
-  std::string bytes_;
-};
-
-/// Reads what a Writer has written; of too few bytes it gives zeros, and `whole()` is false from then on.
-class Reader {
- public:
-  explicit Reader(std::string_view bytes) : rest_(bytes) {}
-
-  template <class Number>
-  void get(Number& number) {
-    copy(&number, sizeof(number));
-  }
-  void get(std::string& text) {
-    std::uint64_t size = 0;
-    get(size);
-    if (size > rest_.size()) return fail();
-    text = rest_.substr(0, size);
-    rest_.remove_prefix(size);
-  }
-  void get(std::vector<double>& numbers, std::size_t count) {
-    if (count > rest_.size() / sizeof(double)) return fail();
-    numbers.resize(count);
-    copy(numbers.data(), count * sizeof(double));
-  }
-  /// Reads a list whose elements take at least one byte each.
-  template <class Element, class Get>
-  void get_list(std::vector<Element>& list, const Get& get_one) {
-    std::uint64_t size = 0;
-    get(size);
-    if (size > rest_.size()) return fail();
-    for (std::uint64_t i = 0; i < size && whole_; ++i) get_one(list.emplace_back());
-  }
-  bool whole() const { return whole_; }
-  bool at_end() const { return rest_.empty(); }
-
- private:
-  void fail() {
-    whole_ = false;
-    rest_ = {};
-  }
-  void copy(void* to, std::size_t size) {
-    if (size > rest_.size()) return fail();
-    if (size == 0) return;
-    std::memcpy(to, rest_.data(), size);
-    rest_.remove_prefix(size);
-  }
-
-  std::string_view rest_;
-  bool whole_ = true;
-};
-
-/// Each part is named once: the same lines write and read it.
-template <class Stream, class Part>
-void each(Stream& stream, Part& part) {
-  if constexpr (std::is_same_v<Stream, Writer>)
-    stream.put(part);
-  else
-    stream.get(part);
-}
-
-template <class Stream, class... Parts>
-void all(Stream& stream, Parts&... parts) {
-  (each(stream, parts), ...);
-}
-
-template <class Stream, class List, class One>
-void list(Stream& stream, List& elements, const One& one) {
-  if constexpr (std::is_same_v<Stream, Writer>) {
-    stream.template put<std::uint64_t>(elements.size());
-    for (auto& element : elements) one(element);
-  } else {
-    stream.get_list(elements, one);
-  }
-}
-
-template <class Stream, class Place>
-void place(Stream& stream, Place& of) {
-  all(stream, of.file, of.mark.line, of.mark.column);
-}
-
-template <class Stream, class Fault>
-void fault(Stream& stream, Fault& of) {
-  all(stream, of.block, of.port, of.time);
-  place(stream, of.fault.place);
-  all(stream, of.fault.subject, of.fault.message.wrong, of.fault.message.cure);
-  list(stream, of.fault.used_by, [&](auto& user) { place(stream, user); });
-}
-
-template <class Stream, class End>
-void run_end(Stream& stream, End& end) {
-  list(stream, end.faults, [&](auto& one) { fault(stream, one); });
-  list(stream, end.diagnostics, [&](auto& one) { all(stream, one.block, one.text, one.time); });
-  list(stream, end.loops, [&](auto& one) {
-    all(stream, one.path, one.unknowns, one.instants, one.iterations, one.most, one.unsolved,
-        one.first_unsolved);
-  });
-  std::int64_t stopped = end.stopped;
-  all(stream, end.events.located, end.events.most_in_a_step, stopped, end.ticks, end.lane_ticks, end.compiled_ticks);
-  if constexpr (std::is_same_v<Stream, Reader>) end.stopped = stopped != 0;
-}
 
 /// Has the result as many rows as its run can leave?
 bool fits(const run::PointResult& result, const run::Job& job, const run::RunNumbers* numbers) {
@@ -143,19 +21,16 @@ bool fits(const run::PointResult& result, const run::Job& job, const run::RunNum
 }  // namespace
 
 std::string bytes_of(const run::PointResult& result) {
-  Writer writer;
+  messages::ByteWriter writer;
   writer.put<std::uint64_t>(result.point);
   run_end(writer, result.end);
-  for (const record::Recording& recording : result.recordings) {
-    writer.put<std::uint64_t>(recording.table.rows());
-    for (const table::Column& column : recording.table.columns) writer.put(column.values);
-  }
+  for (const record::Recording& recording : result.recordings) rows(writer, recording.table);
   return writer.take();
 }
 
 std::optional<run::PointResult> point_of(std::string_view bytes, const run::Job& job,
                                          const run::RunNumbers* numbers) {
-  Reader reader(bytes);
+  messages::ByteReader reader(bytes);
   run::PointResult result;
   std::uint64_t point = 0;
   reader.get(point);
@@ -163,11 +38,7 @@ std::optional<run::PointResult> point_of(std::string_view bytes, const run::Job&
   result.point = point;
   run_end(reader, result.end);
   result.recordings = run::empty_recordings(job.plan_of(result.point), numbers);
-  for (record::Recording& recording : result.recordings) {
-    std::uint64_t rows = 0;
-    reader.get(rows);
-    for (table::Column& column : recording.table.columns) reader.get(column.values, rows);
-  }
+  for (record::Recording& recording : result.recordings) rows(reader, recording.table);
   if (!reader.whole() || !reader.at_end() || !fits(result, job, numbers)) return std::nullopt;
   return result;
 }

@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include "engine/analyse/study/drawn_number.hpp"
+
 namespace stepwire::study {
 
 namespace {

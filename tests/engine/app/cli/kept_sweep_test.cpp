@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "engine/base/io/resources.hpp"
 #include "engine/base/subprocess/process.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "tests/engine/app/cli/program.hpp"
@@ -122,23 +121,6 @@ TEST_CASE("a sweep that was killed goes on behind the points that are kept, to t
   CHECK(done.code == 0);
   check_same(folder, "whole", "kept");
   CHECK_FALSE(std::filesystem::exists(folder.path("kept/points.journal")));
-}
-
-TEST_CASE("processes of mpirun give the bytes of one") {
-  if (stepwire::io::find_resource("mpi").empty() || stepwire::subprocess::find_program("mpirun").empty()) {
-    WARN("the program was built without MPI, or mpirun is not here; nothing was checked");
-    return;
-  }
-  const Scratch folder;
-  folder.file("sweep.yaml", sweep_yaml());
-  REQUIRE(run_program(folder, {"run", "sweep.yaml", "--out", "whole"}).code == 0);
-  const auto done = stepwire::subprocess::run_process(
-      {.command = {"mpirun", "--allow-run-as-root", "--oversubscribe", "-np", "3", STEPWIRE_PROGRAM, "run",
-                   folder.path("sweep.yaml"), "--mpi", "--out", folder.path("shared")}});
-  INFO(done.errors);
-  CHECK(done.succeeded());
-  for (const std::string file : {"signals.csv", "signals.mat", "sweep.csv"})
-    CHECK(content_of(folder.path("whole/" + file)) == content_of(folder.path("shared/" + file)));
 }
 
 TEST_CASE("the script for a cluster runs the shares, whatever its files are called") {

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/analyse/tuning/search.hpp"
+#include "engine/base/messages/items.hpp"
+
+namespace stepwire::tuning {
+
+/// Has other processes search from all starts of a problem; `start` is what is known of the given one.
+std::vector<SearchResult> search_by(messages::ItemWorkers& workers, const SearchProblem& problem,
+                                    const std::optional<Evaluation>& start);
+
+/// Searches that another process has asked for with search_by(), to the bits of its own.
+class SearchWork {
+ public:
+  /// Job and request must outlive it. Throws Error.
+  SearchWork(const TuneSource& source, const run::Job& job, const TuneRequest& request, unsigned threads)
+      : request_(request), threads_(threads), runs_(source, job, request) {}
+  std::string work(const messages::Item& item) const;
+
+ private:
+  const TuneRequest& request_;
+  const unsigned threads_;
+  TuneRuns runs_;
+};
+
+}  // namespace stepwire::tuning

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/app/session/kept_experiments.hpp"
+#include "engine/app/session/studies.hpp"
+#include "engine/simulate/codegen/generated_code.hpp"
+
+namespace stepwire::session {
+
+/// The trials of a model's study.
+struct StudyParts {
+  /// Of so many experiments. Throws Error.
+  StudyParts(const Registry& registry, const LoadedModel& model, const StudyCall& call,
+             std::size_t experiments, const Monitor& monitor)
+      : loader(registry, model.options.limits, model.options.reader) {
+    study::TrialSource source = trial_source(
+        loader, model, engine_of(model, call, study::study_count(model.job) * experiments), code, monitor);
+    source.threads = call.threads;
+    runs.emplace(std::move(source), *model.study, model.job, experiments);
+  }
+
+  diagram::Loader loader;
+  codegen::GeneratedCode code;
+  std::optional<study::TrialRuns> runs;
+};
+
+/// The experiments of these seeds by other processes: those of the first with what came out of the others.
+/// Throws as ItemWorkers do, and Error.
+study::Experiments perform_by(messages::ItemWorkers& workers, StudyParts& parts, const LoadedModel& model,
+                              const std::vector<std::uint64_t>& seeds, KeptExperiments& kept);
+
+}  // namespace stepwire::session
