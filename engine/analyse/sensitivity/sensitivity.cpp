@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "engine/analyse/query/number.hpp"
+#include "engine/analyse/statistics/rank_sensitivity.hpp"
+#include "engine/analyse/statistics/sobol_indices.hpp"
 
 namespace stepwire::sensitivity {
 
@@ -30,9 +32,30 @@ std::vector<statistics::MorrisStep> steps_of(const sampling::Points& points, std
   return steps;
 }
 
+/// The parameters and the outcome of each run, as a row.
+std::vector<double> rows_of(const Request& request, const std::vector<double>& outcomes,
+                            const record::Recording& recording) {
+  std::vector<double> rows;
+  for (std::size_t run = 0; run < outcomes.size(); ++run) {
+    for (const std::string& parameter : request.parameters) {
+      const std::vector<double>& values = recording.table.find(parameter)->values;
+      const std::size_t row = recording.starts[run];
+      rows.push_back(row < values.size() ? values[row] : query::nothing);
+    }
+    rows.push_back(outcomes[run]);
+  }
+  return rows;
+}
+
 /// [measure][parameter].
-std::vector<std::vector<Estimate>> estimates_of(const Request& request, const std::vector<double>& outcomes) {
+std::vector<std::vector<Estimate>> estimates_of(const Request& request, const std::vector<double>& outcomes,
+                                                const record::Recording& recording) {
   const std::size_t parameters = request.parameters.size();
+  if (request.ranks()) {
+    auto found = statistics::rank_sensitivity(rows_of(request, outcomes, recording), parameters,
+                                              request.bootstrap);
+    return {std::move(found.rank), std::move(found.partial)};
+  }
   if (request.screens()) {
     const auto steps = steps_of(sampling::points_of(request.design, parameters),
                                 request.design.points_of_sample(parameters));
@@ -65,7 +88,7 @@ record::Recording results(const Request& request, std::span<const record::Record
   record::Recording found;
   found.table.columns.push_back({"time", "s", {0.0}});
   for (const Outcome& outcome : request.outcomes) {
-    const auto estimates = estimates_of(request, outcomes_of(outcome, recordings));
+    const auto estimates = estimates_of(request, outcomes_of(outcome, recordings), recordings.front());
     const auto& dimension = outcome.of_run.formula->dimension;
     const std::string unit = request.screens() && dimension ? unit::si_name(*dimension) : "1";
     const std::vector<std::string> measures = request.measures();
@@ -82,8 +105,12 @@ record::Recording results(const Request& request, std::span<const record::Record
 }
 
 text::TextTable results_table(const Request& request, const record::Recording& results) {
-  text::TextTable table{
-      request.screens() ? "Effects of Morris" : "Indices of Sobol", {"outcome", "parameter"}, {}, {}};
+  text::TextTable table{request.screens() ? "Effects of Morris"
+                        : request.ranks() ? "Rank correlations"
+                                          : "Indices of Sobol",
+                        {"outcome", "parameter"},
+                        {},
+                        {}};
   for (const std::string& measure : request.measures()) {
     table.columns.push_back(measure);
     table.columns.push_back(fmt::format("{:g} %", 100.0 * request.bootstrap.confidence));

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/analyse/claim/run_formula.hpp"
-#include "engine/analyse/statistics/sobol_indices.hpp"
+#include "engine/analyse/statistics/bootstrap.hpp"
 #include "engine/base/sampling/design.hpp"
 #include "engine/base/text/text_table.hpp"
 #include "engine/model/diagram/diagram.hpp"
@@ -19,14 +19,16 @@ struct Outcome {
 };
 
 /// The section `sensitivity` of a diagram file: of which outcomes it is found out how much which drawn
-/// parameter matters. By the design of the sweep these are indices of Sobol, or effects of Morris.
+/// parameter matters. By the design of the sweep these are indices of Sobol, effects of Morris, or rank
+/// correlations.
 struct Request {
   std::vector<Outcome> outcomes;
   statistics::Bootstrap bootstrap;
   sampling::Design design;
-  std::vector<std::string> parameters;  ///< that the design draws, in its order
+  std::vector<std::string> parameters;  ///< that the design draws, in its order; for ranks those of numbers
 
   bool screens() const { return design.layout == sampling::Layout::morris; }
+  bool ranks() const { return !screens() && design.layout != sampling::Layout::saltelli; }
   /// What is found of each parameter, as names have it: first, total.
   std::vector<std::string> measures() const;
 };

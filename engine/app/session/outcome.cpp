@@ -7,7 +7,9 @@
 #include <iterator>
 #include <limits>
 
+#include "engine/app/session/cases_table.hpp"
 #include "engine/app/session/linearizing.hpp"
+#include "engine/app/session/sweep_sections.hpp"
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/view/scene/scene_states.hpp"
 
@@ -27,22 +29,39 @@ claim::Verdict not_judged(const claim::Claim& claim, const std::string& why) {
   return verdict;
 }
 
-/// Says which of several runs came off worst.
-void name_run(const run::Job& job, claim::Verdict& verdict) {
-  if (!verdict.run || *verdict.run >= job.points.size()) return;
-  verdict.worst = run::settings_text(job.settings_of(*verdict.run));
+/// Says which of several runs came off worst, or at which values that all cases share.
+void name_run(const LoadedModel& model, claim::Verdict& verdict) {
+  const run::Job& job = model.job;
+  const auto& sweep = job.plan.diagram.sweep;
+  const std::size_t cases = has_cases(model) ? sweep->cases().size() : 1;
+  if (!verdict.run || *verdict.run * cases >= job.points.size()) return;
+  auto settings = job.settings_of(*verdict.run * cases);
+  if (cases > 1)
+    std::erase_if(settings, [&](const diagram::Setting& setting) {
+      return std::ranges::any_of(sweep->axes, [&](const diagram::Sweep::Axis& axis) {
+        return axis.of_cases() && axis.parameter == setting.name;
+      });
+    });
+  verdict.worst = run::settings_text(settings);
   verdict.shown += fmt::format(" ({})", verdict.worst);
+}
+
+/// A table by cases stands in the place of kept rows.
+std::vector<record::Recording> shown_of(const LoadedModel& model, const run::RunResult& result) {
+  if (!has_cases(model)) return result.recordings;
+  return {by_cases(*model.job.plan.diagram.sweep, *model.kept, result.recordings.front())};
 }
 
 }  // namespace
 
 void add_shown(const LoadedModel& model, Outcome& outcome) {
-  if (!model.scene && model.linear.empty() && !model.sensitivity) return;
-  outcome.shown = outcome.result.recordings;
+  if (!model.scene && model.linear.empty() && !model.sensitivity && !has_cases(model)) return;
+  outcome.shown = shown_of(model, outcome.result);
+  if (has_cases(model) && outcome.early()) return;
   if (model.scene) scene::add_scene_states(*model.scene, outcome.shown);
   std::ranges::move(linear_recordings(model), std::back_inserter(outcome.shown));
   if (!model.sensitivity) return;
-  outcome.shown.push_back(sensitivity::results(*model.sensitivity, outcome.result.recordings));
+  outcome.shown.push_back(sensitivity::results(*model.sensitivity, outcome.shown));
   for (const query::NamedTable& table : model.tables)
     if (table.name == sensitivity_table)
       *table.table = sensitivity::results_table(*model.sensitivity, outcome.shown.back());
@@ -50,11 +69,11 @@ void add_shown(const LoadedModel& model, Outcome& outcome) {
 
 void judge_claims(const LoadedModel& model, Outcome& outcome) {
   const bool early = outcome.early();
-  if (!early) add_shown(model, outcome);
+  if (!early || has_cases(model)) add_shown(model, outcome);
   for (const claim::Claim& claim : model.claims) {
     outcome.verdicts.push_back(early ? not_judged(claim, "the run ended early")
                                      : claim::judge(claim, outcome.recordings()));
-    name_run(model.job, outcome.verdicts.back());
+    name_run(model, outcome.verdicts.back());
   }
 }
 
