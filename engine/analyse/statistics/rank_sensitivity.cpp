@@ -45,6 +45,7 @@ Eigen::VectorXd partial_correlations(const Eigen::MatrixXd& correlations) {
 /// Rank correlations of all parameters, behind them partial ones.
 std::vector<double> correlations_of(const Samples& samples, const Choice& choice) {
   const auto parameters = static_cast<Eigen::Index>(samples.width) - 1;
+  if (choice.size() < 2) return std::vector<double>(2 * (samples.width - 1), no_number);
   const Eigen::MatrixXd columns = unit_ranks(samples, choice);
   const Eigen::MatrixXd correlations = columns.transpose() * columns;
   Eigen::VectorXd all(2 * parameters);

@@ -82,6 +82,10 @@ TEST_CASE("what is not finite does not count, and what does not vary has no corr
   CHECK(found.rank[0].value == Approx(1.0));
   CHECK(std::isnan(found.rank[1].value));
   CHECK(std::isnan(found.partial[0].value));
+  const RankSensitivity none = rank_sensitivity(std::vector{1.0, infinite, 2.0, infinite}, 1, {});
+  CHECK(none.samples == 0);
+  CHECK(std::isnan(none.rank[0].value));
+  CHECK(std::isnan(none.partial[0].interval.low));
 }
 
 }  // namespace stepwire::statistics
