@@ -15,25 +15,47 @@ namespace {
 struct Kept {
   std::string name;
   claim::RunFormula formula;
+  bool read_later = false;  ///< does a number behind it name it?
 };
 
+/// The number stands in all rows, as a swept parameter does.
+void add_column(const std::string& name, double number, std::vector<record::Recording>& run) {
+  for (record::Recording& one : run)
+    one.table.columns.push_back({name, "", std::vector<double>(one.table.rows(), number)});
+}
+
 std::vector<double> numbers_of(const std::vector<Kept>& all, std::span<const record::Recording> run) {
+  std::vector<record::Recording> own;
   std::vector<double> numbers;
   for (const Kept& kept : all) {
-    const auto values = claim::values_of(kept.formula, run);
+    const auto values = claim::values_of(kept.formula, own.empty() ? run : own);
     numbers.push_back(values.empty() ? query::nothing : values.front().value_or(query::nothing));
+    if (!kept.read_later) continue;
+    if (own.empty()) own.assign(run.begin(), run.end());
+    add_column(kept.name, numbers.back(), own);
   }
   return numbers;
 }
 
-std::vector<Kept> read_all(const yaml::Node& section, const query::NamesReading& read) {
+void note_names(const claim::RunFormula& formula, std::vector<Kept>& before) {
+  for (const std::string& name : formula.columns())
+    for (Kept& one : before) one.read_later = one.read_later || one.name == name;
+}
+
+/// Each may name those before it, but where a signal has the same name.
+std::vector<Kept> read_all(const yaml::Node& section, const query::NamesReading& outer) {
+  query::SymbolTable names = outer.names;
+  const query::NamesReading read(outer.subject, names, outer.faults);
   std::vector<Kept> all;
   for (const yaml::Entry& entry : section.entries) {
     const query::NamesReading one = yaml::below(read, entry.key);
     if (const query::RecordedName* taken = read.names.find(entry.key); taken && !taken->recording)
       one.fault(entry.mark, fmt::format("'{}' is a column already; give the number another name", entry.key));
-    if (auto formula = claim::read_run_formula(entry.value, one))
-      all.push_back({entry.key, std::move(*formula)});
+    auto formula = claim::read_run_formula(entry.value, one);
+    if (!formula) continue;
+    note_names(*formula, all);
+    if (!names.find(entry.key)) names.columns.push_back({entry.key, formula->formula->dimension, {}});
+    all.push_back({entry.key, std::move(*formula)});
   }
   return all;
 }
@@ -72,7 +94,8 @@ std::string text_of(const yaml::Node& node, const char* key) {
   return value ? value->text : "";
 }
 
-/// The parameters of the diagram as run.json has them, whose place is that of their numbers in the flattened one.
+/// The parameters of the diagram as run.json has them, whose place is that of their numbers in the flattened
+/// one.
 void take_parameters(const yaml::Node& note, diagram::Diagram& diagram) {
   const yaml::Node* parameters = note.find("parameters");
   if (!parameters) return;
@@ -100,8 +123,10 @@ void take_sweep(const yaml::Node& note, const table::Table& swept, const table::
   for (const table::Column& column : swept.columns) {
     const auto known = words.find(column.name);
     const bool is_word = known != words.end();
-    sweep.axes.push_back({column.name, diagram::SweptValues(is_word ? known->second : std::vector<std::string>{"0"}),
-                          {}, is_word});
+    sweep.axes.push_back({column.name,
+                          diagram::SweptValues(is_word ? known->second : std::vector<std::string>{"0"}),
+                          {},
+                          is_word});
   }
   diagram.sweep = std::move(sweep);
 }

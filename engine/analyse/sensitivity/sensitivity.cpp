@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "engine/analyse/query/number.hpp"
+#include "engine/analyse/statistics/rank_sensitivity.hpp"
+#include "engine/analyse/statistics/sobol_indices.hpp"
 
 namespace stepwire::sensitivity {
 
@@ -23,9 +25,25 @@ std::vector<statistics::MorrisStep> steps_of(const sampling::Points& points, std
   return steps;
 }
 
+/// The parameters and the outcome of each run, as a row.
+std::vector<double> rows_of(const std::vector<double>& outcomes,
+                            const std::vector<std::vector<double>>& parameters) {
+  std::vector<double> rows;
+  for (std::size_t run = 0; run < outcomes.size(); ++run) {
+    for (const std::vector<double>& parameter : parameters) rows.push_back(parameter[run]);
+    rows.push_back(outcomes[run]);
+  }
+  return rows;
+}
+
 /// [measure][parameter].
-std::vector<std::vector<Estimate>> estimates_of(const Request& request, const std::vector<double>& outcomes) {
+std::vector<std::vector<Estimate>> estimates_of(const Request& request, const std::vector<double>& outcomes,
+                                                const std::vector<std::vector<double>>& of_runs) {
   const std::size_t parameters = request.parameters.size();
+  if (request.ranks()) {
+    auto found = statistics::rank_sensitivity(rows_of(outcomes, of_runs), parameters, request.bootstrap);
+    return {std::move(found.rank), std::move(found.partial)};
+  }
   if (request.screens()) {
     const auto steps = steps_of(sampling::points_of(request.design, parameters),
                                 request.design.points_of_sample(parameters));
@@ -54,19 +72,26 @@ std::vector<query::RecordedName> result_names(const Request& request, std::size_
   return names;
 }
 
-void add_outcomes(const Request& request, std::span<const record::Recording> runs, OutcomeNumbers& numbers) {
-  numbers.resize(request.outcomes.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i)
+void add_outcomes(const Request& request, std::span<const record::Recording> runs, RunOutcomes& numbers) {
+  numbers.outcomes.resize(request.outcomes.size());
+  for (std::size_t i = 0; i < numbers.outcomes.size(); ++i)
     for (const std::optional<double>& value : claim::values_of(request.outcomes[i].of_run, runs))
-      numbers[i].push_back(value.value_or(query::nothing));
+      numbers.outcomes[i].push_back(value.value_or(query::nothing));
+  if (!request.ranks()) return;
+  numbers.parameters.resize(request.parameters.size());
+  for (std::size_t i = 0; i < numbers.parameters.size(); ++i) {
+    const std::vector<double>& values = runs.front().table.find(request.parameters[i])->values;
+    for (const std::size_t row : runs.front().starts)
+      numbers.parameters[i].push_back(row < values.size() ? values[row] : query::nothing);
+  }
 }
 
-record::Recording results(const Request& request, const OutcomeNumbers& numbers) {
+record::Recording results(const Request& request, const RunOutcomes& numbers) {
   record::Recording found;
   found.table.columns.push_back({"time", "s", {0.0}});
   for (std::size_t i = 0; i < request.outcomes.size(); ++i) {
     const Outcome& outcome = request.outcomes[i];
-    const auto estimates = estimates_of(request, numbers.at(i));
+    const auto estimates = estimates_of(request, numbers.outcomes.at(i), numbers.parameters);
     const auto& dimension = outcome.of_run.formula->dimension;
     const std::string unit = request.screens() && dimension ? unit::si_name(*dimension) : "1";
     const std::vector<std::string> measures = request.measures();
@@ -83,8 +108,12 @@ record::Recording results(const Request& request, const OutcomeNumbers& numbers)
 }
 
 text::TextTable results_table(const Request& request, const record::Recording& results) {
-  text::TextTable table{
-      request.screens() ? "Effects of Morris" : "Indices of Sobol", {"outcome", "parameter"}, {}, {}};
+  text::TextTable table{request.screens() ? "Effects of Morris"
+                        : request.ranks() ? "Rank correlations"
+                                          : "Indices of Sobol",
+                        {"outcome", "parameter"},
+                        {},
+                        {}};
   for (const std::string& measure : request.measures()) {
     table.columns.push_back(measure);
     table.columns.push_back(fmt::format("{:g} %", 100.0 * request.bootstrap.confidence));

@@ -44,33 +44,38 @@ const Table& table() {
   return rows;
 }
 
-/// Takes over what the sweep draws, and checks that it draws by such a design, and nothing else varies.
+/// Cases whose kept numbers stand in one row.
+bool is_in_a_row(const diagram::Sweep::Axis& axis, const diagram::Sweep& sweep) {
+  return axis.of_cases() && sweep.keep == diagram::Sweep::Keep::numbers;
+}
+
+/// Takes over what the sweep draws, and checks that nothing else varies but cases.
 void take_design(const yaml::Node& node, const diagram::Diagram& diagram, const query::NamesReading& read,
                  Request& request) {
   const auto& sweep = diagram.sweep;
-  const bool fits = sweep && sweep->design &&
-                    (sweep->design->layout == sampling::Layout::saltelli ||
-                     sweep->design->layout == sampling::Layout::morris);
-  if (!fits)
+  if (!sweep || !sweep->design)
     return read.fault(node.mark,
-                      "needs a sweep whose design draws for it; write sweep: {k: {uniform: [1 N, 3 "
-                      "N]}, design: {samples: 256, kind: saltelli}}, or kind: morris");
+                      "needs a sweep that draws; write sweep: {k: {uniform: [1 N, 3 N]}, design: {samples: "
+                      "1000, kind: sobol}}, or kind: saltelli or morris");
   request.design = *sweep->design;
   for (const diagram::Sweep::Axis& axis : sweep->axes) {
-    if (axis.sampled)
+    if (axis.sampled() && (!request.ranks() || axis.values.are_numbers()))
       request.parameters.push_back(axis.parameter);
-    else if (axis.count() > 1)
+    else if (!axis.sampled() && axis.count() > 1 && !is_in_a_row(axis, *sweep))
       read.fault(node.mark,
                  fmt::format("'{}' has several values of its own; a sensitivity is that of what is "
                              "drawn, so give it one",
                              axis.parameter));
   }
+  if (request.parameters.empty())
+    read.fault(node.mark, "has nothing to order by: words have no ranks; draw a number");
 }
 
 }  // namespace
 
 std::vector<std::string> Request::measures() const {
   if (screens()) return {"size", "mean", "deviation"};
+  if (ranks()) return {"rank", "partial"};
   return {"first", "total"};
 }
 

@@ -1,66 +1,12 @@
 #include "engine/analyse/statistics/sobol_indices.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "engine/analyse/statistics/no_number.hpp"
-#include "engine/analyse/statistics/quartiles.hpp"
-#include "engine/base/math/random.hpp"
 
 namespace stepwire::statistics {
 
 namespace {
-
-/// Samples, each as a row of as many numbers; those with one that is none are left out.
-struct Samples {
-  std::vector<double> numbers;
-  std::size_t width, count;
-
-  Samples(std::span<const double> outcomes, std::size_t of_sample) : width(of_sample), count(0) {
-    for (std::size_t first = 0; first + width <= outcomes.size(); first += width) {
-      const auto sample = outcomes.subspan(first, width);
-      if (!std::ranges::all_of(sample, [](double value) { return std::isfinite(value); })) continue;
-      numbers.insert(numbers.end(), sample.begin(), sample.end());
-      ++count;
-    }
-  }
-  const double* operator[](std::size_t sample) const { return numbers.data() + sample * width; }
-};
-
-using Choice = std::vector<std::size_t>;  ///< of samples, some several times
-
-/// Numbers of samples, with the intervals of a bootstrap.
-std::vector<Estimate> estimate(const Samples& samples, const Bootstrap& bootstrap,
-                               const std::function<std::vector<double>(const Choice&)>& numbers_of) {
-  Choice choice(samples.count);
-  for (std::size_t i = 0; i < choice.size(); ++i) choice[i] = i;
-  std::vector<Estimate> estimates;
-  for (const double value : numbers_of(choice)) estimates.push_back({value, {no_number, no_number}});
-  if (samples.count < 2) return estimates;
-  std::vector<std::vector<double>> replicates(estimates.size());
-  for (std::size_t r = 0; r < bootstrap.replicates; ++r) {
-    const std::uint64_t stream = random_bits(static_cast<std::uint64_t>(bootstrap.seed), r);
-    for (std::size_t i = 0; i < choice.size(); ++i)
-      choice[i] = static_cast<std::size_t>(to_unit_interval(random_bits(stream, i)) *
-                                           static_cast<double>(samples.count));
-    const std::vector<double> numbers = numbers_of(choice);
-    for (std::size_t k = 0; k < numbers.size(); ++k)
-      if (!std::isnan(numbers[k])) replicates[k].push_back(numbers[k]);
-  }
-  const double tail = 0.5 * (1.0 - bootstrap.confidence);
-  for (std::size_t k = 0; k < estimates.size(); ++k) {
-    if (replicates[k].empty()) continue;
-    std::ranges::sort(replicates[k]);
-    estimates[k].interval = {hazen_quantile(replicates[k], tail), hazen_quantile(replicates[k], 1.0 - tail)};
-  }
-  return estimates;
-}
-
-std::vector<Estimate> part_of(const std::vector<Estimate>& all, std::size_t part, std::size_t size) {
-  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(part * size);
-  return {begin, begin + static_cast<std::ptrdiff_t>(size)};
-}
 
 /// First indices of all parameters, behind them total ones.
 std::vector<double> indices_of(const Samples& samples, const Choice& choice, std::size_t parameters) {

@@ -1,27 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "engine/analyse/statistics/paired_test.hpp"
+#include "engine/analyse/statistics/bootstrap.hpp"
 
 namespace stepwire::statistics {
-
-/// An estimate, and between which numbers it lies when its samples are drawn again (percentiles of a
-/// bootstrap).
-struct Estimate {
-  double value = 0.0;
-  ConfidenceInterval interval;
-};
-
-/// How an interval of an estimate is found.
-struct Bootstrap {
-  double confidence = 0.95;
-  std::size_t replicates = 500;
-  std::int64_t seed = 1;
-};
 
 /// What part of the variance of an outcome goes with each parameter.
 struct SobolIndices {

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 
+#include "engine/app/session/cases_table.hpp"
 #include "engine/app/session/linearizing.hpp"
 #include "engine/app/session/sweep_sections.hpp"
 #include "engine/simulate/run/pooling.hpp"
@@ -28,15 +29,31 @@ claim::Verdict not_judged(const claim::Claim& claim, const std::string& why) {
   return verdict;
 }
 
-/// Says which of several runs came off worst.
-void name_run(const run::Job& job, claim::Verdict& verdict) {
-  if (!verdict.run || *verdict.run >= job.points.size()) return;
-  verdict.worst = run::settings_text(job.settings_of(*verdict.run));
+/// Says which of several runs came off worst, or at which values that all cases share.
+void name_run(const LoadedModel& model, claim::Verdict& verdict) {
+  const run::Job& job = model.job;
+  const auto& sweep = job.plan.diagram.sweep;
+  const std::size_t cases = has_cases(model) ? sweep->cases().size() : 1;
+  if (!verdict.run || *verdict.run * cases >= job.points.size()) return;
+  auto settings = job.settings_of(*verdict.run * cases);
+  if (cases > 1)
+    std::erase_if(settings, [&](const diagram::Setting& setting) {
+      return std::ranges::any_of(sweep->axes, [&](const diagram::Sweep::Axis& axis) {
+        return axis.of_cases() && axis.parameter == setting.name;
+      });
+    });
+  verdict.worst = run::settings_text(settings);
   verdict.shown += fmt::format(" ({})", verdict.worst);
 }
 
+/// A table by cases stands in the place of kept rows.
+std::vector<record::Recording> shown_of(const LoadedModel& model, const run::RunResult& result) {
+  if (!has_cases(model)) return result.recordings;
+  return {by_cases(*model.job.plan.diagram.sweep, *model.kept, result.recordings.front())};
+}
+
 /// Adds linear analyses, and what is found of the numbers of a sensitivity, behind the recordings of runs.
-void add_analyses(const LoadedModel& model, const sensitivity::OutcomeNumbers& numbers, Outcome& outcome) {
+void add_analyses(const LoadedModel& model, const sensitivity::RunOutcomes& numbers, Outcome& outcome) {
   std::ranges::move(linear_recordings(model), std::back_inserter(outcome.shown));
   if (!model.sensitivity) return;
   outcome.shown.push_back(sensitivity::results(*model.sensitivity, numbers));
@@ -46,12 +63,13 @@ void add_analyses(const LoadedModel& model, const sensitivity::OutcomeNumbers& n
 }
 
 bool shows_more(const LoadedModel& model) {
-  return model.scene || !model.linear.empty() || model.sensitivity;
+  return model.scene || !model.linear.empty() || model.sensitivity || has_cases(model);
 }
 
 void show_rows(const LoadedModel& model, Outcome& outcome) {
   if (!shows_more(model)) return;
-  outcome.shown = outcome.result.recordings;
+  outcome.shown = shown_of(model, outcome.result);
+  if (has_cases(model) && outcome.early()) return;
   if (model.scene && !outcome.rows_passed) scene::add_scene_states(*model.scene, outcome.shown);
 }
 
@@ -59,8 +77,9 @@ void show_rows(const LoadedModel& model, Outcome& outcome) {
 
 void add_shown(const LoadedModel& model, Outcome& outcome) {
   show_rows(model, outcome);
-  sensitivity::OutcomeNumbers numbers;
-  if (model.sensitivity) sensitivity::add_outcomes(*model.sensitivity, outcome.result.recordings, numbers);
+  if (has_cases(model) && outcome.early()) return;
+  sensitivity::RunOutcomes numbers;
+  if (model.sensitivity) sensitivity::add_outcomes(*model.sensitivity, outcome.recordings(), numbers);
   add_analyses(model, numbers, outcome);
 }
 
@@ -76,13 +95,13 @@ void RunJudges::add(std::span<const record::Recording> runs) {
 
 void RunJudges::judge(Outcome& outcome) {
   const bool early = outcome.early();
-  if (!early && outcome.shown.empty()) show_rows(model_, outcome);
+  if (outcome.shown.empty() && (!early || has_cases(model_))) show_rows(model_, outcome);
   if (!early) add_analyses(model_, numbers_, outcome);
   for (std::size_t i = 0; i < judges_.size(); ++i) {
     const claim::Claim& claim = model_.claims[i];
     if (!early && claim.recording >= of_runs_) judges_[i].add(outcome.recordings());
     outcome.verdicts.push_back(early ? not_judged(claim, "the run ended early") : judges_[i].verdict());
-    name_run(model_.job, outcome.verdicts.back());
+    name_run(model_, outcome.verdicts.back());
   }
 }
 

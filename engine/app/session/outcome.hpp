@@ -45,7 +45,7 @@ class RunJudges {
   const LoadedModel& model_;
   std::size_t of_runs_;  ///< recordings
   std::vector<claim::Judge> judges_;
-  sensitivity::OutcomeNumbers numbers_;
+  sensitivity::RunOutcomes numbers_;
 };
 
 /// Judges all claims on what was recorded; those about a run that ended early do not hold.

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "engine/analyse/kept/kept_numbers.hpp"
+#include "engine/app/session/cases_table.hpp"
 
 namespace stepwire::session {
 
@@ -17,6 +18,19 @@ void add_kept(LoadedModel& model, query::SymbolTable& names, yaml::Faults& fault
     faults.add(
         {{model.file, {}}, "sweep.keep", "the trials of a study are kept as scores; leave it out", {}});
   model.kept = kept::read_kept_numbers(model.job.plan.diagram, names, faults);
+  if (!model.kept || !has_cases(model)) return;
+  name_cases(*sweep, *model.kept, names);
+  for (const query::RecordedName& column : names.columns)
+    if (std::ranges::count(names.columns, column.name, &query::RecordedName::name) > 1)
+      return faults.add({{model.file, {}},
+                         "sweep.cases",
+                         "'" + column.name + "' would be two columns; give the case another name",
+                         {}});
+}
+
+bool has_cases(const LoadedModel& model) {
+  const auto& sweep = model.job.plan.diagram.sweep;
+  return model.kept && sweep && !sweep->cases().empty();
 }
 
 void draw_kept_as_points(const LoadedModel& model, std::vector<plot::Figure>& figures) {

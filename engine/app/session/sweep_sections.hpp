@@ -10,6 +10,9 @@ std::size_t recordings_of(const LoadedModel& model);
 /// Reads what the sweep keeps of its runs, and leaves the names of these in the place of those of signals.
 void add_kept(LoadedModel& model, query::SymbolTable& names, yaml::Faults& faults);
 
+/// Do figures and claims read a table with a row for all cases of a point?
+bool has_cases(const LoadedModel& model);
+
 /// Draws rows that are one of each run as the points that they are.
 void draw_kept_as_points(const LoadedModel& model, std::vector<plot::Figure>& figures);
 

@@ -4,22 +4,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/base/yaml/message.hpp"
-#include "engine/base/yaml/yaml_text.hpp"
 #include "engine/model/diagram/head.hpp"
+#include "engine/model/diagram/head_cases.hpp"
 #include "engine/model/diagram/head_design.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/head_range.hpp"
-#include "engine/model/diagram/own_value.hpp"
 
 namespace stepwire::diagram {
 
 namespace {
-
-std::string setting_text(const yaml::Node& node) {
-  if (!node.is_scalar()) return yaml::yaml_line(node);
-  return node.quoted ? fmt::format("\"{}\"", node.text) : node.text;
-}
 
 SweptValues listed(const yaml::Node& list) {
   std::vector<std::string> texts;
@@ -41,23 +34,6 @@ void read_axis(const yaml::Entry& entry, Sweep& sweep, const Scope& scope, Repor
     axis.values = read_range(entry.value, entry.key, scope, report);
   }
   sweep.axes.push_back(std::move(axis));
-}
-
-/// The file's own value of what is swept, as a point sets it; a fault where there is none.
-std::string base_value(const Sweep::Axis& axis, Report& report) {
-  const auto refuse = [&](const yaml::Message& message) {
-    report.add(axis.origin, "sweep.one_at_a_time." + axis.parameter, message);
-    return std::string();
-  };
-  const Diagram& diagram = report.diagram();
-  const auto name = find_name(diagram, axis.parameter);
-  if (!name)
-    return refuse("is no parameter of the file, of its parts or blocks" +
-                  nearest_name(diagram, axis.parameter));
-  const auto value = own_value(diagram, *name);
-  if (!value)
-    return refuse("has no value in the file, which each point but those that differ in it has; write one");
-  return *value;
 }
 
 /// A column of words about the points of a sweep.
@@ -90,7 +66,8 @@ void set_apart(Sweep& sweep, const Origin& origin, Report& report) {
   std::size_t before = 1;
   for (Sweep::Axis& axis : sweep.axes) {
     const std::size_t count = axis.count();
-    axis.values = apart(axis, base_value(axis, report), before, to.size());
+    axis.values = apart(
+        axis, base_value(axis, "sweep.one_at_a_time." + axis.parameter, report), before, to.size());
     before += count;
   }
   sweep.together = true;
@@ -159,12 +136,14 @@ bool read_axes(const yaml::Node& section, Sweep& sweep, const Scope& scope, Repo
     if (is_drawn(entry.value)) {
       if (auto spread = read_distribution(entry.value, entry.key, scope, report))
         drawn.push_back({sweep.axes.size(), std::move(*spread)});
-      sweep.axes.push_back({entry.key, {}, scope.at(entry.mark), false, true});
+      sweep.axes.push_back({entry.key, {}, scope.at(entry.mark), false, Sweep::Group::samples});
     } else {
       read_axis(entry, sweep, scope, report);
     }
   }
   if (report.faults().size() == before) draw_axes(section, drawn, scope, sweep, report);
+  if (const yaml::Node* cases = section.find("cases"); cases && report.faults().size() == before)
+    read_cases(*cases, scope, sweep, report);
   return sweep.count() <= static_cast<double>(max_runs) || refuse();
 }
 

@@ -4,33 +4,52 @@
 
 namespace stepwire::diagram {
 
+namespace {
+
+/// Is it an axis of the grid: alone, or the last of its group?
+bool counts(const std::vector<Sweep::Axis>& axes, std::size_t axis) {
+  const Sweep::Group group = axes[axis].group;
+  const auto behind = axes.begin() + static_cast<std::ptrdiff_t>(axis) + 1;
+  return group == Sweep::Group::none ||
+         std::ranges::find(behind, axes.end(), group, &Sweep::Axis::group) == axes.end();
+}
+
+}  // namespace
+
 double Sweep::count() const {
   if (axes.empty()) return 0.0;
-  double grid = 1.0, pairs = 0.0;
-  for (const Axis& axis : axes) {
-    const auto values = static_cast<double>(axis.count());
-    if (together || axis.sampled)
-      pairs = std::max(pairs, values);
-    else
-      grid *= values;
+  double count = together ? 0.0 : 1.0;
+  for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+    const auto values = static_cast<double>(axes[axis].count());
+    if (together)
+      count = std::max(count, values);
+    else if (counts(axes, axis))
+      count *= values;
   }
-  const bool paired = together || std::ranges::any_of(axes, &Axis::sampled);
-  return paired ? grid * pairs : grid;
+  return count;
 }
 
 std::vector<std::size_t> Sweep::indices(std::size_t point) const {
   std::vector<std::size_t> result(axes.size(), point);
   if (together) return result;
-  const auto last = std::ranges::find_if(axes.rbegin(), axes.rend(), &Axis::sampled);
-  std::size_t sample = 0;
+  std::size_t of_group[3] = {};
   for (std::size_t axis = axes.size(); axis-- > 0;) {
-    const bool counts = !axes[axis].sampled || &axes[axis] == &*last;
-    const std::size_t index = counts ? point % axes[axis].count() : sample;
-    if (counts) point /= axes[axis].count();
-    if (axes[axis].sampled) sample = index;
+    std::size_t& index = of_group[static_cast<std::size_t>(axes[axis].group)];
+    if (counts(axes, axis)) {
+      index = point % axes[axis].count();
+      point /= axes[axis].count();
+    }
     result[axis] = index;
   }
   return result;
+}
+
+std::vector<std::string> Sweep::cases() const {
+  std::vector<std::string> names;
+  for (const Axis& axis : axes)
+    for (std::size_t i = 0; axis.label && axis.of_cases() && i < axis.count(); ++i)
+      names.push_back(axis.text(i));
+  return names;
 }
 
 }  // namespace stepwire::diagram

@@ -13,13 +13,17 @@ namespace stepwire::diagram {
 
 /// What a file asks to be varied: each point sets these parameters to one value each.
 struct Sweep {
+  /// Axes whose values are paired: all of them are one axis of the grid.
+  enum class Group : unsigned char { none, samples, cases };
   struct Axis {
     std::string parameter;
     SweptValues values;
     Origin origin;
-    bool label = false;    ///< a column of words about the points, which sets nothing
-    bool sampled = false;  ///< its values are paired with those of the other sampled axes
+    bool label = false;  ///< a column of words about the points, which sets nothing
+    Group group = Group::none;
 
+    bool sampled() const { return group == Group::samples; }
+    bool of_cases() const { return group == Group::cases; }
     std::size_t count() const { return values.size(); }
     std::string text(std::size_t value) const { return values.text(value); }
     yaml::Mark mark(std::size_t value) const { return values.mark(value); }
@@ -38,14 +42,18 @@ struct Sweep {
 
   /// How many points there are; a double, since a grid may be larger than anything.
   double count() const;
-  /// Which value each axis has at a point: the last axis of a grid runs fastest. Sampled axes are one axis of
-  /// it, where the last of them stands.
+  /// Which value each axis has at a point: the last axis of a grid runs fastest. Those of a group are one axis
+  /// of it, where the last of them stands.
   std::vector<std::size_t> indices(std::size_t point) const;
+  /// The names of the cases, in each of which all other values are run; none without.
+  std::vector<std::string> cases() const;
 };
 
 /// Labels of a sweep of one parameter at a time: which one differs from the file's value (at the first point
 /// none, and the word is `base`), and to what.
 inline constexpr const char *differs_label = "differs", *differs_to_label = "differs_to",
                             *nothing_differs = "base";
+/// The label of cases.
+inline constexpr const char* case_label = "case";
 
 }  // namespace stepwire::diagram

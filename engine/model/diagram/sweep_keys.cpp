@@ -46,6 +46,16 @@ yaml::Key one_at_a_time_row() {
                  form::naming(yaml::Key::Names::parameter, form::names(axis_form(), 1))));
 }
 
+yaml::Key cases_row() {
+  return yaml::key(
+      "cases",
+      "all other values are run in each of these cases, with what it sets: {off: {}, on: {current: 1 A}}; a "
+      "kept number `x` has the names off.x and on.x in a row for both",
+      yaml::like("{light: {}, heavy: {mass: 3 kg}}",
+                 form::names(form::naming(yaml::Key::Names::parameter, form::names(form::text())), 2,
+                             "^[A-Za-z_][A-Za-z0-9_]*$")));
+}
+
 yaml::Key keep_row() {
   return yaml::otherwise(
       "rows", yaml::key("keep",
@@ -117,7 +127,7 @@ const yaml::Key& sweep_form() {
                                             "how often and where values are drawn that have a "
                                             "distribution",
                                             design_table().form),
-                                  correlation_row(), keep_row()});
+                                  correlation_row(), cases_row(), keep_row()});
     sweep.rest = {yaml::key("NAME", "the values of a parameter, step or solver", axis_form())};
     sweep.rest.front().names = yaml::Key::Names::parameter;
     return sweep;

@@ -15,9 +15,20 @@ constexpr double bar_width = 0.34;                              // [rows]
 struct Measures {
   const char *first, *second;
   const char *first_legend, *second_legend;
+  const char* axis;  ///< before the name of the outcome
 };
-constexpr Measures of_sobol{".total.", ".first.", "total index", "first index"},
-    of_morris{".size.", ".deviation.", "mean size of the effect", "deviation of the effect"};
+constexpr Measures all_measures[] = {
+    {".total.", ".first.", "total index", "first index", "part of the variance of "},
+    {".size.", ".deviation.", "mean size of the effect", "deviation of the effect", "effect on "},
+    {".partial.", ".rank.", "partial rank correlation", "rank correlation", "correlation with "}};
+
+/// The measures to which a column belongs as the one that decides; null where it is none.
+const Measures* measures_of(const std::string& column) {
+  const auto found = std::ranges::find_if(all_measures, [&](const Measures& one) {
+    return column.find(one.first) != std::string::npos;
+  });
+  return found == std::end(all_measures) ? nullptr : found;
+}
 
 /// A parameter with two numbers, each with its interval.
 struct SensitivityBar {
@@ -28,17 +39,16 @@ struct SensitivityBar {
 /// The outcomes whose sensitivity is known.
 std::vector<std::string> outcomes_of(const query::SymbolTable& names, std::string& column) {
   std::vector<std::string> all;
-  for (const query::RecordedName& one : names.columns)
-    for (const Measures& measures : {of_sobol, of_morris}) {
-      const auto at = one.name.find(measures.first);
-      if (at == std::string::npos || one.name.ends_with(".low") || one.name.ends_with(".high")) continue;
-      const std::string name = one.name.substr(0, at);
-      if (name == column) {
-        column = one.name;
-        return {};
-      }
-      if (std::ranges::find(all, name) == all.end()) all.push_back(name);
+  for (const query::RecordedName& one : names.columns) {
+    const Measures* measures = measures_of(one.name);
+    if (!measures || one.name.ends_with(".low") || one.name.ends_with(".high")) continue;
+    const std::string name = one.name.substr(0, one.name.find(measures->first));
+    if (name == column) {
+      column = one.name;
+      return {};
     }
+    if (std::ranges::find(all, name) == all.end()) all.push_back(name);
+  }
   return all;
 }
 
@@ -75,7 +85,7 @@ std::vector<SensitivityBar> sensitivities_of(const std::string& outcome, const M
     if (std::isfinite(bar.value[0])) bars.push_back(std::move(bar));
   }
   std::ranges::stable_sort(bars, std::ranges::greater{},
-                           [](const SensitivityBar& bar) { return bar.value[0]; });
+                           [](const SensitivityBar& bar) { return std::abs(bar.value[0]); });
   return bars;
 }
 
@@ -118,14 +128,12 @@ void draw_measure(const std::vector<SensitivityBar>& bars, std::size_t which, co
 void draw_sensitivity(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   const query::Series& of = *panel.find("of");
   const std::string& column = of.formula.columns.front();
-  const bool screens = column.find(of_morris.first) != std::string::npos;
-  const Measures& measures = screens ? of_morris : of_sobol;
+  const Measures& measures = *measures_of(column);
   const std::string outcome = column.substr(0, column.find(measures.first));
   const std::vector<SensitivityBar> bars =
       sensitivities_of(outcome, measures, recording_of(panel, recordings).table);
   plot.label("x", of);
-  plot.spec.x.label =
-      panel.x.label.empty() ? (screens ? "effect on " : "part of the variance of ") + outcome : panel.x.label;
+  plot.spec.x.label = panel.x.label.empty() ? measures.axis + outcome : panel.x.label;
   if (bars.empty()) return;
   geometry::Extent extent{0.0, 0.0};
   draw_measure(bars, 0, measures.first_legend, extent, plot);
