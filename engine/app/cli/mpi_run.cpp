@@ -29,13 +29,15 @@ session::Outcome MpiRun::serve(KeptRun& kept, session::Session& session, run::Ex
     whole_ = true;
     return kept.run(session, engine);
   }
-  const auto start = std::chrono::steady_clock::now();
-  session::PointServer server(*messages_, kept.points());
-  server.serve(session.monitor());
-  for (const std::string& death : server.deaths()) complain("{}\n", death);
-  broken_ = !server.deaths().empty();
-  whole_ = !broken_ && !interrupted();
-  return kept.joined({std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), {}});
+  return kept.joined([&] {
+    const auto start = std::chrono::steady_clock::now();
+    session::PointServer server(*messages_, kept.points());
+    server.serve(session.monitor());
+    for (const std::string& death : server.deaths()) complain("{}\n", death);
+    broken_ = !server.deaths().empty();
+    whole_ = !broken_ && !interrupted();
+    return session::PointsReport{std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), {}};
+  });
 }
 
 void MpiRun::finish(ExitCode code) {

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <memory>
 
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/environment_error.hpp"
@@ -31,10 +30,8 @@ std::string sum_of(std::string_view bytes) {
   return hash::hash_of(bytes).substr(0, sum_size);
 }
 
-}  // namespace
-
 /// A file as it is now, in memory as far as it is looked at.
-class Journal::Mapped {
+class Mapped {
  public:
   Mapped(int file, const std::string& path) {
     struct stat state {};
@@ -67,8 +64,6 @@ class Journal::Mapped {
   std::size_t size_ = 0;
   mutable std::size_t seen_ = 0;
 };
-
-namespace {
 
 /// With its end; empty where the file is no journal.
 std::string_view first_line(std::string_view file) {
@@ -153,6 +148,7 @@ void Journal::add_bytes(std::size_t point, std::string_view bytes) {
   places_[point] = end_ + waiting_.size();
   ++count_;
   waiting_.append(reinterpret_cast<const char*>(&size), sizeof(size)).append(sum).append(bytes);
+  added_.notify_all();
   if (waiting_.size() >= most_waiting || std::chrono::steady_clock::now() - written_ >= longest_wait)
     write_waiting();
 }
@@ -176,30 +172,55 @@ void Journal::write_waiting() {
   written_ = std::chrono::steady_clock::now();
 }
 
-run::PointResult Journal::point(const Mapped& file, std::size_t point) const {
-  const auto bytes = record_at(file.bytes(), places_[point]);
-  if (bytes) file.note_seen(bytes->size());
+void Journal::follow() {
+  const std::lock_guard lock(mutex_);
+  followed_ = true;
+}
+
+void Journal::end_following() {
+  const std::lock_guard lock(mutex_);
+  followed_ = false;
+  added_.notify_all();
+}
+
+/// The whole record, which was written; less where the file ends before it does.
+std::string Journal::bytes_at(std::uint64_t place, std::uint64_t end) const {
+  std::string bytes(record_head, '\0');
+  std::uint64_t size = 0;
+  const auto fill = [&](std::size_t from) {
+    while (from < bytes.size()) {
+      const ssize_t got = ::pread(file_.number(), bytes.data() + from, bytes.size() - from,
+                                  static_cast<off_t>(place + from));
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) io::refuse_file(path_, errno);
+      if (got == 0) return bytes.resize(from);
+      from += static_cast<std::size_t>(got);
+    }
+  };
+  fill(0);
+  if (bytes.size() < record_head) return bytes;
+  std::memcpy(&size, bytes.data(), sizeof(size));
+  if (size > end - place) return bytes;
+  bytes.resize(record_head + size);
+  fill(record_head);
+  return bytes;
+}
+
+std::optional<run::PointResult> Journal::point(std::size_t point) {
+  std::unique_lock lock(mutex_);
+  added_.wait(lock, [&] { return has(point) || !followed_; });
+  if (!has(point)) return std::nullopt;
+  if (places_[point] >= end_) write_waiting();
+  const std::uint64_t place = places_[point], end = end_;
+  lock.unlock();
+  const std::string record = bytes_at(place, end);
+  const auto bytes = record_at(record, 0);
   auto result = bytes ? point_of(*bytes, job_, numbers_) : std::nullopt;
   if (!result || result->point != point)
     throw io::EnvironmentError(fmt::format(
         "{}: the record of point {} is not one of this diagram; remove the file, and run its points again",
         path_, point + 1));
-  return std::move(*result);
-}
-
-void Journal::each(const std::vector<Journal*>& journals, const std::function<void(run::PointResult)>& take) {
-  std::vector<std::unique_ptr<Mapped>> files;
-  for (Journal* journal : journals) {
-    journal->flush();
-    files.push_back(std::make_unique<Mapped>(journal->file_.number(), journal->path_));
-  }
-  const std::size_t points = journals.empty() ? 0 : journals.front()->places_.size();
-  for (std::size_t point = 0; point < points; ++point) {
-    const auto of = std::ranges::find_if(journals, [&](const Journal* journal) { return journal->has(point); });
-    if (of == journals.end()) continue;
-    const Mapped& file = *files[static_cast<std::size_t>(of - journals.begin())];
-    take((*of)->point(file, point));
-  }
+  return result;
 }
 
 }  // namespace stepwire::journal

@@ -2,8 +2,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -42,17 +42,19 @@ class Journal {
   void add_bytes(std::size_t point, std::string_view bytes);
   /// Hands all that was added to the system.
   void flush();
-  /// Calls `take` with all points that journals of one job have together, each once, in their order. Throws
-  /// EnvironmentError where a file was damaged since it was opened.
-  static void each(const std::vector<Journal*>& journals, const std::function<void(run::PointResult)>& take);
+  /// What it has of a point; nothing where it has not. While it is followed, waits for what is not there yet.
+  /// From any thread. Throws EnvironmentError where the file was damaged since it was opened.
+  std::optional<run::PointResult> point(std::size_t point);
+  /// From now on, point() waits for points that are added on other threads; until they have ended.
+  void follow();
+  void end_following();
   const std::string& path() const { return path_; }
 
  private:
-  class Mapped;
   static constexpr std::uint64_t missing = ~std::uint64_t{0};
 
   void find_points(std::uint64_t first);
-  run::PointResult point(const Mapped& file, std::size_t point) const;
+  std::string bytes_at(std::uint64_t place, std::uint64_t end) const;
   void write_waiting();
 
   const std::string path_;
@@ -60,6 +62,8 @@ class Journal {
   const run::RunNumbers* numbers_;
   io::Descriptor file_;
   std::mutex mutex_;
+  std::condition_variable added_;
+  bool followed_ = false;
   std::string waiting_;    ///< records that are not in the file yet
   std::uint64_t end_ = 0;  ///< of the file [bytes]
   std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
