@@ -5,11 +5,29 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <filesystem>
+#include <future>
 
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/interrupt.hpp"
+#include "engine/base/parallel/parallel.hpp"
 
 namespace stepwire::cli {
+
+namespace {
+
+/// A journal that is followed, whatever happens to what adds its points.
+class Followed {
+ public:
+  explicit Followed(journal::Journal& journal) : journal_(journal) { journal_.follow(); }
+  ~Followed() { journal_.end_following(); }
+  Followed(const Followed&) = delete;
+  Followed& operator=(const Followed&) = delete;
+
+ private:
+  journal::Journal& journal_;
+};
+
+}  // namespace
 
 KeptRun::KeptRun(const session::LoadedModel& model, const session::RowUse& use, const session::Share& share)
     : model_(model), use_(use), folder_(use.folder), share_(share), kept_(model, use.folder, share) {
@@ -18,11 +36,21 @@ KeptRun::KeptRun(const session::LoadedModel& model, const session::RowUse& use, 
 }
 
 session::Outcome KeptRun::run(session::Session& session, run::ExecutionMode engine, unsigned threads) {
-  return joined(session.run(model_, kept_, engine, threads));
+  return joined([&] { return session.run(model_, kept_, engine, threads); });
 }
 
-session::Outcome KeptRun::joined(const session::PointsReport& report) {
-  session::Outcome outcome = session::joined_points(model_, {&kept_.journal()}, use_, kept_.take_halves());
+session::Outcome KeptRun::joined(const std::function<session::PointsReport()>& run) {
+  std::packaged_task<session::Outcome()> task(
+      [&] { return session::joined_points(model_, {&kept_.journal()}, use_, &kept_); });
+  const std::function<void()> join = [&] { task(); };
+  std::vector<std::jthread> writer;
+  const Followed followed(kept_.journal());
+  // What needs all rows at once takes its memory when they are there.
+  if (session::goes_run_by_run(model_, use_)) writer = parallel::begin_threads(2, join);
+  const session::PointsReport report = run();
+  kept_.journal().end_following();
+  if (writer.empty()) join();
+  session::Outcome outcome = task.get_future().get();
   outcome.seconds = report.seconds;
   outcome.result.lanes = report.lanes;
   if (outcome.result.interrupted) note_interrupted();

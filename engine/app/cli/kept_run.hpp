@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -22,8 +23,9 @@ class KeptRun {
   ExitCode run_share(session::Session& session, run::ExecutionMode engine, unsigned threads);
   /// The same for a share that was run meanwhile, as far as it was.
   ExitCode end_share();
-  /// Joins all that is there, and says how it was run.
-  session::Outcome joined(const session::PointsReport& report);
+  /// Has points run, by a function that says how, and joins all that is there. Files of runs are written
+  /// meanwhile.
+  session::Outcome joined(const std::function<session::PointsReport()>& run);
   session::KeptPoints& points() { return kept_; }
   /// Once the results are written: the points go.
   void drop();

@@ -51,9 +51,11 @@ void MpiRun::serve(KeptRun& kept, const session::LoadedModel& model, const sessi
 
 session::Outcome MpiRun::run(KeptRun& kept, const session::LoadedModel& model,
                              const session::Monitor& monitor) {
-  const auto start = std::chrono::steady_clock::now();
-  serve(kept, model, monitor);
-  return kept.joined({std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), {}});
+  return kept.joined([&] {
+    const auto start = std::chrono::steady_clock::now();
+    serve(kept, model, monitor);
+    return session::PointsReport{std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), {}};
+  });
 }
 
 ExitCode MpiRun::run_share(KeptRun& kept, const session::LoadedModel& model,

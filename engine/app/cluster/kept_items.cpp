@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <unordered_map>
 
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/owned_folder.hpp"
@@ -44,15 +43,14 @@ double KeptItems::done() const {
 }
 
 std::vector<std::string> KeptItems::results(const std::vector<messages::Item>& items) {
-  std::unordered_map<std::size_t, std::size_t> places;
-  for (std::size_t i = 0; i < items.size(); ++i) places[items[i].number] = i;
   std::vector<std::string> all(items.size());
-  journal::ByteJournal::each_bytes({&journal_}, [&](std::size_t number, std::string_view bytes) {
-    if (bytes.size() < sizeof(std::uint64_t))
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto bytes = journal_.bytes(items[i].number);
+    if (!bytes) continue;
+    if (bytes->size() < sizeof(std::uint64_t))
       throw io::EnvironmentError(fmt::format("{}: was changed by somebody else; remove it", path()));
-    if (const auto place = places.find(number); place != places.end())
-      all[place->second] = bytes.substr(sizeof(std::uint64_t));
-  });
+    all[i] = bytes->substr(sizeof(std::uint64_t));
+  }
   return all;
 }
 

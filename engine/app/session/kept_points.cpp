@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "engine/app/session/build_note.hpp"
 #include "engine/app/session/passed_runs.hpp"
@@ -153,6 +152,12 @@ void KeptPoints::take(run::PointResult result) {
   halves_.push_back(std::move(result));
 }
 
+std::optional<run::PointResult> KeptPoints::half(std::size_t point) {
+  const std::lock_guard lock(mutex_);
+  const auto found = std::ranges::find(halves_, point, &run::PointResult::point);
+  return found == halves_.end() ? std::nullopt : std::optional(std::move(*found));
+}
+
 double KeptPoints::done() const {
   return points() == 0 ? 1.0 : static_cast<double>(journal_.count()) / static_cast<double>(points());
 }
@@ -165,40 +170,34 @@ std::size_t KeptPoints::kept() const {
 
 namespace {
 
-/// Calls `take` with what journals hold, and with halves of runs, in the order of the points.
-template <class Take>
-void in_order(const std::vector<journal::Journal*>& journals, std::vector<run::PointResult> halves,
-              const Take& take) {
-  std::ranges::sort(halves, {}, &run::PointResult::point);
-  auto half = halves.begin();
-  const auto take_before = [&](std::size_t end) {
-    for (; half != halves.end() && half->point < end; ++half) take(std::move(*half));
-  };
-  journal::Journal::each(journals, [&](run::PointResult result) {
-    take_before(result.point);
-    take(std::move(result));
-  });
-  take_before(std::numeric_limits<std::size_t>::max());
+std::optional<run::PointResult> point_of(const std::vector<journal::Journal*>& journals, KeptPoints* halves,
+                                         std::size_t point) {
+  for (journal::Journal* journal : journals)
+    if (auto result = journal->point(point)) return result;
+  return halves ? halves->half(point) : std::nullopt;
 }
 
 }  // namespace
 
 Outcome joined_points(const LoadedModel& model, const std::vector<journal::Journal*>& journals,
-                      const RowUse& use, std::vector<run::PointResult> halves) {
+                      const RowUse& use, KeptPoints* halves) {
+  const std::size_t points = model.job.points.size();
   if (goes_run_by_run(model, use)) {
     PassedRuns passed(model, use);
-    in_order(journals, std::move(halves), [&](run::PointResult result) { passed.add(std::move(result)); });
+    for (std::size_t point = 0; point < points; ++point)
+      if (auto result = point_of(journals, halves, point)) passed.add(std::move(*result));
     return passed.take();
   }
   run::JoinedPoints joined(model.job, model.kept.get());
   std::size_t whole = 0;
-  in_order(journals, std::move(halves), [&](run::PointResult result) {
-    if (!result.end.interrupted) ++whole;
-    joined.add(std::move(result));
-  });
+  for (std::size_t point = 0; point < points; ++point)
+    if (auto result = point_of(journals, halves, point)) {
+      if (!result->end.interrupted) ++whole;
+      joined.add(std::move(*result));
+    }
   Outcome outcome;
   outcome.result = joined.take();
-  outcome.result.interrupted = whole < model.job.points.size();
+  outcome.result.interrupted = whole < points;
   judge_claims(model, outcome);
   return outcome;
 }

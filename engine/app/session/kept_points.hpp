@@ -56,8 +56,8 @@ class KeptPoints : public run::PointExchange {
   /// Of them, those that an earlier call has left.
   std::size_t found() const { return found_; }
   journal::Journal& journal() { return journal_; }
-  /// What runs gave that were interrupted, which is not kept.
-  std::vector<run::PointResult> take_halves() { return std::move(halves_); }
+  /// What a run gave that was interrupted, which is not kept.
+  std::optional<run::PointResult> half(std::size_t point);
 
  private:
   journal::Journal journal_;
@@ -67,10 +67,11 @@ class KeptPoints : public run::PointExchange {
   std::vector<run::PointResult> halves_;
 };
 
-/// What journals of one job hold together, judged as by run_model(); a point that is in none has no rows, and
-/// then the result is that of an interrupted run. Where the runs go one by one, files of signals are written.
+/// What journals of one job hold together, judged as by run_model(); a point that is in none has what `halves`
+/// has of it, and then the result is that of an interrupted run. Where the runs go one by one, files of signals
+/// are written; this may be while the points come, of a journal that is followed.
 Outcome joined_points(const LoadedModel& model, const std::vector<journal::Journal*>& journals,
-                      const RowUse& use, std::vector<run::PointResult> halves = {});
+                      const RowUse& use, KeptPoints* halves = nullptr);
 
 /// "12, 40 to 99 and 7 more": which points no journal has, numbered from 1; empty where there are none.
 std::string missing_points(const LoadedModel& model, const std::vector<journal::Journal*>& journals);

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <memory>
 
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/environment_error.hpp"
@@ -31,10 +30,8 @@ std::string sum_of(std::string_view bytes) {
   return hash::hash_of(bytes).substr(0, sum_size);
 }
 
-}  // namespace
-
 /// A file as it is now, in memory as far as it is looked at.
-class ByteJournal::Mapped {
+class Mapped {
  public:
   Mapped(int file, const std::string& path) {
     struct stat state {};
@@ -67,8 +64,6 @@ class ByteJournal::Mapped {
   std::size_t size_ = 0;
   mutable std::size_t seen_ = 0;
 };
-
-namespace {
 
 /// With its end; empty where the file is no journal.
 std::string_view first_line(std::string_view file) {
@@ -152,6 +147,7 @@ void ByteJournal::add_record(std::size_t piece, std::string_view record) {
   places_[piece] = end_ + waiting_.size();
   ++count_;
   waiting_.append(record);
+  added_.notify_all();
   if (waiting_.size() >= most_waiting || std::chrono::steady_clock::now() - written_ >= longest_wait)
     write_waiting();
 }
@@ -175,37 +171,64 @@ void ByteJournal::write_waiting() {
   written_ = std::chrono::steady_clock::now();
 }
 
-void ByteJournal::each_bytes(const std::vector<ByteJournal*>& journals, const Take& take) {
-  std::vector<std::unique_ptr<Mapped>> files;
-  for (ByteJournal* journal : journals) {
-    journal->flush();
-    files.push_back(std::make_unique<Mapped>(journal->file_.number(), journal->path_));
-  }
-  const std::size_t pieces = journals.empty() ? 0 : journals.front()->places_.size();
-  for (std::size_t piece = 0; piece < pieces; ++piece) {
-    const auto of = std::ranges::find_if(journals, [&](const ByteJournal* one) { return one->has(piece); });
-    if (of == journals.end()) continue;
-    const Mapped& file = *files[static_cast<std::size_t>(of - journals.begin())];
-    const std::string_view bytes = record_at(file.bytes(), (*of)->places_[piece]).value_or("");
-    file.note_seen(bytes.size());
-    take(piece, bytes);
-  }
+void ByteJournal::follow() {
+  const std::lock_guard lock(mutex_);
+  followed_ = true;
+}
+
+void ByteJournal::end_following() {
+  const std::lock_guard lock(mutex_);
+  followed_ = false;
+  added_.notify_all();
+}
+
+/// The whole record, which was written; less where the file ends before it does.
+std::string ByteJournal::bytes_at(std::uint64_t place, std::uint64_t end) const {
+  std::string bytes(record_head, '\0');
+  std::uint64_t size = 0;
+  const auto fill = [&](std::size_t from) {
+    while (from < bytes.size()) {
+      const ssize_t got = ::pread(file_.number(), bytes.data() + from, bytes.size() - from,
+                                  static_cast<off_t>(place + from));
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) io::refuse_file(path_, errno);
+      if (got == 0) return bytes.resize(from);
+      from += static_cast<std::size_t>(got);
+    }
+  };
+  fill(0);
+  if (bytes.size() < record_head) return bytes;
+  std::memcpy(&size, bytes.data(), sizeof(size));
+  if (size > end - place) return bytes;
+  bytes.resize(record_head + size);
+  fill(record_head);
+  return bytes;
+}
+
+std::optional<std::string> ByteJournal::bytes(std::size_t piece) {
+  std::unique_lock lock(mutex_);
+  added_.wait(lock, [&] { return has(piece) || !followed_; });
+  if (!has(piece)) return std::nullopt;
+  if (places_[piece] >= end_) write_waiting();
+  const std::uint64_t place = places_[piece], end = end_;
+  lock.unlock();
+  const std::string record = bytes_at(place, end);
+  return std::string(record_at(record, 0).value_or(""));
 }
 
 void Journal::add(const run::PointResult& result) {
   add_bytes(result.point, bytes_of(result));
 }
 
-void Journal::each(const std::vector<Journal*>& journals, const std::function<void(run::PointResult)>& take) {
-  each_bytes({journals.begin(), journals.end()}, [&](std::size_t point, std::string_view bytes) {
-    const Journal& one = **std::ranges::find_if(journals, [&](const Journal* of) { return of->has(point); });
-    auto result = point_of(bytes, one.job_, one.numbers_);
-    if (!result || result->point != point)
-      throw io::EnvironmentError(fmt::format(
-          "{}: the record of point {} is not one of this diagram; remove the file, and run its points again",
-          one.path(), point + 1));
-    take(std::move(*result));
-  });
+std::optional<run::PointResult> Journal::point(std::size_t point) {
+  const auto bytes = this->bytes(point);
+  if (!bytes) return std::nullopt;
+  auto result = point_of(*bytes, job_, numbers_);
+  if (!result || result->point != point)
+    throw io::EnvironmentError(fmt::format(
+        "{}: the record of point {} is not one of this diagram; remove the file, and run its points again",
+        path(), point + 1));
+  return result;
 }
 
 }  // namespace stepwire::journal

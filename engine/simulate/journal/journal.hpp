@@ -2,8 +2,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -42,22 +42,26 @@ class ByteJournal {
   void add_record(std::size_t piece, std::string_view record);
   /// Hands all that was added to the system.
   void flush();
-  /// Calls `take` with the bytes of all pieces that journals of one work have together, each once, in their
-  /// order; of one that was damaged since its file was opened with none.
-  using Take = std::function<void(std::size_t piece, std::string_view bytes)>;
-  static void each_bytes(const std::vector<ByteJournal*>& journals, const Take& take);
+  /// The bytes of a piece; nothing where it has none, and no bytes where the file was damaged since it was
+  /// opened. While it is followed, waits for what is not there yet. From any thread.
+  std::optional<std::string> bytes(std::size_t piece);
+  /// From now on, bytes() waits for pieces that are added on other threads; until they have ended.
+  void follow();
+  void end_following();
   const std::string& path() const { return path_; }
 
  private:
-  class Mapped;
   static constexpr std::uint64_t missing = ~std::uint64_t{0};
 
   void find_pieces(std::uint64_t first);
+  std::string bytes_at(std::uint64_t place, std::uint64_t end) const;
   void write_waiting();
 
   const std::string path_;
   io::Descriptor file_;
   std::mutex mutex_;
+  std::condition_variable added_;
+  bool followed_ = false;
   std::string waiting_;    ///< records that are not in the file yet
   std::uint64_t end_ = 0;  ///< of the file [bytes]
   std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
@@ -75,9 +79,8 @@ class Journal : public ByteJournal {
 
   /// Adds a point. From any thread. Throws EnvironmentError.
   void add(const run::PointResult& result);
-  /// Calls `take` with all points that journals of one job have together, each once, in their order. Throws
-  /// EnvironmentError where a file was damaged since it was opened.
-  static void each(const std::vector<Journal*>& journals, const std::function<void(run::PointResult)>& take);
+  /// What it has of a point, as bytes(). Throws EnvironmentError where the file was damaged since it was opened.
+  std::optional<run::PointResult> point(std::size_t point);
 
  private:
   const run::Job& job_;

@@ -34,7 +34,7 @@ namespace {
 
 Sweep::Axis axis(std::string name, std::size_t values, bool sampled = false) {
   Sweep::Axis axis{std::move(name), SweptValues(std::vector<double>(values, 1.0), "", {}), {}};
-  axis.sampled = sampled;
+  if (sampled) axis.group = Sweep::Group::samples;
   return axis;
 }
 

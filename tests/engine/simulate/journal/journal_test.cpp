@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "engine/simulate/journal/journal.hpp"
 #include "engine/simulate/journal/point_bytes.hpp"
@@ -106,10 +107,11 @@ TEST_CASE("a journal has its points in their order after it was closed, each onc
   CHECK_FALSE(journal.has(0));
   journal.add(result_of(job, 0));
   std::vector<std::size_t> points;
-  Journal::each({&journal}, [&](const run::PointResult& result) {
-    CHECK(same(result, result_of(job, result.point)));
-    points.push_back(result.point);
-  });
+  for (std::size_t point = 0; point < job.points.size(); ++point)
+    if (const auto result = journal.point(point)) {
+      CHECK(same(*result, result_of(job, point)));
+      points.push_back(point);
+    }
   CHECK(points == std::vector<std::size_t>{0, 2, 5, 7});
 }
 
@@ -128,12 +130,12 @@ TEST_CASE("a journal that was cut anywhere keeps the points before, and goes on 
     CHECK(journal.has(1));
     CHECK_FALSE(journal.has(4));
     journal.add(result_of(job, 4));
-    std::size_t count = 0;
-    Journal::each({&journal}, [&](const run::PointResult& result) {
-      CHECK(same(result, result_of(job, result.point)));
-      ++count;
-    });
-    CHECK(count == 2);
+    for (const std::size_t point : {1, 4}) {
+      const auto result = journal.point(point);
+      REQUIRE(result);
+      CHECK(same(*result, result_of(job, point)));
+    }
+    CHECK_FALSE(journal.point(0));
   }
 }
 
@@ -162,6 +164,22 @@ TEST_CASE("a journal of another head is begun anew, and what is none has no head
   CHECK_FALSE(Journal::head_of(folder.path("none")));
   CHECK_FALSE(Journal::head_of(folder.file("text", "stepwire points 1 without an end")));
   CHECK_FALSE(Journal::head_of(folder.file("other", "a table\n1,2\n")));
+}
+
+TEST_CASE("a journal that is followed gives points as they come, until the last has come") {
+  const Scratch folder;
+  const run::Job job = swept_job(folder);
+  Journal journal(folder.path("points"), "head", job, nullptr, Journal::Use::write);
+  journal.follow();
+  std::vector<std::size_t> points;
+  std::thread follower([&] {
+    for (std::size_t point = 0; point < 4; ++point)
+      if (const auto result = journal.point(point)) points.push_back(result->point);
+  });
+  for (const std::size_t point : {3, 0, 2}) journal.add(result_of(job, point));
+  journal.end_following();
+  follower.join();
+  CHECK(points == std::vector<std::size_t>{0, 2, 3});
 }
 
 }  // namespace stepwire::journal
