@@ -106,8 +106,7 @@ class OpenExperiments {
  private:
   void work(std::size_t which, std::size_t person) {
     OpenExperiment& open = open_[which];
-    open.people[person] =
-        run_person(runs_, request_, person_of(request_, seeds_[which], person), sink_.told);
+    open.people[person] = run_person(runs_, request_, person_of(request_, seeds_[which], person), sink_.told);
     for (const TrialRun& trial : open.people[person])
       if (trial.result.interrupted) open.interrupted = true;
     if (--open.left == 0 && !open.interrupted)

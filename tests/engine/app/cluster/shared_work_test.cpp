@@ -4,8 +4,8 @@
 #include "blocks/register.hpp"
 #include "engine/app/cluster/kept_items.hpp"
 #include "engine/app/cluster/shared_job.hpp"
-#include "engine/app/session/signal_files.hpp"
 #include "engine/app/session/session.hpp"
+#include "engine/app/session/signal_files.hpp"
 #include "tests/engine/app/cli/small_study.hpp"
 
 namespace stepwire::cluster {
