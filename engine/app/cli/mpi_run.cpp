@@ -86,7 +86,7 @@ void MpiRun::drop() {
 ExitCode MpiRun::finish(ExitCode code) {
   if (!server_.deaths().empty() && code == ExitCode::interrupted) code = ExitCode::surroundings;
   if (interrupted() || !server_.finish()) messages_.abort(static_cast<int>(code));
-  say_deaths();
+  if (code != ExitCode::wrong) say_deaths();  // else the others gave up for what is said already
   messages_.finish();
   return code;
 }
