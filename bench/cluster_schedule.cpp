@@ -30,7 +30,8 @@ void answer_all(messages::Connection& server) {
   cluster::ItemClient client(server);
   const std::string bytes(row, '\0');
   while (client.next_job())
-    while (const auto item = client.next()) client.put(item->number, cluster::KeptItems::record_of(item->number, bytes));
+    while (const auto item = client.next())
+      client.put(item->number, cluster::KeptItems::record_of(item->number, bytes));
 }
 
 void measure_round(cluster::ItemServer& server, const std::string& folder, int round) {
@@ -62,17 +63,17 @@ int measure() {
 }
 
 /// `seconds` is what the sweep takes where all processes run all the time; 0: it has a million runs.
-void print_row(double run, double seconds, schedule::Rule rule, std::size_t parts, const schedule::Costs& costs) {
+void print_row(double run, double seconds, schedule::Rule rule, std::size_t parts,
+               const schedule::Costs& costs) {
   const char* const name = rule == schedule::Rule::by_number ? "by number" : "by time";
   fmt::print("| {:g} ms | {}{} |", 1e3 * run, name, parts > 1 ? fmt::format(", {} shares", parts) : "");
   for (const std::size_t ranks : {10u, 100u, 1000u, 10'000u}) {
     const double runs = seconds > 0.0 ? seconds * static_cast<double>(ranks) / run : 1e6;
-    const schedule::Outcome outcome = ranks < 4 * parts
-                                          ? schedule::Outcome{}
-                                          : simulate({ranks, parts, run, runs, rule}, costs);
-    fmt::print(" {} |", ranks < 4 * parts ? ""
-                                          : fmt::format("{:.2f} ({:.0f} %)", outcome.efficiency,
-                                                        100.0 * outcome.busy));
+    const schedule::Outcome outcome =
+        ranks < 4 * parts ? schedule::Outcome{} : simulate({ranks, parts, run, runs, rule}, costs);
+    fmt::print(" {} |", ranks < 4 * parts
+                            ? ""
+                            : fmt::format("{:.2f} ({:.0f} %)", outcome.efficiency, 100.0 * outcome.busy));
   }
   fmt::print("\n");
 }

@@ -32,9 +32,8 @@ std::vector<Minimum> Searches::first_looks(const std::vector<Eigen::VectorXd>& s
   const std::size_t steps = count == 1 ? request_.iterations : std::min(first_look, request_.iterations);
   std::vector<SearchStart> searches;
   for (std::size_t k = 0; k < count; ++k) searches.push_back({k, starts[k], steps});
-  return search(searches, 0.0, 0.6, [&](const SearchStart& one) {
-    return fmt::format("start {} of {}", one.number + 1, count);
-  });
+  return search(searches, 0.0, 0.6,
+                [&](const SearchStart& one) { return fmt::format("start {} of {}", one.number + 1, count); });
 }
 
 void Searches::follow(std::vector<Minimum>& minima) const {

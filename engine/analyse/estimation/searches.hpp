@@ -8,8 +8,8 @@ namespace stepwire::estimation {
 class Searches {
  public:
   /// Searches from a start, as the part `done` to `done + share` of all.
-  using Descend = std::function<Minimum(const SearchStart& start, double done, double share,
-                                        const std::string& what)>;
+  using Descend =
+      std::function<Minimum(const SearchStart& start, double done, double share, const std::string& what)>;
 
   /// `workers` search in place of `descend` where they are not null.
   Searches(const FitRequest& request, const std::atomic<bool>* interrupt, messages::ItemWorkers* workers,

@@ -38,7 +38,8 @@ std::string StudyItems::work(const messages::Item& item) const {
 }
 
 std::string StudyItems::person(std::size_t number) const {
-  const std::vector<TrialRun> runs = run_person(runs_, request_, person_of(request_, request_.seed, number), {});
+  const std::vector<TrialRun> runs =
+      run_person(runs_, request_, person_of(request_, request_.seed, number), {});
   ByteWriter writer;
   list(writer, runs, [&](const TrialRun& one) {
     trial(writer, one);
@@ -73,8 +74,7 @@ std::string StudyItems::experiment(std::uint64_t seed) const {
   sink.done = [&](const Experiments& experiments) {
     for (const Experiment& one : experiments) {
       const std::vector<NamedValue> values = outcome(one, request_);
-      for (const OutcomeColumn& column : outcome_columns(request_))
-        writer.put(value_of(values, column.name));
+      for (const OutcomeColumn& column : outcome_columns(request_)) writer.put(value_of(values, column.name));
     }
   };
   perform(runs_, request_, job_, {seed}, sink);
@@ -100,8 +100,7 @@ Experiments StudyItems::perform_by(messages::ItemWorkers& workers, const std::ve
   for (std::size_t i = 1; i < seeds.size(); ++i) items.push_back({people_ + seeds[i] - request_.seed});
   const std::vector<std::string> results = workers.run(items);
   std::vector<std::vector<TrialRun>> people;
-  for (std::size_t person = 0; person < people_; ++person)
-    people.push_back(person_of_bytes(results[person]));
+  for (std::size_t person = 0; person < people_; ++person) people.push_back(person_of_bytes(results[person]));
   for (std::size_t i = 1; i < seeds.size(); ++i) done(seeds[i], outcomes_of(results[people_ + i - 1]));
   return experiments_of(std::move(people), request_.seed, runs_.family(), request_, job_);
 }

@@ -72,8 +72,7 @@ std::string SearchWork::work(const messages::Item& item) const {
   std::vector<Evaluation> known;
   ByteReader reader(item.bytes);
   beginning(reader, problem.objective_scale, problem.claim_scales, known);
-  return bytes_of(
-      search(problem, item.number, known.empty() ? std::nullopt : std::optional(known.front())));
+  return bytes_of(search(problem, item.number, known.empty() ? std::nullopt : std::optional(known.front())));
 }
 
 }  // namespace stepwire::tuning

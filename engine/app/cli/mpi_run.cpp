@@ -20,7 +20,8 @@ unsigned threads_of(unsigned threads) {
 }
 
 cluster::SharedCall shared_call(const RunCall& call) {
-  cluster::SharedCall shared{call.models.files.front(), load_options(call.models.words), {}, call.fit, call.tune};
+  cluster::SharedCall shared{
+      call.models.files.front(), load_options(call.models.words), {}, call.fit, call.tune};
   shared.options.study = call.models.study;
   shared.study = {call.engine, threads_of(call.threads)};
   shared.fit.engine = shared.tune.engine = shared.engine = call.engine;
@@ -67,8 +68,7 @@ ExitCode MpiRun::run_share(KeptRun& kept, const session::LoadedModel& model,
 messages::ItemWorkers& MpiRun::workers(const SharedJob& job, const std::string& folder,
                                        const std::string& follows_from, std::size_t most,
                                        const session::Monitor& monitor) {
-  works_.push_back(
-      std::make_unique<cluster::ServedWork>(server_, monitor, job, folder, follows_from, most));
+  works_.push_back(std::make_unique<cluster::ServedWork>(server_, monitor, job, folder, follows_from, most));
   if (works_.back()->found() > 0) complain("{}\n", works_.back()->state());
   return *works_.back();
 }
@@ -88,7 +88,7 @@ void MpiRun::drop() {
 ExitCode MpiRun::finish(ExitCode code) {
   if (!server_.deaths().empty() && code == ExitCode::interrupted) code = ExitCode::surroundings;
   if (interrupted() || !server_.finish()) messages_.abort(static_cast<int>(code));
-  say_deaths();
+  if (code != ExitCode::wrong) say_deaths();  // else the others gave up for what is said already
   messages_.finish();
   return code;
 }

@@ -10,8 +10,8 @@
 
 namespace stepwire::cli {
 
-/// Process 0 of those of mpirun: it keeps and writes, and the others run points of a sweep, people of a study,
-/// and searches of a fit or a tuning.
+/// Process 0 of those of mpirun: it keeps and writes, and the others run points of a sweep, people of a
+/// study, and searches of a fit or a tuning.
 class MpiRun {
  public:
   explicit MpiRun(messages::Messages& messages) : messages_(messages), server_(messages) {}

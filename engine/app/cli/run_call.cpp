@@ -78,7 +78,8 @@ ExitCode run_by_mpi(const RunCall& call, const Registry& registry) {
   }
   worker.end();
   MpiRun mpi(*messages);
-  return mpi.finish(run_each(call, registry, mpi.shares() ? &mpi : nullptr));
+  MpiRun* const shared = mpi.shares() ? &mpi : nullptr;
+  return mpi.finish(guarded([&] { return run_each(call, registry, shared); }));
 }
 
 /// What --out - gives: the folders of the runs, which are there as long as this takes.
@@ -145,9 +146,10 @@ void add_run_options(CLI::App& verb, RunCall& call, const std::string& out) {
                     "interpreted, compiled, or auto: compiled once that is worth it; all to the same bits");
   verb.add_option("--out", call.out, out + "; - writes them as a tar archive to the standard output");
   add_kinds_options(verb, call.files, call.pictures);
-  verb.add_flag("--mpi", call.mpi,
-                "the processes of mpirun share points of a sweep, people and experiments of a study, searches "
-                "of a fit or a tuning");
+  verb.add_flag(
+      "--mpi", call.mpi,
+      "the processes of mpirun share points of a sweep, people and experiments of a study, searches "
+      "of a fit or a tuning");
 }
 
 ExitCode run_models(const RunCall& call, const Registry& registry) {

@@ -45,7 +45,8 @@ void require_shares(const RunCall& call, const session::LoadedModel& model) {
     throw yaml::Error(yaml::Fault{{model.file, {}}, call.part ? "--part" : "--mpi", message, {}});
   };
   const bool sweeps = !model.job.points.empty();
-  if (call.part && (!sweeps || model.study)) refuse("needs a file with a section 'sweep', and without a study");
+  if (call.part && (!sweeps || model.study))
+    refuse("needs a file with a section 'sweep', and without a study");
   if (!sweeps && !model.study && !model.fit && call.requires_section.empty())
     refuse("needs a file with a section 'sweep', 'study' or 'fit', whose runs processes can share");
   if (call.out.empty() || call.archive) refuse("needs --out DIR, in which what is done is kept");

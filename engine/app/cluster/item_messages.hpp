@@ -6,8 +6,8 @@ namespace stepwire::cluster {
 namespace kind {
 
 // To process 0.
-inline constexpr char hello = 'h';      ///< the process, as a number of its machine, and the machine's name
-inline constexpr char wants_job = 'j';  ///< has no job, or has come to its end
+inline constexpr char hello = 'h';        ///< the process, as a number of its machine, and the machine's name
+inline constexpr char wants_job = 'j';    ///< has no job, or has come to its end
 inline constexpr char wants_items = 'a';  ///< of a job, after so many seconds and items; and results
 inline constexpr char results = 'r';      ///< what came out of items
 inline constexpr char refused = 'e';      ///< faults of what the user wrote

@@ -59,8 +59,7 @@ bool ItemServer::finish() {
     if (!workers_[of].gone) messages_.send(static_cast<int>(of), std::string(1, kind::end));
   const auto is_gone = [](const Worker& worker) { return worker.gone; };
   while (!std::all_of(workers_.begin() + 1, workers_.end(), is_gone)) step();
-  return std::all_of(workers_.begin() + 1, workers_.end(),
-                     [](const Worker& worker) { return !worker.lost; });
+  return std::all_of(workers_.begin() + 1, workers_.end(), [](const Worker& worker) { return !worker.lost; });
 }
 
 /// Takes a message, or waits for one; of one that was there already it is measured what an answer takes.

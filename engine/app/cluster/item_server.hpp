@@ -61,7 +61,7 @@ class ItemServer {
   bool is_done() const;
 
   messages::Messages& messages_;
-  std::vector<Worker> workers_;  ///< by their process; the first is none
+  std::vector<Worker> workers_;     ///< by their process; the first is none
   std::size_t living_, given_ = 0;  ///< workers that do items, and the items that they have
   std::vector<std::string> deaths_;
   std::vector<yaml::Fault> refused_;
@@ -70,7 +70,7 @@ class ItemServer {
   std::string job_;
   std::uint64_t job_number_ = 0;
   Clock::time_point looked_ = Clock::now();
-  double taking_ = 0.0;  ///< what the items of the message at hand cost [s]
+  double taking_ = 0.0;    ///< what the items of the message at hand cost [s]
   std::size_t taken_ = 0;  ///< that it brought
   double costs_ = 0.0;     ///< of all items whose cost was measured [s]
   std::size_t items_ = 0;  ///< how many these are

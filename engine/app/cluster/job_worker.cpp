@@ -43,10 +43,14 @@ void JobWorker::begin(const SharedJob& job) {
 
 messages::ItemWork JobWorker::work_of(SharedJob::Kind kind) const {
   switch (kind) {
-    case SharedJob::Kind::study: return session::study_work(registry_, *model_, call_.study);
-    case SharedJob::Kind::fit: return session::fit_work(registry_, *model_, call_.fit);
-    case SharedJob::Kind::tune: return session::tune_work(registry_, *model_, call_.tune);
-    default: return nullptr;
+    case SharedJob::Kind::study:
+      return session::study_work(registry_, *model_, call_.study);
+    case SharedJob::Kind::fit:
+      return session::fit_work(registry_, *model_, call_.fit);
+    case SharedJob::Kind::tune:
+      return session::tune_work(registry_, *model_, call_.tune);
+    default:
+      return nullptr;
   }
 }
 

@@ -42,8 +42,7 @@ struct FitRuns {
     const bool compiles = call.engine == run::ExecutionMode::compiled ||
                           (call.engine == run::ExecutionMode::automatic && worth_compiling(model));
     if (compiles) source.code = &code;
-    if (const auto& stop = model.options.stop)
-      source.settings.push_back({"stop", *stop, "--stop " + *stop});
+    if (const auto& stop = model.options.stop) source.settings.push_back({"stop", *stop, "--stop " + *stop});
   }
 
   estimation::FitRequest request;

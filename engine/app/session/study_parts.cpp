@@ -6,8 +6,8 @@
 
 namespace stepwire::session {
 
-study::Experiments perform_by(messages::ItemWorkers& workers, StudyParts& parts,
-                              const LoadedModel& model, const std::vector<std::uint64_t>& seeds, KeptExperiments& kept) {
+study::Experiments perform_by(messages::ItemWorkers& workers, StudyParts& parts, const LoadedModel& model,
+                              const std::vector<std::uint64_t>& seeds, KeptExperiments& kept) {
   study::Experiments first = study::StudyItems(*parts.runs, *model.study, model.job)
                                  .perform_by(workers, seeds, [&](std::uint64_t seed, const auto& outcomes) {
                                    kept.add(seed, outcomes);

@@ -51,8 +51,7 @@ struct TuneParts {
       source.add_shown = [scene = model.scene](std::vector<record::Recording>& recordings) {
         scene::add_scene_states(*scene, recordings);
       };
-    if (const auto& stop = model.options.stop)
-      source.settings.push_back({"stop", *stop, "--stop " + *stop});
+    if (const auto& stop = model.options.stop) source.settings.push_back({"stop", *stop, "--stop " + *stop});
   }
 
   tuning::TuneRequest request;
@@ -66,8 +65,8 @@ struct TuneParts {
 tuning::TuneResult tune_model(const Registry& registry, const LoadedModel& model, const TuneCall& call,
                               const Monitor& monitor) {
   TuneParts parts(registry, model, call, monitor.interrupt);
-  tuning::TuneResult result = tuning::tune(parts.source, model.job, parts.request,
-                                           {call.threads, monitor.progress, call.workers});
+  tuning::TuneResult result =
+      tuning::tune(parts.source, model.job, parts.request, {call.threads, monitor.progress, call.workers});
   monitor.note_interpreted(parts.code.take_problem());
   return result;
 }

@@ -19,7 +19,8 @@ constexpr std::chrono::seconds longest{60};
 
 /// Waits until something is so; a test that waits too long fails.
 void await(const std::function<bool()>& is_so) {
-  for (const auto end = Clock::now() + longest; !is_so(); std::this_thread::sleep_for(std::chrono::milliseconds{5}))
+  for (const auto end = Clock::now() + longest; !is_so();
+       std::this_thread::sleep_for(std::chrono::milliseconds{5}))
     if (Clock::now() > end) FAIL("this has not come to pass");
 }
 
@@ -45,7 +46,8 @@ std::map<pid_t, pid_t> processes_in(const std::string& folder) {
     const pid_t process = std::atoi(entry.path().filename().c_str());
     if (process == 0) continue;
     const std::string words = content_of(entry.path().string() + "/cmdline");
-    if (!words.starts_with(std::string(STEPWIRE_PROGRAM) + '\0') || words.find(folder) == words.npos) continue;
+    if (!words.starts_with(std::string(STEPWIRE_PROGRAM) + '\0') || words.find(folder) == words.npos)
+      continue;
     if (const pid_t parent = parent_of(process)) found[process] = parent;
   }
   return found;
@@ -74,12 +76,13 @@ bool has_mpi() {
 Done run_by_three(const Scratch& folder, const std::vector<std::string>& words,
                   const std::function<void()>& meanwhile) {
   std::vector<std::string> command{"mpirun", "--allow-run-as-root", "--oversubscribe", "-np", "3",
-                                   "--wdir", folder.path(""), STEPWIRE_PROGRAM};
+                                   "--wdir", folder.path(""),       STEPWIRE_PROGRAM};
   command.insert(command.end(), words.begin(), words.end());
   command.insert(command.end(), {"--mpi", "--out", folder.path("shared")});
   stepwire::subprocess::ProcessResult result;
   {
-    const std::jthread runs([&] { result = stepwire::subprocess::run_process({.command = command, .limit = longest}); });
+    const std::jthread runs(
+        [&] { result = stepwire::subprocess::run_process({.command = command, .limit = longest}); });
     if (meanwhile) meanwhile();
   }
   Done done;

@@ -61,21 +61,27 @@ Verb run_verb() {
 }
 
 Verb study_verb(const std::string& more) {
-  return {"study",
-          replaced(small_study(), "step: 10 ms", "step: 0.05 ms"),
-          {"--repeat", more, "--engine", "interpreted"},
-          "study.journal",
-          {"signals.csv", "signals.mat", "trials.csv", "errors.csv", "study.json", "tables.txt",
-           "claims.json"}};
+  return {
+      "study",
+      replaced(small_study(), "step: 10 ms", "step: 0.05 ms"),
+      {"--repeat", more, "--engine", "interpreted"},
+      "study.journal",
+      {"signals.csv", "signals.mat", "trials.csv", "errors.csv", "study.json", "tables.txt", "claims.json"}};
 }
 
 Verb fit_verb() {
-  return {"fit", search_yaml(fit_section), {"--engine", "interpreted"}, "fit.journal",
+  return {"fit",
+          search_yaml(fit_section),
+          {"--engine", "interpreted"},
+          "fit.journal",
           {"parameters.yaml", "signals.csv", "diagram.yaml"}};
 }
 
 Verb tune_verb() {
-  return {"tune", search_yaml(tune_section), {"--engine", "interpreted"}, "tune.journal",
+  return {"tune",
+          search_yaml(tune_section),
+          {"--engine", "interpreted"},
+          "tune.journal",
           {"parameters.yaml", "tune-history.csv", "signals.csv", "diagram.yaml"}};
 }
 
@@ -102,9 +108,8 @@ void check_same(const Scratch& folder, const Verb& verb) {
 void lose_a_worker(const Verb& verb) {
   const Scratch folder;
   run_alone(folder, verb);
-  const Done lost = run_by_three(folder, verb.call(), [&] {
-    ::kill(processes_at_work(folder, verb.journal).workers.back(), SIGKILL);
-  });
+  const Done lost = run_by_three(
+      folder, verb.call(), [&] { ::kill(processes_at_work(folder, verb.journal).workers.back(), SIGKILL); });
   INFO(lost.err);
   CHECK(lost.code == 3);
   CHECK_THAT(lost.err, Contains("has died (signal 9), and with it ") && Contains("the same call goes on"));
@@ -148,7 +153,8 @@ TEST_CASE("where the worker of a process is killed, the call ends with 3 and the
   if (has_mpi()) lose_a_worker(fit_verb());
 }
 
-TEST_CASE("where the worker of a process is killed, the call ends with 3 and the same one finishes a tuning") {
+TEST_CASE(
+    "where the worker of a process is killed, the call ends with 3 and the same one finishes a tuning") {
   if (has_mpi()) lose_a_worker(tune_verb());
 }
 
@@ -157,9 +163,8 @@ TEST_CASE("where mpirun loses a process itself it ends all, and the same call fi
   const Verb verb = run_verb();
   const Scratch folder;
   run_alone(folder, verb);
-  const Done lost = run_by_three(folder, verb.call(), [&] {
-    ::kill(processes_at_work(folder, verb.journal).ranks.back(), SIGKILL);
-  });
+  const Done lost = run_by_three(
+      folder, verb.call(), [&] { ::kill(processes_at_work(folder, verb.journal).ranks.back(), SIGKILL); });
   INFO(lost.err);
   CHECK(lost.code == 128 + SIGKILL);
   const Done again = run_by_three(folder, verb.call());
@@ -180,7 +185,8 @@ TEST_CASE("processes of mpirun run a share of a sweep") {
   INFO(done.err);
   CHECK(done.code == 0);
   CHECK_THAT(done.out, Contains("share 2 of 2, 12 of 24 points"));
-  REQUIRE(run_program(folder, {"run", "file.yaml", "--stop", "10 s", "--part", "1/2", "--out", "one"}).code == 0);
+  REQUIRE(run_program(folder, {"run", "file.yaml", "--stop", "10 s", "--part", "1/2", "--out", "one"}).code ==
+          0);
   REQUIRE(run_program(folder, {"collect", "one", "shared", "--out", "all"}).code == 0);
   for (const std::string file : {"signals.csv", "signals.mat"})
     CHECK(content_of(folder.path("all/" + file)) == content_of(folder.path("whole/" + file)));
@@ -201,5 +207,6 @@ TEST_CASE("processes share what can be shared, in a folder") {
   const Scratch folder;
   folder.file("lag.yaml", lag_yaml);
   CHECK_THAT(run_program(folder, {"run", "lag.yaml", "--mpi", "--out", "x"}).err,
-             Contains("--mpi: needs a file with a section 'sweep', 'study' or 'fit'") || Contains("built without MPI"));
+             Contains("--mpi: needs a file with a section 'sweep', 'study' or 'fit'") ||
+                 Contains("built without MPI"));
 }

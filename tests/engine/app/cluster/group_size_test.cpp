@@ -30,7 +30,8 @@ TEST_CASE("of long items a process is given a quarter of what is left for each, 
   CHECK(size.next(39, 10) == 1);
 }
 
-TEST_CASE("of short items a process is given so many that answers to all take a quarter of the time at most") {
+TEST_CASE(
+    "of short items a process is given so many that answers to all take a quarter of the time at most") {
   constexpr double item = 1e-3, answer = 1e-5;
   for (const std::size_t processes : {10u, 100u, 1000u, 10'000u}) {
     const std::size_t many = known(item, answer).next(1'000'000'000, processes);
