@@ -12,8 +12,8 @@ namespace stepwire {
 /// much of the time is left with twice the threads. None where there is no compiler.
 std::vector<Result> measure_sweeps();
 
-/// How far the peak of this process' memory lies above what it has before the sweep of a file, in runs of 1 s,
-/// and the rows of it [MB].
+/// How far the peak of this process' memory lies above what it has before the sweep of a file, in runs of 1
+/// s, and the rows of it [MB].
 double sweep_memory(const std::string& file);
 /// The option by which this program prints sweep_memory() alone.
 inline constexpr const char* sweep_memory_option = "--sweep-memory";

@@ -52,8 +52,8 @@ std::vector<std::vector<Estimate>> estimates_of(const Request& request, const st
                                                 const record::Recording& recording) {
   const std::size_t parameters = request.parameters.size();
   if (request.ranks()) {
-    auto found = statistics::rank_sensitivity(rows_of(request, outcomes, recording), parameters,
-                                              request.bootstrap);
+    auto found =
+        statistics::rank_sensitivity(rows_of(request, outcomes, recording), parameters, request.bootstrap);
     return {std::move(found.rank), std::move(found.partial)};
   }
   if (request.screens()) {
