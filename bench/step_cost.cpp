@@ -42,8 +42,8 @@ bool initialize_benchmark(std::vector<char*> arguments) {
 
 int main(int argc, char** argv) {
   using namespace stepwire;
-  if (argc == 2 && std::string_view(argv[1]) == sweep_memory_option) {
-    fmt::print("{}\n", sweep_memory());
+  if (argc == 3 && std::string_view(argv[1]) == sweep_memory_option) {
+    fmt::print("{}\n", sweep_memory(argv[2]));
     return 0;
   }
   std::vector<char*> arguments(argv, argv + argc);
@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
   if (!initialize_benchmark(arguments)) return 2;
 
   std::vector<Result> results = measure_load(10000, 7);
-  for (const Result& result : measure_sweep()) results.push_back(result);
+  for (const Result& result : measure_sweeps()) results.push_back(result);
   for (const Result& result : measure_w1_sweep()) results.push_back(result);
   for (const Result& result : measure_lanes()) results.push_back(result);
   for (const Result& result : measure_look_up(7)) results.push_back(result);

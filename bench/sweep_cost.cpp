@@ -25,7 +25,6 @@ namespace stepwire {
 
 namespace {
 
-const char* const file = STEPWIRE_BENCH_DIR "/cart.yaml";
 const char* const program = "/proc/self/exe";
 constexpr int tries = 3;
 
@@ -71,28 +70,66 @@ run::RunOptions options_for(codegen::GeneratedCode& code, unsigned threads) {
 }
 
 /// One run of as many seconds as the sweep has runs of one.
-plan::Plan long_plan(const Registry& registry, std::size_t points) {
+plan::Plan long_plan(const Registry& registry, const std::string& file, std::size_t points) {
   const std::string seconds = std::to_string(points) + " s";
   return plan::make_plan(diagram::Loader(registry).load_point(file, {{"stop", seconds}}));
 }
 
 /// What the peak of memory grows by in the sweep, in a process of its own: in this one an earlier peak hides
 /// it.
-double memory_in_own_process() {
+double memory_in_own_process(const std::string& file) {
   const subprocess::ProcessResult result = subprocess::run_process(
-      {.command = {std::filesystem::read_symlink(program).string(), sweep_memory_option}});
+      {.command = {std::filesystem::read_symlink(program).string(), sweep_memory_option, file}});
   if (!result.succeeded()) throw std::runtime_error(result.problem(sweep_memory_option));
   return std::stod(result.output);
 }
 
+/// W1 in which the last tick of each second is recorded, with 10,000 values of one of its gains.
+std::string w1_of_seconds(const std::string& folder) {
+  const std::string path = folder + "/w1-seconds.yaml", record = "record: [";
+  std::string text = io::read_file(STEPWIRE_BENCH_DIR "/w1.yaml");
+  const std::size_t at = text.rfind(record), end = text.find(']', at);
+  const std::string signals = text.substr(at + record.size(), end - at - record.size());
+  text.replace(at, end + 1 - at, fmt::format("record: {{every: 1 s, signals: [{}]}}", signals));
+  io::write_file(path, text + "sweep: {gA.gain: {from: 36, to: 36.25, count: 10000}, keep: final}\n");
+  return path;
+}
+
+/// A sweep of runs of a second against one run of all these seconds.
+std::vector<Result> against_one_run(const std::string& name, const std::string& file) {
+  const Registry registry = blocks();
+  codegen::GeneratedCode code;
+  diagram::Loader loader(registry);
+  const auto make = [&] { return run::make_job(loader, file, {}, "1 s"); };
+  const run::Job job = make();
+  if (run::run_job(job, options_for(code, 1)).compiled_ticks == 0) return {};
+  const double memory = memory_in_own_process(file);
+  const plan::Plan one = long_plan(registry, file, job.points.size());
+  std::vector<double> sweep, single, once, twice;
+  for (int i = 0; i < tries; ++i) {
+    sweep.push_back(processor_seconds([&] { run::run_job(make(), options_for(code, 1)); }));
+    single.push_back(processor_seconds([&] { run::run_plan(one, options_for(code, 1)); }));
+    once.push_back(wall_seconds([&] { run::run_job(job, options_for(code, 1)); }));
+    twice.push_back(wall_seconds([&] { run::run_job(job, options_for(code, 2)); }));
+  }
+  const auto points = static_cast<double>(job.points.size());
+  const double beside = 1e6 * (median(sweep) - median(single)) / points;
+  const std::size_t blocks = job.plan.diagram.blocks.size();
+  return {{name + ", time over that of one long run", "compiled", "ratio", median(sweep) / median(single),
+           blocks},
+          {name + ", beside the ticks of each", "compiled", "us", beside, blocks},
+          {name + ", beyond its rows", "compiled", "MB", memory, blocks},
+          {name + ", with two threads over one", "compiled", "ratio", median(twice) / median(once), blocks}};
+}
+
 }  // namespace
 
-double sweep_memory() {
+double sweep_memory(const std::string& file) {
   const Registry registry = blocks();
   codegen::GeneratedCode code;
   const double before = present_megabytes();
   diagram::Loader loader(registry);
-  const run::Job job = run::make_job(loader, file);
+  const run::Job job = run::make_job(loader, file, {}, "1 s");
   const run::RunResult result = run::run_job(job, options_for(code, 1));
   double rows = 0.0;
   for (const table::Column& column : result.recordings.front().table.columns)
@@ -100,31 +137,12 @@ double sweep_memory() {
   return peak_megabytes() - before - rows;
 }
 
-std::vector<Result> measure_sweep() {
-  const Registry registry = blocks();
-  codegen::GeneratedCode code;
-  diagram::Loader loader(registry);
-  const run::Job job = run::make_job(loader, file);
-  if (run::run_job(job, options_for(code, 1)).compiled_ticks == 0) return {};
-  const double memory = memory_in_own_process();
-  const plan::Plan one = long_plan(registry, job.points.size());
-  std::vector<double> sweep, single, once, twice;
-  for (int i = 0; i < tries; ++i) {
-    sweep.push_back(
-        processor_seconds([&] { run::run_job(run::make_job(loader, file), options_for(code, 1)); }));
-    single.push_back(processor_seconds([&] { run::run_plan(one, options_for(code, 1)); }));
-    once.push_back(wall_seconds([&] { run::run_job(job, options_for(code, 1)); }));
-    twice.push_back(wall_seconds([&] { run::run_job(job, options_for(code, 2)); }));
-  }
-  const auto points = static_cast<double>(job.points.size());
-  const double beside = 1e6 * (median(sweep) - median(single)) / points;
-  const std::string name = "sweep of 100,000 runs";
-  const std::size_t blocks = job.plan.diagram.blocks.size();
-  return {{name + ", time over that of one long run", "compiled", "ratio", median(sweep) / median(single),
-           blocks},
-          {name + ", beside the ticks of each", "compiled", "us", beside, blocks},
-          {name + ", beyond its rows", "compiled", "MB", memory, blocks},
-          {name + ", with two threads over one", "compiled", "ratio", median(twice) / median(once), blocks}};
+std::vector<Result> measure_sweeps() {
+  std::vector<Result> results = against_one_run("sweep of 100,000 runs", STEPWIRE_BENCH_DIR "/cart.yaml");
+  const subprocess::ScratchFolder folder;
+  for (Result& result : against_one_run("10,000 runs of W1", w1_of_seconds(folder.path())))
+    results.push_back(std::move(result));
+  return results;
 }
 
 namespace {

@@ -72,6 +72,8 @@ void add_tuning(diagram::Loader& loader, LoadedModel& model, const query::Symbol
   if (!section) return;
   if (model.study)
     return faults.add({{model.file, section->mark}, "tune", "a file has a study or 'tune', not both", {}});
+  if (has_cases(model))
+    return faults.add({{model.file, section->mark}, "tune", "has single runs; leave out 'cases'", {}});
   model.tune = tuning::read_tune(*section, names, model.job.plan.diagram, model.linear, faults);
 }
 

@@ -22,7 +22,8 @@ class CasesReading {
     if (sweep_.together)
       refuse(cases_.mark, "are run at each point of a grid; leave out 'together', or pair all by lists");
     if (!cases_.is_map() || cases_.entries.size() < 2)
-      return refuse(cases_.mark, "are two or more by name, and what each sets: {off: {}, on: {current: 1 A}}");
+      return refuse(cases_.mark,
+                    "are two or more by name, and what each sets: {off: {}, on: {current: 1 A}}");
     for (const yaml::Entry& one : cases_.entries) check(one);
     if (report_.faults().size() != before) return;
     for (const yaml::Entry& one : cases_.entries)
@@ -37,7 +38,8 @@ class CasesReading {
 
   void check(const yaml::Entry& one) {
     if (!one.value.is_map() && one.value.kind != yaml::Node::Kind::empty)
-      refuse(one.value.mark, fmt::format("'{}' is a map of what it sets: {{current: 1 A}}, or {{}}", one.key));
+      refuse(one.value.mark,
+             fmt::format("'{}' is a map of what it sets: {{current: 1 A}}, or {{}}", one.key));
     for (const yaml::Entry& set : one.value.entries)
       if (find(set.key) != sweep_.axes.end())
         refuse(set.mark, fmt::format("'{}' is swept beside the cases; set it there or here", set.key));

@@ -66,8 +66,8 @@ void set_apart(Sweep& sweep, const Origin& origin, Report& report) {
   std::size_t before = 1;
   for (Sweep::Axis& axis : sweep.axes) {
     const std::size_t count = axis.count();
-    axis.values = apart(
-        axis, base_value(axis, "sweep.one_at_a_time." + axis.parameter, report), before, to.size());
+    axis.values =
+        apart(axis, base_value(axis, "sweep.one_at_a_time." + axis.parameter, report), before, to.size());
     before += count;
   }
   sweep.together = true;

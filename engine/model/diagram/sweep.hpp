@@ -42,8 +42,8 @@ struct Sweep {
 
   /// How many points there are; a double, since a grid may be larger than anything.
   double count() const;
-  /// Which value each axis has at a point: the last axis of a grid runs fastest. Those of a group are one axis
-  /// of it, where the last of them stands.
+  /// Which value each axis has at a point: the last axis of a grid runs fastest. Those of a group are one
+  /// axis of it, where the last of them stands.
   std::vector<std::size_t> indices(std::size_t point) const;
   /// The names of the cases, in each of which all other values are run; none without.
   std::vector<std::string> cases() const;

@@ -69,7 +69,8 @@ void pin(diagram::Sweep& sweep, const std::vector<diagram::Setting>& settings) {
   for (diagram::Sweep::Axis& axis : sweep.axes)
     for (const diagram::Setting& setting : settings) {
       if (setting.name != axis.parameter) continue;
-      const std::size_t count = sweep.together || axis.group != diagram::Sweep::Group::none ? axis.count() : 1;
+      const bool paired = sweep.together || axis.group != diagram::Sweep::Group::none;
+      const std::size_t count = paired ? axis.count() : 1;
       axis.values =
           diagram::SweptValues({setting.value}, {setting.mark}, std::vector<std::uint32_t>(count, 0));
     }

@@ -24,9 +24,8 @@ constexpr Measures all_measures[] = {
 
 /// The measures to which a column belongs as the one that decides; null where it is none.
 const Measures* measures_of(const std::string& column) {
-  const auto found = std::ranges::find_if(all_measures, [&](const Measures& one) {
-    return column.find(one.first) != std::string::npos;
-  });
+  const auto found = std::ranges::find_if(
+      all_measures, [&](const Measures& one) { return column.find(one.first) != std::string::npos; });
   return found == std::end(all_measures) ? nullptr : found;
 }
 

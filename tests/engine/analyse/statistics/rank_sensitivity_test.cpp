@@ -54,15 +54,15 @@ TEST_CASE("the rank correlation of normal numbers is 6/pi asin(r/2)") {  // Krus
 }
 
 TEST_CASE("a partial rank correlation is that of what the other ranks leave of both") {
-  const auto rows = normal_rows(64, 4, 3, [](const auto& x) {
-    return std::exp(2.0 * x[0]) - x[1] + x[0] * x[2] + x[3];
-  });
+  const auto rows =
+      normal_rows(64, 4, 3, [](const auto& x) { return std::exp(2.0 * x[0]) - x[1] + x[0] * x[2] + x[3]; });
   const RankSensitivity found = rank_sensitivity(rows, 3, {});
   for (std::size_t i = 0; i < 3; ++i) {
     Eigen::MatrixXd others = Eigen::MatrixXd::Ones(64, 3);
     for (std::size_t k = 0, c = 1; k < 3; ++k)
       if (k != i) others.col(static_cast<Eigen::Index>(c++)) = ranks_of(rows, 4, k);
-    const Eigen::VectorXd x = left_by(others, ranks_of(rows, 4, i)), y = left_by(others, ranks_of(rows, 4, 3));
+    const Eigen::VectorXd x = left_by(others, ranks_of(rows, 4, i)),
+                          y = left_by(others, ranks_of(rows, 4, 3));
     CHECK(found.partial[i].value == Approx(x.dot(y) / x.norm() / y.norm()).epsilon(1e-9));
   }
 }

@@ -80,12 +80,12 @@ TEST_CASE("a sensitivity finds what is kept, by the design of the sweep") {
 }
 
 TEST_CASE("samples of any other design have rank correlations") {
-  const Outcome outcome = outcome_of(
-      lag("{tau: {uniform: [10 ms, 20 ms]}, design: {samples: 40}, keep: {rise: rise_time(lag)}}",
-          "sensitivity: {of: {r: rise, f: 1/rise}}\n"
-          "claims:\n  - {that: a, final: r.rank.tau, equals: 1, within: 1e-9}\n"
-          "  - {that: b, final: f.partial.tau.low, equals: -1, within: 1e-9}\n"
-          "figure: {plot: sensitivity, of: r}\n"));
+  const Outcome outcome =
+      outcome_of(lag("{tau: {uniform: [10 ms, 20 ms]}, design: {samples: 40}, keep: {rise: rise_time(lag)}}",
+                     "sensitivity: {of: {r: rise, f: 1/rise}}\n"
+                     "claims:\n  - {that: a, final: r.rank.tau, equals: 1, within: 1e-9}\n"
+                     "  - {that: b, final: f.partial.tau.low, equals: -1, within: 1e-9}\n"
+                     "figure: {plot: sensitivity, of: r}\n"));
   for (const claim::Verdict& verdict : outcome.verdicts) CHECK(verdict.holds);
   CHECK_THAT(refusal(lag("{one.value: {words: {1: 1, 2: 1}}, design: {samples: 9}}",
                          "sensitivity: {of: {r: max(lag)}}\n")),
@@ -135,8 +135,12 @@ TEST_CASE("cases set what something has, once, and nothing that is swept beside 
              Contains("'tau' is swept beside the cases"));
   CHECK_THAT(refusal(lag("{together: true, tau: [1 ms], cases: {a: {}, b: {one.value: 2}}}")),
              Contains("leave out 'together'"));
-  CHECK_THAT(refusal(lag("{lag.tau: [9 ms, 8 ms], cases: {lag: {}, b: {one.value: 2}}, keep: {tau: max(lag)}}")),
-             Contains("'lag.tau' would be two columns"));
+  CHECK_THAT(
+      refusal(lag("{lag.tau: [9 ms, 8 ms], cases: {lag: {}, b: {one.value: 2}}, keep: {tau: max(lag)}}")),
+      Contains("'lag.tau' would be two columns"));
+  CHECK_THAT(refusal(lag("{cases: {a: {}, b: {one.value: 2}}, keep: {x: max(lag)}}",
+                         "tune: {parameters: {tau: [1 ms, 9 ms]}, minimise: max(lag)}\n")),
+             Contains("tune: has single runs"));
 }
 
 }  // namespace stepwire::session
