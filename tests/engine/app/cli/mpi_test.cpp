@@ -146,7 +146,7 @@ TEST_CASE("where the worker of a process is killed, the call ends with 3 and the
 }
 
 TEST_CASE("where the worker of a process is killed, the call ends with 3 and the same one finishes a study") {
-  if (has_mpi()) lose_a_worker(study_verb("6"));
+  if (has_mpi()) lose_a_worker(study_verb("14"));
 }
 
 TEST_CASE("where the worker of a process is killed, the call ends with 3 and the same one finishes a fit") {
