@@ -43,13 +43,13 @@ record: {every: 1 s, signals: [lag, truth]}
 const std::string fit_section = R"(fit:
   parameters: {tau: {start: 1 s, bounds: [10 ms, 10 s]}, gain: {start: 3, bounds: [0.1, 10]}}
   compare: [{model: lag, measured: truth}]
-  starts: 8
+  starts: 16
 )";
 const std::string tune_section = R"(tune:
   parameters: {tau: {from: 10 ms, to: 10 s}, gain: {from: 0.1, to: 10}}
   minimise: rms(lag - truth)
-  starts: 8
-  evaluations: 15
+  starts: 16
+  evaluations: 25
 )";
 
 Verb run_verb() {
@@ -146,7 +146,7 @@ TEST_CASE("where the worker of a process is killed, the call ends with 3 and the
 }
 
 TEST_CASE("where the worker of a process is killed, the call ends with 3 and the same one finishes a study") {
-  if (has_mpi()) lose_a_worker(study_verb("6"));
+  if (has_mpi()) lose_a_worker(study_verb("14"));
 }
 
 TEST_CASE("where the worker of a process is killed, the call ends with 3 and the same one finishes a fit") {
