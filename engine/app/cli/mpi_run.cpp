@@ -55,7 +55,8 @@ session::Outcome MpiRun::run(KeptRun& kept, const session::LoadedModel& model,
   return kept.joined([&] {
     const auto start = std::chrono::steady_clock::now();
     serve(kept, model, monitor);
-    return session::PointsReport{std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), {}};
+    return session::PointsReport{
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), {}};
   });
 }
 

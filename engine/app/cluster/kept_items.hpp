@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/app/cluster/item_source.hpp"
-#include "engine/simulate/journal/journal.hpp"
+#include "engine/simulate/journal/byte_journal.hpp"
 
 namespace stepwire::cluster {
 
