@@ -52,8 +52,11 @@ std::vector<record::Recording> shown_of(const LoadedModel& model, const run::Run
   return {by_cases(*model.job.plan.diagram.sweep, *model.kept, result.recordings.front())};
 }
 
-/// Adds linear analyses, and what is found of the numbers of a sensitivity, behind the recordings of runs.
+/// Adds linear analyses, and what is found of the numbers of a sensitivity, behind the recordings of runs,
+/// which are empty where their rows have passed.
 void add_analyses(const LoadedModel& model, const sensitivity::RunOutcomes& numbers, Outcome& outcome) {
+  if (model.linear.empty() && !model.sensitivity) return;
+  outcome.shown.resize(std::max(outcome.shown.size(), recordings_of(model)));
   std::ranges::move(linear_recordings(model), std::back_inserter(outcome.shown));
   if (!model.sensitivity) return;
   outcome.shown.push_back(sensitivity::results(*model.sensitivity, numbers));
