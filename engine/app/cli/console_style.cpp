@@ -74,7 +74,8 @@ bool has_colors(int stream) {
   if (color != Color::automatic) return color == Color::always;
   const char* terminal = std::getenv("TERM");
   const bool dumb = terminal && std::string_view(terminal) == "dumb";
-  return !is_set("NO_COLOR") && !dumb && ::isatty(stream) == 1;
+  const bool forwarded = is_set("PMIX_RANK");  // mpirun gives its processes terminals of their own
+  return !is_set("NO_COLOR") && !dumb && !forwarded && ::isatty(stream) == 1;
 }
 
 std::string painted(const std::string& text) {
