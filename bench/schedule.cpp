@@ -26,7 +26,7 @@ struct Message {
   }
 };
 
-/// One call, in which process after process asks.
+/// One call, whose processes request work one after the other.
 class Call {
  public:
   Call(const Case& of, const Costs& costs) : of_(of), costs_(costs), workers_(of.ranks / of.parts - 1) {

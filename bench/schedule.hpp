@@ -8,7 +8,7 @@ namespace schedule {
 struct Costs {
   double answer = 0.0;   ///< to answer a message, with its way from and to a process's memory
   double item = 0.0;     ///< to keep what a run gave
-  double latency = 0.0;  ///< from a process to another, which costs nobody anything
+  double latency = 0.0;  ///< from a process to another, in which no processor works
 };
 
 /// How many runs a process is given at once.

@@ -18,7 +18,7 @@ struct SearchStart {
 /// Has other processes search from these starts.
 std::vector<Minimum> search_by(messages::ItemWorkers& workers, const std::vector<SearchStart>& starts);
 
-/// Searches that another process has asked for with search_by(), to the bits of its own.
+/// Searches of the search_by() of another process, to the bits of its own.
 class SearchWork {
  public:
   /// Job and request must outlive it. Throws Error.

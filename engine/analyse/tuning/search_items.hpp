@@ -9,7 +9,7 @@ namespace stepwire::tuning {
 std::vector<SearchResult> search_by(messages::ItemWorkers& workers, const SearchProblem& problem,
                                     const std::optional<Evaluation>& start);
 
-/// Searches that another process has asked for with search_by(), to the bits of its own.
+/// Searches of the search_by() of another process, to the bits of its own.
 class SearchWork {
  public:
   /// Job and request must outlive it. Throws Error.
