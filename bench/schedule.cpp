@@ -20,7 +20,7 @@ struct Message {
   double time = 0.0;
   std::size_t from = 0;
   std::size_t results = 0;
-  bool asks = true;  ///< for more; else it brings results alone
+  bool requests = true;  ///< more work; else it brings results alone
   bool operator>(const Message& other) const {
     return time != other.time ? time > other.time : from > other.from;
   }
@@ -42,8 +42,8 @@ class Call {
       const Message message = coming_.top();
       coming_.pop();
       now_ = std::max(now_, message.time);
-      work((message.asks ? costs_.answer : one_way()) + costs_.item * static_cast<double>(message.results));
-      if (message.asks) answer(message);
+      work((message.requests ? costs_.answer : one_way()) + costs_.item * static_cast<double>(message.results));
+      if (message.requests) answer(message);
     }
     return now_;
   }

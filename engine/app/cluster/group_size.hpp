@@ -13,7 +13,7 @@ class GroupSize {
   /// Notes what it took to answer a message, beside keeping what it brought [s].
   void note_answer(double seconds);
 
-  /// Of `left` items that nobody has, for one of so many processes.
+  /// Of `left` items that no process has yet, for one of so many.
   std::size_t next(std::size_t left, std::size_t processes) const;
   /// What answers took [s]; 0 where none was noted.
   double answer() const { return answer_.value(); }

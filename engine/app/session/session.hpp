@@ -32,7 +32,7 @@ class Session {
   /// Runs a model, or all points of its sweep on so many threads (0: all cores), and judges its claims.
   Outcome run(const LoadedModel& model, run::ExecutionMode engine = run::ExecutionMode::automatic,
               unsigned threads = 0);
-  /// Runs all points of the model's sweep, whose rows are looked at run by run and kept by nobody, and judges.
+  /// Runs all points of the model's sweep, whose rows are looked at run by run and not kept, and judges.
   Outcome pass(const LoadedModel& model, run::ExecutionMode engine = run::ExecutionMode::automatic,
                unsigned threads = 0);
   /// Runs the points of the model's sweep that an exchange names, on so many threads (0: all cores).

@@ -30,6 +30,9 @@ std::string reason_in(std::string_view text) {
 }  // namespace
 
 Session::Session() : lock_(mutex_of_library()) {
+  // Owners close their files. At the end of the program the library would close again what it could not close
+  // on a full disk, and read memory that is gone.
+  [[maybe_unused]] static const herr_t once = H5dont_atexit();
   H5open();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   H5Eclear2(H5E_DEFAULT);

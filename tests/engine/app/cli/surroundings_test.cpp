@@ -67,6 +67,16 @@ TEST_CASE("a full disk ends with 3 and leaves no half file") {
     CHECK(entry.path().extension() != ".part");
 }
 
+TEST_CASE("an HDF5 file for which there is no room ends the call with 3, and with one line") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  Call full = call({"run", "lag.yaml", "--out", "out", "--files", "h5"});
+  full.max_bytes_of_file = 2000;
+  const Done done = run_program(folder, full);
+  CHECK(done.code == 3);
+  CHECK(done.err == "out/signals.h5: File too large\n");
+}
+
 TEST_CASE("what cannot be printed ends with 3") {
   const Scratch folder;
   folder.file("lag.yaml", lag_yaml);
