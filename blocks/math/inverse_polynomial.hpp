@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cmath>
+
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
 
-/// The argument at which a polynomial that rises over a range has a value: p(y) = u, lower <= y <= upper. By
-/// halving the range until no number lies between its ends: each call takes as long as any other.
+/// The argument at which a polynomial that rises over a range has a value: p(y) = u, lower <= y <= upper.
+/// Halvings of the range find it to a millionth; the polynomial's quadratic part there and a step of Newton's
+/// method do the rest, without leaving what was found. Each call takes as long as any other, and nothing in
+/// it branches, so that several runs go through it together.
 struct InversePolynomial {
   Numbers coefficients{1.0, 0.0}, range{0.0, 1.0};
   Input<> u{};
@@ -23,19 +27,58 @@ struct InversePolynomial {
   }
 
   double argument(double wanted) const {
-    constexpr int halvings = 60;
+    constexpr int halvings = 20;
     double low = range[0], high = range[1];
-    if (wanted <= value(low)) return low;
-    if (wanted >= value(high)) return high;
+#pragma GCC unroll 20
     for (int i = 0; i < halvings; ++i) {
       const double middle = 0.5 * (low + high);
-      (value(middle) < wanted ? low : high) = middle;
+      const bool below = value(middle) < wanted;
+      low = below ? middle : low;
+      high = below ? high : middle;
     }
-    return 0.5 * (low + high);
+    double x = 0.5 * (low + high);
+    x = between(low, x + quadratic_step(expansion(x), wanted), high);
+    x = between(low, x + newton_step(expansion(x), wanted), high);
+    const double at_least = wanted <= value(range[0]) ? range[0] : x;
+    return wanted >= value(range[1]) ? range[1] : at_least;
   }
 
   void configure(Configure& is);
   static void declare(Declare<InversePolynomial>& is);
+
+ private:
+  /// p(x + d) = value + slope d + curve d^2 + ...
+  struct Expansion {
+    double value = 0.0, slope = 0.0, curve = 0.0;
+  };
+
+  Expansion expansion(double x) const {
+    Expansion at;
+    for (Index i = 0; i < coefficients.size(); ++i) {
+      at.curve = at.curve * x + at.slope;
+      at.slope = at.slope * x + at.value;
+      at.value = at.value * x + coefficients[i];
+    }
+    return at;
+  }
+  /// To where the quadratic part has the value, in the form that also holds without a curve or without a
+  /// slope.
+  static double quadratic_step(const Expansion& at, double wanted) {
+    const double missing = wanted - at.value, square = at.slope * at.slope + 4.0 * at.curve * missing;
+    return quotient(2.0 * missing, at.slope + std::sqrt(square > 0.0 ? square : 0.0));
+  }
+  static double newton_step(const Expansion& at, double wanted) {
+    return quotient(wanted - at.value, at.slope);
+  }
+  /// None where nothing rises.
+  static double quotient(double missing, double rise) {
+    const double divisor = rise > 0.0 ? rise : 1.0;
+    return (rise > 0.0 ? missing : 0.0) / divisor;
+  }
+  static double between(double low, double x, double high) {
+    const double above = x > low ? x : low;
+    return above < high ? above : high;
+  }
 };
 
 }  // namespace stepwire

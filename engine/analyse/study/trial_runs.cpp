@@ -127,7 +127,7 @@ void TrialRuns::compile_ahead() {
   try {
     ahead_ = std::jthread([this, wanted = members()](const std::stop_token& stop) {
       for (const run::TieredExecution::Member& one : wanted)
-        source_.code->compile(*one.plan, one.variable, stop);
+        source_.code->compile(*one.plan, one.variable, {.stop = stop});
     });
   } catch (const std::system_error&) {  // without a thread for it nothing is compiled ahead
   }

@@ -75,17 +75,23 @@ class NumberTable {
   std::vector<double> numbers_;
 };
 
+/// What getting code may take.
+struct CodeLimits {
+  std::stop_token stop{};  ///< a stop gives up
+  bool only_kept = false;  ///< none is compiled: it is there from an earlier time, or there is none
+};
+
 /// Where compiled code comes from.
 class CodeSource {
  public:
   virtual ~CodeSource() = default;
-  /// Compiles a plan; nothing where that cannot be, or a stop gives up.
+  /// Compiles a plan; nothing where that cannot be, or not within the limits.
   virtual std::optional<CompiledPlan> compile(const Plan& plan, const std::vector<VariableBlock>& variable,
-                                              const std::stop_token& stop) = 0;
+                                              const CodeLimits& limits) = 0;
   /// Compiles a plan for several runs at once; nothing where that cannot be, or is of no use on this machine:
-  /// then `why` has the reason.
+  /// then `why` has the reason; or not within the limits: then it is empty.
   virtual std::optional<CompiledLanes> compile_lanes(const Plan& plan, const RunDifferences& differences,
-                                                     const std::stop_token& stop, std::string& why) = 0;
+                                                     const CodeLimits& limits, std::string& why) = 0;
   /// So many runs go together where compile_lanes() succeeds; 1: it never does on this machine.
   virtual int lanes() = 0;
 };

@@ -28,11 +28,11 @@ std::string first_error(const std::string& problem) {
 
 std::optional<plan::CompiledPlan> GeneratedCode::compile(const plan::Plan& plan,
                                                          const std::vector<plan::VariableBlock>& variable,
-                                                         const std::stop_token& stop) {
+                                                         const plan::CodeLimits& limits) {
   const std::lock_guard lock(mutex_);
   try {
     std::string problem;
-    const ProgramFunctions functions = functions_of(make_steps(plan, variable), stop, problem);
+    const ProgramFunctions functions = functions_of(make_steps(plan, variable), limits, problem);
     if (functions) return plan::CompiledPlan{functions.steps, variable};
     if (!problem.empty()) note(problem);
   } catch (const std::exception& error) {  // no reason to end a run, which goes on without
@@ -43,7 +43,7 @@ std::optional<plan::CompiledPlan> GeneratedCode::compile(const plan::Plan& plan,
 
 std::optional<plan::CompiledLanes> GeneratedCode::compile_lanes(const plan::Plan& plan,
                                                                 const plan::RunDifferences& differences,
-                                                                const std::stop_token& stop,
+                                                                const plan::CodeLimits& limits,
                                                                 std::string& why) {
   const std::lock_guard lock(mutex_);
   const int lanes = lanes_of_processor();
@@ -56,7 +56,7 @@ std::optional<plan::CompiledLanes> GeneratedCode::compile_lanes(const plan::Plan
       return std::nullopt;
     }
     std::string problem;
-    if (const ProgramFunctions functions = functions_of(program, stop, problem))
+    if (const ProgramFunctions functions = functions_of(program, limits, problem))
       return plan::CompiledLanes{functions.run, lanes, differences.variable,
                                  lane_places(plan, differences, lanes).places};
     why = first_error(problem);
@@ -72,16 +72,16 @@ int GeneratedCode::lanes() {
   return compiler_->found() && compiler_->is_gcc() ? lanes_of_processor() : 1;
 }
 
-ProgramFunctions GeneratedCode::functions_of(const GeneratedProgram& program, const std::stop_token& stop,
-                                             std::string& problem) {
+ProgramFunctions GeneratedCode::functions_of(const GeneratedProgram& program,
+                                             const plan::CodeLimits& limits, std::string& problem) {
   if (!compiler_) compiler_.emplace();
   if (!compiler_->found()) problem = compiler_->problem();
   if (program.lanes > 1 && compiler_->found() && !compiler_->is_gcc())
     problem = compiler_->version() + " does not put runs into lanes; g++ does";
   if (!problem.empty()) return {};
   if (const auto known = known_.find(program.text); known != known_.end()) return known->second;
-  const ProgramFunctions functions = cache_.load(program, *compiler_, stop, problem);
-  if (stop.stop_requested()) problem.clear();
+  const ProgramFunctions functions = cache_.load(program, *compiler_, limits, problem);
+  if (limits.stop.stop_requested()) problem.clear();
   if (functions) known_.emplace(program.text, functions);
   return functions;
 }

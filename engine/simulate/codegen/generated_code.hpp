@@ -15,20 +15,20 @@ class GeneratedCode : public plan::CodeSource {
  public:
   std::optional<plan::CompiledPlan> compile(const plan::Plan& plan,
                                             const std::vector<plan::VariableBlock>& variable,
-                                            const std::stop_token& stop) override;
+                                            const plan::CodeLimits& limits) override;
 
   /// With as many lanes as a register of this machine's processor has.
   std::optional<plan::CompiledLanes> compile_lanes(const plan::Plan& plan,
                                                    const plan::RunDifferences& differences,
-                                                   const std::stop_token& stop, std::string& why) override;
+                                                   const plan::CodeLimits& limits, std::string& why) override;
   int lanes() override;
 
   /// Why there was no code the first time that there was none; empty once it has been taken.
   std::string take_problem();
 
  private:
-  /// On failure `problem` says why, but for that of a stop.
-  ProgramFunctions functions_of(const GeneratedProgram& program, const std::stop_token& stop,
+  /// On failure `problem` says why, but for that of the limits.
+  ProgramFunctions functions_of(const GeneratedProgram& program, const plan::CodeLimits& limits,
                                 std::string& problem);
   void note(const std::string& problem);
 

@@ -139,11 +139,12 @@ std::string library_source(const GeneratedProgram& program) {
 }
 
 ProgramFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& compiler,
-                                 const std::stop_token& stop, std::string& problem) const {
+                                 const plan::CodeLimits& limits, std::string& problem) const {
   try {
     const std::string source = library_source(program), name = key(source, program, compiler);
     if (const auto kept = cache_.find(name)) return open_library(*kept, problem);
-    const std::string made = compiled(source, program, compiler, stop, problem);
+    if (limits.only_kept) return {};
+    const std::string made = compiled(source, program, compiler, limits.stop, problem);
     if (made.empty()) return {};
     cache_.keep(name, made);
     return open_library(made, problem);

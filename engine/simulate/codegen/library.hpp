@@ -1,6 +1,5 @@
 #pragma once
 
-#include <stop_token>
 #include <string>
 #include <utility>
 
@@ -36,9 +35,9 @@ class CodeCache {
   explicit CodeCache(io::Cache cache = io::Cache()) : cache_(std::move(cache)) {}
 
   /// The functions of a program, from the cache or compiled; they stay loaded. On failure they are null and
-  /// `problem` says why, but for that of a stop.
+  /// `problem` says why, but for that of the limits.
   ProgramFunctions load(const GeneratedProgram& program, const Compiler& compiler,
-                        const std::stop_token& stop, std::string& problem) const;
+                        const plan::CodeLimits& limits, std::string& problem) const;
 
  private:
   io::Cache cache_;

@@ -1,15 +1,13 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <mutex>
 #include <optional>
-#include <stop_token>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "engine/model/plan/compiled_plan.hpp"
+#include "engine/simulate/run/background_compilation.hpp"
 
 namespace stepwire::run {
 
@@ -40,7 +38,7 @@ class LaneCode {
   /// Says what has been found out: nothing against it, or why the runs go one by one. From any thread.
   void decide(std::size_t member, const std::string& why_not = "");
   /// Notes that so many more ticks of all are done. From any thread.
-  void done(std::int64_t ticks);
+  void done(std::int64_t ticks) { compilation_.done(ticks); }
 
   /// Runs that are stepped together; 1: none were to be.
   int lanes() const;
@@ -50,28 +48,21 @@ class LaneCode {
   std::string why_not() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
   struct State {
     plan::CompiledLanes code;
     std::atomic<bool> ready = false, decided = false;
   };
 
-  void add_ticks(const Member& member);
-  void compile(const std::stop_token& stop);
+  bool compile(const plan::CodeLimits& limits);
   void refuse(std::size_t member, const std::string& why);
-  bool is_worth_it(std::int64_t done) const;
 
   plan::CodeSource* source_;
   std::vector<Member> members_;
   std::vector<State> states_;
-  std::optional<double> all_ticks_ = 0.0;
-  double compile_seconds_ = 0.0;
-  Clock::time_point start_ = Clock::now();
-  std::atomic<std::int64_t> done_ = 0;
-  std::atomic<bool> begun_ = false;
+  bool seeks_ = false;        ///< code for some plan
   mutable std::mutex mutex_;  ///< of the reason
   std::string why_not_;
-  std::jthread thread_;  ///< last: it uses the others
+  BackgroundCompilation compilation_;  ///< last: it uses the others
 };
 
 }  // namespace stepwire::run

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
-#include <stop_token>
-#include <thread>
 #include <vector>
 
 #include "engine/model/plan/compiled_plan.hpp"
+#include "engine/simulate/run/background_compilation.hpp"
 #include "engine/simulate/run/execution_mode.hpp"
 
 namespace stepwire::run {
@@ -26,23 +24,16 @@ class TieredExecution {
   /// The code of the i-th plan; null while there is none, and of a plan that has come later. From any thread.
   const plan::CompiledPlan* code(std::size_t plan) const;
   /// Notes that so many more ticks are done. From any thread.
-  void done(std::int64_t ticks);
+  void done(std::int64_t ticks) { compilation_.done(ticks); }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  void compile(const std::stop_token& stop);
-  bool is_worth_it(std::int64_t done) const;
+  bool compile(const plan::CodeLimits& limits);
 
   plan::CodeSource* source_;
   std::vector<Member> plans_;
-  double all_ticks_;
-  double compile_seconds_ = 0.0;
-  Clock::time_point start_ = Clock::now();
-  std::atomic<std::int64_t> done_ = 0;
-  std::atomic<bool> begun_ = false, ready_ = false;
+  std::atomic<bool> ready_ = false;
   std::vector<plan::CompiledPlan> code_;
-  std::jthread thread_;  ///< last: it uses the others
+  BackgroundCompilation compilation_;  ///< last: it uses the others
 };
 
 }  // namespace stepwire::run
