@@ -10,14 +10,21 @@ struct Demux {
   Input<> u{};
   Output<> y1{}, y2{}, y3{}, y4{}, y5{}, y6{}, y7{}, y8{};
 
-  void outputs() {
-    Index next = 0;
-    for (Output<>* y : {&y1, &y2, &y3, &y4, &y5, &y6, &y7, &y8})
-      for (Index k = 0; k < y->size(); ++k) (*y)[k] = u[next++];
-  }
+  void outputs() { fill(y1, y2, y3, y4, y5, y6, y7, y8); }
 
   void configure(Configure& is);
   static void declare(Declare<Demux>& is);
+
+ private:
+  /// One loop after the other: a list of the outputs would keep runs from going in lanes through it.
+  template <class... Pieces>
+  void fill(Pieces&... pieces) {
+    Index next = 0;
+    const auto take = [&](Output<>& y) {
+      for (Index k = 0; k < y.size(); ++k) y[k] = u[next++];
+    };
+    (take(pieces), ...);
+  }
 };
 
 }  // namespace stepwire

@@ -40,3 +40,17 @@ TEST_CASE("A polynomial that does not rise over its range is refused, with the p
   CHECK_THAT(error_of(head + "coefficients: [1, 0], range: [1, -1]}\n"), Catch::Contains("p.range"));
   CHECK_THAT(error_of(head + "coefficients: [], range: [0, 1]}\n"), Catch::Contains("p.coefficients"));
 }
+
+TEST_CASE("A value is found where the polynomial hardly rises, and next to it") {
+  InversePolynomial cube;
+  cube.coefficients = {1.0, 0.0, 0.0, 0.0};
+  cube.range = {-1.0, 1.0};
+  for (const double root : {-0.9, -1e-2, -1e-3, -1e-5, 0.0, 1e-5, 1e-3, 1e-2, 0.3, 0.999})
+    CHECK(cube.argument(root * root * root) == Approx(root).margin(1e-11));
+
+  InversePolynomial quartic;  // x^4, whose slope and curvature are nothing at the end of the range
+  quartic.coefficients = {1.0, 0.0, 0.0, 0.0, 0.0};
+  quartic.range = {0.0, 2.0};
+  for (const double root : {1e-3, 1e-2, 0.1, 0.5, 1.0, 1.9})
+    CHECK(quartic.argument(std::pow(root, 4.0)) == Approx(root).margin(1e-12));
+}
