@@ -34,9 +34,9 @@ std::optional<plan::CompiledPlan> GeneratedCode::compile(const plan::Plan& plan,
     std::string problem;
     const ProgramFunctions functions = functions_of(make_steps(plan, variable), limits, problem);
     if (functions) return plan::CompiledPlan{functions.steps, variable};
-    if (!problem.empty()) note(problem);
+    if (!problem.empty() && !limits.only_kept) note(problem);  // a look for what is kept may find nothing
   } catch (const std::exception& error) {  // no reason to end a run, which goes on without
-    note(error.what());
+    if (!limits.only_kept) note(error.what());
   }
   return std::nullopt;
 }
