@@ -30,6 +30,7 @@ ExitCode each_model(const ModelCall& call, const Registry& registry, const Model
     throw;
   }
   options.study = call.study;
+  options.threads = call.threads;
   ExitCode code = ExitCode::done;
   for (const std::string& file : call.files) {
     if (interrupted()) break;

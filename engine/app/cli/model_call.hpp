@@ -15,6 +15,7 @@ struct ModelCall {
   std::vector<std::string> files;
   LoadWords words;
   study::StudyWords study;  ///< in place of what a section `study` has
+  unsigned threads = 0;     ///< for what is done with a file, in so far as it has several runs; 0: all cores
   bool units = false;
   bool json = false;
 };

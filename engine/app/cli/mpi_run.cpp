@@ -23,11 +23,12 @@ cluster::SharedCall shared_call(const RunCall& call) {
   cluster::SharedCall shared{
       call.models.files.front(), load_options(call.models.words), {}, call.fit, call.tune};
   shared.options.study = call.models.study;
-  shared.study = {call.engine, threads_of(call.threads)};
+  shared.options.threads = threads_of(call.models.threads);
+  shared.study = {call.engine, threads_of(call.models.threads)};
   shared.fit.engine = shared.tune.engine = shared.engine = call.engine;
   shared.fit.threads = threads_of(call.fit.threads);
   shared.tune.threads = threads_of(call.tune.threads);
-  shared.threads = threads_of(call.threads);
+  shared.threads = threads_of(call.models.threads);
   return shared;
 }
 

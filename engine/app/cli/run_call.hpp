@@ -27,7 +27,6 @@ struct RunCall {
   std::string requires_section;  ///< a file without this section is refused; empty: any file will do
   session::FitCall fit;
   session::TuneCall tune;
-  unsigned threads = 0;                ///< of a sweep or a study; 0: all cores
   std::optional<session::Share> part;  ///< of a sweep: what this call runs
   bool mpi = false;                    ///< the processes of mpirun share the work of the one file
 };

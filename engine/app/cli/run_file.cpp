@@ -78,7 +78,7 @@ class FileRun {
     KeptRun kept(model, use_, *call_.part);
     const auto watch = watched(file_name(model));
     return mpi_ ? mpi_->run_share(kept, model, session_.monitor())
-                : kept.run_share(session_, call_.engine, call_.threads);
+                : kept.run_share(session_, call_.engine, call_.models.threads);
   }
 
   /// Other processes for a job of the model; null where there are none.
@@ -155,10 +155,10 @@ class FileRun {
     session::Outcome outcome = [&] {
       const auto watch = watched(file_name(model));
       if (mpi_ && kept) return mpi_->run(*kept, model, session_.monitor());
-      if (kept) return kept->run(session_, call_.engine, call_.threads);
-      if (session::goes_run_by_run(model, use_)) return session_.pass(model, call_.engine, call_.threads);
+      if (kept) return kept->run(session_, call_.engine, call_.models.threads);
+      if (session::goes_run_by_run(model, use_)) return session_.pass(model, call_.engine, call_.models.threads);
       if (partial) session_.monitor().observers = {partial.get()};
-      return session_.run(model, call_.engine, call_.threads);
+      return session_.run(model, call_.engine, call_.models.threads);
     }();
     session_.monitor().observers.clear();
     print_faults(outcome.result);
@@ -210,7 +210,7 @@ class FileRun {
   }
 
   session::Studies::Shared perform(const session::LoadedModel& model, const std::string& folder) {
-    session::StudyCall call{call_.engine, call_.threads, folder};
+    session::StudyCall call{call_.engine, call_.models.threads, folder};
     call.workers = others(cluster::SharedJob::Kind::study, model, folder, session::study_items_key(model),
                           session::most_items(model));
     const auto watch = watched("study " + file_name(model));

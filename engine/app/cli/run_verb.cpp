@@ -18,7 +18,7 @@ Action declare_run(CLI::App& verb) {
       ->type_name("FILE");
   verb.add_flag("--profile", call->profile,
                 "measure what each block costs; with --out also in profile.csv and profile.svg");
-  verb.add_option("--threads", call->threads, "how many threads run a sweep; all cores without it");
+  verb.add_option("--threads", call->models.threads, "how many threads run a sweep; all cores without it");
   verb.add_option_function<std::string>(
           "--part", [call](const std::string& text) { call->part = share_of(text); },
           "run only this share of a sweep's points, and keep them in --out for 'collect'")

@@ -20,7 +20,7 @@ void add_study_options(CLI::App& verb, RunCall& call) {
           "how many experiments, each with other people, in place of the file's; with --out they are kept "
           "as they are done, and the same call goes on")
       ->check(CLI::Range(1, 1'000'000));
-  verb.add_option("--threads", call.threads, "how many threads; all cores without it");
+  verb.add_option("--threads", call.models.threads, "how many threads; all cores without it");
 }
 
 Action declare_study(CLI::App& verb) {

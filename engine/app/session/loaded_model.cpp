@@ -126,7 +126,7 @@ LoadedModel load_model(diagram::Loader& loader, const std::string& file, const L
   model.options = options;
   model.registry = &loader.registry();
   model.blocksets = loader.registry().blocksets();
-  model.job = run::make_job(loader, file, options.settings, options.stop, options.of_points);
+  model.job = run::make_job(loader, file, options.settings, options.stop, options.of_points, options.threads);
   query::SymbolTable names = kept::names_of(model.job);
   yaml::Faults faults;
   const diagram::Diagram& diagram = model.job.plan.diagram;

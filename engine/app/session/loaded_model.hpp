@@ -25,6 +25,7 @@ struct LoadOptions {
   std::vector<diagram::Setting> settings;
   run::PointSettings of_points{};  ///< beside them, of the points of a sweep
   std::optional<std::string> stop;
+  unsigned threads = 0;  ///< that look at the points of a sweep; 0: all cores
   yaml::DocumentLimits limits;
   study::StudyWords study{};
   diagram::DocumentReader reader{};  ///< where the texts of files are; without it files are read

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/base/parallel/parallel.hpp"
+#include "engine/simulate/run/plan_member.hpp"
+#include "engine/simulate/run/sweep_ends.hpp"
+
 namespace stepwire::run {
 
 namespace {
 
 constexpr std::size_t max_tried = 64;  // plans, of a sweep in which each point has another structure
-
-std::vector<std::string> names_of(const std::vector<diagram::Setting>& values) {
-  std::vector<std::string> names;
-  for (const diagram::Setting& value : values) names.push_back(value.name);
-  return names;
-}
+constexpr std::size_t at_once = 64;    // runs that a thread looks at
 
 /// The plan of single runs, which need no sweep: it may have very many values.
 std::shared_ptr<const plan::Plan> plan_of_runs(plan::Plan plan) {
@@ -21,97 +20,98 @@ std::shared_ptr<const plan::Plan> plan_of_runs(plan::Plan plan) {
   return std::make_shared<const plan::Plan>(std::move(plan));
 }
 
-diagram::Assignment assignment_of(const diagram::Setting& setting) {
-  diagram::Assignment assignment{setting.name, diagram::value_of_text(setting.value, setting.written),
-                                 setting.written};
-  assignment.value.mark = setting.mark;
-  return assignment;
-}
-
 }  // namespace
-
-/// A plan, what its runs set, and what they share: the values that decide its structure.
-struct PlanFamily::Member {
-  Member(std::shared_ptr<const plan::Plan> of, const std::vector<diagram::Setting>& values)
-      : plan(std::move(of)),
-        names(names_of(values)),
-        all(plan->diagram, names),
-        free(plan->diagram, names_to_set()) {
-    for (std::size_t i = 0; i < values.size(); ++i)
-      structure.push_back(all.names()[i].structural ? values[i].value : "");
-    variable = plan::variable_blocks(*plan, free);
-  }
-
-  /// May a run of this member have these values?
-  bool may_take(const std::vector<diagram::Setting>& values) const {
-    if (values.size() != names.size()) return false;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i].name != names[i] || (all.names()[i].structural && values[i].value != structure[i]))
-        return false;
-    return true;
-  }
-
-  Executor::Setting set(const std::vector<diagram::Setting>& values, Executor& run) const {
-    std::vector<diagram::Assignment> assignments;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (!all.names()[i].structural) assignments.push_back(assignment_of(values[i]));
-    return run.set(free, assignments);
-  }
-
-  /// Makes a try of its own, for find().
-  bool takes(const std::vector<diagram::Setting>& values) {
-    if (!probe) probe = std::make_unique<Executor>(*plan);
-    if (set(values, *probe) != Executor::Setting::done) return false;
-    probe->widen(variable);
-    return true;
-  }
-
-  std::vector<std::string> names_to_set() const {
-    std::vector<std::string> result;
-    for (const diagram::Variation::Name& name : all.names())
-      if (!name.structural) result.push_back(name.text);
-    return result;
-  }
-
-  std::shared_ptr<const plan::Plan> plan;
-  std::vector<std::string> names;
-  diagram::Variation all;                     ///< of all names
-  diagram::Variation free;                    ///< of those that are set in a run of the plan
-  std::vector<std::string> structure;         ///< values of structural names; "" of others
-  std::vector<plan::VariableBlock> variable;  ///< so far
-  std::unique_ptr<Executor> probe;
-};
 
 PlanFamily::PlanFamily(diagram::Loader& loader, std::string file, std::vector<diagram::Setting> settings,
                        const plan::Plan& base)
-    : loader_(loader), file_(std::move(file)), settings_(std::move(settings)), base_(plan_of_runs(base)) {}
+    : loader_(loader),
+      file_(std::move(file)),
+      settings_(std::move(settings)),
+      base_(plan_of_runs(base)),
+      trial_(std::make_unique<MemberTrial>()) {}
 
 PlanFamily::~PlanFamily() = default;
 
 std::size_t PlanFamily::find(const std::vector<diagram::Setting>& values) {
   const std::lock_guard lock(finding_);
   try {
-    const std::size_t last = members_.size();
-    for (std::size_t m = last; m-- > last - std::min(last, max_tried);)  // values come in order
-      if (members_[m]->may_take(values) && members_[m]->takes(values)) return m;
-    const bool known =
-        std::ranges::any_of(members_, [&](const auto& member) { return member->names == names_of(values); });
-    if (!known) {
-      auto member = std::make_unique<Member>(base_, values);
-      if (!member->all.structural() && member->takes(values)) return add(std::move(member));
+    if (const auto member = known(values, *trial_)) {
+      trial_->add_to(*members_[*member]);
+      return *member;
+    }
+    const bool has_names = std::ranges::any_of(
+        members_, [&](const auto& member) { return member->names() == names_of(values); });
+    if (!has_names) {
+      auto member = std::make_unique<PlanMember>(base_, values);
+      MemberTrial first;
+      if (!member->is_structural() && first.takes(*member, values)) {
+        first.add_to(*member);
+        return add(std::move(member));
+      }
     }
   } catch (const yaml::Error&) {  // planning the file with these values says the same, with all places
   }
-  return add(std::make_unique<Member>(plan_anew(values), values));
+  return add(std::make_unique<PlanMember>(plan_anew(values), values));
 }
 
-std::size_t PlanFamily::add(std::unique_ptr<Member> member) {
+/// While nobody adds a member.
+std::optional<std::size_t> PlanFamily::known(const std::vector<diagram::Setting>& values,
+                                             MemberTrial& trial) const {
+  const std::size_t last = members_.size();
+  for (std::size_t m = last; m-- > last - std::min(last, max_tried);)  // values come in order
+    if (members_[m]->may_take(values) && trial.takes(*members_[m], values)) return m;
+  return std::nullopt;
+}
+
+std::vector<std::size_t> PlanFamily::find_all(std::size_t runs, const ValuesOfRun& values_of,
+                                              unsigned threads) {
+  std::vector<std::size_t> members;
+  MemberTrials trials;
+  while (members.size() < runs) {
+    const std::size_t first = members.size(), more = std::min(runs - first, std::max(first, at_once));
+    for (const std::optional<std::size_t> member : find_known(first, more, values_of, trials, threads))
+      members.push_back(member ? *member : find_named(values_of(members.size())));
+  }
+  return members;
+}
+
+/// The members of runs that those have which are there now.
+std::vector<std::optional<std::size_t>> PlanFamily::find_known(std::size_t first, std::size_t runs,
+                                                               const ValuesOfRun& values_of,
+                                                               MemberTrials& trials, unsigned threads) {
+  const std::lock_guard lock(finding_);
+  std::vector<std::optional<std::size_t>> found(runs);
+  if (members_.empty()) return found;
+  parallel::in_parallel((runs + at_once - 1) / at_once, threads, [&](std::size_t part) {
+    trials.use([&](MemberTrial& trial) {
+      for (std::size_t run = part * at_once; run < std::min(runs, (part + 1) * at_once); ++run) try {
+          found[run] = known(values_of(first + run), trial);
+        } catch (const yaml::Error&) {  // find() says it, in the order of the runs
+        }
+    });
+  });
+  for (const auto& trial : trials.all())
+    for (const auto& member : members_) trial->add_to(*member);
+  return found;
+}
+
+std::size_t PlanFamily::find_named(const std::vector<diagram::Setting>& values) {
+  try {
+    return find(values);
+  } catch (const yaml::Error& error) {
+    std::vector<yaml::Fault> faults = error.faults();
+    for (yaml::Fault& fault : faults) fault.message += which_run(values);
+    throw yaml::Error(std::move(faults));
+  }
+}
+
+std::size_t PlanFamily::add(std::unique_ptr<PlanMember> member) {
   const std::lock_guard lock(looking_);
   members_.push_back(std::move(member));
   return members_.size() - 1;
 }
 
-PlanFamily::Member& PlanFamily::member(std::size_t index) const {
+PlanMember& PlanFamily::member(std::size_t index) const {
   const std::lock_guard lock(looking_);
   return *members_[index];
 }
@@ -128,19 +128,19 @@ std::shared_ptr<const plan::Plan> PlanFamily::plan_anew(const std::vector<diagra
 }
 
 const plan::Plan& PlanFamily::plan(std::size_t member) const {
-  return *this->member(member).plan;
+  return *this->member(member).plan();
 }
 
 const std::vector<diagram::Target>& PlanFamily::targets(std::size_t member) const {
-  return this->member(member).free.targets();
+  return this->member(member).targets();
 }
 
 std::vector<plan::VariableBlock> PlanFamily::variable(std::size_t member) const {
-  const auto& plan = this->member(member).plan;
+  const auto& plan = this->member(member).plan();
   const std::lock_guard lock(finding_);  // what differs is widened there
   std::vector<plan::VariableBlock> variable;
   for (const auto& other : members_)
-    if (other->plan == plan) plan::unite(variable, *plan, other->variable);
+    if (other->plan() == plan) plan::unite(variable, *plan, other->variable());
   return variable;
 }
 

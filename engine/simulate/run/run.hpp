@@ -94,10 +94,11 @@ struct Job {
 /// What some or all points of a sweep set beside their own values, in the order of the sweep.
 using PointSettings = std::vector<std::vector<diagram::Setting>>;
 
-/// Loads and plans a file and all points of its sweep. `stop` replaces the file's stop time. Throws Error.
+/// Loads and plans a file and all points of its sweep, these on so many threads (0: all cores). `stop` replaces
+/// the file's stop time. Throws Error.
 Job make_job(diagram::Loader& loader, const std::string& path,
              const std::vector<diagram::Setting>& settings = {}, std::optional<std::string> stop = {},
-             const PointSettings& of_points = {});
+             const PointSettings& of_points = {}, unsigned threads = 0);
 
 /// The swept parameters of a point: columns of one row, words as their numbers. None without a sweep.
 std::vector<table::Column> swept_columns(const Job& job, std::size_t point);

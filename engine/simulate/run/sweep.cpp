@@ -76,14 +76,15 @@ void pin(diagram::Sweep& sweep, const std::vector<diagram::Setting>& settings) {
     }
 }
 
-std::size_t member_for(PlanFamily& family, const std::vector<diagram::Setting>& settings) {
-  try {
-    return family.find(settings);
-  } catch (const yaml::Error& error) {
-    std::vector<yaml::Fault> faults = error.faults();
-    for (yaml::Fault& fault : faults) fault.message += which_run(settings);
-    throw yaml::Error(std::move(faults));
-  }
+/// Its points, with what each sets beside the values of the sweep.
+void add_points(Job& job, const PointSettings& of_points, unsigned threads) {
+  job.points.resize(static_cast<std::size_t>(job.plan.diagram.sweep->count()));
+  for (std::size_t point = 0; point < std::min(job.points.size(), of_points.size()); ++point)
+    job.points[point].own = of_points[point];
+  if (job.points.empty()) return;
+  const auto members = job.family->find_all(
+      job.points.size(), [&](std::size_t point) { return job.settings_of(point); }, threads);
+  for (std::size_t point = 0; point < members.size(); ++point) job.points[point].member = members[point];
 }
 
 /// A tolerance beside a solver that has none. Where the call or the sweep names the solver, that of the file
@@ -128,7 +129,7 @@ std::vector<diagram::Setting> Job::settings_of(std::size_t point) const {
 }
 
 Job make_job(diagram::Loader& loader, const std::string& path, const std::vector<diagram::Setting>& settings,
-             std::optional<std::string> stop, const PointSettings& of_points) {
+             std::optional<std::string> stop, const PointSettings& of_points, unsigned threads) {
   std::vector<diagram::Setting> all = settings;
   if (stop) all.push_back({"stop", *stop, "--stop " + *stop});
   Job job{plan::make_plan(loader.load(path, all)), {}, {}};
@@ -139,11 +140,7 @@ Job make_job(diagram::Loader& loader, const std::string& path, const std::vector
   if (sweep) pin(*sweep, all);
   if (sweep && !sweep->axes.empty())
     job.family = std::make_shared<PlanFamily>(loader, path, std::move(all), job.plan);
-  const auto count = sweep ? static_cast<std::size_t>(sweep->count()) : 0;
-  for (std::size_t point = 0; point < count; ++point) {
-    job.points.push_back({0, point < of_points.size() ? of_points[point] : std::vector<diagram::Setting>{}});
-    job.points.back().member = member_for(*job.family, job.settings_of(point));
-  }
+  if (job.family) add_points(job, of_points, threads);
   require_memory(job);
   return job;
 }
