@@ -9,38 +9,9 @@
 #include "engine/simulate/run/stop_condition.hpp"
 #include "engine/stepwire/content.hpp"
 #include "engine/stepwire/moment.hpp"
+#include "engine/stepwire/waiting_inputs.hpp"
 
 namespace stepwire {
-
-namespace {
-
-/// Numbers for inputs, which wait for the tick from which on they hold.
-class WaitingInputs {
- public:
-  explicit WaitingInputs(const std::vector<InputInfo>& inputs) {
-    for (const InputInfo& input : inputs) waiting_.push_back({std::vector<double>(input.size), false});
-  }
-  void put(std::size_t input, std::span<const double> values) {
-    std::ranges::copy(values, waiting_[input].values.begin());
-    waiting_[input].fresh = true;
-  }
-  void write_to(run::Executor& run) {
-    for (std::size_t i = 0; i < waiting_.size(); ++i)
-      if (std::exchange(waiting_[i].fresh, false)) run.write_input(i, waiting_[i].values.data());
-  }
-  void drop() {
-    for (Waiting& input : waiting_) input.fresh = false;
-  }
-
- private:
-  struct Waiting {
-    std::vector<double> values;
-    bool fresh;
-  };
-  std::vector<Waiting> waiting_;
-};
-
-}  // namespace
 
 void check_plan(const Snapshot& snapshot, const plan::Plan& plan) {
   if (snapshot.content().plan != &plan) throw std::logic_error("a snapshot of another model is restored");

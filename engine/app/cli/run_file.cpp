@@ -65,7 +65,7 @@ class FileRun {
 
  private:
   ExitCode carry_out(session::LoadedModel& model, const std::string& folder, Json& results) {
-    if (call_.part) return run_share(model, folder);
+    if (call_.part) return run_share(model);
     if (model.study) return study(model, folder, results);
     const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
     if (fitted != ExitCode::done) return fitted;
@@ -74,7 +74,7 @@ class FileRun {
     return tuned == ExitCode::done ? run(model, folder, results) : tuned;
   }
 
-  ExitCode run_share(const session::LoadedModel& model, const std::string& folder) {
+  ExitCode run_share(const session::LoadedModel& model) {
     KeptRun kept(model, use_, *call_.part);
     const auto watch = watched(file_name(model));
     return mpi_ ? mpi_->run_share(kept, model, session_.monitor())

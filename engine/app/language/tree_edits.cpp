@@ -125,7 +125,8 @@ void TreeEdits::add_map(const yaml::Node& map, const std::string& key, const Key
                         !is_flow(map.entries.back().value);
   const yaml::Node* last = map.entries.empty() ? nullptr : &map.entries.back().value;
   std::string text = key + (in_lines ? ":" : ": {");
-  yaml::Node value{.kind = yaml::Node::Kind::map};
+  yaml::Node value;
+  value.kind = yaml::Node::Kind::map;
   for (const auto& [name, content] : keys) {
     WrittenValue put = written_value(content, !in_lines);
     text += in_lines ? line_break_ + indent(*last) : value.entries.empty() ? "" : ", ";
@@ -201,8 +202,9 @@ yaml::Node TreeEdits::expected(const yaml::Node& node) const {
     now.end = node.end;
     return now;
   }
-  yaml::Node now{
-      .kind = node.kind, .quoted = node.quoted, .mark = node.mark, .end = node.end, .text = node.text};
+  yaml::Node now = node;
+  now.items.clear();
+  now.entries.clear();
   for (const yaml::Node& item : node.items)
     if (!removed_.contains(&item)) now.items.push_back(expected(item));
   for (const yaml::Entry& entry : node.entries)

@@ -85,9 +85,11 @@ class Acceptance {
 
 const std::vector<std::string> bound_keys = {"above", "at_least", "below", "at_most"};
 
-GivenBy given_by(const Definition& definition, const std::string& full_name, const Origin& origin) {
+void note_giver(WrittenValue& value, const Definition& definition, const std::string& full_name,
+                const Origin& origin) {
+  if (!value.value.text()) return;
   const unit::Dimension dimension = definition.dimension.value_or(unit::Dimension{});
-  return {origin, full_name, dimension == unit::Dimension{} ? "" : " " + unit::si_name(dimension)};
+  value.given = {origin, full_name, dimension == unit::Dimension{} ? "" : " " + unit::si_name(dimension)};
 }
 
 bool accepts(const Definition& definition, const ParameterScope& scope, WrittenValue& value,

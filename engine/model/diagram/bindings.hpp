@@ -58,8 +58,10 @@ struct Bindings {
 /// The bounds that a definition may have, as `{value: 2 kg, above: 0}`.
 extern const std::vector<std::string> bound_keys;
 
-/// Who gives a value in the place of a definition's own.
-GivenBy given_by(const Definition& definition, const std::string& full_name, const Origin& origin);
+/// Notes who gives a value in the place of a definition's own, where it is a text: this may be refused later,
+/// by what needs a number.
+void note_giver(WrittenValue& value, const Definition& definition, const std::string& full_name,
+                const Origin& origin);
 
 /// Checks a parameter's value, which stands at `origin`, against the unit and the bounds of its definition;
 /// `uses` gathers the parameters that bounds name. False, and a fault, where a bound refuses it; a unit that

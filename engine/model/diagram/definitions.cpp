@@ -165,7 +165,7 @@ class Definitions {
       const ValueReader reader(names.parameters, report_, origin.scope, &made.uses);
       made.text = {reader.with_formulas(node, false), names.index, origin.scope};
       written = reader.read(made.text.node, full);
-      if (written) written->given = given_by(made, full, origin);
+      if (written) note_giver(*written, made, full, origin);
     };
     if (const auto given = overrides_.values.find(entry.key); given != overrides_.values.end())
       read(*given->second, *overrides_.from, overrides_.from->at(given->second->mark));

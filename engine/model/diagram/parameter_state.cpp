@@ -73,7 +73,7 @@ class ParameterState::Evaluation {
     const std::string& full = diagram_.parameters[static_cast<std::size_t>(index)].name;
     ParameterUses uses;
     auto value = ValueReader(state_.scope(text.names), report_, text.place, &uses).read(text.node, full);
-    if (value) value->given = given_by(definition, full, origin);
+    if (value) note_giver(*value, definition, full, origin);
     if (value && accepts(definition, state_.scope(definition.scope), *value, origin, full, uses, report_))
       state_.replace(definition, std::move(*value));
   }

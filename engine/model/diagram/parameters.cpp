@@ -79,7 +79,7 @@ std::nullopt_t ValueReader::refuse(const yaml::Node& node, const std::string& su
 }
 
 bool ValueReader::refuse_given(const WrittenValue& written) const {
-  if (!written.given || !written.value.text()) return false;
+  if (!written.given) return false;
   report_.add(written.given->origin, written.given->name,
               unit::parse_quantity(written.text)
                   ? quoted_number(written.text)

@@ -26,7 +26,7 @@ struct WrittenValue {
   std::optional<unit::Dimension> dimension;
   std::string text;     ///< as written, for messages
   bool failed = false;  ///< stands for a definition that was refused; what uses it stays silent
-  std::optional<GivenBy> given{};
+  std::optional<GivenBy> given{};  ///< of a text
   Eigen::Index columns = 1;  ///< of a matrix that is read as its elements, column by column
 };
 

@@ -38,7 +38,7 @@ struct Scope {
     int block = -1;
     std::unique_ptr<Scope> part;
     yaml::Mark mark;
-    BusFields bus;  ///< of a bus, or of a block with a copy for each field; empty otherwise
+    BusFields bus{};  ///< of a bus, or of a block with a copy for each field; empty otherwise
   };
   std::map<std::string, Named, std::less<>> names;
   /// Names whose block or part could not be made: reported once, so what is wired to them stays silent.

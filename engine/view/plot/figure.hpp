@@ -102,9 +102,9 @@ struct Panel {
 /// One picture: one panel or several.
 struct Figure {
   std::string title;
-  std::string caption;
+  std::string caption{};
   bool own = false;  ///< the source has no such picture
-  std::vector<Panel> panels;
+  std::vector<Panel> panels{};
   int columns = 1;
   int width = 0, height = 0;  ///< pixels; 0: as it suits the panels
 };

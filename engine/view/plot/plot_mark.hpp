@@ -50,7 +50,7 @@ struct LineStyle {
 /// Lines in the plane or in space, the pen lifted between two of them.
 struct LineMark {
   static constexpr const char* name = "line";
-  std::vector<MarkRows> curves;
+  std::vector<MarkRows> curves{};
   LineStyle line{};
   double dots = 0.0;  ///< diameter of a dot at each row; 0: none
   std::string legend{};
@@ -138,7 +138,7 @@ struct BoxesMark {
 /// Filled rectangles: bars, bins, cells.
 struct RectanglesMark {
   static constexpr const char* name = "rectangles";
-  std::vector<double> x_low, x_high, y_low, y_high;
+  std::vector<double> x_low{}, x_high{}, y_low{}, y_high{};
   std::vector<double> value{};  ///< along the colour axis, where there is no colour
   std::string color{};
   std::string edge{};  ///< colour of their edges; empty: none
@@ -174,7 +174,7 @@ struct ImageMark {
 /// Straight strokes, with arrow heads or without.
 struct VectorsMark {
   static constexpr const char* name = "vectors";
-  std::vector<double> x, y, dx, dy;
+  std::vector<double> x{}, y{}, dx{}, dy{};
   std::vector<double> value{};
   LineStyle line{};
   double pivot = 0.0;        ///< share of a stroke that lies behind its point
@@ -213,7 +213,7 @@ using PlotMark = std::variant<LineMark, BandMark, SpanMark, AreaMark, PointsMark
 struct TextMark {
   enum class Align { left, center, right };
   static constexpr std::array alignments{"left", "center", "right"};
-  std::string text;  ///< empty: the dot alone
+  std::string text{};  ///< empty: the dot alone
   double x = 0.0, y = 0.0;
   bool in_frame = false;  ///< x and y are shares of the frame, else places along the axes
   Align align = Align::center;

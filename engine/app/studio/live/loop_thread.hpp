@@ -29,7 +29,7 @@ class LoopThread : public RunControl {
     session::LoopSettings settings;
     StoreOptions store{};
     std::uint32_t run = 0;          ///< number of the run
-    std::function<void()> changed;  ///< called by the hub; must return soon
+    std::function<void()> changed{};  ///< called by the hub; must return soon
     double patience = 0.5;          ///< [s] of silence after which a page that writes inputs counts as lost
   };
 
