@@ -13,6 +13,8 @@ namespace stepwire::hdf5 {
 
 namespace {
 
+constexpr std::size_t max_words = 1'000'000;  // of a column
+
 /// Text of an attribute; empty where there is none or it is no single text.
 std::string text_attribute(hid_t object, const char* name) {
   if (H5Aexists(object, name) <= 0) return "";
@@ -30,6 +32,24 @@ std::string text_attribute(hid_t object, const char* name) {
   const std::string result = text;
   H5free_memory(text);
   return result;
+}
+
+/// The texts of an attribute that lists some of any length; none where it is no such list.
+std::vector<std::string> texts_attribute(hid_t object, const char* name) {
+  if (H5Aexists(object, name) <= 0) return {};
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  const Handle type(H5Aget_type(attribute.id()), H5Tclose), space(H5Aget_space(attribute.id()), H5Sclose);
+  if (!attribute || H5Tis_variable_str(type.id()) <= 0) return {};
+  const hssize_t count = H5Sget_simple_extent_npoints(space.id());
+  if (count <= 0 || static_cast<std::size_t>(count) > max_words) return {};
+  std::vector<char*> texts(static_cast<std::size_t>(count));
+  if (H5Aread(attribute.id(), type.id(), texts.data()) < 0) return {};
+  std::vector<std::string> words;
+  for (char* const text : texts) {
+    words.emplace_back(text ? text : "");
+    H5free_memory(text);
+  }
+  return words;
 }
 
 /// Rows and columns; more dimensions, and none, are not there.
@@ -52,6 +72,7 @@ class Dataset {
     const std::string problem = problem_of(type_);
     if (!problem.empty()) return note(name_, problem);
     read_numbers(name_, {H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose});
+    if (auto words = texts_attribute(set_, "words"); !words.empty()) table_.words[name_] = std::move(words);
   }
 
  private:

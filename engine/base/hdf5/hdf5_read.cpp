@@ -48,19 +48,25 @@ class Reading {
   void read(const Handle& group, const std::string& path, int depth = 0) {
     if (depth > max_depth)
       throw table::TableError(fmt::format("its groups lie deeper than {} in each other", max_depth));
-    for (const std::string& name : links_of(group)) {
-      const Handle object(H5Oopen(group.id(), name.c_str(), H5P_DEFAULT), H5Oclose);
-      if (!object) Session::refuse(fmt::format("'{}' is damaged", path + name));
-      take(object, path + name, depth);
-    }
+    for (const std::string& name : links_of(group)) read_object(group, path, name, depth);
   }
 
-  table::RecordTable done() {
-    if (table_.columns.empty()) throw table::TableError("there is no dataset in the file");
-    return std::move(table_);
+  void read_named(const Handle& root, const std::string& name) {
+    H5L_info_t link{};
+    if (H5Lexists(root.id(), name.c_str(), H5P_DEFAULT) <= 0) return;
+    if (H5Lget_info(root.id(), name.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) return;
+    read_object(root, "", name, 0);
   }
+
+  table::RecordTable done() { return std::move(table_); }
 
  private:
+  void read_object(const Handle& group, const std::string& path, const std::string& name, int depth) {
+    const Handle object(H5Oopen(group.id(), name.c_str(), H5P_DEFAULT), H5Oclose);
+    if (!object) Session::refuse(fmt::format("'{}' is damaged", path + name));
+    take(object, path + name, depth);
+  }
+
   void take(const Handle& object, const std::string& name, int depth) {
     const H5I_type_t kind = H5Iget_type(object.id());
     if (kind == H5I_GROUP && seen_.insert(place_of(object)).second) read(object, name + "/", depth + 1);
@@ -90,21 +96,29 @@ std::size_t size_of(const std::string& path) {
   return size;
 }
 
-table::RecordTable read_open(const std::string& path, std::size_t file_size) {
-  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+Handle opened(const std::string& path) {
+  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file) {
     const bool begins_well = H5Fis_hdf5(path.c_str()) > 0;
     Session::refuse(begins_well ? "the file is damaged or cut off" : "this is no HDF5 file");
   }
-  Reading reading(file_size);
-  reading.read({H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose}, "");
-  return reading.done();
+  return file;
 }
 
-/// Errors and problems begin with the name of the file.
-table::RecordTable read_named(const std::string& path, std::size_t file_size) {
+table::RecordTable read_all(const Handle& root, Reading& reading) {
+  reading.read(root, "");
+  table::RecordTable table = reading.done();
+  if (table.columns.empty()) throw table::TableError("there is no dataset in the file");
+  return table;
+}
+
+/// Reads a file, from its root on. Errors and problems begin with its name.
+template <class Read>
+table::RecordTable read_file(const std::string& path, std::size_t file_size, const Read& read) {
   try {
-    table::RecordTable table = read_open(path, file_size);
+    const Handle file = opened(path);
+    Reading reading(file_size);
+    table::RecordTable table = read({H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose}, reading);
     for (auto& [column, problem] : table.problems) problem = fmt::format("{}: {}", path, problem);
     return table;
   } catch (const table::TableError& error) {
@@ -112,12 +126,24 @@ table::RecordTable read_named(const std::string& path, std::size_t file_size) {
   }
 }
 
+template <class Read>
+table::RecordTable read_isolated(const std::string& path, const Read& read) {
+  const std::size_t size = size_of(path);
+  const Session session;  // no other thread is in the library while it is copied
+  return table::read_isolated(path, size, [&] { return read_file(path, size, read); });
+}
+
 }  // namespace
 
 table::RecordTable read_hdf5(const std::string& path) {
-  const std::size_t size = size_of(path);
-  const Session session;  // no other thread is in the library while it is copied
-  return table::read_isolated(path, size, [&] { return read_named(path, size); });
+  return read_isolated(path, read_all);
+}
+
+table::RecordTable read_hdf5_groups(const std::string& path, const std::vector<std::string>& groups) {
+  return read_isolated(path, [&](const Handle& root, Reading& reading) {
+    for (const std::string& name : groups) reading.read_named(root, name);
+    return reading.done();
+  });
 }
 
 }  // namespace stepwire::hdf5

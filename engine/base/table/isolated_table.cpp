@@ -112,6 +112,12 @@ void write_table(Sink& sink, const RecordTable& table) {
     sink.put(column);
     sink.put(problem);
   }
+  sink.put(table.words.size());
+  for (const auto& [column, words] : table.words) {
+    sink.put(column);
+    sink.put(words.size());
+    for (const std::string& word : words) sink.put(word);
+  }
 }
 
 void write_refusal(Sink& sink, Answer answer, const char* why) {
@@ -128,6 +134,10 @@ RecordTable table_of(Source& source) {
   for (std::uint64_t rest = source.number(); rest > 0; --rest) {
     const std::string column = source.text();
     table.problems[column] = source.text();
+  }
+  for (std::uint64_t rest = source.number(); rest > 0; --rest) {
+    std::vector<std::string>& words = table.words[source.text()];
+    for (std::uint64_t more = source.number(); more > 0; --more) words.push_back(source.text());
   }
   return table;
 }

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "engine/base/table/table.hpp"
 
@@ -11,6 +12,8 @@ namespace stepwire::table {
 struct RecordTable : Table {
   std::map<std::string, std::string>
       problems{};  ///< by column: its first cell that is no number, with its place
+  std::map<std::string, std::vector<std::string>>
+      words{};  ///< by column: what its numbers 0, 1, ... stand for, where an HDF5 file says so
 };
 
 /// A CSV file, read as by read_csv and with its errors; but a cell that is a text or empty is nan and a

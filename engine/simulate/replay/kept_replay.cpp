@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "engine/simulate/record/recorder.hpp"
+#include "engine/simulate/replay/recorded_file.hpp"
 #include "engine/simulate/run/number_row.hpp"
 
 namespace stepwire::replay {
@@ -44,13 +45,13 @@ std::vector<record::Recording> with_swept(std::vector<record::Recording> run, co
 KeptTable read_kept_table(const std::string& file, const std::vector<std::string>& swept, std::size_t runs) {
   KeptTable kept;
   for (const std::string& parameter : swept) kept.words[parameter];
-  kept.recorded = {file, table::read_csv(file, kept.words), 1 + swept.size()};
+  kept.recorded = read_recorded(file, 1 + swept.size(), kept.words);
   auto& columns = kept.recorded.table.columns;
   if (kept.recorded.table.rows() != runs || columns.size() < kept.recorded.first_signal)
     throw yaml::Error(yaml::Fault{
         {file, {}}, "", fmt::format("has {} rows of {} runs", kept.recorded.table.rows(), runs), {}});
   for (std::size_t i = 1; i < kept.recorded.first_signal; ++i) {
-    take_numbers(columns[i], kept.words);
+    if (kept.recorded.has_lines) take_numbers(columns[i], kept.words);
     kept.swept.columns.push_back({columns[i].name, columns[i].unit, {}});
   }
   return kept;

@@ -13,11 +13,6 @@ std::string title(const table::Column& column) {
   return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
 }
 
-/// "out/signals.csv:12": the header is line 1.
-std::string place(const Recorded& recorded, std::size_t row) {
-  return fmt::format("{}:{}", recorded.file, row + 2);
-}
-
 std::vector<std::string> titles(const plan::Plan& plan, const diagram::RecordRequest& request) {
   std::vector<std::string> result;
   for (const record::RecordedColumn& column : record::recorded_columns(plan, request))
@@ -32,15 +27,20 @@ bool same_bits(double a, double b) {
          (std::isnan(a) && std::isnan(b));
 }
 
+std::string place_of_row(const Recorded& recorded, std::size_t row) {
+  return recorded.has_lines ? fmt::format("{}:{}", recorded.file, row + 2)
+                            : fmt::format("{}: row {}", recorded.file, row + 1);
+}
+
 std::string difference_text(const Recorded& recorded, std::size_t row, std::size_t column, double time,
                             double computed) {
   const table::Column& found = recorded.table.columns[column];
-  return fmt::format("{}: {} at {} s is {} and {} when it is replayed", place(recorded, row), found.name,
+  return fmt::format("{}: {} at {} s is {} and {} when it is replayed", place_of_row(recorded, row), found.name,
                      time, found.values[row], computed);
 }
 
 std::string extra_row_text(const Recorded& recorded, std::size_t row, double end) {
-  return fmt::format("{}: there is a row at {} s, but the replay ends at {} s", place(recorded, row),
+  return fmt::format("{}: there is a row at {} s, but the replay ends at {} s", place_of_row(recorded, row),
                      recorded.times()[row], end);
 }
 
@@ -59,7 +59,7 @@ void require_columns(const Recorded& recorded, const plan::Plan& plan,
   if (has_columns(recorded.table, recorded.first_signal, plan, request)) return;
   std::vector<std::string> found;
   for (const table::Column& column : recorded.table.columns) found.push_back(title(column));
-  throw yaml::Error(yaml::Fault{{recorded.file, {1, 1}},
+  throw yaml::Error(yaml::Fault{{recorded.file, recorded.has_lines ? yaml::Mark{1, 1} : yaml::Mark{}},
                                 "",
                                 fmt::format("its columns are {}; {} records {}", fmt::join(found, ", "),
                                             plan.diagram.file, fmt::join(titles(plan, request), ", ")),

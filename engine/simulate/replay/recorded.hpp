@@ -15,9 +15,16 @@ struct Recorded {
   std::string file;  ///< its path, for messages
   table::Table table;
   std::size_t first_signal = 1;  ///< column of the first signal; the time is column 0
+  bool has_lines = true;         ///< it is a text, with a header as its first line
 
   const std::vector<double>& times() const { return table.columns.front().values; }
   std::size_t signals() const { return table.columns.size() - first_signal; }
+};
+
+/// Rows of such a table, one behind the other.
+struct RecordedRows {
+  const Recorded* recorded = nullptr;
+  std::size_t first = 0, count = 0;
 };
 
 /// Is this the same bit for bit? One nan is like another: a table does not tell them apart.
@@ -35,6 +42,8 @@ std::optional<std::size_t> differing_column(const Recorded& recorded, std::size_
   return std::nullopt;
 }
 
+/// "out/signals.csv:5203", or "out/signals.h5/run-2: row 17" of what is no text.
+std::string place_of_row(const Recorded& recorded, std::size_t row);
 /// "out/signals.csv:5203: cart.position at 0.25 s is 0.1 m and 0.3 m when it is replayed".
 std::string difference_text(const Recorded& recorded, std::size_t row, std::size_t column, double time,
                             double computed);

@@ -26,8 +26,8 @@ class Earliest {
   std::string text_;
 };
 
-void compare(const Recorded& recorded, const RowRange& rows, const table::Table& computed,
-             Earliest& earliest) {
+void compare(const RecordedRows& rows, const table::Table& computed, Earliest& earliest) {
+  const Recorded& recorded = *rows.recorded;
   const std::size_t common = std::min(rows.count, computed.rows());
   for (std::size_t k = 0; k < common; ++k) {
     const auto number = [&](std::size_t i) { return computed.columns[i].values[k]; };
@@ -44,7 +44,7 @@ void compare(const Recorded& recorded, const RowRange& rows, const table::Table&
 }
 
 /// Ticks until each table would have one row more than it has: whether the run went on shows there.
-std::int64_t ticks_to_replay(const plan::Plan& plan, const std::vector<RowRange>& rows) {
+std::int64_t ticks_to_replay(const plan::Plan& plan, const std::vector<RecordedRows>& rows) {
   std::int64_t ticks = 0;
   for (std::size_t i = 0; i < rows.size(); ++i)
     ticks = std::max(ticks, static_cast<std::int64_t>(rows[i].count) *
@@ -66,9 +66,8 @@ class UntilTick : public run::RunObserver {
 
 }  // namespace
 
-std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector<Recorded>& tables,
-                                    const std::vector<RowRange>& rows, const run::RunOptions& options,
-                                    Verification& verification) {
+std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector<RecordedRows>& rows,
+                                    const run::RunOptions& options, Verification& verification) {
   const plan::Plan& plan = simulation.plan();
   UntilTick until(ticks_to_replay(plan, rows));
   run::RunOptions own = options;
@@ -81,14 +80,14 @@ std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector
   if (verification.interrupted) return {};
   std::vector<std::size_t> used;
   Earliest earliest;
-  for (std::size_t i = 0; i < tables.size(); ++i) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
     const table::Table& computed = recordings[i].table;
     // A run that broke off before its first row has left none: these are the next one's.
     used.push_back(computed.rows() == 0 ? 0 : rows[i].count);
     verification.rows += used.back();
     if (computed.rows() > used.back())
       verification.missing_rows += record::max_rows(plan, plan.diagram.records[i]) - used.back();
-    compare(tables[i], {rows[i].first, used.back()}, computed, earliest);
+    compare({rows[i].recorded, rows[i].first, used.back()}, computed, earliest);
   }
   verification.difference = earliest.text();
   return used;
@@ -105,7 +104,7 @@ void replay_last_row(run::Executor& simulation, const std::vector<Recorded>& tab
   for (std::size_t i = 0; i < tables.size(); ++i) {
     ++verification.rows;
     if (!std::isnan(tables[i].times()[row]))
-      compare(tables[i], {row, 1}, recording.finished()[i].table, earliest);
+      compare({&tables[i], row, 1}, recording.finished()[i].table, earliest);
   }
   verification.difference = earliest.text();
 }

@@ -6,16 +6,10 @@
 
 namespace stepwire::replay {
 
-/// Rows of a table, one behind the other.
-struct RowRange {
-  std::size_t first = 0, count = 0;
-};
-
 /// Runs a plan as far as its rows go, with the observers of `options`, and compares them, one entry of `rows`
-/// for each table; adds what came of it. Returns how many rows of each table were this run's.
-std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector<Recorded>& tables,
-                                    const std::vector<RowRange>& rows, const run::RunOptions& options,
-                                    Verification& verification);
+/// for each recording; adds what came of it. Returns how many of each entry's rows were this run's.
+std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector<RecordedRows>& rows,
+                                    const run::RunOptions& options, Verification& verification);
 
 /// Runs a plan to its end and compares the last row of each table's request with the row of this number, of
 /// which a run that a fault ended has left none; adds what came of it.

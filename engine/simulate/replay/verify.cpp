@@ -6,9 +6,10 @@
 #include <filesystem>
 #include <iterator>
 
-#include "engine/base/table/table_file.hpp"
 #include "engine/simulate/replay/kept_replay.hpp"
 #include "engine/simulate/replay/loop_replay.hpp"
+#include "engine/simulate/replay/recorded_file.hpp"
+#include "engine/simulate/replay/recorded_runs.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/simulate/replay/run_note.hpp"
 #include "engine/simulate/replay/run_replay.hpp"
@@ -37,7 +38,7 @@ class Verifier {
   Verification run() {
     std::error_code none;
     if (!std::filesystem::is_directory(folder_, none)) refuse(folder_, "there is no such folder");
-    require_file("signals.csv");
+    recorded_file(folder_, 0);
     try {
       replay();
     } catch (const yaml::Error& error) {
@@ -104,6 +105,7 @@ class Verifier {
   /// such names, but then it has two columns less than the loop's.
   bool is_loop() const {
     const bool may_be_run = has("run.json");
+    if (!has("signals.csv")) return false;
     if (!may_be_run) require_file(flattened_name);
     const auto header = table::read_csv_header(path("signals.csv")).columns;
     if (!has(flattened_name) || header.size() < first_signal_of_loop || header[1].name != "tick" ||
@@ -119,14 +121,13 @@ class Verifier {
     return read_run_note(path("run.json"));
   }
 
-  /// The tables of a plan's recordings; their signals begin behind what else they have.
+  /// The one table of each recording; their signals begin behind what else they have.
   std::vector<Recorded> read_tables(const plan::Plan& plan, std::size_t first_signal,
-                                    table::ColumnWords words = {}) {
+                                    const table::ColumnWords& words = {}) {
     std::vector<Recorded> tables;
     for (std::size_t i = 0; i < plan.diagram.records.size(); ++i) {
-      const std::string name = io::numbered("signals", i, ".csv");
-      require_file(name);
-      tables.push_back({path(name), table::read_csv(path(name), words), first_signal});
+      table::ColumnWords found = words;
+      tables.push_back(read_recorded(recorded_file(folder_, i), first_signal, found));
       require_columns(tables.back(), plan, plan.diagram.records[i]);
       result_.signals += tables.back().signals();
     }
@@ -144,33 +145,37 @@ class Verifier {
   void verify_run() {
     const plan::Plan plan = plan_of(flattened_name);
     const std::vector<Recorded> tables = read_tables(plan, 1);
-    std::vector<RowRange> rows;
-    for (const Recorded& table : tables) rows.push_back({0, table.table.rows()});
+    std::vector<RecordedRows> rows;
+    for (const Recorded& table : tables) rows.push_back({&table, 0, table.table.rows()});
     run::Executor simulation(plan);
-    replay_run(simulation, tables, rows, options_, result_);
+    replay_run(simulation, rows, options_, result_);
   }
+
+  bool goes_on() const { return result_.difference.empty() && !result_.interrupted; }
 
   void verify_sweep(const RunNote& note) {
     result_.runs = note.runs;
     SweepRuns runs(folder_, note.runs, registry_);
-    table::ColumnWords words;
-    for (const std::string& parameter : note.swept) words[parameter];
-    std::vector<Recorded> tables;
-    std::vector<RowRange> rows;
-    for (std::size_t run = 0; run < note.runs && result_.difference.empty() && !result_.interrupted; ++run) {
+    std::vector<std::unique_ptr<RecordedRuns>> recordings;
+    for (std::size_t run = 0; run < note.runs && goes_on(); ++run) {
       run::Executor& simulation = runs.begin(run);
-      if (run == 0) {
-        tables = read_tables(simulation.plan(), 1 + note.swept.size(), words);
-        rows.resize(tables.size());
-      }
-      for (std::size_t i = 0; i < tables.size(); ++i) rows[i].count = length_of_run(tables[i], rows[i].first);
-      const auto used = replay_run(simulation, tables, rows, options_, result_);
-      for (std::size_t i = 0; i < used.size(); ++i) rows[i].first += used[i];
+      if (run == 0) recordings = open_recordings({simulation.plan(), note.swept, note.runs});
+      std::vector<RecordedRows> rows;
+      for (const auto& recording : recordings) rows.push_back(recording->next());
+      const auto used = replay_run(simulation, rows, options_, result_);
+      for (std::size_t i = 0; i < used.size(); ++i) recordings[i]->take(used[i]);
     }
-    for (std::size_t i = 0; i < tables.size() && result_.difference.empty() && !result_.interrupted; ++i)
-      if (rows[i].first < tables[i].table.rows())
-        result_.difference = fmt::format("{}:{}: there are more rows than the {} runs give", tables[i].file,
-                                         rows[i].first + 2, note.runs);
+    for (const auto& recording : recordings)
+      if (goes_on()) result_.difference = recording->left_over();
+  }
+
+  std::vector<std::unique_ptr<RecordedRuns>> open_recordings(const RecordedSweep& sweep) {
+    std::vector<std::unique_ptr<RecordedRuns>> recordings;
+    for (std::size_t i = 0; i < sweep.plan.diagram.records.size(); ++i) {
+      recordings.push_back(open_recorded_runs(folder_, i, sweep));
+      result_.signals += record::recorded_columns(sweep.plan, sweep.plan.diagram.records[i]).size() - 1;
+    }
+    return recordings;
   }
 
   /// Of a sweep that keeps the last row of each run.
@@ -180,7 +185,7 @@ class Verifier {
     table::ColumnWords words;
     for (const std::string& parameter : note.swept) words[parameter];
     std::vector<Recorded> tables;
-    for (std::size_t run = 0; run < note.runs && result_.difference.empty() && !result_.interrupted; ++run) {
+    for (std::size_t run = 0; run < note.runs && goes_on(); ++run) {
       run::Executor& simulation = runs.begin(run);
       if (run == 0) tables = read_tables(simulation.plan(), 1 + note.swept.size(), words);
       for (const Recorded& table : tables)
@@ -195,10 +200,10 @@ class Verifier {
     if (!numbers_) refuse(path("run.json"), "says that numbers of the runs are kept, which are not read here");
     result_.runs = note.runs;
     SweepRuns runs(folder_, note.runs, registry_);
-    const KeptTable table = read_kept_table(path("signals.csv"), note.swept, note.runs);
+    const KeptTable table = read_kept_table(recorded_file(folder_, 0), note.swept, note.runs);
     result_.signals = table.recorded.signals();
     std::shared_ptr<const run::RunNumbers> numbers;
-    for (std::size_t run = 0; run < note.runs && result_.difference.empty() && !result_.interrupted; ++run) {
+    for (std::size_t run = 0; run < note.runs && goes_on(); ++run) {
       run::Executor& simulation = runs.begin(run);
       if (!numbers) numbers = numbers_(simulation.plan(), note.document, table.swept, table.words);
       if (numbers->columns.size() != table.recorded.signals())
@@ -206,13 +211,6 @@ class Verifier {
                                                 table.recorded.signals(), numbers->columns.size()));
       replay_numbers(simulation, *numbers, table, run, options_, result_);
     }
-  }
-
-  /// The next run begins where the time is 0 again.
-  static std::size_t length_of_run(const Recorded& recorded, std::size_t first) {
-    const auto begin = recorded.times().begin() + static_cast<std::ptrdiff_t>(first);
-    if (begin == recorded.times().end()) return 0;
-    return static_cast<std::size_t>(std::find(begin + 1, recorded.times().end(), 0.0) - begin);
   }
 
   std::string folder_;

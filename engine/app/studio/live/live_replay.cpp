@@ -128,14 +128,14 @@ replay::Verification verify_live(const std::string& folder, const Registry& regi
       plan::make_plan(loader.load((std::filesystem::path(folder) / replay::flattened_name).string()));
   replay::Verification result;
   const std::vector<replay::Recorded> tables = tables_of(folder, plan, result);
-  std::vector<replay::RowRange> rows;
-  for (const replay::Recorded& table : tables) rows.push_back({0, table.table.rows()});
+  std::vector<replay::RecordedRows> rows;
+  for (const replay::Recorded& table : tables) rows.push_back({&table, 0, table.table.rows()});
   KeptReplay kept(log.events(), file);
   run::RunOptions options;
   options.interrupt = interrupt;
   options.observers = {&kept};
   run::Executor run(plan);
-  replay::replay_run(run, tables, rows, options, result);
+  replay::replay_run(run, rows, options, result);
   return result;
 }
 

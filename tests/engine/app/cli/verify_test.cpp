@@ -56,6 +56,21 @@ TEST_CASE("verify of what is no such folder ends with 2, of what cannot be read 
   CHECK(run_program(folder, {"verify", "out"}).code == 3);
 }
 
+TEST_CASE("verify compares numbers and words that a sweep keeps with HDF5, where there is no CSV") {
+  const Scratch folder;
+  folder.file("rows.csv", "time [s],x\n0,1\n2,3\n");
+  folder.file("kept.yaml",
+              "stepwire: 1\ntitle: t\nstep: 0.5 s\nstop: 2 s\nparameters: {way: linear, gain: 1}\nblocks:\n"
+              "  a: {block: FromFile, file: rows.csv, column: x, interpolation: $way}\n"
+              "  b: {block: Gain, u: a, gain: $gain}\nrecord: b\n"
+              "sweep: {way: [hold, linear], gain: [1, 2, 3], keep: {top: max(b), ratio: mean(b)/gain}}\n");
+  REQUIRE(run_program(folder, {"run", "kept.yaml", "--out", "out", "--files", "h5"}).code == 0);
+  REQUIRE_FALSE(std::filesystem::exists(folder.path("out/signals.csv")));
+  const Done done = run_program(folder, {"verify", "out"});
+  INFO(done.err);
+  CHECK(done.out == "out: 2 signals in 6 rows of 6 runs: all bits agree\n");
+}
+
 TEST_CASE("what an interrupted run has recorded is verified without waiting for its end") {
   const Scratch folder;
   folder.file("endless.yaml", endless_yaml);

@@ -122,6 +122,26 @@ TEST_CASE("runs of a sweep are groups with what they set") {
   CHECK(back.problems.at("run-2/way") == scratch.path("a.h5") + ": 'run-2/way' holds text, not numbers");
 }
 
+TEST_CASE("groups are read by name in the order that is given, and one that is not there is passed over") {
+  const Scratch scratch;
+  write_runs(scratch.path("a.h5"), two_runs());
+  const table::RecordTable back = read_hdf5_groups(scratch.path("a.h5"), {"run-2", "run-7", "run-1"});
+  std::vector<std::string> names;
+  for (const table::Column& column : back.columns) names.push_back(column.name);
+  CHECK(names == std::vector<std::string>{"run-2/mass", "run-2/way", "run-2/time", "run-2/x", "run-1/mass",
+                                          "run-1/way", "run-1/time", "run-1/x"});
+  check_bits(back.find("run-2/x")->values, positions);
+  CHECK(read_hdf5_groups(scratch.path("a.h5"), {"run-7"}).columns.empty());
+}
+
+TEST_CASE("the words that a column's numbers stand for come back") {
+  const Scratch scratch;
+  const Values ways{1.0, 0.0};
+  write_runs(scratch.path("a.h5"), {{"", {}, {{"way", "", ways, words}, {"x", "", ways}}}});
+  const table::RecordTable back = read_hdf5(scratch.path("a.h5"));
+  CHECK(back.words == std::map<std::string, std::vector<std::string>>{{"way", words}});
+}
+
 TEST_CASE("rows beyond a chunk, and none at all, come back") {
   const Scratch scratch;
   Values many(20'001);

@@ -9,11 +9,12 @@
 
 namespace stepwire {
 
-void leave(const DiagramFolder& folder, const std::string& file, const std::string& out) {
+void leave(const DiagramFolder& folder, const std::string& file, const std::string& out,
+           const session::FileKinds& kinds) {
   diagram::Loader loader(library());
   const session::LoadedModel model = session::load_model(loader, folder.path(file), {});
   replay::write_replay(folder.path(out), model.job);
-  session::write_outputs(folder.path(out), model, session::run_model(model, {}));
+  session::write_outputs(folder.path(out), model, session::run_model(model, {}), kinds);
 }
 
 void change(const DiagramFolder& folder, const std::string& file, const std::string& what,

@@ -2,12 +2,14 @@
 
 #include <string>
 
+#include "engine/app/session/signal_files.hpp"
 #include "tests/support/plan_text.hpp"
 
 namespace stepwire {
 
-/// Runs a diagram file of the folder and leaves in `out` what `run --out` would.
-void leave(const DiagramFolder& folder, const std::string& file, const std::string& out);
+/// Runs a diagram file of the folder and leaves in `out` what `run --out` would, with files of these kinds.
+void leave(const DiagramFolder& folder, const std::string& file, const std::string& out,
+           const session::FileKinds& kinds = session::usual_files);
 
 /// Replaces a text that is in a file of the folder.
 void change(const DiagramFolder& folder, const std::string& file, const std::string& what,

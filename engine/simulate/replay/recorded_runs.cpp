@@ -1,0 +1,133 @@
+#include "engine/simulate/replay/recorded_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+
+#include "engine/base/hdf5/hdf5_read.hpp"
+#include "engine/simulate/replay/recorded_file.hpp"
+
+namespace stepwire::replay {
+
+namespace {
+
+/// Runs that are one table, each from time 0 on.
+class RunsOfText : public RecordedRuns {
+ public:
+  RunsOfText(const std::string& file, std::size_t recording, const RecordedSweep& sweep) : runs_(sweep.runs) {
+    table::ColumnWords words;
+    for (const std::string& parameter : sweep.swept) words[parameter];
+    recorded_ = read_recorded(file, 1 + sweep.swept.size(), words);
+    require_columns(recorded_, sweep.plan, sweep.plan.diagram.records[recording]);
+  }
+
+  RecordedRows next() override {
+    const auto begin = recorded_.times().begin() + static_cast<std::ptrdiff_t>(first_);
+    if (begin == recorded_.times().end()) return {&recorded_, first_, 0};
+    return {&recorded_, first_,
+            static_cast<std::size_t>(std::find(begin + 1, recorded_.times().end(), 0.0) - begin)};
+  }
+
+  void take(std::size_t rows) override { first_ += rows; }
+
+  std::string left_over() override {
+    if (first_ == recorded_.table.rows()) return "";
+    return fmt::format("{}: there are more rows than the {} runs give", place_of_row(recorded_, first_), runs_);
+  }
+
+ private:
+  Recorded recorded_;
+  std::size_t runs_, first_ = 0;
+};
+
+constexpr std::size_t numbers_at_once = 1'000'000, columns_at_once = 10'000;
+
+/// Runs that are groups of a file, "run-1", ....
+class RunsOfGroups : public RecordedRuns {
+ public:
+  RunsOfGroups(std::string file, std::size_t recording, const RecordedSweep& sweep)
+      : file_(std::move(file)), sweep_(sweep), request_(sweep.plan.diagram.records[recording]),
+        columns_(record::recorded_columns(sweep.plan, request_).size()) {}
+
+  RecordedRows next() override {
+    if (ahead_.empty()) read();
+    current_ = std::move(ahead_.front());
+    ahead_.pop_front();
+    if (current_.table.rows() > 0) require_columns(current_, sweep_.plan, request_);
+    return {&current_, 0, current_.table.rows()};
+  }
+
+  void take(std::size_t rows) override {
+    if (rows < current_.table.rows() && left_over_.empty())
+      left_over_ = fmt::format("{}: there are {} rows, and none when it is replayed", current_.file,
+                               current_.table.rows());
+  }
+
+  std::string left_over() override {
+    if (!left_over_.empty() || group(sweep_.runs, 1).empty()) return left_over_;
+    return fmt::format("{}/{}: there are more runs than the {} of the sweep", file_, name(sweep_.runs),
+                       sweep_.runs);
+  }
+
+ private:
+  static std::string name(std::size_t run) { return fmt::format("run-{}", run + 1); }
+
+  /// All columns of so many runs, as "run-1/time", ....
+  std::vector<table::Column> group(std::size_t first, std::size_t count) const {
+    std::vector<std::string> names;
+    for (std::size_t run = first; run < first + count; ++run) names.push_back(name(run));
+    return hdf5::read_hdf5_groups(file_, names).columns;
+  }
+
+  void read() {
+    std::size_t numbers = 0;
+    std::vector<table::Column> columns = group(next_, at_once_);
+    auto column = columns.begin();
+    for (std::size_t run = next_; run < next_ + at_once_; ++run) {
+      ahead_.push_back(run_of(run, column, columns.end()));
+      numbers += ahead_.back().table.rows() * columns_;
+    }
+    next_ += at_once_;
+    const std::size_t each = numbers / at_once_ + 1, most = columns_at_once / (sweep_.swept.size() + columns_) + 1;
+    at_once_ = std::clamp<std::size_t>(numbers_at_once / each, 1, most);
+  }
+
+  /// Takes the columns of a run from the first of them on. Those of a run with rows begin with what it sets.
+  Recorded run_of(std::size_t run, std::vector<table::Column>::iterator& from,
+                  std::vector<table::Column>::iterator end) const {
+    const std::string path = name(run) + "/";
+    Recorded recorded{file_ + "/" + name(run), {}, 1, false};
+    auto& columns = recorded.table.columns;
+    for (; from != end && from->name.starts_with(path); ++from) {
+      columns.push_back(std::move(*from));
+      columns.back().name.erase(0, path.size());
+    }
+    const std::size_t swept = sweep_.swept.size();
+    if (columns.size() == swept + columns_)
+      columns.erase(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(swept));
+    if (columns.empty()) columns.emplace_back();
+    require_equal_lengths(recorded);
+    return recorded;
+  }
+
+  std::string file_;
+  RecordedSweep sweep_;
+  const diagram::RecordRequest& request_;
+  std::size_t columns_;  ///< of the recording, the time among them
+  std::size_t next_ = 0, at_once_ = 1;
+  std::deque<Recorded> ahead_;
+  Recorded current_;
+  std::string left_over_;
+};
+
+}  // namespace
+
+std::unique_ptr<RecordedRuns> open_recorded_runs(const std::string& folder, std::size_t recording,
+                                                 const RecordedSweep& sweep) {
+  const std::string file = recorded_file(folder, recording);
+  if (has_lines(file)) return std::make_unique<RunsOfText>(file, recording, sweep);
+  return std::make_unique<RunsOfGroups>(file, recording, sweep);
+}
+
+}  // namespace stepwire::replay
