@@ -143,6 +143,17 @@ void perform(TrialRuns& runs, const StudyRequest& request, const run::Job& job,
   OpenExperiments(runs, request, job, seeds, sink).perform();
 }
 
+void number_plans(Experiments& experiments, const TrialRuns& runs) {
+  std::vector<TrialRun*> trials;
+  for (Experiment& experiment : experiments)
+    for (TrialRun& trial : experiment.runs) trials.push_back(&trial);
+  const std::shared_ptr<run::PlanFamily> family = runs.new_family();
+  const std::vector<std::size_t> members = family->find_all(
+      trials.size(), [&](std::size_t trial) { return trials[trial]->point.own; }, runs.threads());
+  for (std::size_t i = 0; i < trials.size(); ++i) trials[i]->point.member = members[i];
+  for (Experiment& experiment : experiments) experiment.family = family;
+}
+
 Experiment score_recorded(const StudyRequest& request, const diagram::Diagram& diagram) {
   Experiment experiment;
   experiment.trials = request.recorded;

@@ -52,6 +52,10 @@ Experiments experiments_of(std::vector<std::vector<TrialRun>> people, std::uint6
                            const std::shared_ptr<run::PlanFamily>& family, const StudyRequest& request,
                            const run::Job& job);
 
+/// Finds the plans of all trials again, one trial after the other: which thread came first to a plan, and what
+/// was compiled ahead, does not show in them.
+void number_plans(Experiments& experiments, const TrialRuns& runs);
+
 /// Scores trials that were recorded. Throws Error.
 Experiment score_recorded(const StudyRequest& request, const diagram::Diagram& diagram);
 

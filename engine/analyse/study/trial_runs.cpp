@@ -70,7 +70,7 @@ TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const run:
     : source_(std::move(source)),
       request_(request),
       job_(job),
-      family_(std::make_shared<run::PlanFamily>(source_.loader, source_.file, source_.settings, job.plan)),
+      family_(new_family()),
       idle_(*family_) {
   if (source_.engine != run::ExecutionMode::interpreted) find_members();
   if (source_.engine == run::ExecutionMode::automatic) compile_ahead();
@@ -80,6 +80,10 @@ TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const run:
   const bool alone = source_.engine == run::ExecutionMode::interpreted || !source_.observers.empty();
   meeting_.emplace(plans(), alone ? run::LaneUse::never : run::LaneUse::automatic, source_.code,
                    source_.interrupt);
+}
+
+std::shared_ptr<run::PlanFamily> TrialRuns::new_family() const {
+  return std::make_shared<run::PlanFamily>(source_.loader, source_.file, source_.settings, job_.plan);
 }
 
 /// One member or more for each study and condition, so that code that is compiled for the first trials serves

@@ -87,6 +87,9 @@ class TrialRuns {
   }
   /// The plans of the trials.
   const std::shared_ptr<run::PlanFamily>& family() const { return family_; }
+  /// A family of the same file in which nothing was found yet.
+  std::shared_ptr<run::PlanFamily> new_family() const;
+  unsigned threads() const { return source_.threads; }
 
  private:
   std::vector<diagram::Setting> settings_of(const TrialRun& trial, const HandedOver& handed) const;

@@ -69,8 +69,9 @@ study::Experiments make_experiments(const Registry& registry, const LoadedModel&
   StudyCall own = call;
   if (call.workers) own.engine = run::ExecutionMode::interpreted;  // it runs nothing itself
   StudyParts parts(registry, model, own, seeds.size(), monitor);
-  if (call.workers) return perform_by(*call.workers, parts, model, seeds, kept);
-  study::Experiments experiments = perform_all(*parts.runs, model, seeds, kept, monitor);
+  study::Experiments experiments = call.workers ? perform_by(*call.workers, parts, model, seeds, kept)
+                                                : perform_all(*parts.runs, model, seeds, kept, monitor);
+  study::number_plans(experiments, *parts.runs);
   parts.runs.reset();  // so that nothing is compiled any more, which may have a problem to tell
   monitor.note_interpreted(parts.code.take_problem());
   return experiments;

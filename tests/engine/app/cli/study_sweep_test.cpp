@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fmt/format.h>
 
 #include "tests/engine/app/cli/small_study.hpp"
 
@@ -17,6 +18,21 @@ std::string learning_study() {
 std::string swept(const std::string& axes) {
   const std::string text = replaced(learning_study(), "study:\n", "sweep: {" + axes + "}\nstudy:\n");
   return replaced(text, "{plot: table, of: anova}", "{plot: table, of: means}");
+}
+
+/// A sweep whose points are of several plans: each holds the noise for another time.
+std::string of_several_plans() {
+  std::string text = replaced(swept("hold: [50 ms, 40 ms, 30 ms, 20 ms]"), "every: 50 ms}", "every: $hold}");
+  text = replaced(text, "  sway: ", "  hold: {value: 50 ms, doc: how long a noise stays}\n  sway: ");
+  return text.substr(0, text.find("claims:\n"));
+}
+
+/// All diagrams of a folder, and what each run sets in which of them.
+std::vector<std::string> replayed_files(const std::string& folder) {
+  std::vector<std::string> files{content_of(folder + "/sweep.csv")};
+  for (std::size_t i = 1; std::filesystem::exists(folder + fmt::format("/diagrams/{:04}.yaml", i)); ++i)
+    files.push_back(content_of(folder + fmt::format("/diagrams/{:04}.yaml", i)));
+  return files;
 }
 
 /// The value of a column in a row of a CSV file, 0 for the first one below the header.
@@ -87,6 +103,22 @@ TEST_CASE(
   const Done verified = run_program(folder, {"verify", "four"});
   CHECK(verified.code == 0);
   CHECK_THAT(verified.out, Contains("of 96 runs: all bits agree"));
+}
+
+TEST_CASE("the diagrams that a swept study leaves hang neither on its threads nor on what was compiled") {
+  const Scratch folder;
+  folder.file("a.yaml", of_several_plans());
+  const auto files_of = [&](const std::string& threads, const std::string& engine) {
+    const std::string out = threads + engine;
+    REQUIRE(run_program(folder, {"study", "a.yaml", "--threads", threads, "--engine", engine, "--out", out}).code == 0);
+    return replayed_files(folder.path(out));
+  };
+  const auto files = files_of("1", "interpreted");
+  CHECK(files.size() > 4);
+  CHECK_THAT(lines_of(files.front()).at(1), Catch::StartsWith("diagrams/0001.yaml,"));
+  for (const std::string threads : {"2", "3", "4"}) CHECK(files == files_of(threads, "interpreted"));
+  CHECK(files == files_of("4", "compiled"));
+  CHECK_THAT(run_program(folder, {"verify", "4interpreted"}).out, Contains("of 96 runs: all bits agree"));
 }
 
 TEST_CASE("tables of a swept study have the swept values, and say which statements hold at each point") {
