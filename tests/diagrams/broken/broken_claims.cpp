@@ -1,4 +1,4 @@
-// Changes the figures of the thesis as their files here say, and looks which claims fail by it.
+// Changes diagrams as their files here say, and looks which claims fail by it.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -32,6 +32,7 @@ struct Change {
 };
 
 struct Broken {
+  std::vector<std::pair<std::string, std::string>> always;  // replaced in the diagram before all else
   std::vector<Change> changes;
   std::vector<std::pair<std::string, std::string>> unmoved;
 };
@@ -64,6 +65,7 @@ Change read_change(const yaml::Node& node) {
 Broken read_broken(const std::string& file) {
   const yaml::Document document = yaml::parse_document(io::read_file(file), file);
   Broken broken;
+  broken.always = pairs_of(document.root.find("always"));
   if (const yaml::Node* changes = document.root.find("changes"))
     for (const yaml::Node& item : changes->items) broken.changes.push_back(read_change(item));
   broken.unmoved = pairs_of(document.root.find("unmoved"));
@@ -76,7 +78,7 @@ class Copy {
   Copy() : folder_(fs::temp_directory_path() / fmt::format("stepwire-broken-{}", ::getpid())) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
-    for (const char* folder : {"thesis", "parts"})
+    for (const char* folder : {"thesis", "examples", "parts"})
       fs::copy(fs::path(STEPWIRE_SOURCE_DIR) / "diagrams" / folder, folder_ / folder,
                fs::copy_options::recursive);
   }
@@ -84,13 +86,15 @@ class Copy {
   Copy(const Copy&) = delete;
   Copy& operator=(const Copy&) = delete;
 
-  std::string file(const std::string& name) const { return folder_ / "thesis" / name; }
+  /// `name` begins with a folder, as "thesis/".
+  std::string file(const std::string& name) const { return folder_ / name; }
 
   /// Replaces texts, each of which occurs once, and returns what the file had before.
-  std::string replace(const std::string& file, const Change& change) const {
+  std::string replace(const std::string& file,
+                      const std::vector<std::pair<std::string, std::string>>& replaced) const {
     const std::string before = io::read_file(file);
     std::string text = before;
-    for (const auto& [old, other] : change.replaced) {
+    for (const auto& [old, other] : replaced) {
       const std::size_t at = text.find(old);
       if (at == std::string::npos) throw std::runtime_error(fmt::format("'{}' is not in {}", old, file));
       if (text.find(old, at + 1) != std::string::npos)
@@ -113,7 +117,8 @@ class Runner {
     session::LoadOptions options;
     options.settings = settings;
     session::LoadedModel model = session::load_model(registry_, file, options);
-    has_study_or_fit_ = model.study || model.fit;
+    const auto& sweep = model.job.plan.diagram.sweep;
+    takes_long_ = model.study || model.fit || (sweep && sweep->design);
     if (model.study) {
       const auto experiments = studies_.experiments(registry_, model, {}, {});
       return session::study_outcome(model, *experiments).verdicts;
@@ -135,7 +140,7 @@ class Runner {
     return outcome.verdicts;
   }
 
-  bool has_study_or_fit() const { return has_study_or_fit_; }
+  bool takes_long() const { return takes_long_; }
   const std::vector<diagram::DiagramParameter>& parameters() const { return parameters_; }
   bool sweeps(const std::string& parameter) const { return swept_.contains(parameter); }
 
@@ -143,7 +148,7 @@ class Runner {
   const Registry registry_ = blocks();
   codegen::GeneratedCode code_;
   session::Studies studies_;
-  bool has_study_or_fit_ = false;
+  bool takes_long_ = false;
   std::vector<diagram::DiagramParameter> parameters_;
   std::set<std::string> swept_;
 };
@@ -162,16 +167,18 @@ std::string doubled(const diagram::DiagramParameter& parameter) {
   return formula && !parameter.text.starts_with("\"") ? fmt::format("2*({})", text) : "";
 }
 
-/// One figure with its changes; prints what is not as it should be.
+/// One diagram with its changes; prints what is not as it should be.
 class Check {
  public:
   Check(Runner& runner, const std::string& file) : runner_(runner), broken_(read_broken(file)) {
     const std::string stem = fs::path(file).stem().string() + "-";
-    for (const auto& entry : fs::directory_iterator(fs::path(STEPWIRE_SOURCE_DIR) / "diagrams" / "thesis"))
-      if (entry.path().extension() == ".yaml" && entry.path().filename().string().starts_with(stem))
-        name_ = entry.path().filename().string();
+    for (const char* folder : {"thesis", "examples"})
+      for (const auto& entry : fs::directory_iterator(copy_.file(folder)))
+        if (entry.path().extension() == ".yaml" && entry.path().filename().string().starts_with(stem))
+          name_ = folder / entry.path().filename();
     if (name_.empty())
-      throw std::runtime_error(fmt::format("no diagram file of the thesis begins with {}", stem));
+      throw std::runtime_error(fmt::format("no diagram file of thesis or examples begins with {}", stem));
+    copy_.replace(copy_.file(name_), broken_.always);
   }
 
   /// The number of faults found.
@@ -185,7 +192,7 @@ class Check {
       }
     }
     for (const std::string& claim : unbroken_) fault(fmt::format("no change breaks the claim '{}'", claim));
-    if (!runner_.has_study_or_fit()) double_parameters();
+    if (!runner_.takes_long()) double_parameters();
     fmt::print("{}: {} claims, {} changes, {} parameters doubled, {} of them without effect: {}\n", name_,
                claims_, broken_.changes.size(), doubled_, broken_.unmoved.size(),
                faults_ == 0 ? "ok" : fmt::format("{} faults", faults_));
@@ -214,8 +221,10 @@ class Check {
 
   void try_change(const Change& change) {
     const std::string changed =
-        change.in.empty() ? copy_.file(name_) : fs::path(copy_.file(change.in)).lexically_normal().string();
-    const std::string before = copy_.replace(changed, change);
+        change.in.empty()
+            ? copy_.file(name_)
+            : (fs::path(copy_.file(name_)).parent_path() / change.in).lexically_normal().string();
+    const std::string before = copy_.replace(changed, change.replaced);
     std::vector<claim::Verdict> verdicts;
     try {
       verdicts = runner_.verdicts(copy_.file(name_), change.settings);
@@ -272,8 +281,8 @@ class Check {
 
   Runner& runner_;
   Broken broken_;
-  std::string name_;
   Copy copy_;
+  std::string name_;  // with its folder
   std::vector<diagram::DiagramParameter> parameters_;
   std::set<std::string> unbroken_;
   std::size_t claims_ = 0, doubled_ = 0;
