@@ -21,6 +21,16 @@ void append_rows(record::Recording& all, const record::Recording& run, std::size
   }
 }
 
+/// What a result takes in memory, about.
+std::size_t bytes_of(const run::PointResult& result) {
+  constexpr std::size_t of_a_result = 1024;
+  std::size_t bytes = sizeof result + of_a_result;
+  for (const record::Recording& recording : result.recordings)
+    for (const table::Column& column : recording.table.columns)
+      bytes += sizeof column + column.values.capacity() * sizeof(double);
+  return bytes;
+}
+
 }  // namespace
 
 void DrawnRows::add(const std::vector<record::Recording>& run) {
@@ -104,18 +114,38 @@ std::optional<std::size_t> PointsInOrder::next() {
   return named_ < points_ ? std::optional(named_++) : std::nullopt;
 }
 
+void PointsInOrder::wait_for_room(std::optional<std::size_t> held) {
+  std::unique_lock lock(mutex_);
+  moved_.wait(lock, [&] { return left_ || bytes_ <= most_waiting_ || held == next_; });
+}
+
+void PointsInOrder::leave() {
+  const std::lock_guard lock(mutex_);
+  left_ = true;
+  moved_.notify_all();
+}
+
 void PointsInOrder::take(run::PointResult result) {
   const std::lock_guard lock(mutex_);
   ++taken_;
+  bytes_ += bytes_of(result);
   waiting_.emplace(result.point, std::move(result));
   for (auto first = waiting_.find(next_); first != waiting_.end(); first = waiting_.find(++next_)) {
+    bytes_ -= bytes_of(first->second);
     passed_.add(std::move(first->second));
     waiting_.erase(first);
   }
+  peak_ = std::max(peak_, bytes_);
+  moved_.notify_all();
 }
 
 double PointsInOrder::done() const {
   return static_cast<double>(taken_) / static_cast<double>(points_);
+}
+
+std::size_t PointsInOrder::peak() const {
+  const std::lock_guard lock(mutex_);
+  return peak_;
 }
 
 Outcome PointsInOrder::outcome() {

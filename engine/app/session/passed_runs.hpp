@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <condition_variable>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -52,22 +54,31 @@ class PassedRuns {
   bool misses_ = false;  ///< a run that was not added
 };
 
-/// Names all points of a sweep, and passes what they give in their order.
+/// Names all points of a sweep, and passes what they give in their order. What points behind the next one gave
+/// waits for it; where this takes too much memory, no thread begins a further point. It ends in any case: the
+/// next one is named, and no thread that waits has it.
 class PointsInOrder : public run::PointExchange {
  public:
-  explicit PointsInOrder(const LoadedModel& model)
-      : points_(model.job.points.size()), passed_(model) {}
+  /// A thread begins a point where no more than `most_waiting` bytes wait.
+  explicit PointsInOrder(const LoadedModel& model, std::size_t most_waiting = std::size_t{64} << 20)
+      : points_(model.job.points.size()), most_waiting_(most_waiting), passed_(model) {}
 
   std::optional<std::size_t> next() override;
+  void wait_for_room(std::optional<std::size_t> held) override;
+  void leave() override;
   void take(run::PointResult result) override;
   double done() const override;
   /// Once all that was named is taken.
   Outcome outcome();
+  /// The most that has waited [bytes].
+  std::size_t peak() const;
 
  private:
-  const std::size_t points_;
-  std::mutex mutex_;
-  std::size_t named_ = 0, next_ = 0;
+  const std::size_t points_, most_waiting_;
+  mutable std::mutex mutex_;
+  std::condition_variable moved_;
+  bool left_ = false;  ///< by a thread
+  std::size_t named_ = 0, next_ = 0, bytes_ = 0, peak_ = 0;
   std::atomic<std::size_t> taken_ = 0;
   std::map<std::size_t, run::PointResult> waiting_;  ///< behind one that is not there yet
   PassedRuns passed_;

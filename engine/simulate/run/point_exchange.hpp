@@ -24,6 +24,12 @@ class PointExchange {
   virtual ~PointExchange() = default;
   /// A point that is to be run; nothing once there is none any more. From any thread.
   virtual std::optional<std::size_t> next() = 0;
+  /// Waits, on a thread that begins nothing meanwhile, until what others gave does not take too much memory for
+  /// a further point. `held` is a point that next() has named and the thread has yet to run: it is not waited
+  /// for. From any thread.
+  virtual void wait_for_room(std::optional<std::size_t> /*held*/) {}
+  /// A thread takes no more points, and may leave what next() has named: nobody waits for them. From any thread.
+  virtual void leave() {}
   /// What a point gave that next() has named; where its run was interrupted, what it gave until then. From
   /// any thread.
   virtual void take(PointResult result) = 0;

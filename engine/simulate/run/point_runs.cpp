@@ -88,6 +88,7 @@ std::vector<std::size_t> AllPoints::next() {
 
 std::vector<std::size_t> ExchangedPoints::take() {
   std::vector<std::size_t> points;
+  exchange_.wait_for_room(waiting_);
   if (runs_.interrupted()) return points;
   auto point = waiting_ ? std::exchange(waiting_, std::nullopt) : exchange_.next();
   for (; point; point = exchange_.next()) {

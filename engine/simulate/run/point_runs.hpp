@@ -73,10 +73,16 @@ class AllPoints {
   PointQueue queue_;
 };
 
-/// Names points of an exchange, those of one member that come one after the other together. Of one thread.
+/// Names points of an exchange, those of one member that come one after the other together. Of one thread, which
+/// leaves the exchange with it.
 class ExchangedPoints {
  public:
   ExchangedPoints(const PointRuns& runs, PointExchange& exchange) : runs_(runs), exchange_(exchange) {}
+  ~ExchangedPoints() { exchange_.leave(); }
+  ExchangedPoints(const ExchangedPoints&) = delete;
+  ExchangedPoints& operator=(const ExchangedPoints&) = delete;
+
+  /// Called once all points of the last call have been given to the exchange.
   std::vector<std::size_t> take();
 
  private:

@@ -163,7 +163,7 @@ LaneReport run_points(const Job& job, const RunOptions& options, PointExchange& 
   PointRuns runs(job, options);
   run_groups(
       runs, options.threads,
-      [&] { return [points = ExchangedPoints(runs, exchange)]() mutable { return points.take(); }; },
+      [&] { return [points = std::make_unique<ExchangedPoints>(runs, exchange)] { return points->take(); }; },
       [&](std::size_t point) { return rows.take(runs.member_of(point)); },
       [&](PendingRun& run, std::unique_ptr<record::RunRecording> recorded) {
         PointResult result{run.index, std::move(run.end)};
