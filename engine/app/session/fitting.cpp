@@ -4,23 +4,11 @@
 
 #include "engine/analyse/estimation/search_items.hpp"
 #include "engine/app/session/build_note.hpp"
+#include "engine/app/session/search_parts.hpp"
 #include "engine/base/io/file.hpp"
-#include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/view/render/figure_file.hpp"
 
 namespace stepwire::session {
-
-bool worth_compiling(const LoadedModel& model) {
-  // What an interpreted block takes per tick, a compilation [s], and a search in steps.
-  constexpr double per_block = 5e-8, compilation = 1.5, steps = 10.0;
-  const run::Job& job = model.job;
-  double ticks = job.points.empty() ? static_cast<double>(job.plan.steps) : 0.0;
-  for (std::size_t point = 0; point < job.points.size(); ++point)
-    ticks += static_cast<double>(job.plan_of(point).steps);
-  const double run = per_block * ticks * static_cast<double>(job.plan.diagram.blocks.size());
-  const auto runs = static_cast<double>((model.fit->parameters.size() + 1) * model.fit->starts);
-  return run * runs * steps > compilation;
-}
 
 namespace {
 
@@ -32,22 +20,20 @@ estimation::FitRequest request_of(const LoadedModel& model, const FitCall& call)
   return request;
 }
 
-/// What the runs of a fit are made of.
-struct FitRuns {
-  FitRuns(const Registry& registry, const LoadedModel& model, const FitCall& call,
-          const std::atomic<bool>* interrupt)
-      : request(request_of(model, call)),
-        loader(registry, model.options.limits, model.options.reader),
-        source{loader, model.file, model.options.settings, nullptr, interrupt} {
-    const bool compiles = call.engine == run::ExecutionMode::compiled ||
-                          (call.engine == run::ExecutionMode::automatic && worth_compiling(model));
-    if (compiles) source.code = &code;
-    if (const auto& stop = model.options.stop) source.settings.push_back({"stop", *stop, "--stop " + *stop});
-  }
+/// About how many runs its searches need.
+double runs_of(const estimation::FitRequest& request) {
+  constexpr double steps = 10.0;  // of a search
+  return steps * static_cast<double>((request.parameters.size() + 1) * request.starts);
+}
+
+struct FitParts : SearchParts {
+  FitParts(const Registry& registry, const LoadedModel& model, const FitCall& call,
+           const std::atomic<bool>* interrupt)
+      : SearchParts(registry, model, call.engine, runs_of(request_of(model, call))),
+        request(request_of(model, call)),
+        source{loader, model.file, settings, used, interrupt} {}
 
   estimation::FitRequest request;
-  codegen::GeneratedCode code;
-  diagram::Loader loader;
   estimation::ModelSource source;
 };
 
@@ -55,18 +41,18 @@ struct FitRuns {
 
 estimation::FitResult fit_model(const Registry& registry, const LoadedModel& model, const FitCall& call,
                                 const Monitor& monitor) {
-  FitRuns runs(registry, model, call, monitor.interrupt);
+  FitParts parts(registry, model, call, monitor.interrupt);
   estimation::FitResult result =
-      fit(runs.source, model.job, runs.request, {call.threads, monitor.progress, call.workers});
-  monitor.note_interpreted(runs.code.take_problem());
+      fit(parts.source, model.job, parts.request, {call.threads, monitor.progress, call.workers});
+  monitor.note_interpreted(parts.code.take_problem());
   return result;
 }
 
 messages::ItemWork fit_work(const Registry& registry, const LoadedModel& model, const FitCall& call) {
-  const auto runs = std::make_shared<FitRuns>(registry, model, call, nullptr);
+  const auto parts = std::make_shared<FitParts>(registry, model, call, nullptr);
   const auto work =
-      std::make_shared<estimation::SearchWork>(runs->source, model.job, runs->request, call.threads);
-  return [runs, work](const messages::Item& item) { return work->work(item); };
+      std::make_shared<estimation::SearchWork>(parts->source, model.job, parts->request, call.threads);
+  return [parts, work](const messages::Item& item) { return work->work(item); };
 }
 
 /// A few steps from each start and from what a global search gives, and searches that go on.

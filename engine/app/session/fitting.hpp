@@ -21,9 +21,6 @@ struct FitCall {
   messages::ItemWorkers* workers = nullptr;  ///< that search from the starts; null: this process does
 };
 
-/// Will the fit's runs take longer than a compilation?
-bool worth_compiling(const LoadedModel& model);
-
 /// Finds the parameters that the file asks for. Throws Error.
 estimation::FitResult fit_model(const Registry& registry, const LoadedModel& model, const FitCall& call,
                                 const Monitor& monitor);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/analyse/linear/columns.hpp"
+#include "engine/app/session/search_parts.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
 namespace stepwire::session {
@@ -32,8 +33,7 @@ void require(const std::string& file, const std::vector<linear::WrittenName>& na
 
 /// The diagram of a point of the sweep, or of the one run.
 diagram::Diagram diagram_of(diagram::Loader& loader, const LoadedModel& model, std::size_t point) {
-  std::vector<diagram::Setting> settings = model.options.settings;
-  if (const auto& stop = model.options.stop) settings.push_back({"stop", *stop, "--stop " + *stop});
+  std::vector<diagram::Setting> settings = call_settings(model.options);
   if (model.job.points.empty()) return loader.load(model.file, settings);
   for (diagram::Setting& setting : model.job.settings_of(point)) settings.push_back(std::move(setting));
   return loader.load_point(model.file, settings);

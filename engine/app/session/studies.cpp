@@ -10,6 +10,7 @@
 #include "engine/analyse/study/study_columns.hpp"
 #include "engine/analyse/study/study_tables.hpp"
 #include "engine/app/session/kept_experiments.hpp"
+#include "engine/app/session/search_parts.hpp"
 #include "engine/app/session/study_parts.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
@@ -107,8 +108,7 @@ run::ExecutionMode engine_of(const LoadedModel& model, const StudyCall& call, st
 
 study::TrialSource trial_source(diagram::Loader& loader, const LoadedModel& model, run::ExecutionMode engine,
                                 plan::CodeSource& code, const Monitor& monitor) {
-  study::TrialSource source{loader, model.file, model.options.settings, engine, &code, 0, monitor.interrupt};
-  if (const auto& stop = model.options.stop) source.settings.push_back({"stop", *stop, "--stop " + *stop});
+  study::TrialSource source{loader, model.file, call_settings(model.options), engine, &code, 0, monitor.interrupt};
   source.observers = monitor.observers;
   return source;
 }

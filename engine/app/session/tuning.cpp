@@ -6,28 +6,14 @@
 
 #include "engine/analyse/tuning/search_items.hpp"
 #include "engine/app/session/build_note.hpp"
+#include "engine/app/session/search_parts.hpp"
 #include "engine/base/io/file.hpp"
-#include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/view/render/figure_file.hpp"
 #include "engine/view/scene/scene_states.hpp"
 
 namespace stepwire::session {
 
 namespace {
-
-/// Will a search take longer than a compilation?
-bool is_long(const LoadedModel& model, const tuning::TuneRequest& request) {
-  // What an interpreted block takes per tick and a compilation [s], and what a search takes at least.
-  constexpr double per_block = 5e-8, compilation = 1.5, per_parameter = 20.0;
-  const run::Job& job = model.job;
-  double ticks = job.points.empty() ? static_cast<double>(job.plan.steps) : 0.0;
-  for (std::size_t point = 0; point < job.points.size(); ++point)
-    ticks += static_cast<double>(job.plan_of(point).steps);
-  const double evaluations = std::min(per_parameter * static_cast<double>(request.parameters.size()),
-                                      static_cast<double>(request.evaluations)) *
-                             static_cast<double>(request.starts);
-  return per_block * ticks * static_cast<double>(job.plan.diagram.blocks.size()) * evaluations > compilation;
-}
 
 tuning::TuneRequest request_of(const LoadedModel& model, const TuneCall& call) {
   tuning::TuneRequest request = *model.tune;
@@ -37,26 +23,26 @@ tuning::TuneRequest request_of(const LoadedModel& model, const TuneCall& call) {
   return request;
 }
 
-/// What the runs of a tuning are made of.
-struct TuneParts {
+/// How many runs its searches need at least.
+double runs_of(const tuning::TuneRequest& request) {
+  constexpr std::size_t per_parameter = 20;
+  return static_cast<double>(std::min(per_parameter * request.parameters.size(), request.evaluations) *
+                             request.starts);
+}
+
+struct TuneParts : SearchParts {
   TuneParts(const Registry& registry, const LoadedModel& model, const TuneCall& call,
             const std::atomic<bool>* interrupt)
-      : request(request_of(model, call)),
-        loader(registry, model.options.limits, model.options.reader),
-        source{loader, model.file, model.options.settings, model.linear, nullptr, interrupt} {
-    const bool compiles = call.engine == run::ExecutionMode::compiled ||
-                          (call.engine == run::ExecutionMode::automatic && is_long(model, request));
-    if (compiles) source.code = &code;
+      : SearchParts(registry, model, call.engine, runs_of(request_of(model, call))),
+        request(request_of(model, call)),
+        source{loader, model.file, settings, model.linear, used, interrupt} {
     if (model.scene)
       source.add_shown = [scene = model.scene](std::vector<record::Recording>& recordings) {
         scene::add_scene_states(*scene, recordings);
       };
-    if (const auto& stop = model.options.stop) source.settings.push_back({"stop", *stop, "--stop " + *stop});
   }
 
   tuning::TuneRequest request;
-  codegen::GeneratedCode code;
-  diagram::Loader loader;
   tuning::TuneSource source;
 };
 

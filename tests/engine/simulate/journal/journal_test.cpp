@@ -55,6 +55,12 @@ bool same(const run::PointResult& a, const run::PointResult& b) {
   return bytes_of(a) == bytes_of(b);
 }
 
+/// Adds a point to a journal, which it opens for this alone, and returns how long the file is then.
+std::uintmax_t keep_alone(const std::string& path, const run::Job& job, std::size_t point) {
+  Journal(path, "head", job, nullptr, Journal::Use::write).add(result_of(job, point));
+  return std::filesystem::file_size(path);
+}
+
 }  // namespace
 
 TEST_CASE("a point's result has the same parts after it has been bytes") {
@@ -119,10 +125,7 @@ TEST_CASE("a journal that was cut anywhere keeps the points before, and goes on 
   const Scratch folder;
   const run::Job job = swept_job(folder);
   const std::string path = folder.path("points");
-  { Journal(path, "head", job, nullptr, Journal::Use::write).add(result_of(job, 1)); }
-  const auto one = std::filesystem::file_size(path);
-  { Journal(path, "head", job, nullptr, Journal::Use::write).add(result_of(job, 4)); }
-  const auto two = std::filesystem::file_size(path);
+  const auto one = keep_alone(path, job, 1), two = keep_alone(path, job, 4);
   for (auto size = one; size < two; size += 7) {
     std::filesystem::copy_file(path, path + "-cut", std::filesystem::copy_options::overwrite_existing);
     std::filesystem::resize_file(path + "-cut", size);
@@ -143,9 +146,8 @@ TEST_CASE("a changed byte ends a journal before its record") {
   const Scratch folder;
   const run::Job job = swept_job(folder);
   const std::string path = folder.path("points");
-  { Journal(path, "head", job, nullptr, Journal::Use::write).add(result_of(job, 1)); }
-  const auto one = std::filesystem::file_size(path);
-  { Journal(path, "head", job, nullptr, Journal::Use::write).add(result_of(job, 4)); }
+  const auto one = keep_alone(path, job, 1);
+  keep_alone(path, job, 4);
   std::fstream(path, std::ios::in | std::ios::out | std::ios::binary)
       .seekp(static_cast<std::streamoff>(one) + 60)
       .put('\x55');
@@ -158,7 +160,7 @@ TEST_CASE("a journal of another head is begun anew, and what is none has no head
   const Scratch folder;
   const run::Job job = swept_job(folder);
   const std::string path = folder.path("points");
-  { Journal(path, "head", job, nullptr, Journal::Use::write).add(result_of(job, 1)); }
+  keep_alone(path, job, 1);
   CHECK(Journal(path, "another", job, nullptr, Journal::Use::write).count() == 0);
   CHECK(Journal::head_of(path) == "another");
   CHECK_FALSE(Journal::head_of(folder.path("none")));

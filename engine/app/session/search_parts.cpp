@@ -1,0 +1,32 @@
+#include "engine/app/session/search_parts.hpp"
+
+namespace stepwire::session {
+
+namespace {
+
+bool outlast_compilation(const run::Job& job, double runs) {
+  constexpr double per_block = 5e-8, compilation = 1.5;  // an interpreted block in a tick, and a compilation [s]
+  double ticks = job.points.empty() ? static_cast<double>(job.plan.steps) : 0.0;
+  for (std::size_t point = 0; point < job.points.size(); ++point)
+    ticks += static_cast<double>(job.plan_of(point).steps);
+  return per_block * ticks * static_cast<double>(job.plan.diagram.blocks.size()) * runs > compilation;
+}
+
+}  // namespace
+
+std::vector<diagram::Setting> call_settings(const LoadOptions& options) {
+  std::vector<diagram::Setting> settings = options.settings;
+  if (options.stop) settings.push_back({"stop", *options.stop, "--stop " + *options.stop});
+  return settings;
+}
+
+SearchParts::SearchParts(const Registry& registry, const LoadedModel& model, run::ExecutionMode engine,
+                         double runs)
+    : used(engine == run::ExecutionMode::compiled ||
+                   (engine == run::ExecutionMode::automatic && outlast_compilation(model.job, runs))
+               ? &code
+               : nullptr),
+      loader(registry, model.options.limits, model.options.reader),
+      settings(call_settings(model.options)) {}
+
+}  // namespace stepwire::session

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/app/session/loaded_model.hpp"
+#include "engine/simulate/codegen/generated_code.hpp"
+
+namespace stepwire::session {
+
+/// What a call sets, its stop time among it.
+std::vector<diagram::Setting> call_settings(const LoadOptions& options);
+
+/// What the runs of a search for values of a model's parameters are made of, such as a fit or a tuning.
+struct SearchParts {
+  /// Of so many runs, each of all points of a sweep. They are compiled where the call says so; where it leaves
+  /// that open, if they would take longer than a compilation.
+  SearchParts(const Registry& registry, const LoadedModel& model, run::ExecutionMode engine, double runs);
+
+  codegen::GeneratedCode code;
+  plan::CodeSource* used;  ///< the code; null: runs are interpreted
+  diagram::Loader loader;
+  std::vector<diagram::Setting> settings;
+};
+
+}  // namespace stepwire::session
