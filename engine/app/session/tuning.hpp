@@ -15,8 +15,8 @@ namespace stepwire::session {
 
 /// What a call sets of a tuning, in place of the file's values.
 struct TuneCall {
-  std::optional<std::size_t> starts, evaluations;
-  std::optional<std::uint64_t> seed;
+  std::optional<std::size_t> starts{}, evaluations{};
+  std::optional<std::uint64_t> seed{};
   unsigned threads = 0;  ///< 0: all cores
   run::ExecutionMode engine = run::ExecutionMode::automatic;
   messages::ItemWorkers* workers = nullptr;  ///< that search from the starts; null: this process does
