@@ -14,63 +14,14 @@
 #include "engine/app/session/studies.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
-#include "engine/base/yaml/document.hpp"
 #include "engine/base/yaml/error.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "tests/diagrams/broken/changes.hpp"
 
 using namespace stepwire;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Change {
-  std::string what;
-  std::string in;  // beside the figure's file; empty: that file itself
-  std::vector<std::pair<std::string, std::string>> replaced;
-  std::vector<diagram::Setting> settings;
-  std::vector<std::string> fails;  // first words of claims
-};
-
-struct Broken {
-  std::vector<std::pair<std::string, std::string>> always;  // replaced in the diagram before all else
-  std::vector<Change> changes;
-  std::vector<std::pair<std::string, std::string>> unmoved;
-};
-
-std::vector<std::pair<std::string, std::string>> pairs_of(const yaml::Node* node) {
-  std::vector<std::pair<std::string, std::string>> pairs;
-  if (node)
-    for (const yaml::Entry& entry : node->entries) pairs.emplace_back(entry.key, entry.value.text);
-  return pairs;
-}
-
-Change read_change(const yaml::Node& node) {
-  Change change;
-  for (const yaml::Entry& entry : node.entries)
-    if (!std::set<std::string>{"change", "in", "replace", "set", "fails"}.contains(entry.key))
-      throw std::runtime_error(
-          fmt::format("line {}: '{}' is no key of a change", entry.mark.line, entry.key));
-  change.what = node.find("change") ? node.find("change")->text : "";
-  if (const yaml::Node* in = node.find("in")) change.in = in->text;
-  change.replaced = pairs_of(node.find("replace"));
-  for (const auto& [name, value] : pairs_of(node.find("set"))) change.settings.push_back({name, value});
-  if (const yaml::Node* fails = node.find("fails"))
-    for (const yaml::Node& item : fails->items) change.fails.push_back(item.text);
-  if (change.what.empty() || change.fails.empty() || (change.replaced.empty() && change.settings.empty()))
-    throw std::runtime_error(
-        fmt::format("line {}: a change has 'change', 'fails', and 'replace' or 'set'", node.mark.line));
-  return change;
-}
-
-Broken read_broken(const std::string& file) {
-  const yaml::Document document = yaml::parse_document(io::read_file(file), file);
-  Broken broken;
-  broken.always = pairs_of(document.root.find("always"));
-  if (const yaml::Node* changes = document.root.find("changes"))
-    for (const yaml::Node& item : changes->items) broken.changes.push_back(read_change(item));
-  broken.unmoved = pairs_of(document.root.find("unmoved"));
-  return broken;
-}
 
 /// A copy of the diagrams in which texts may be replaced.
 class Copy {
@@ -90,8 +41,7 @@ class Copy {
   std::string file(const std::string& name) const { return folder_ / name; }
 
   /// Replaces texts, each of which occurs once, and returns what the file had before.
-  std::string replace(const std::string& file,
-                      const std::vector<std::pair<std::string, std::string>>& replaced) const {
+  std::string replace(const std::string& file, const broken::Texts& replaced) const {
     const std::string before = io::read_file(file);
     std::string text = before;
     for (const auto& [old, other] : replaced) {
@@ -170,7 +120,7 @@ std::string doubled(const diagram::DiagramParameter& parameter) {
 /// One diagram with its changes; prints what is not as it should be.
 class Check {
  public:
-  Check(Runner& runner, const std::string& file) : runner_(runner), broken_(read_broken(file)) {
+  Check(Runner& runner, const std::string& file) : runner_(runner), broken_(broken::read_broken(file)) {
     const std::string stem = fs::path(file).stem().string() + "-";
     for (const char* folder : {"thesis", "examples"})
       for (const auto& entry : fs::directory_iterator(copy_.file(folder)))
@@ -184,7 +134,7 @@ class Check {
   /// The number of faults found.
   int run() {
     as_it_is();
-    for (const Change& change : broken_.changes) {
+    for (const broken::Change& change : broken_.changes) {
       try {
         try_change(change);
       } catch (const std::exception& error) {
@@ -219,7 +169,7 @@ class Check {
     });
   }
 
-  void try_change(const Change& change) {
+  void try_change(const broken::Change& change) {
     const std::string changed =
         change.in.empty()
             ? copy_.file(name_)
@@ -236,7 +186,7 @@ class Check {
     for (const std::string& words : change.fails) expect_failure(change, words, verdicts);
   }
 
-  void expect_failure(const Change& change, const std::string& words,
+  void expect_failure(const broken::Change& change, const std::string& words,
                       const std::vector<claim::Verdict>& verdicts) {
     const auto named = [&](const claim::Verdict& verdict) {
       return is_statement(verdict) && verdict.that.starts_with(words);
@@ -280,7 +230,7 @@ class Check {
   }
 
   Runner& runner_;
-  Broken broken_;
+  broken::Broken broken_;
   Copy copy_;
   std::string name_;  // with its folder
   std::vector<diagram::DiagramParameter> parameters_;
