@@ -54,7 +54,7 @@ std::size_t PlanFamily::find(const std::vector<diagram::Setting>& values) {
   return add(std::make_unique<PlanMember>(plan_anew(values), values));
 }
 
-/// While nobody adds a member.
+/// Reads the members without the lock of their list: the caller holds that of find(), which alone adds some.
 std::optional<std::size_t> PlanFamily::known(const std::vector<diagram::Setting>& values,
                                              MemberTrial& trial) const {
   const std::size_t last = members_.size();
@@ -75,7 +75,7 @@ std::vector<std::size_t> PlanFamily::find_all(std::size_t runs, const ValuesOfRu
   return members;
 }
 
-/// The members of runs that those have which are there now.
+/// Those of the runs from `first` on, where a member that is there fits; it adds none.
 std::vector<std::optional<std::size_t>> PlanFamily::find_known(std::size_t first, std::size_t runs,
                                                                const ValuesOfRun& values_of,
                                                                MemberTrials& trials, unsigned threads) {
@@ -86,7 +86,7 @@ std::vector<std::optional<std::size_t>> PlanFamily::find_known(std::size_t first
     trials.use([&](MemberTrial& trial) {
       for (std::size_t run = part * at_once; run < std::min(runs, (part + 1) * at_once); ++run) try {
           found[run] = known(values_of(first + run), trial);
-        } catch (const yaml::Error&) {  // find() says it, in the order of the runs
+        } catch (const yaml::Error&) {  // find() throws it, in the order of the runs
         }
     });
   });

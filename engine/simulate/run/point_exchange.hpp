@@ -28,7 +28,8 @@ class PointExchange {
   /// a further point. `held` is a point that next() has named and the thread has yet to run: it is not waited
   /// for. From any thread.
   virtual void wait_for_room(std::optional<std::size_t> /*held*/) {}
-  /// A thread takes no more points, and may leave what next() has named: nobody waits for them. From any thread.
+  /// Ends all waits for room, now and later: a thread takes no more points, and points that next() has named for
+  /// it may stay without a result. From any thread.
   virtual void leave() {}
   /// What a point gave that next() has named; where its run was interrupted, what it gave until then. From
   /// any thread.
