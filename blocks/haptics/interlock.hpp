@@ -66,7 +66,7 @@ struct Interlock {
       if (!std::isfinite(u[i])) return false;
     for (Index k = 0; k < measured.count(); ++k)
       for (Index i = 0; i < measured[k].size; ++i)
-        if (!std::isfinite(measured[k].data[i])) return false;
+        if (!std::isfinite(measured[k][i])) return false;
     return true;
   }
   void trip() {

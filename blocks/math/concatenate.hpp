@@ -12,7 +12,7 @@ struct Concatenate {
   void outputs() {
     Index next = 0;
     for (Index i = 0; i < u.count(); ++i)
-      for (Index k = 0; k < u[i].size; ++k) y[next++] = u[i].data[k];
+      for (Index k = 0; k < u[i].size; ++k) y[next++] = u[i][k];
   }
 
   static void declare(Declare<Concatenate>& is);

@@ -15,7 +15,7 @@ struct Stack {
     for (Index i = 0; i < u.count(); ++i) {
       const Index own = u[i].size / columns;
       for (Index column = 0; column < columns; ++column)
-        for (Index row = 0; row < own; ++row) y[column * rows + first + row] = u[i].data[column * own + row];
+        for (Index row = 0; row < own; ++row) y[column * rows + first + row] = u[i][column * own + row];
       first += own;
     }
   }

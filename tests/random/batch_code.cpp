@@ -38,7 +38,8 @@ std::string steps_text(const codegen::GeneratedProgram& program) {
   std::string text = in_namespace(program.text);
   for (const char* function : {"evaluate", "advance"})
     text += fmt::format(
-        "extern \"C\" [[gnu::visibility(\"default\")]] void {0}_NUMBER(double* w, const double* numbers, "
+        "extern \"C\" [[gnu::visibility(\"default\")]] void {0}_NUMBER(double* "
+        "w, const double* numbers, "
         "std::int64_t tick) {{ made_NUMBER::{0}(w, numbers, tick); }}\n",
         function);
   return text;
@@ -46,7 +47,8 @@ std::string steps_text(const codegen::GeneratedProgram& program) {
 
 std::string lanes_text(const codegen::GeneratedProgram& program) {
   return in_namespace(program.text) +
-         "extern \"C\" [[gnu::visibility(\"default\")]] void run_NUMBER(plan::LaneTask& task) { "
+         "extern \"C\" [[gnu::visibility(\"default\")]] void "
+         "run_NUMBER(plan::LaneTask& task) { "
          "made_NUMBER::run(task); }\n";
 }
 
@@ -62,15 +64,21 @@ std::string program_text(const plan::Plan& plan, const codegen::Tuning& tuning,
   const std::string head = "extern \"C\" [[gnu::visibility(\"default\")]] ";
   return codegen::struct_text(plan, tuning, groups, space) + in_namespace(program.text) + definitions + head +
          "void* make_NUMBER() { return new own_NUMBER::Diagram; }\n" + head +
-         "void free_NUMBER(void* d) { delete static_cast<own_NUMBER::Diagram*>(d); }\n" + head +
+         "void free_NUMBER(void* d) { delete "
+         "static_cast<own_NUMBER::Diagram*>(d); }\n" +
+         head +
          "void tick_NUMBER(void* d, double* numbers) {\n"
-         "  auto& own = *static_cast<own_NUMBER::Diagram*>(d);\n  own.evaluate();\n"
+         "  auto& own = *static_cast<own_NUMBER::Diagram*>(d);\n  "
+         "own.evaluate();\n"
          "  own_NUMBER::Diagram::State state;\n  own.save(state);\n"
          "  std::memcpy(numbers, state.numbers, sizeof state.numbers);\n}\n" +
-         head + "void next_NUMBER(void* d) { static_cast<own_NUMBER::Diagram*>(d)->advance(); }\n";
+         head +
+         "void next_NUMBER(void* d) { "
+         "static_cast<own_NUMBER::Diagram*>(d)->advance(); }\n";
 }
 
-/// Flags beside those of every compilation. Less is optimised, as compiling is what takes the time here.
+/// Flags beside those of every compilation. Less is optimised, as compiling is
+/// what takes the time here.
 std::vector<std::string> flags_of(int lanes, const std::vector<std::string>& headers) {
   if (lanes == 1) return {"-O0"};
   std::vector<std::string> flags{"-O1"};  // without it a loop over lanes stays one
@@ -136,6 +144,14 @@ std::optional<OwnProgram> BatchCode::program(const plan::Plan& plan, bool consta
                     as<void (*)(void*)>(made.functions["next"])};
 }
 
+std::optional<plan::CompiledPlan> BatchCode::as_runs_have_it(const plan::Plan& plan) {
+  const codegen::GeneratedProgram program = codegen::make_steps(plan, {});
+  Piece& made = piece({"// alone\n" + program.text, program.headers, 1, program});
+  if (made.functions.empty()) return std::nullopt;
+  using Step = void (*)(double*, const double*, std::int64_t);
+  return plan::CompiledPlan{{as<Step>(made.functions["evaluate"]), as<Step>(made.functions["advance"])}, {}};
+}
+
 void BatchCode::compile_all() {
   const std::vector<Group> groups = open_groups();
   parallel::in_parallel(groups.size(), 0, [&](std::size_t i) { compile(groups[i]); });
@@ -145,8 +161,10 @@ void BatchCode::compile_all() {
 std::vector<BatchCode::Group> BatchCode::open_groups() {
   std::map<int, Group> open;
   for (auto& [text, piece] : pieces_)
-    if (!piece.done) open[piece.lanes].push_back(&piece);
+    if (!piece.done && !piece.whole) open[piece.lanes].push_back(&piece);
   std::vector<Group> groups;
+  for (auto& [text, piece] : pieces_)
+    if (!piece.done && piece.whole) groups.push_back({&piece});
   for (const auto& [lanes, pieces] : open) {
     const std::size_t count = (pieces.size() + most_pieces - 1) / most_pieces;
     const std::size_t first = groups.size();
@@ -170,8 +188,18 @@ std::string BatchCode::source_of(const Group& group) {
   return source;
 }
 
+void BatchCode::compile_whole(Piece& piece) {
+  const codegen::ProgramFunctions made =
+      codegen::CodeCache().load(*piece.whole, compiler_, {}, piece.problem);
+  piece.done = true;
+  if (!made) return;
+  piece.functions["evaluate"] = reinterpret_cast<void*>(made.steps.evaluate);
+  piece.functions["advance"] = reinterpret_cast<void*>(made.steps.advance);
+}
+
 /// Where one of many does not compile, each half is tried.
 void BatchCode::compile(const Group& group) {
+  if (group.front()->whole) return compile_whole(*group.front());
   const subprocess::ScratchFolder folder;
   const std::string stem = folder.path() + "/batch";
   std::set<std::string> headers;

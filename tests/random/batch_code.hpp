@@ -17,8 +17,9 @@ struct OwnProgram {
   void (*advance)(void* program) = nullptr;
 };
 
-/// Code of many diagrams, compiled in few sources: a tenth of the time. The first calls note what is wanted
-/// and return std::nullopt; after compile_all() the same calls return functions.
+/// Code of many diagrams, compiled in few sources: a tenth of the time. The
+/// first calls note what is wanted and return std::nullopt; after compile_all()
+/// the same calls return functions.
 class BatchCode : public plan::CodeSource {
  public:
   std::optional<plan::CompiledPlan> compile(const plan::Plan& plan,
@@ -28,16 +29,21 @@ class BatchCode : public plan::CodeSource {
                                                    const plan::RunDifferences& differences,
                                                    const plan::CodeLimits& limits, std::string& why) override;
   int lanes() override;
-  /// The program that `generate` writes, with parameters to change or without; nullopt before compile_all()
-  /// and where it does not compile.
+  /// The program that `generate` writes, with parameters to change or without;
+  /// nullopt before compile_all() and where it does not compile.
   std::optional<OwnProgram> program(const plan::Plan& plan, bool constant_parameters);
+
+  /// Code as a run has it, with all that the compiler optimises, from the cache
+  /// or compiled.
+  std::optional<plan::CompiledPlan> as_runs_have_it(const plan::Plan& plan);
 
   bool has_compiler() const { return compiler_.found(); }
   /// Compiles all that was noted since the last call, on all cores.
   void compile_all();
   /// Forgets everything; what is loaded stays loaded.
   void clear() { pieces_.clear(); }
-  /// The errors of the compiler in the code that was wanted last; empty if it has none.
+  /// The errors of the compiler in the code that was wanted last; empty if it
+  /// has none.
   const std::string& problem() const { return problem_; }
 
  private:
@@ -46,7 +52,8 @@ class BatchCode : public plan::CodeSource {
     std::string text;  ///< with {0} in the place of its number
     std::vector<std::string> headers;
     int lanes = 1;
-    std::map<std::string, void*> functions{};  ///< by their names without the number
+    std::optional<codegen::GeneratedProgram> whole{};  ///< compiled as a run does it
+    std::map<std::string, void*> functions{};          ///< by their names without the number
     std::string problem{};
     bool done = false;
   };
@@ -55,6 +62,7 @@ class BatchCode : public plan::CodeSource {
   Piece& piece(Piece wanted);
   std::vector<Group> open_groups();
   void compile(const Group& group);
+  void compile_whole(Piece& piece);
   static std::string source_of(const Group& group);
 
   codegen::Compiler compiler_;

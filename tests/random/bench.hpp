@@ -43,14 +43,16 @@ class Bench {
   Sketch sketch;
   std::vector<Wire> wires;
   std::vector<Promise> promises;
-  double step = 1e-3;  ///< [s]
+  std::vector<std::string> states;  ///< of blocks, by the names under which they are recorded
+  double step = 1e-3;               ///< [s]
   int ticks = 100;
   bool locates = false, solves_loops = false, guards = false;
 
   std::string next_name();
   void add(Entry entry) { sketch.blocks.push_back(std::move(entry)); }
 
-  /// A signal of this shape: an element of a vector does for a number. Makes a source where there is none.
+  /// A signal of this shape: an element of a vector does for a number. Makes a
+  /// source where there is none.
   Wire wire(const Shape& shape);
   /// Any signal that may be a matrix or not.
   Wire any_wire(bool may_be_matrix);

@@ -45,12 +45,22 @@ class Generator {
     for (int i = 0; i < 2; ++i) bench_.wires.push_back(bench_.wire({}));
     bench_.wires.resize(bench_.wires.size() - 2);
     if (bench_.locates) add_crossing();
+    if (dice_.chance(0.15)) add_input();
     add(*types_[seed_ % types_.size()]);
     while (static_cast<int>(bench_.sketch.blocks.size()) < wanted)
       if (dice_.chance(0.06))
         add_bus();
       else
         add(*chosen_type());
+  }
+
+  /// A port to the outside, which feeds its default.
+  void add_input() {
+    const unit::Dimension unit = bench_.some_unit();
+    const std::string value = Bench::plain(bench_.signed_size(), unit);
+    bench_.sketch.inputs.push_back({"in1", fmt::format("{{unit: \"{}\", default: {}, doc: of the outside}}",
+                                                       unit::si_name(unit), value)});
+    bench_.wires.push_back({"in1", {}, unit});
   }
 
   /// A block that begins to do something else a few times in the run.
@@ -78,7 +88,8 @@ class Generator {
     bench_.wires.push_back({name, {}, {}});
   }
 
-  /// Rare are blocks that no code can be made of, as no law about code holds beside them.
+  /// Rare are blocks that no code can be made of, as no law about code holds
+  /// beside them.
   const BlockType* chosen_type() {
     while (true) {
       const BlockType* type = dice_.of(types_);
@@ -120,7 +131,8 @@ class Generator {
     }
   }
 
-  /// A signal that feeds back: behind a Gain that takes its unit and is below 1.
+  /// A signal that feeds back: behind a Gain that takes its unit and is
+  /// below 1.
   std::string source_for(const Promise& promise) {
     const Wire wire = bench_.wire(promise.shape);
     if (!promise.unit && !promise.gentle) return wire.text;
@@ -154,12 +166,17 @@ class Generator {
   }
 
   std::string records() {
-    if (dice_.chance(0.7)) return "all";
-    return fmt::format("[{{signals: [all]}}, {{every: {} s, signals: [{}]}}]", digits(bench_.some_period()),
-                       bench_.wire({}).text);
+    std::string all = "all";
+    dice_.shuffle(bench_.states);
+    for (std::size_t i = 0; i < std::min<std::size_t>(bench_.states.size(), 3); ++i)
+      all += ", " + bench_.states[i];
+    if (dice_.chance(0.7)) return "[" + all + "]";
+    return fmt::format("[{{signals: [{}]}}, {{every: {} s, signals: [{}]}}]", all,
+                       digits(bench_.some_period()), bench_.wire({}).text);
   }
 
-  /// Blocks that follow each other in the file become a part, which sometimes runs on condition.
+  /// Blocks that follow each other in the file become a part, which sometimes
+  /// runs on condition.
   void move_some_into_part(const std::string& name, const std::string& file) {
     Sketch& sketch = bench_.sketch;
     const std::size_t count = sketch.blocks.size(), first = dice_.below(count);
@@ -167,6 +184,9 @@ class Generator {
     std::set<std::string> moved;
     for (std::size_t i = first; i < end; ++i) moved.insert(sketch.blocks[i].name);
     sketch = with_part(sketch, moved, name, file);
+    if (moved.empty()) return;
+    if (dice_.chance(0.1))
+      sketch.blocks.back().keys.push_back({"every", digits(bench_.some_period()) + " s"});
     if (!dice_.chance(0.3)) return;
     const Entry& source = sketch.blocks.front();
     if (source.name == name || !source.find("block") || source.find("u")) return;

@@ -33,6 +33,10 @@ std::vector<std::string> swept_values(const Key& parameter) {
   return values;
 }
 
+Dice dice_of(const Trial& trial, std::uint64_t law) {
+  return Dice(trial.seed * 64 + law);
+}
+
 const Key& swept_parameter(const Trial& trial) {
   const auto& all = trial.sketch.parameters;
   return all[trial.seed % all.size()];

@@ -34,8 +34,12 @@ struct Verdict {
 struct Law {
   const char* name;
   Verdict (*check)(const Trial& trial, BatchCode& code);
-  bool asks = false;      ///< the first call notes the code that it takes
-  bool isolated = false;  ///< code of it may end the process
+  std::uint64_t every = 1,
+                from = 0;  ///< it is tried on the seeds from, from + every, ...
+  bool asks = false;       ///< the first call notes the code that it takes
+  bool isolated = false;   ///< code of it may end the process
+
+  bool is_for(std::uint64_t seed) const { return seed % every == from; }
 };
 
 /// All laws, each of which holds for every diagram.

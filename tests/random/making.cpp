@@ -187,7 +187,8 @@ std::string Making::connect_list(const InputSpec& input) {
   return "[" + text + "]";
 }
 
-/// An element of a list: of the shape of all, a number for all elements, or as long as it is.
+/// An element of a list: of the shape of all, a number for all elements, or as
+/// long as it is.
 Wire Making::element_of_list(const InputSpec& input, std::size_t index) {
   const auto [rows, columns] = letters_of(input.shape);
   if (input.shape.starts_with("+") && columns.empty()) {
@@ -236,7 +237,8 @@ void Making::give_initial_values() {
 void Making::guard() {
   if (!bench.guards || !dice().chance(0.2)) return;
   const std::string condition =
-      fmt::format("\"{} > {}\"", bench.wire({}).text, digits(dice().between(-0.6, 0.6)));
+      dice().chance(0.2) ? fmt::format("\"time > {} s\"", digits(bench.some_time()))
+                         : fmt::format("\"{} > {}\"", bench.wire({}).text, digits(dice().between(-0.6, 0.6)));
   const char* states = dice().chance(0.5) ? "reset" : "held";
   if (dice().chance(0.6) && type.input("enable") < 0) {
     if (dice().chance(0.3)) return set("enable", condition);
@@ -250,6 +252,8 @@ void Making::guard() {
 }
 
 void Making::add_outputs() {
+  for (const StateSpec& state : type.states)
+    if (type.output(state.name) < 0) bench.states.push_back(entry.name + "." + state.name);
   for (const OutputSpec& output : type.outputs) {
     if (!is_known(output.shape)) continue;
     Wire wire{entry.name, shape_of(output.shape), {}};

@@ -57,7 +57,9 @@ TEST_CASE("a seed gives one diagram, and another seed another one") {
   }
 }
 
-TEST_CASE("each type of block that writes no file comes up as the first of some seed") {
+TEST_CASE(
+    "each type of block that writes no file comes up as the first of "
+    "some seed") {
   std::string text;
   for (std::uint64_t seed = 1; seed < all_blocks().types().size(); ++seed)
     text += whole_text(random::random_sketch(all_blocks(), seed));
@@ -99,7 +101,9 @@ TEST_CASE("a bus and what reads it as a whole stay out of a part") {
   CHECK(moved == std::set<std::string>{"n2"});
 }
 
-TEST_CASE("a diagram that breaks a law is made as small as it can be while it breaks it") {
+TEST_CASE(
+    "a diagram that breaks a law is made as small as it can be while it "
+    "breaks it") {
   const Scratch folder;
   random::Trials trials(all_blocks(), folder.path(""));
   const random::Law law{"no saturation", no_saturation};
@@ -116,6 +120,7 @@ TEST_CASE("a trial that compares next to nothing counts as one that fails") {
   totals.valid = 100;
   totals.laws.resize(random::laws().size());
   for (random::LawCount& law : totals.laws) law.same = 50;
+
   CHECK(random::weakness_of(totals, all_blocks()).empty());
   totals.laws.back().same = 4;
   CHECK(random::weakness_of(totals, all_blocks()).find("less than 5 %") != std::string::npos);

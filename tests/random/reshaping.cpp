@@ -43,10 +43,12 @@ std::size_t indices_of(const std::string& reference) {
 std::set<std::string> names_of(const Sketch& sketch) {
   std::set<std::string> names;
   for (const Entry& entry : sketch.blocks) names.insert(entry.name);
+  for (const Key& input : sketch.inputs) names.insert(input.name);
   return names;
 }
 
-/// Moves blocks into a part, with ports for what they read and what is read of them.
+/// Moves blocks into a part, with ports for what they read and what is read of
+/// them.
 class Mover {
  public:
   Mover(const Sketch& sketch, const std::set<std::string>& moved, std::string name)
@@ -125,7 +127,8 @@ class Mover {
   const std::set<std::string>& moved_;
   std::set<std::string> stay_;
   std::string name_;
-  std::map<std::string, std::string> ports_, outputs_;  ///< by the signal outside, inside
+  std::map<std::string, std::string> ports_,
+      outputs_;  ///< by the signal outside, inside
 };
 
 bool reads_whole(const Entry& entry, const std::string& bus) {

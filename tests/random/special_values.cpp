@@ -1,4 +1,5 @@
-// Parameters whose declaration leaves open what makes a block of use: tables, formulas, shapes, charts.
+// Parameters whose declaration leaves open what makes a block of use: tables,
+// formulas, shapes, charts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -128,9 +129,11 @@ std::string time_text(double seconds) {
 
 std::string chart(Making& making) {
   return fmt::format(
-      "{{idle: {{output: [{}], to: {{busy: \"after >= {}\"}}}}, busy: {{output: [{}], history: true, enter: "
+      "{{idle: {{output: [{}], to: {{busy: \"after >= {}\"}}}}, busy: "
+      "{{output: [{}], history: true, enter: "
       "{{n: n + "
-      "1}}, to: {{idle: \"after >= {} || u1 > {}\"}}, states: {{slow: {{to: {{fast: \"after >= {}\"}}}}, "
+      "1}}, to: {{idle: \"after >= {} || u1 > {}\"}}, states: {{slow: {{to: "
+      "{{fast: \"after >= {}\"}}}}, "
       "fast: "
       "{{each: {{n: n + u1}}, to: {{slow: \"after >= {}\"}}}}}}}}}}",
       digits(making.bench.size()), time_text(making.bench.some_time()), digits(making.bench.signed_size()),
@@ -140,7 +143,8 @@ std::string chart(Making& making) {
 
 std::string switches(Making& making) {
   return fmt::format(
-      "[{{from: 1, to: 2, when: [{{enter: 1}}, {{after: {}}}]}}, {{from: 2, to: 1, when: {{leave: 2}}}}, "
+      "[{{from: 1, to: 2, when: [{{enter: 1}}, {{after: {}}}]}}, {{from: 2, "
+      "to: 1, when: {{leave: 2}}}}, "
       "{{from: 1, to: 2, when: {{pass: [{}, {}], within: 0.1}}}}]",
       time_text(making.bench.some_time()), digits(making.bench.signed_size()), digits(making.bench.size()));
 }
@@ -148,8 +152,10 @@ std::string switches(Making& making) {
 std::string region(Making& making) {
   const auto some = [&] { return digits(making.bench.signed_size()); };
   return fmt::format(
-      "{{union: [{{center: [{}, {}], radius: {}}}, {{polygon: [[{}, 0], [2, 0.1], [1.5, {}]]}}]}}", some(),
-      some(), digits(making.bench.size()), digits(-making.bench.size()), digits(making.bench.size() + 0.3));
+      "{{union: [{{center: [{}, {}], radius: {}}}, {{polygon: "
+      "[[{}, 0], [2, 0.1], [1.5, {}]]}}]}}",
+      some(), some(), digits(making.bench.size()), digits(-making.bench.size()),
+      digits(making.bench.size() + 0.3));
 }
 
 }  // namespace

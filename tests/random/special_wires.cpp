@@ -1,4 +1,5 @@
-// Inputs that need signals of one kind, and sizes that a declaration leaves open.
+// Inputs that need signals of one kind, and sizes that a declaration leaves
+// open.
 #include <fmt/format.h>
 
 #include "tests/random/values.hpp"

@@ -62,7 +62,7 @@ void Trials::run(std::uint64_t first, std::size_t count, const std::function<voi
     code_.compile_all();
     for (const Trial& trial : trials)
       for (std::size_t law = 0; law < laws().size(); ++law)
-        this->count(trial, law, checked(laws()[law], trial), failed);
+        if (laws()[law].is_for(trial.seed)) this->count(trial, law, checked(laws()[law], trial), failed);
     code_.clear();
   }
 }
@@ -94,7 +94,7 @@ void Trials::count_types(const plan::Plan& plan) {
 void Trials::ask_for_code(const std::vector<Trial>& trials) {
   for (const Trial& trial : trials)
     for (const Law& law : laws())
-      if (law.asks) law.check(trial, code_);
+      if (law.asks && law.is_for(trial.seed)) law.check(trial, code_);
 }
 
 void Trials::count(const Trial& trial, std::size_t law, const Verdict& verdict,
@@ -148,9 +148,10 @@ std::vector<Verdict> Trials::check(const Law& law, std::uint64_t seed, const std
 }
 
 std::string totals_text(const Totals& totals) {
-  std::string text =
-      fmt::format("{} diagrams: {} valid, {} refused, {} ended by a fault; {} types of blocks\n",
-                  totals.all(), totals.valid, sum_of(totals.refused), totals.ended, totals.types.size());
+  std::string text = fmt::format(
+      "{} diagrams: {} valid, {} refused, {} ended by a fault; {} "
+      "types of blocks\n",
+      totals.all(), totals.valid, sum_of(totals.refused), totals.ended, totals.types.size());
   for (const auto& [message, count] : totals.refused)
     text += fmt::format("  refused {:4}: {}\n", count, message.substr(0, 150));
   text += fmt::format("{:28}{:>9}{:>9}{:>9}{:>10}\n", "law", "the same", "located", "skipped", "different");
@@ -167,8 +168,11 @@ std::string totals_text(const Totals& totals) {
 std::string weakness_of(const Totals& totals, const Registry& registry) {
   if (10 * totals.valid < 6 * totals.all()) return "less than 60 % of the diagrams are valid";
   for (std::size_t i = 0; i < totals.laws.size(); ++i)
-    if (20 * (totals.laws[i].same + totals.laws[i].different) < totals.valid)
-      return fmt::format("'{}' was compared on less than 5 % of the diagrams", laws()[i].name);
+    if (20 * laws()[i].every * (totals.laws[i].same + totals.laws[i].different) < totals.valid)
+      return fmt::format(
+          "'{}' was compared on less than 5 % of the diagrams "
+          "for which it is meant",
+          laws()[i].name);
   for (const BlockType* type : registry.types())
     if (totals.valid >= 3 * registry.types().size() && !type->file_output &&
         !totals.types.contains(type->name))

@@ -45,27 +45,33 @@ class Input<1> {
 class Inputs {
  public:
   struct Element {
-    const double* data;
-    Index size;
+    Index size = 0;
+
+    Element() = default;
+    Element(const double* data, Index size) : size(size), data_(data) {}
     /// Element i of the signal; the only one where it has but one.
     double operator[](Index i) const {
-      if (__builtin_constant_p(i) && i == 0) return *data;
-      return data[size == 1 ? 0 : i * lanes];
+      if (__builtin_constant_p(i) && i == 0) return *data_;
+      return data_[size == 1 ? 0 : i * lanes];
     }
+
+   private:
+    friend class Inputs;
+    const double* data_ = nullptr;  ///< numbers with a stride of `lanes`
   };
 
   Index count() const { return count_; }
   const Element& operator[](Index input) const { return elements_[input]; }
   /// First element of an input: all there is of it where the output has one element.
   double first(Index input) const {
-    return __builtin_constant_p(input) && input < 2 ? *few_[input] : *elements_[input].data;
+    return __builtin_constant_p(input) && input < 2 ? *few_[input] : *elements_[input].data_;
   }
   /// The elements stay where they are: beside those of the blocks that run before and after, which is fast to
   /// walk.
   void bind(const Element* elements, Index count) {
     elements_ = elements;
     count_ = count;
-    for (Index i = 0; i < 2; ++i) few_[i] = i < count ? elements[i].data : nullptr;
+    for (Index i = 0; i < 2; ++i) few_[i] = i < count ? elements[i].data_ : nullptr;
   }
 
  private:

@@ -18,9 +18,18 @@ const std::string growing =
     "stop_when: x > 4\nrecord: {every: 30 ms, signals: [x, rate, clock]}\n"
     "sweep: {k: [0.1, -1, 1e200, 0.9, 2, 400, 0.5, 0.2, 3, -2, 0.7, 1.1, 1.2]}\n";
 
-run::RunResult swept(run::LaneUse lanes, unsigned threads = 2) {
+/// Blocks that read lists of vectors, of which some differ between the runs.
+const std::string lists =
+    "stepwire: 1\nstep: 10 ms\nstop: 0.5 s\nparameters: {k: 1}\nblocks:\n"
+    "  wave: {block: Sine, amplitude: [1, 2], frequency: 1 Hz}\n  scaled: {block: Gain, gain: $k, u: wave}\n"
+    "  beside: {block: Concatenate, u: [scaled, [0.5, 0.25], wave]}\n"
+    "  below: {block: Stack, u: [beside, beside]}\n  behind: {block: Mux, u: [wave, scaled]}\n"
+    "  watched: {block: Interlock, u: scaled, faults: [-1], measured: [wave, scaled]}\n"
+    "record: all\nsweep: {k: [0.1, -1, 0.9, 2, 0.5]}\n";
+
+run::RunResult swept(run::LaneUse lanes, unsigned threads = 2, const std::string& text = growing) {
   const DiagramFolder folder;
-  folder.write("sweep.yaml", growing);
+  folder.write("sweep.yaml", text);
   diagram::Loader loader(library());
   const run::Job job = run::make_job(loader, folder.path("sweep.yaml"));
   GeneratedCode code;
@@ -64,6 +73,15 @@ TEST_CASE("runs of a sweep end in lanes as they end alone") {
 TEST_CASE("what a sweep gives in lanes does not hang on the number of threads") {
   CHECK(same_bits(swept(run::LaneUse::at_once, 1).recordings.front().table,
                   swept(run::LaneUse::at_once, 3).recordings.front().table));
+}
+
+TEST_CASE("elements of a list of vectors are those of their own lane") {
+  const run::RunResult alone = swept(run::LaneUse::never, 1, lists),
+                       together = swept(run::LaneUse::at_once, 1, lists);
+  INFO(together.lanes.why_not);
+  CHECK(same_bits(alone.recordings.front().table, together.recordings.front().table));
+  const Compiler compiler;
+  if (compiler.found() && compiler.is_gcc() && __builtin_cpu_supports("avx2")) CHECK(together.lane_ticks > 0);
 }
 
 }  // namespace stepwire::codegen
