@@ -19,7 +19,17 @@ std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& 
 /// Null where that fails, and `problem` says why.
 void* load_library(const std::string& bytes, std::string& problem);
 
-/// The source of a shared library with a program's functions.
+/// Returns the flags by which a library calls its own functions only: it exports the few that are marked for
+/// it, and takes none from the program that loads it, which has functions of libraries such as Eigen compiled
+/// for another processor.
+std::vector<std::string> library_flags();
+
+/// Returns the beginning of a library's source: its headers. The namespace of the blocks has another name there
+/// than in the program, since its classes have fewer members in generated code and other sizes in lanes: one
+/// name never means two classes in a process.
+std::string library_head(const std::vector<std::string>& headers, int lanes);
+
+/// Returns the source of a shared library with a program's functions.
 std::string library_source(const GeneratedProgram& program);
 
 /// What a compiled program has.
