@@ -4,6 +4,7 @@
 
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 
 namespace stepwire::session {
 
@@ -16,7 +17,7 @@ struct SearchParts {
   /// that open, if they would take longer than a compilation.
   SearchParts(const Registry& registry, const LoadedModel& model, run::ExecutionMode engine, double runs);
 
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   plan::CodeSource* used;  ///< the code; null: runs are interpreted
   diagram::Loader loader;
   std::vector<diagram::Setting> settings;

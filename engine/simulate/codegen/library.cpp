@@ -145,15 +145,20 @@ std::string library_source(const GeneratedProgram& program) {
 }
 
 ProgramFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& compiler,
-                                 const plan::CodeLimits& limits, std::string& problem) const {
+                                 const plan::CodeLimits& limits, const Trial& trial,
+                                 std::string& problem) const {
   try {
     const std::string source = library_source(program), name = key(source, program, compiler);
     if (const auto kept = cache_.find(name)) return open_library(*kept, problem);
     if (limits.only_kept) return {};
     const std::string made = compiled(source, program, compiler, limits.stop, problem);
     if (made.empty()) return {};
+    const ProgramFunctions functions = open_library(made, problem);
+    if (!functions) return {};
+    problem = trial(functions);
+    if (!problem.empty()) return {};
     cache_.keep(name, made);
-    return open_library(made, problem);
+    return functions;
   } catch (const std::exception& error) {  // no folder, no room, no sources: the run goes on without
     problem = error.what();
     return {};

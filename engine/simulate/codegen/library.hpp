@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -44,10 +45,13 @@ class CodeCache {
  public:
   explicit CodeCache(io::Cache cache = io::Cache()) : cache_(std::move(cache)) {}
 
-  /// The functions of a program, from the cache or compiled; they stay loaded. On failure they are null and
-  /// `problem` says why, but for that of the limits.
+  /// Returns a sentence on what is wrong with new code; empty where nothing is.
+  using Trial = std::function<std::string(const ProgramFunctions&)>;
+
+  /// Returns the functions of a program, from the cache or compiled; they stay loaded. On failure they are null
+  /// and `problem` has the reason, but for that of the limits. Compiled code is kept once its trial finds nothing.
   ProgramFunctions load(const GeneratedProgram& program, const Compiler& compiler,
-                        const plan::CodeLimits& limits, std::string& problem) const;
+                        const plan::CodeLimits& limits, const Trial& trial, std::string& problem) const;
 
  private:
   io::Cache cache_;

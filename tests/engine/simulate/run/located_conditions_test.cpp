@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "engine/simulate/run/executor.hpp"
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
@@ -205,7 +206,7 @@ TEST_CASE("conditions with a period of their own keep to their ticks") {
 }
 
 TEST_CASE("compiled code locates conditions to the same bits") {
-  codegen::GeneratedCode source;
+  codegen::GeneratedCode source{run::code_trial()};
   const std::string conditions = text(R"(  s: {block: Sine, frequency: 3 Hz}
   t: {block: Integrator, u: 1}
   x: {block: Integrator, u: s, initial: 0.5, enable: {when: s > 0.6, states: reset, outputs: reset}}
