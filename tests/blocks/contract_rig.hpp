@@ -20,7 +20,8 @@ struct Wiring {
 /// from about a half to 1, required parameters have a value that is allowed.
 std::vector<Wiring> wirings_of(const BlockType& type);
 
-/// The same with signals of several elements, without optional inputs and with them; a block need not take them.
+/// The same with signals of several elements, without optional inputs and with them; a block need not take
+/// them.
 std::vector<Wiring> wide_wirings_of(const BlockType& type, int elements);
 
 /// The same with the tested block on condition: `enable` holds what decides on it, "{when: gate, states:

@@ -71,7 +71,8 @@ std::string source_of(const std::vector<Made>& all) {
                 "  auto& own = *static_cast<{1}::Diagram*>(d);\n  own.evaluate();\n"
                 "  {1}::Diagram::State state;\n  own.save(state);\n"
                 "  std::memcpy(numbers, state.numbers, sizeof state.numbers);\n}}\n"
-                "extern \"C\" EXPORTED void advance_{0}(void* d) {{ static_cast<{1}::Diagram*>(d)->advance(); }}\n"
+                "extern \"C\" EXPORTED void advance_{0}(void* d) {{ "
+                "static_cast<{1}::Diagram*>(d)->advance(); }}\n"
                 "extern \"C\" EXPORTED double* parameters_{0}(void* d) {{\n"
                 "  return reinterpret_cast<double*>(&static_cast<{1}::Diagram*>(d)->parameters);\n}}\n"
                 "extern \"C\" EXPORTED const char* fault_{0}(void* d) {{\n"
@@ -79,7 +80,8 @@ std::string source_of(const std::vector<Made>& all) {
                 i, space);
   }
   std::string source =
-      "#define EXPORTED [[gnu::visibility(\"default\")]]\n#include <bit>\n#include <cmath>\n#include <cstdint>\n#include <cstring>\n#include <limits>\n";
+      "#define EXPORTED [[gnu::visibility(\"default\")]]\n#include <bit>\n#include <cmath>\n#include "
+      "<cstdint>\n#include <cstring>\n#include <limits>\n";
   for (const std::string& header : headers) source += fmt::format("#include \"{}\"\n", header);
   return source + "using namespace stepwire;\n" + body;
 }
@@ -130,8 +132,8 @@ void write(const Value& value, double* place) {
 enum class Outcome { same, differs, refused, structure };
 
 /// What becomes of a change of one parameter that is written before a tick.
-Outcome outcome(const plan::Plan& plan, const ContractLibrary& library, std::size_t index, std::size_t place, int parameter,
-                const Value& value) {
+Outcome outcome(const plan::Plan& plan, const ContractLibrary& library, std::size_t index, std::size_t place,
+                int parameter, const Value& value) {
   run::Executor interpreted(plan);
   Instance generated(library, index);
   std::vector<double> numbers(plan.layout.size);

@@ -200,8 +200,8 @@ LoopNodes canonical_nodes(const Draft& draft, const OrderGraph& graph, const Loo
   return canonical;
 }
 
-/// Returns the tears of a loop. Among sets that cost the same the canonical order of its blocks decides, so the
-/// loop is a graph of its own there, with nodes in that order.
+/// Returns the tears of a loop. Among sets that cost the same the canonical order of its blocks decides, so
+/// the loop is a graph of its own there, with nodes in that order.
 std::vector<std::size_t> tears_of(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) {
   const LoopNodes canonical = canonical_nodes(draft, graph, nodes);
   std::map<std::size_t, std::size_t> place;

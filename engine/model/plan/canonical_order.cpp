@@ -79,8 +79,12 @@ class Refinement {
     std::vector<std::size_t> connected;
     for (const auto& sources : block.inputs) connected.push_back(sources.size());
     const Rate& rate = draft_.plan.blocks[b].rate;
-    return {block.type().name,           static_cast<int>(rate.kind),  rate.ticks,
-            draft_.blocks[b].output_sizes, draft_.blocks[b].state_sizes, std::move(connected)};
+    return {block.type().name,
+            static_cast<int>(rate.kind),
+            rate.ticks,
+            draft_.blocks[b].output_sizes,
+            draft_.blocks[b].state_sizes,
+            std::move(connected)};
   }
 
   void add_wires(std::size_t b) {
@@ -108,9 +112,8 @@ class Refinement {
         std::ranges::sort(wires, [&](const Wire& a, const Wire& b) { return key(a) < key(b); });
     return rank_by([&](int a, int b) {
       if (rank_[at(a)] != rank_[at(b)]) return rank_[at(a)] < rank_[at(b)];
-      return std::ranges::lexicographical_compare(wires_[at(a)], wires_[at(b)], [&](const Wire& x, const Wire& y) {
-        return key(x) < key(y);
-      });
+      return std::ranges::lexicographical_compare(
+          wires_[at(a)], wires_[at(b)], [&](const Wire& x, const Wire& y) { return key(x) < key(y); });
     });
   }
   std::pair<decltype(Wire::how), std::size_t> key(const Wire& wire) const {
@@ -132,7 +135,7 @@ class Refinement {
 
   const Draft& draft_;
   std::vector<int> order_;
-  std::vector<std::size_t> rank_;  ///< of each block; equal where they cannot be told apart yet
+  std::vector<std::size_t> rank_;         ///< of each block; equal where they cannot be told apart yet
   std::vector<std::vector<Wire>> wires_;  ///< at each block, both ends
 };
 

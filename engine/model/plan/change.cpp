@@ -161,8 +161,8 @@ class Changing {
     return std::nullopt;
   }
 
-  /// Spreads numbers for every element as those of the plan are spread: those that were set, and those that the
-  /// plan has spread already. All else keeps its number of elements.
+  /// Spreads numbers for every element as those of the plan are spread: those that were set, and those that
+  /// the plan has spread already. All else keeps its number of elements.
   void fit_sizes(std::size_t block, AnyBlock& made) {
     const diagram::DiagramBlock& known = plan_.diagram.blocks[block];
     for (std::size_t p = 0; p < known.type().parameters.size(); ++p) {

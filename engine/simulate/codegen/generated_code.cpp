@@ -83,8 +83,7 @@ int GeneratedCode::lanes() {
   return compiler_->found() && compiler_->is_gcc() ? lanes_of_processor() : 1;
 }
 
-ProgramFunctions GeneratedCode::functions_of(const GeneratedProgram& program,
-                                             const plan::CodeLimits& limits,
+ProgramFunctions GeneratedCode::functions_of(const GeneratedProgram& program, const plan::CodeLimits& limits,
                                              const CodeCache::Trial& trial, std::string& problem) {
   if (!compiler_) compiler_.emplace();
   if (!compiler_->found()) problem = compiler_->problem();

@@ -137,10 +137,10 @@ std::string library_source(const GeneratedProgram& program) {
   const std::string exported = "extern \"C\" [[gnu::flatten, gnu::visibility(\"default\")]] void stepwire_";
   if (program.lanes > 1) return source + exported + "run(plan::LaneTask& task) {\n  run(task);\n}\n";
   for (const char* function : {"evaluate", "advance"})
-    source += exported +
-              fmt::format("{0}(double* w, const double* numbers, std::int64_t tick) {{\n"
-                          "  {0}(w, numbers, tick);\n}}\n",
-                          function);
+    source += exported + fmt::format(
+                             "{0}(double* w, const double* numbers, std::int64_t tick) {{\n"
+                             "  {0}(w, numbers, tick);\n}}\n",
+                             function);
   return source;
 }
 

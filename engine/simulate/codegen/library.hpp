@@ -25,9 +25,9 @@ void* load_library(const std::string& bytes, std::string& problem);
 /// for another processor.
 std::vector<std::string> library_flags();
 
-/// Returns the beginning of a library's source: its headers. The namespace of the blocks has another name there
-/// than in the program, since its classes have fewer members in generated code and other sizes in lanes: one
-/// name never means two classes in a process.
+/// Returns the beginning of a library's source: its headers. The namespace of the blocks has another name
+/// there than in the program, since its classes have fewer members in generated code and other sizes in
+/// lanes: one name never means two classes in a process.
 std::string library_head(const std::vector<std::string>& headers, int lanes);
 
 /// Returns the source of a shared library with a program's functions.
@@ -48,8 +48,9 @@ class CodeCache {
   /// Returns a sentence on what is wrong with new code; empty where nothing is.
   using Trial = std::function<std::string(const ProgramFunctions&)>;
 
-  /// Returns the functions of a program, from the cache or compiled; they stay loaded. On failure they are null
-  /// and `problem` has the reason, but for that of the limits. Compiled code is kept once its trial finds nothing.
+  /// Returns the functions of a program, from the cache or compiled; they stay loaded. On failure they are
+  /// null and `problem` has the reason, but for that of the limits. Compiled code is kept once its trial
+  /// finds nothing.
   ProgramFunctions load(const GeneratedProgram& program, const Compiler& compiler,
                         const plan::CodeLimits& limits, const Trial& trial, std::string& problem) const;
 

@@ -70,7 +70,8 @@ std::vector<Range> at_tick(const plan::Plan& plan) {
 }
 
 std::string difference_text(const std::string& name, double compiled, double interpreted, double time) {
-  return fmt::format("{} is {} at {:.12g} s, where the interpreter has {}", name, compiled, time, interpreted);
+  return fmt::format("{} is {} at {:.12g} s, where the interpreter has {}", name, compiled, time,
+                     interpreted);
 }
 
 /// Compares two runs of one plan at the same instant.
@@ -90,7 +91,8 @@ std::string difference_of_rows(const record::Recording& interpreted, const recor
   const std::vector<double>& time = interpreted.table.columns.front().values;
   for (std::size_t c = 0; c < interpreted.table.columns.size(); ++c) {
     const std::vector<double>&a = interpreted.table.columns[c].values, &b = compiled.table.columns[c].values;
-    if (a.size() != b.size()) return fmt::format("it has {} rows, and the interpreter {}", b.size(), a.size());
+    if (a.size() != b.size())
+      return fmt::format("it has {} rows, and the interpreter {}", b.size(), a.size());
     for (std::size_t row = 0; row < a.size(); ++row)
       if (!same(a[row], b[row]))
         return difference_text(interpreted.table.columns[c].name, b[row], a[row], time[row]);
@@ -170,7 +172,8 @@ std::string CodeTrial::difference(const plan::Plan& plan, const plan::CompiledPl
   while (interpreted.tick() < trial_ticks) {
     interpreted.evaluate();
     compiled.evaluate();
-    if (std::string found = difference_in(here, interpreted, compiled); !found.empty()) return sentence(found);
+    if (std::string found = difference_in(here, interpreted, compiled); !found.empty())
+      return sentence(found);
     if (!interpreted.healthy() || interpreted.finished() || stopper.stops(interpreted.values())) return "";
     interpreted.advance();
     compiled.advance();

@@ -7,8 +7,8 @@ namespace stepwire::run {
 /// The longest trial of new code [ticks of all its runs].
 inline constexpr std::int64_t trial_ticks = 1000;
 
-/// Compares new code with the interpreter: both step a run of their own from time 0 on, for at most `trial_ticks`,
-/// and all signals, states and diagnostics are compared at each tick, bit by bit.
+/// Compares new code with the interpreter: both step a run of their own from time 0 on, for at most
+/// `trial_ticks`, and all signals, states and diagnostics are compared at each tick, bit by bit.
 class CodeTrial : public plan::CodeTrial {
  public:
   std::string difference(const plan::Plan& plan, const plan::CompiledPlan& code) const override;

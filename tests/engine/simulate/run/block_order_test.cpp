@@ -11,23 +11,22 @@ namespace stepwire::run {
 namespace {
 
 /// Masses of one chain, which wiring tells apart, and two of the same kind that only their names tell apart.
-const std::vector<std::string> chain{
-    "  push: {block: Sine, amplitude: 3 N, frequency: 2 Hz}",
-    "  m1: {block: Mass, force: f1, mass: 0.3 kg}",
-    "  m2: {block: Mass, force: f2, mass: 0.07 kg}",
-    "  m3: {block: Mass, force: f3, mass: 0.011 kg}",
-    "  m4: {block: Mass, force: k4, mass: 0.9 kg}",
-    "  f1: {block: Sum, signs: \"+--\", u: [push, k1, k2]}",
-    "  f2: {block: Sum, signs: \"++-\", u: [k1, k4, k3]}",
-    "  f3: {block: Sum, signs: \"++\", u: [k2, k3]}",
-    "  d12: {block: Sum, signs: \"+-\", u: [m1.position, m2.position]}",
-    "  d13: {block: Sum, signs: \"+-\", u: [m1.position, m3.position]}",
-    "  d23: {block: Sum, signs: \"+-\", u: [m2.position, m3.position]}",
-    "  d4: {block: Sum, signs: \"+-\", u: [m2.position, m4.position]}",
-    "  k1: {block: Gain, u: d12, gain: 7000 N/m}",
-    "  k2: {block: Gain, u: d13, gain: 310 N/m}",
-    "  k3: {block: Gain, u: d23, gain: 47 N/m}",
-    "  k4: {block: Gain, u: d4, gain: 91 N/m}"};
+const std::vector<std::string> chain{"  push: {block: Sine, amplitude: 3 N, frequency: 2 Hz}",
+                                     "  m1: {block: Mass, force: f1, mass: 0.3 kg}",
+                                     "  m2: {block: Mass, force: f2, mass: 0.07 kg}",
+                                     "  m3: {block: Mass, force: f3, mass: 0.011 kg}",
+                                     "  m4: {block: Mass, force: k4, mass: 0.9 kg}",
+                                     "  f1: {block: Sum, signs: \"+--\", u: [push, k1, k2]}",
+                                     "  f2: {block: Sum, signs: \"++-\", u: [k1, k4, k3]}",
+                                     "  f3: {block: Sum, signs: \"++\", u: [k2, k3]}",
+                                     "  d12: {block: Sum, signs: \"+-\", u: [m1.position, m2.position]}",
+                                     "  d13: {block: Sum, signs: \"+-\", u: [m1.position, m3.position]}",
+                                     "  d23: {block: Sum, signs: \"+-\", u: [m2.position, m3.position]}",
+                                     "  d4: {block: Sum, signs: \"+-\", u: [m2.position, m4.position]}",
+                                     "  k1: {block: Gain, u: d12, gain: 7000 N/m}",
+                                     "  k2: {block: Gain, u: d13, gain: 310 N/m}",
+                                     "  k3: {block: Gain, u: d23, gain: 47 N/m}",
+                                     "  k4: {block: Gain, u: d4, gain: 91 N/m}"};
 
 /// A loop with two equally good tears, and one that is solved at several numbers.
 const std::vector<std::string> loops{
@@ -83,9 +82,9 @@ TEST_CASE("the order of blocks in the file changes no bit, with any solver") {
 
 TEST_CASE("the order of blocks in the file changes no bit of solved loops") {
   for (const char* solver : {"rosenbrock", "rk4"})
-    compare_orders(
-        std::string("step: 5 ms\nstop: 0.2 s\nalgebraic_loops: solve\ntolerance: 1e9\nsolver: ") + solver + "\n",
-        loops);
+    compare_orders(std::string("step: 5 ms\nstop: 0.2 s\nalgebraic_loops: solve\ntolerance: 1e9\nsolver: ") +
+                       solver + "\n",
+                   loops);
 }
 
 }  // namespace stepwire::run

@@ -61,7 +61,8 @@ TEST_CASE("code with the interpreter's numbers passes its trial") {
 
 TEST_CASE("a wrong output is found at its tick, with both numbers") {
   const std::regex sentence(
-      "compiled code gives other numbers: a is (-[0-9.]+) at 0.057 s, where the interpreter has (-[0-9.]+); .*");
+      "compiled code gives other numbers: a is (-[0-9.]+) at 0.057 s, where the interpreter has (-[0-9.]+); "
+      ".*");
   const std::string found = difference(place("a"), 0, 57);
   INFO(found);
   std::smatch numbers;
