@@ -38,7 +38,7 @@ std::string value_given(const BlockType& type, const ParameterSpec& spec) {
 /// Writes the blocks that feed the inputs, and the keys of the inputs.
 class Feeds {
  public:
-  /// Signals have so many elements where nothing else fixes their size.
+  /// Sets the number of elements of signals whose size is free.
   explicit Feeds(int elements) : elements_(elements) {}
 
   std::string feed(const BlockType& type, const InputSpec& input) {

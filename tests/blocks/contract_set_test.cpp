@@ -21,7 +21,7 @@ struct Case {
 /// The values of a parameter that are tried: a factor and an addend each.
 constexpr std::pair<double, double> changes[] = {{1.25, 0.0}, {0.7, 0.1}};
 
-/// Each parameter of numbers of a block, in a diagram with signals of so many elements.
+/// Returns a case for each parameter of numbers of a block, in a diagram with signals of `elements` elements.
 std::vector<Case> cases_of(const BlockType& type, int elements) {
   std::vector<Case> cases;
   const std::vector<Wiring> plain = wirings_of(type), wide = wide_wirings_of(type, elements);
@@ -51,7 +51,7 @@ std::vector<double> numbers_of(const std::vector<record::Recording>& recordings)
   return numbers;
 }
 
-/// The numbers of a run whose file has the value; nothing where it is refused.
+/// Returns the numbers of a run whose file has the value; std::nullopt if the value is refused.
 std::optional<std::vector<double>> written(const DiagramFolder& folder, const Case& one,
                                            const std::string& value) try {
   return numbers_of(run::run_plan(folder.plan("one.yaml", {{one.name, value}})).recordings);
@@ -74,7 +74,7 @@ std::optional<std::vector<double>> set(const plan::Plan& plan, const Case& one, 
   return std::nullopt;
 }
 
-/// The rows of both points of a sweep; nothing where a value is refused.
+/// Returns the rows of both points of a sweep; std::nullopt if a value is refused.
 std::optional<table::Table> swept(const DiagramFolder& folder) try {
   diagram::Loader loader(library());
   return run::run_job(run::make_job(loader, folder.path("swept.yaml")), {}).recordings.front().table;

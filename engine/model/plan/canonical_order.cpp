@@ -33,9 +33,10 @@ bool natural_less(const std::string& a, const std::string& b) {
   return std::tuple(a.size() - i, a) < std::tuple(b.size() - j, b);
 }
 
-/// Splits blocks into ranks, and each rank by the ranks of the blocks wired to its members, until no rank
-/// splits any more: colour refinement (Weisfeiler and Leman 1968), with ranks that keep their order. A round
-/// costs a sort of the wires; large diagrams get few rounds, and names decide on the rest.
+/// Colour refinement (Weisfeiler and Leman 1968), with colours that are ranks: blocks begin with ranks by
+/// type, and each round splits the ranks by those of the blocks at the other ends of wires, until no rank
+/// splits any more. A round costs a sort of the wires. Large diagrams get few rounds, and names decide on the
+/// rest.
 class Refinement {
  public:
   explicit Refinement(const Draft& draft)
@@ -62,7 +63,7 @@ class Refinement {
   }
 
  private:
-  /// What is known of a block by itself, without its values.
+  /// The properties of a block by itself, without its values.
   using Key = std::tuple<std::string_view, int, std::int64_t, std::vector<Eigen::Index>,
                          std::vector<Eigen::Index>, std::vector<std::size_t>>;
   /// One end of a wire: how it is wired there and here, and the block at the other end.
@@ -135,8 +136,8 @@ class Refinement {
 
   const Draft& draft_;
   std::vector<int> order_;
-  std::vector<std::size_t> rank_;         ///< of each block; equal where they cannot be told apart yet
-  std::vector<std::vector<Wire>> wires_;  ///< at each block, both ends
+  std::vector<std::size_t> rank_;         ///< of each block
+  std::vector<std::vector<Wire>> wires_;  ///< of each block, as its reader or its source
 };
 
 }  // namespace

@@ -80,7 +80,7 @@ class NumberTable {
 class CodeTrial {
  public:
   virtual ~CodeTrial() = default;
-  /// Returns a sentence on the first difference; empty where there is none.
+  /// Returns a sentence on the first difference; an empty one if all numbers are equal.
   virtual std::string difference(const Plan& plan, const CompiledPlan& code) const = 0;
   virtual std::string difference(const Plan& plan, const CompiledLanes& code) const = 0;
 };

@@ -20,14 +20,13 @@ std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& 
 /// Null where that fails, and `problem` says why.
 void* load_library(const std::string& bytes, std::string& problem);
 
-/// Returns the flags by which a library calls its own functions only: it exports the few that are marked for
-/// it, and takes none from the program that loads it, which has functions of libraries such as Eigen compiled
-/// for another processor.
+/// Returns the flags by which a library calls its own functions only. The program exports functions of the
+/// same names, of libraries such as Eigen, too, which are compiled for another processor.
 std::vector<std::string> library_flags();
 
-/// Returns the beginning of a library's source: its headers. The namespace of the blocks has another name
-/// there than in the program, since its classes have fewer members in generated code and other sizes in
-/// lanes: one name never means two classes in a process.
+/// Returns the beginning of a library's source: its headers. It gives the namespace of the blocks another
+/// name than in the program: classes have fewer members in generated code, and numbers of lanes between them.
+/// One name never means two classes in a process.
 std::string library_head(const std::vector<std::string>& headers, int lanes);
 
 /// Returns the source of a shared library with a program's functions.
@@ -45,7 +44,7 @@ class CodeCache {
  public:
   explicit CodeCache(io::Cache cache = io::Cache()) : cache_(std::move(cache)) {}
 
-  /// Returns a sentence on what is wrong with new code; empty where nothing is.
+  /// Returns a sentence on the fault of new code; an empty one if there is none.
   using Trial = std::function<std::string(const ProgramFunctions&)>;
 
   /// Returns the functions of a program, from the cache or compiled; they stay loaded. On failure they are

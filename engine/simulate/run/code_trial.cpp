@@ -24,7 +24,7 @@ bool same(double a, double b) {
   return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
 }
 
-/// Returns the name of an element of a slot, "x" or "x.2"; empty where a place is not in it.
+/// Returns the name of an element of a slot, "x" or "x.2"; an empty one for a place outside of it.
 std::string name_in(const plan::SignalSlot& slot, const std::string& name, std::size_t place) {
   if (place < slot.offset || place - slot.offset >= static_cast<std::size_t>(slot.size)) return "";
   return slot.size == 1 ? name : fmt::format("{}.{}", name, place - slot.offset + 1);
@@ -50,14 +50,14 @@ std::string name_of(const plan::Plan& plan, std::size_t place) {
 
 using Range = std::pair<std::size_t, std::size_t>;  ///< of the workspace: from the first, before the second
 
-/// Numbers that hold between two ticks; signals need not, as solver stages may have them in registers.
+/// States and diagnostics. Between two ticks code may have signals in registers.
 std::vector<Range> between_ticks(const plan::Layout& layout) {
   return {{layout.states, layout.states + layout.state_count},
           {layout.discrete, layout.discrete + layout.discrete_count},
           {layout.diagnostics, layout.diagnostics + layout.diagnostic_count}};
 }
 
-/// The same with all outputs, of which some lie in the places of derivatives.
+/// All outputs and states. Some outputs are in the places of derivatives.
 std::vector<Range> at_tick(const plan::Plan& plan) {
   const plan::Layout& layout = plan.layout;
   std::vector<Range> ranges = between_ticks(layout);
