@@ -57,7 +57,7 @@ ExitCode serve(const StudioWords& words, const Registry& registry) {
   const EndDelay delay(EndDelay::Signals::first);
   const studio::Studio studio(call_of(words), registry);
   if (studio::page_table().empty())
-    complain("the program was built without its page; install npm and call ./stepwire again\n");
+    complain("the program was built without its page; './stepwire setup' in its checkout builds it\n");
   put_data(studio.address() + "\n");
   finish_output();
   if (!words.no_open) open_browser(studio.address());

@@ -32,9 +32,9 @@ class LanguageServer {
   void close();
   /// Ends run() after the message that it handles, and drops those that wait; from any thread.
   void abandon();
-  /// Answers messages until the editor ends it, or close() or abandon() was called. What is wrong is
-  /// published when no message waits, so that of several changes the last one counts. Returns whether the
-  /// editor ended it as the protocol has it.
+  /// Answers messages until the editor ends it, or close() or abandon() was called. Faults are published when
+  /// no message waits, so that of several changes the last one counts. Returns whether the editor ended it as
+  /// the protocol has it.
   bool run();
 
  private:

@@ -24,7 +24,7 @@ class Arguments {
   std::span<const json::Json> items(const std::string& name) const;
   const json::Json& any(const std::string& name) const;
   const json::Json& all() const { return message_; }
-  /// Kept by work that goes on after the call has returned.
+  /// The ticket of the message. Work that continues after the return of the call keeps a copy.
   const http::Ticket& ticket() const { return ticket_; }
 
  private:
