@@ -9,6 +9,7 @@
 #include "bench/hand_written.hpp"
 #include "bench/workload.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
@@ -60,7 +61,7 @@ void go(run::Executor& simulation, int steps) {
 
 /// The same with compiled code.
 void go_compiled(run::Executor& simulation, int steps) {
-  static codegen::GeneratedCode source;
+  static codegen::GeneratedCode source{run::code_trial()};
   const std::optional<plan::CompiledPlan> code = source.compile(simulation.plan(), {}, {});
   if (code) simulation.use(*code);
   go(simulation, steps);

@@ -13,6 +13,7 @@
 #include "engine/analyse/estimation/fit.hpp"
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 
 namespace stepwire {
 
@@ -67,7 +68,7 @@ struct Tally {
 
 std::map<std::string, Tally> tallies_of(const Call& call) {
   const Registry registry = blocks();
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   std::map<std::string, Tally> tallies;
   for (int seed = 1; seed <= call.repetitions; ++seed) {
     session::LoadOptions options;

@@ -12,6 +12,7 @@
 #include "engine/model/diagram/load.hpp"
 #include "engine/model/plan/variable_blocks.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "engine/simulate/run/lane_group.hpp"
 
 namespace stepwire {
@@ -110,7 +111,7 @@ std::vector<Result> measure_lanes() {
     return plan::make_plan(
         diagram::Loader(registry).load(STEPWIRE_BENCH_DIR "/../diagrams/thesis/fig14-controller-1d.yaml"));
   };
-  codegen::GeneratedCode source;
+  codegen::GeneratedCode source{run::code_trial()};
   std::vector<Result> results;
   for (auto&& workload : {Workload{"W1", w1_plan(), "gA.gain", 36.0, ""},
                           Workload{"W2 100", w2_plan(100, static_cast<int>(ticks)), "g0.gain", 1.0, ""},

@@ -11,6 +11,7 @@
 #include "bench/workload.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/record/recorder.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "engine/simulate/run/executor.hpp"
 
 namespace stepwire {
@@ -85,7 +86,7 @@ class Steps : public benchmark::ConsoleReporter {
     }
   }
 
-  codegen::GeneratedCode source_;
+  codegen::GeneratedCode source_{run::code_trial()};
   std::map<std::string, Result> loops_;  ///< by the names of benchmarks
   std::vector<Result> results_;
 };

@@ -18,6 +18,7 @@
 #include "engine/base/subprocess/scratch_folder.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "engine/simulate/run/executor.hpp"
 #include "engine/simulate/run/run.hpp"
 
@@ -98,7 +99,7 @@ std::string w1_of_seconds(const std::string& folder) {
 /// A sweep of runs of a second against one run of all these seconds.
 std::vector<Result> against_one_run(const std::string& name, const std::string& file) {
   const Registry registry = blocks();
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   diagram::Loader loader(registry);
   const auto make = [&] { return run::make_job(loader, file, {}, "1 s"); };
   const run::Job job = make();
@@ -126,7 +127,7 @@ std::vector<Result> against_one_run(const std::string& name, const std::string& 
 
 double sweep_memory(const std::string& file) {
   const Registry registry = blocks();
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   const double before = present_megabytes();
   diagram::Loader loader(registry);
   const run::Job job = run::make_job(loader, file, {}, "1 s");
@@ -172,7 +173,7 @@ void step_alone(const plan::Plan& plan, const plan::CompiledPlan& code, std::siz
 
 std::vector<Result> measure_w1_sweep() {
   const Registry registry = blocks();
-  codegen::GeneratedCode source;
+  codegen::GeneratedCode source{run::code_trial()};
   diagram::Loader loader(registry);
   const subprocess::ScratchFolder folder;
   const run::Job job = w1_sweep(loader, folder.path(), 256);

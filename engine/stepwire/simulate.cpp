@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "engine/stepwire/content.hpp"
 #include "engine/stepwire/shown.hpp"
 
@@ -14,7 +15,7 @@ Result simulate(const Model& model, const SimulateOptions& options) {
   std::atomic<bool> interrupt = false;
   const std::stop_callback stop(options.stop, [&] { interrupt = true; });
   std::vector<std::unique_ptr<Shown>> shown;
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   run::RunOptions run;
   run.interrupt = &interrupt;
   run.progress = options.progress;

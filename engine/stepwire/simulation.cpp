@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "engine/simulate/run/stop_condition.hpp"
 #include "engine/stepwire/content.hpp"
 #include "engine/stepwire/moment.hpp"
@@ -26,7 +27,7 @@ struct Simulation::State {
         shown(plan().layout.size) {
     const diagram::Variation tuned(plan().diagram, options.tuned);
     if (options.engine == run::ExecutionMode::interpreted) return;
-    codegen::GeneratedCode source;
+    codegen::GeneratedCode source{run::code_trial()};
     code = source.compile(plan(), plan::variable_blocks(plan(), tuned), {});
     problem = source.take_problem();
     if (code) run.use(*code);

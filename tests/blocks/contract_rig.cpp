@@ -7,7 +7,6 @@
 #include <map>
 #include <set>
 
-#include "blocks/register.hpp"
 #include "engine/model/diagram/load.hpp"
 #include "tests/blocks/contract_tables.hpp"
 #include "tests/engine/base/table/scratch.hpp"
@@ -39,9 +38,12 @@ std::string value_given(const BlockType& type, const ParameterSpec& spec) {
 /// Writes the blocks that feed the inputs, and the keys of the inputs.
 class Feeds {
  public:
+  /// Sets the number of elements of signals whose size is free.
+  explicit Feeds(int elements) : elements_(elements) {}
+
   std::string feed(const BlockType& type, const InputSpec& input) {
     const auto size = contract_sizes.find(type.name + "." + input.name);
-    const int elements = size == contract_sizes.end() ? 1 : size->second;
+    const int elements = size == contract_sizes.end() ? elements_ : size->second;
     const auto known = contract_starts.find(type.name + "." + input.name);
     const double start = known == contract_starts.end() ? 0.5 : known->second;
     if (!input.list) return one(elements, start);
@@ -60,7 +62,7 @@ class Feeds {
     return name;
   }
 
-  int count_ = 0;
+  int elements_, count_ = 0;
   std::string blocks_;
 };
 
@@ -72,8 +74,9 @@ bool is_given(const BlockType& type, const ParameterSpec& spec) {
   return spec.required || contract_values.contains(type.name + "." + spec.name);
 }
 
-std::string diagram_text(const BlockType& type, bool optional_inputs, const std::string& more) {
-  Feeds feeds;
+std::string diagram_text(const BlockType& type, bool optional_inputs, const std::string& more,
+                         int elements = 1) {
+  Feeds feeds(elements);
   std::string keys = "block: " + type.name;
   for (const InputSpec& input : type.inputs)
     if (is_fed(type, input, optional_inputs))
@@ -103,17 +106,18 @@ void add_choices(const BlockType& type, bool optional_inputs, std::vector<Wiring
 
 }  // namespace
 
-const Registry& library() {
-  static const Registry registry = blocks();
-  return registry;
-}
-
 std::vector<Wiring> wirings_of(const BlockType& type) {
   std::vector<Wiring> wirings{{diagram_text(type, false, "")}};
   add_choices(type, false, wirings);
   if (!has_optional_input(type)) return wirings;
   wirings.push_back({diagram_text(type, true, "")});
   add_choices(type, true, wirings);
+  return wirings;
+}
+
+std::vector<Wiring> wide_wirings_of(const BlockType& type, int elements) {
+  std::vector<Wiring> wirings{{diagram_text(type, false, "", elements), true}};
+  if (has_optional_input(type)) wirings.push_back({diagram_text(type, true, "", elements), true});
   return wirings;
 }
 
@@ -124,6 +128,13 @@ Wiring guarded(const Wiring& wiring, const std::string& enable) {
       made.text.rfind(tested), tested.size(),
       "  gate: {block: Pulse, period: 5 ms, width: 60 %}\n" + tested + "enable: " + enable + ", ");
   return made;
+}
+
+Wiring located(const Wiring& wiring) {
+  return {"events: locate\n" + wiring.text +
+              "  swing: {block: Sine, amplitude: 1, frequency: 90 Hz}\n"
+              "  crossing: {block: Compare, u: swing, operator: greater, to: 0.505}\n",
+          wiring.may_be_refused};
 }
 
 std::optional<plan::Plan> plan_of(const Wiring& wiring) {

@@ -6,11 +6,9 @@
 
 #include "engine/model/block/registry.hpp"
 #include "engine/simulate/run/executor.hpp"
+#include "tests/support/plan_text.hpp"
 
 namespace stepwire {
-
-/// Every block of the library.
-const Registry& library();
 
 /// One way to use a block: which optional inputs are fed, which word is chosen.
 struct Wiring {
@@ -22,9 +20,16 @@ struct Wiring {
 /// from about a half to 1, required parameters have a value that is allowed.
 std::vector<Wiring> wirings_of(const BlockType& type);
 
+/// The same with signals of several elements, without optional inputs and with them; a block need not take
+/// them.
+std::vector<Wiring> wide_wirings_of(const BlockType& type, int elements);
+
 /// The same with the tested block on condition: `enable` holds what decides on it, "{when: gate, states:
 /// reset}", and `gate` is 1 at the ticks 0 to 2, 5 to 7, 10 to 12, ... and 0 at the others.
 Wiring guarded(const Wiring& wiring, const std::string& enable);
+
+/// The same with events that are located, and a block beside the tested one that crosses several times.
+Wiring located(const Wiring& wiring);
 
 /// Plans a wiring; nothing where it is refused and may be. Throws Error where it must not be.
 std::optional<plan::Plan> plan_of(const Wiring& wiring);

@@ -1,19 +1,16 @@
 // A generated program follows its parameters as the interpreter follows set(), whatever block they reach.
-#include <dlfcn.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
 
 #include "engine/model/diagram/load.hpp"
-#include "engine/simulate/codegen/compiler.hpp"
 #include "engine/simulate/codegen/diagram_struct.hpp"
 #include "engine/simulate/codegen/program.hpp"
 #include "engine/simulate/codegen/value_text.hpp"
+#include "tests/blocks/contract_library.hpp"
 #include "tests/blocks/contract_values.hpp"
 
 using namespace stepwire;
@@ -68,44 +65,33 @@ std::string source_of(const std::vector<Made>& all) {
                         program.text) +
             text +
             fmt::format(
-                "extern \"C\" void* make_{0}() {{ return new {1}::Diagram; }}\n"
-                "extern \"C\" void free_{0}(void* d) {{ delete static_cast<{1}::Diagram*>(d); }}\n"
-                "extern \"C\" void evaluate_{0}(void* d, double* numbers) {{\n"
+                "extern \"C\" EXPORTED void* make_{0}() {{ return new {1}::Diagram; }}\n"
+                "extern \"C\" EXPORTED void free_{0}(void* d) {{ delete static_cast<{1}::Diagram*>(d); }}\n"
+                "extern \"C\" EXPORTED void evaluate_{0}(void* d, double* numbers) {{\n"
                 "  auto& own = *static_cast<{1}::Diagram*>(d);\n  own.evaluate();\n"
                 "  {1}::Diagram::State state;\n  own.save(state);\n"
                 "  std::memcpy(numbers, state.numbers, sizeof state.numbers);\n}}\n"
-                "extern \"C\" void advance_{0}(void* d) {{ static_cast<{1}::Diagram*>(d)->advance(); }}\n"
-                "extern \"C\" double* parameters_{0}(void* d) {{\n"
+                "extern \"C\" EXPORTED void advance_{0}(void* d) {{ "
+                "static_cast<{1}::Diagram*>(d)->advance(); }}\n"
+                "extern \"C\" EXPORTED double* parameters_{0}(void* d) {{\n"
                 "  return reinterpret_cast<double*>(&static_cast<{1}::Diagram*>(d)->parameters);\n}}\n"
-                "extern \"C\" const char* fault_{0}(void* d) {{\n"
+                "extern \"C\" EXPORTED const char* fault_{0}(void* d) {{\n"
                 "  return static_cast<{1}::Diagram*>(d)->parameter_fault();\n}}\n",
                 i, space);
   }
   std::string source =
-      "#include <bit>\n#include <cmath>\n#include <cstdint>\n#include <cstring>\n#include <limits>\n";
+      "#define EXPORTED [[gnu::visibility(\"default\")]]\n#include <bit>\n#include <cmath>\n#include "
+      "<cstdint>\n#include <cstring>\n#include <limits>\n";
   for (const std::string& header : headers) source += fmt::format("#include \"{}\"\n", header);
   return source + "using namespace stepwire;\n" + body;
-}
-
-void* compiled(const codegen::Compiler& compiler, const std::string& source) {
-  const fs::path folder = fs::temp_directory_path() / fmt::format("stepwire-tuned-{}", ::getpid());
-  fs::create_directories(folder);
-  const std::string stem = (folder / "all").string();
-  std::ofstream(stem + ".cpp") << source;
-  const std::string problem = compiler.compile(stem + ".cpp", stem + ".so", {"-O0"}, {});
-  INFO(problem.substr(0, 2000));
-  CHECK(problem.empty());
-  void* library = problem.empty() ? ::dlopen((stem + ".so").c_str(), RTLD_NOW | RTLD_LOCAL) : nullptr;
-  fs::remove_all(folder);
-  return library;
 }
 
 /// A generated program that runs.
 class Instance {
  public:
-  Instance(void* library, std::size_t index) {
-    const auto find = [&]<class Function>(const char* name, Function*& function) {
-      function = reinterpret_cast<Function*>(::dlsym(library, fmt::format("{}_{}", name, index).c_str()));
+  Instance(const ContractLibrary& library, std::size_t index) {
+    const auto find = [&](const char* name, auto& function) {
+      library.find(fmt::format("{}_{}", name, index), function);
     };
     void* (*make)() = nullptr;
     find("make", make);
@@ -146,8 +132,8 @@ void write(const Value& value, double* place) {
 enum class Outcome { same, differs, refused, structure };
 
 /// What becomes of a change of one parameter that is written before a tick.
-Outcome outcome(const plan::Plan& plan, void* library, std::size_t index, std::size_t place, int parameter,
-                const Value& value) {
+Outcome outcome(const plan::Plan& plan, const ContractLibrary& library, std::size_t index, std::size_t place,
+                int parameter, const Value& value) {
   run::Executor interpreted(plan);
   Instance generated(library, index);
   std::vector<double> numbers(plan.layout.size);
@@ -174,14 +160,9 @@ Outcome outcome(const plan::Plan& plan, void* library, std::size_t index, std::s
 }  // namespace
 
 TEST_CASE("a generated program follows each number of each block as the interpreter follows set()") {
-  const codegen::Compiler compiler;
-  if (!compiler.found()) {
-    WARN("there is no C++ compiler here; nothing was compared");
-    return;
-  }
+  if (!has_compiler()) return;
   const std::vector<Made> all = all_made();
-  void* library = compiled(compiler, source_of(all));
-  REQUIRE(library);
+  const ContractLibrary library(source_of(all), "-O0");
   std::size_t followed = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const codegen::Groups groups(all[i].plan, all[i].tuning);
@@ -204,5 +185,4 @@ TEST_CASE("a generated program follows each number of each block as the interpre
     }
   }
   CHECK(followed > 500);
-  ::dlclose(library);
 }

@@ -47,7 +47,11 @@ std::string yaml_of(const Value& value) {
 }
 
 std::string with_parameters(const Wiring& wiring) {
-  const auto plan = plan_of(wiring);
+  return with_parameters(wiring, wiring);
+}
+
+std::string with_parameters(const Wiring& wiring, const Wiring& values) {
+  const auto plan = plan_of(values);
   if (!plan) return "";
   const std::size_t tested = tested_in(*plan);
   const auto& written = plan->blocks[tested].written;

@@ -14,6 +14,9 @@ std::string yaml_of(const Value& value);
 /// where there is none.
 std::string with_parameters(const Wiring& wiring);
 
+/// The same with the values that the block has in another wiring, where its signals may have other sizes.
+std::string with_parameters(const Wiring& wiring, const Wiring& values);
+
 /// The value with its numbers a little, or much, different.
 Value changed(Value value, double factor, double more, bool whole);
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "tests/diagrams/diagram_files.hpp"
 #include "tests/support/allocations.hpp"
 
@@ -160,7 +161,7 @@ TEST_CASE("the runs of a sweep are those of plans of their own, compiled or not"
   std::erase_if(jobs, [](const run::Job& job) { return job.points.empty(); });
   in_parallel(jobs.size(), [&](std::size_t i) {
     const run::Job& job = jobs[i];
-    codegen::GeneratedCode source;
+    codegen::GeneratedCode source{run::code_trial()};
     std::vector<std::optional<plan::CompiledPlan>> code(job.family->size());
     for (std::size_t m = 0; has_compiler && m < code.size(); ++m)
       code[m] = source.compile(job.family->plan(m), job.family->variable(m), {});

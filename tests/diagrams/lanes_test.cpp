@@ -10,6 +10,7 @@
 #include "engine/model/plan/variable_blocks.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/codegen/lane_places.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "engine/simulate/run/lane_group.hpp"
 #include "tests/diagrams/diagram_files.hpp"
 
@@ -164,7 +165,7 @@ void compile_all(std::vector<std::unique_ptr<Compared>>& all) {
   std::vector<std::jthread> threads;
   for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
     threads.emplace_back([&] {
-      codegen::GeneratedCode source;
+      codegen::GeneratedCode source{run::code_trial()};
       for (std::size_t at = next++; at < all.size(); at = next++)
         all[at]->code = source.compile_lanes(all[at]->plan, all[at]->differences, {}, all[at]->refused);
     });

@@ -33,7 +33,7 @@ bool has_placeholder(const std::string& command) {
 
 /// Is it done by the wrapper, and no verb of the program? It takes minutes.
 bool is_of_wrapper(const std::vector<std::string>& words) {
-  return has(words, "test") || has(words, "install") || has(words, "package");
+  return has(words, "test") || has(words, "install") || has(words, "package") || has(words, "setup");
 }
 
 /// For minutes, or until somebody ends it.

@@ -9,7 +9,7 @@ namespace stepwire::linear {
 
 namespace {
 
-constexpr double rank_tolerance = 1e-11;  // of matrices whose rows and columns are near 1
+constexpr double rank_tolerance = 1e-13;  // of matrices whose rows and columns are near 1
 
 struct Matrices {
   Eigen::MatrixXd A, B, C, D;
@@ -29,25 +29,69 @@ Eigen::MatrixXd stacked(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& low
   return both;
 }
 
+/// The power of two nearest to a size; 1 where there is none.
+double power_of_two(double size) {
+  return size > 0.0 && std::isfinite(size) ? std::exp2(std::round(std::log2(size))) : 1.0;
+}
+
+double largest(const Eigen::MatrixXd& matrix) {
+  return matrix.size() > 0 ? matrix.cwiseAbs().maxCoeff() : 0.0;
+}
+
+/// A rate near those of the system: of its states, or of an integrator beside a direct path.
+double rate_of(const Matrices& m) {
+  const double states = largest(m.A), beside = largest(m.D);
+  if (states > 0.0) return power_of_two(states);
+  return beside > 0.0 ? power_of_two(largest(m.C * m.B) / beside) : 1.0;
+}
+
+void scale_states(Matrices& m, const Eigen::VectorXd& by) {
+  const Eigen::VectorXd back = by.cwiseInverse();
+  m.A = back.asDiagonal() * m.A * by.asDiagonal();
+  m.B = back.asDiagonal() * m.B;
+  m.C = m.C * by.asDiagonal();
+}
+
+/// Scales inputs and outputs so that the largest number of each is near 1.
+void scale_channels(Matrices& m) {
+  for (Eigen::Index i = 0; i < m.B.cols(); ++i) {
+    const double size = power_of_two(std::max(largest(m.B.col(i)), largest(m.D.col(i))));
+    m.B.col(i) /= size;
+    m.D.col(i) /= size;
+  }
+  for (Eigen::Index i = 0; i < m.C.rows(); ++i) {
+    const double size = power_of_two(std::max(largest(m.C.row(i)), largest(m.D.row(i))));
+    m.C.row(i) /= size;
+    m.D.row(i) /= size;
+  }
+}
+
+/// Powers of two by which states are scaled so that what changes each one, inputs among it, and what each one
+/// changes, outputs among it, are alike.
+Eigen::VectorXd balancing_with_channels(const Matrices& m) {
+  const Eigen::Index n = m.A.rows();
+  Eigen::VectorXd by = Eigen::VectorXd::Ones(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double own = std::abs(m.A(i, i));
+    const double row = m.A.row(i).cwiseAbs().sum() - own + m.B.row(i).cwiseAbs().sum();
+    const double column = m.A.col(i).cwiseAbs().sum() - own + m.C.col(i).cwiseAbs().sum();
+    if (row > 0.0 && column > 0.0) by[i] = power_of_two(std::sqrt(row / column));
+  }
+  return by;
+}
+
 /// Scales states, time, inputs and outputs so that the numbers are near 1; returns the scale of time.
 double scale(Matrices& m) {
-  const Eigen::VectorXd states = balancing(m.A);
-  m.A = states.cwiseInverse().asDiagonal() * m.A * states.asDiagonal();
-  m.B = states.cwiseInverse().asDiagonal() * m.B;
-  m.C = m.C * states.asDiagonal();
-  const double time = std::max(m.A.cwiseAbs().maxCoeff(), 1e-300);
-  m.A /= time;
-  for (Eigen::Index i = 0; i < m.B.cols(); ++i)
-    if (const double size = std::max(m.B.col(i).norm(), m.D.col(i).norm()); size > 0.0) {
-      m.B.col(i) /= size;
-      m.D.col(i) /= size;
-    }
-  for (Eigen::Index i = 0; i < m.C.rows(); ++i)
-    if (const double size = std::max(m.C.row(i).norm(), m.D.row(i).norm()); size > 0.0) {
-      m.C.row(i) /= size;
-      m.D.row(i) /= size;
-    }
-  return time;
+  scale_states(m, balancing(m.A));
+  const double rate = rate_of(m);
+  m.A /= rate;
+  m.B /= rate;
+  for (int sweep = 0; sweep < 20; ++sweep) {
+    scale_channels(m);
+    scale_states(m, balancing_with_channels(m));
+  }
+  scale_channels(m);
+  return rate;
 }
 
 /// By what a matrix is turned so that its rows beyond its rank are 0.
@@ -93,13 +137,13 @@ Matrices with_full_rows(Matrices m) {
 std::vector<Complex> zeros_of(const StateSpace& system) {
   if (system.A.size() == 0 || system.B.size() == 0 || system.C.size() == 0) return {};
   Matrices m{system.A, system.B, system.C, system.D};
-  const double time = scale(m);
+  const double rate = scale(m);
   m = with_full_rows(with_full_rows(std::move(m)).transposed()).transposed();
   if (m.A.rows() == 0) return {};
   Eigen::MatrixXd free = m.A;
   if (m.D.size() > 0) free -= m.B * m.D.colPivHouseholderQr().solve(m.C);
   std::vector<Complex> zeros = eigenvalues(free);
-  for (Complex& zero : zeros) zero *= time;
+  for (Complex& zero : zeros) zero *= rate;
   return zeros;
 }
 

@@ -61,8 +61,8 @@ ExitCode write_program(const GenerateCall& call, const std::string& name, const 
     io::write_file(target.string(), text);
   }
   const std::string folder = text::shell_word(call.out), build = text::shell_word(call.out + "/build");
-  say("{}: {} blocks written to {}; cmake -S {} -B {} && cmake --build {} makes a program\n", call.file,
-      model.job.plan.blocks.size(), call.out, folder, build, build);
+  say("{}: {} blocks written to {}; cmake -S {} -B {} -G Ninja && cmake --build {} makes a program\n",
+      call.file, model.job.plan.blocks.size(), call.out, folder, build, build);
   return ExitCode::done;
 }
 

@@ -24,14 +24,14 @@ struct StudioWords {
   session::LoopWords timing;
 };
 
-/// Throws Error where it is none.
+/// 0 is any free port. Throws Error where the text is no port.
 std::uint16_t port_of(const std::string& text) {
   std::uint16_t port = 0;
   const char* const end = text.data() + text.size();
   const auto [read, error] = std::from_chars(text.data(), end, port);
-  if (error == std::errc() && read == end && port > 0) return port;
-  throw yaml::Error(
-      yaml::Fault{{"--port " + text, {}}, "", "is no port; a whole number from 1 to 65535 would be", {}});
+  if (error == std::errc() && read == end) return port;
+  throw yaml::Error(yaml::Fault{
+      {"--port " + text, {}}, "", "must be a whole number from 0 to 65535, where 0 is any free port", {}});
 }
 
 studio::StudioCall call_of(const StudioWords& words) {
@@ -57,7 +57,7 @@ ExitCode serve(const StudioWords& words, const Registry& registry) {
   const EndDelay delay(EndDelay::Signals::first);
   const studio::Studio studio(call_of(words), registry);
   if (studio::page_table().empty())
-    complain("the program was built without its page; install npm and call ./stepwire again\n");
+    complain("the program was built without its page; './stepwire setup' in its checkout builds it\n");
   put_data(studio.address() + "\n");
   finish_output();
   if (!words.no_open) open_browser(studio.address());
@@ -68,7 +68,7 @@ ExitCode serve(const StudioWords& words, const Registry& registry) {
 Action declare_studio(CLI::App& verb) {
   const auto words = std::make_shared<StudioWords>();
   verb.add_option("FILE", words->file, "a diagram file")->required();
-  verb.add_option("--port", words->port, "at which it serves; any free one without it");
+  verb.add_option("--port", words->port, "at which it serves; 0, as without it, is any free one");
   verb.add_option("--out", words->out, "folder in which the page keeps a run, for 'verify'");
   verb.add_flag("--no-open", words->no_open, "print the address and open no browser");
   CLI::Option* const loop =

@@ -65,11 +65,11 @@ const std::map<std::string, void (LanguageServer::*)(const Json&)>& LanguageServ
   return all;
 }
 
-void LanguageServer::post(std::string message) {
+void LanguageServer::post(std::string message, std::shared_ptr<void> held) {
   const std::string id = cancelled_by(message);
   const std::scoped_lock lock(mutex_);
   if (id.empty())
-    messages_.push_back(std::move(message));
+    messages_.push_back({std::move(message), std::move(held)});
   else
     cancelled_.push_back(id);
   // One that came after its answer stays until it is the oldest.
@@ -83,11 +83,18 @@ void LanguageServer::close() {
   arrived_.notify_one();
 }
 
-std::optional<std::string> LanguageServer::next_message() {
+void LanguageServer::abandon() {
+  const std::scoped_lock lock(mutex_);
+  messages_.clear();
+  closed_ = true;
+  arrived_.notify_one();
+}
+
+std::optional<LanguageServer::Message> LanguageServer::next_message() {
   std::unique_lock lock(mutex_);
   arrived_.wait(lock, [&] { return closed_ || !messages_.empty(); });
   if (messages_.empty()) return std::nullopt;
-  std::string message = std::move(messages_.front());
+  Message message = std::move(messages_.front());
   messages_.pop_front();
   return message;
 }
@@ -101,7 +108,7 @@ bool LanguageServer::run() {
   while (!ended_) {
     const auto message = next_message();
     if (!message) break;
-    handle(*message);
+    handle(message->text);
     while (!ended_ && is_quiet() && service_.analyse_next()) publish();
     if (!ended_) publish();
   }

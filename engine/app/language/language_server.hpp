@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -25,12 +26,14 @@ class LanguageServer {
 
   LanguageServer(const Registry& registry, Send send, FileUris uris = FileUris(), FileAccess access = {});
 
-  /// Takes a message; from any thread.
-  void post(std::string message);
-  /// There will be no more messages; from any thread.
+  /// Takes a message; from any thread. `held` is released when the message has been handled.
+  void post(std::string message, std::shared_ptr<void> held = {});
+  /// Ends run() after the messages that wait; from any thread.
   void close();
-  /// Answers messages until the editor ends it or close() was called. What is wrong is published when no
-  /// message waits, so that of several changes the last one counts. Returns whether the editor ended it as
+  /// Ends run() after the message that it handles, and drops those that wait; from any thread.
+  void abandon();
+  /// Answers messages until the editor ends it, or close() or abandon() was called. Faults are published when
+  /// no message waits, so that of several changes the last one counts. Returns whether the editor ended it as
   /// the protocol has it.
   bool run();
 
@@ -39,7 +42,12 @@ class LanguageServer {
   static const std::map<std::string, Answer>& requests();
   static const std::map<std::string, void (LanguageServer::*)(const json::Json&)>& notifications();
 
-  std::optional<std::string> next_message();
+  struct Message {
+    std::string text;
+    std::shared_ptr<void> held;
+  };
+
+  std::optional<Message> next_message();
   bool is_quiet();
   void handle(const std::string& text);
   void answer(const json::Json& id, const std::string& method, const json::Json& params);
@@ -77,7 +85,7 @@ class LanguageServer {
 
   std::mutex mutex_;  ///< guards what follows
   std::condition_variable arrived_;
-  std::deque<std::string> messages_;
+  std::deque<Message> messages_;
   std::vector<std::string> cancelled_;  ///< identifiers as JSON text
   bool closed_ = false;
 };

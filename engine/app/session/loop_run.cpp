@@ -13,6 +13,7 @@
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/realtime/row_writer.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "engine/simulate/run/memory.hpp"
 #include "engine/view/render/figure_file.hpp"
 
@@ -87,7 +88,7 @@ class LoopFolder {
 std::optional<plan::CompiledPlan> code_for(const plan::Plan& plan, run::ExecutionMode engine,
                                            const Monitor& monitor) {
   if (engine == run::ExecutionMode::interpreted) return std::nullopt;
-  codegen::GeneratedCode source;
+  codegen::GeneratedCode source{run::code_trial()};
   std::optional<plan::CompiledPlan> code = source.compile(plan, {}, {});
   monitor.note_interpreted(source.take_problem());
   return code;

@@ -4,6 +4,7 @@
 
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 
 namespace stepwire::session {
 
@@ -12,11 +13,11 @@ std::vector<diagram::Setting> call_settings(const LoadOptions& options);
 
 /// What the runs of a search for values of a model's parameters are made of, such as a fit or a tuning.
 struct SearchParts {
-  /// Of so many runs, each of all points of a sweep. They are compiled where the call says so; where it leaves
-  /// that open, if they would take longer than a compilation.
+  /// Of so many runs, each of all points of a sweep. They are compiled where the call says so; where it
+  /// leaves that open, if they would take longer than a compilation.
   SearchParts(const Registry& registry, const LoadedModel& model, run::ExecutionMode engine, double runs);
 
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   plan::CodeSource* used;  ///< the code; null: runs are interpreted
   diagram::Loader loader;
   std::vector<diagram::Setting> settings;

@@ -9,6 +9,7 @@
 #include "engine/app/session/tuning.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/replay/verify.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 
 namespace stepwire::session {
 
@@ -54,7 +55,7 @@ class Session {
  private:
   const Registry& registry_;
   Monitor monitor_;
-  codegen::GeneratedCode code_;
+  codegen::GeneratedCode code_{run::code_trial()};
   Studies studies_;
 };
 

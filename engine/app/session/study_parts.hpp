@@ -5,6 +5,7 @@
 #include "engine/app/session/kept_experiments.hpp"
 #include "engine/app/session/studies.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 
 namespace stepwire::session {
 
@@ -21,7 +22,7 @@ struct StudyParts {
   }
 
   diagram::Loader loader;
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   std::optional<study::TrialRuns> runs;
 };
 

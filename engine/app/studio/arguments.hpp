@@ -1,16 +1,19 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/app/studio/fault.hpp"
+#include "engine/app/studio/http/site.hpp"
 
 namespace stepwire::studio {
 
 /// The arguments of a call. Each function throws Fault where the page has sent anything else.
 class Arguments {
  public:
-  explicit Arguments(const json::Json& message) : message_(message) {}
+  explicit Arguments(const json::Json& message, http::Ticket ticket = {})
+      : message_(message), ticket_(std::move(ticket)) {}
 
   /// From 0 to 2^31 - 1.
   int whole(const std::string& name) const;
@@ -21,11 +24,14 @@ class Arguments {
   std::span<const json::Json> items(const std::string& name) const;
   const json::Json& any(const std::string& name) const;
   const json::Json& all() const { return message_; }
+  /// The ticket of the message. Work that continues after the return of the call keeps a copy.
+  const http::Ticket& ticket() const { return ticket_; }
 
  private:
   [[noreturn]] static void refuse(const std::string& name, const std::string& kind);
 
   const json::Json& message_;
+  http::Ticket ticket_;
 };
 
 }  // namespace stepwire::studio

@@ -20,7 +20,7 @@ class DrawingDesk;
 
 /// Something that a page may call.
 struct CallRow {
-  /// Calls of one lane are done in order, and hold up no other lane.
+  /// Calls of one page and lane are done in order, and hold up no other lane.
   enum class Where {
     texts,  ///< what edits and reads texts
     run,    ///< what must act on the run at once

@@ -47,14 +47,15 @@ void Dispatch::take(int page, const std::string& message, const http::Ticket& ti
     if (const Json* sequence = request->find("ack"); sequence && sequence->as_number())
       return acknowledge_(page, static_cast<std::uint32_t>(Arguments(*request).whole("ack")));
     const CallRow& row = row_of(calls_, *request);
-    lanes_.at(row.where).post([this, page, &row, request, ticket] { answer(page, row, *request); });
+    lanes_.at(row.where).post(
+        [this, page, &row, request, ticket] { answer(page, row, Arguments(*request, ticket)); }, page);
   } catch (...) {
     refuse(page, *request);
   }
 }
 
-void Dispatch::answer(int page, const CallRow& row, const Json& request) const {
-  if (auto text = answer_to(request, [&] { return row.act(page, Arguments(request)); }))
+void Dispatch::answer(int page, const CallRow& row, const Arguments& arguments) const {
+  if (auto text = answer_to(arguments.all(), [&] { return row.act(page, arguments); }))
     send_(page, *std::move(text));
 }
 

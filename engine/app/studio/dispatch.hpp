@@ -11,8 +11,8 @@
 
 namespace stepwire::studio {
 
-/// Leads the messages of pages to the calls that they name, each in the lane of its call and in order there,
-/// and their results back.
+/// Leads the messages of pages to the calls that they name, each in the lane of its call, and their results
+/// back. In a lane the calls of one page are done in order, and pages take turns.
 class Dispatch {
  public:
   using Send = std::function<void(int page, std::string text)>;
@@ -26,7 +26,7 @@ class Dispatch {
   void stop();
 
  private:
-  void answer(int page, const CallRow& row, const json::Json& request) const;
+  void answer(int page, const CallRow& row, const Arguments& arguments) const;
   void refuse(int page, const json::Json& request) const;
 
   const Calls& calls_;

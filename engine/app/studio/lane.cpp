@@ -1,5 +1,6 @@
 #include "engine/app/studio/lane.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace stepwire::studio {
@@ -9,10 +10,12 @@ using Clock = std::chrono::steady_clock;
 Lane::Lane(Work tick, std::chrono::milliseconds period)
     : tick_(std::move(tick)), period_(period), thread_([this] { run(); }) {}
 
-void Lane::post(Work work) {
+void Lane::post(Work work, int sender) {
   const std::lock_guard lock(mutex_);
   if (ends_) return;
-  waiting_.push_back(std::move(work));
+  auto found = std::ranges::find(waiting_, sender, &Sender::number);
+  if (found == waiting_.end()) found = waiting_.insert(found, {sender, {}});
+  found->works.push_back(std::move(work));
   changed_.notify_one();
 }
 
@@ -31,8 +34,11 @@ Lane::Work Lane::next() {
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, period_, [this] { return ends_ || !waiting_.empty(); });
   if (waiting_.empty()) return {};
-  Work work = std::move(waiting_.front());
+  Sender sender = std::move(waiting_.front());
   waiting_.pop_front();
+  Work work = std::move(sender.works.front());
+  sender.works.pop_front();
+  if (!sender.works.empty()) waiting_.push_back(std::move(sender));
   return work;
 }
 

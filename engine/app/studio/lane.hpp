@@ -9,7 +9,9 @@
 
 namespace stepwire::studio {
 
-/// A thread that does what it is given in order, and something more again and again.
+/// A thread for the work of several senders. Each sender has its work done in order; senders take turns, one
+/// work each, so a sender with much work holds up no other for longer than one of its works. In each period
+/// it also does a tick.
 class Lane {
  public:
   using Work = std::function<void()>;
@@ -22,11 +24,16 @@ class Lane {
   Lane& operator=(const Lane&) = delete;
 
   /// From any thread; nothing once it was stopped.
-  void post(Work work);
+  void post(Work work, int sender = 0);
   /// What is going on comes to its end, what waits is dropped.
   void stop();
 
  private:
+  struct Sender {
+    int number;
+    std::deque<Work> works;
+  };
+
   void run();
   Work next();
 
@@ -34,7 +41,7 @@ class Lane {
   std::chrono::milliseconds period_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Work> waiting_;
+  std::deque<Sender> waiting_;  ///< those that have work, in the order of their turns
   bool ends_ = false;
   std::thread thread_;  // begins when all else is there
 };

@@ -52,11 +52,11 @@ class PageLanguages::Server {
             desk.files.access()),
         thread_([this] { server_.run(); }) {}
   ~Server() {
-    server_.close();
+    server_.abandon();
     thread_.join();
   }
 
-  void say(std::string message) { server_.post(std::move(message)); }
+  void post(std::string message, http::Ticket ticket) { server_.post(std::move(message), std::move(ticket)); }
 
  private:
   language::LanguageServer server_;
@@ -72,14 +72,14 @@ void PageLanguages::joined(int page) {
   servers_[page];
 }
 
-void PageLanguages::say(int page, const Json& message) {
+void PageLanguages::post(int page, const Json& message, http::Ticket ticket) {
   const std::lock_guard lock(mutex_);
   const auto found = servers_.find(page);
   if (found == servers_.end()) return;
   std::unique_ptr<Server>& server = found->second;
   if (!server)
     server = std::make_unique<Server>(desk_, [this, page](const Json& answer) { send_(page, answer); });
-  server->say(message.text(-1));
+  server->post(message.text(-1), std::move(ticket));
 }
 
 void PageLanguages::left(int page) {
@@ -93,7 +93,7 @@ void PageLanguages::left(int page) {
 
 void add_language_calls(Calls& calls, PageLanguages& languages) {
   calls["language"] = {[&languages](int page, const Arguments& arguments) {
-    languages.say(page, arguments.any("message"));
+    languages.post(page, arguments.any("message"), arguments.ticket());
     return Json::object();
   }};
 }

@@ -20,9 +20,10 @@ class PageLanguages {
   ~PageLanguages();
 
   void joined(int page);
-  /// A message of a page to its server, which begins with the first one. Nothing where the page has left.
-  void say(int page, const json::Json& message);
-  /// Ends the server of a page once it has answered; may take as long as that.
+  /// Posts a message to the server of a page, which begins with the first one. Does nothing after the page
+  /// has left. The ticket is kept until the server has handled the message.
+  void post(int page, const json::Json& message, http::Ticket ticket);
+  /// Ends the server of a page after the message that it handles; may take as long as that.
   void left(int page);
 
  private:

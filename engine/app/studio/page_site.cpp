@@ -11,9 +11,8 @@ namespace stepwire::studio {
 namespace {
 
 constexpr const char* no_page =
-    "<!doctype html><meta charset=utf-8><title>Stepwire</title><p>The program was built without its page: "
-    "npm "
-    "was not there. Install it (on Debian the package npm) and call ./stepwire again.";
+    "<!doctype html><meta charset=utf-8><title>Stepwire</title><p>The program was built without its page. "
+    "./stepwire setup in its checkout builds it, and says why where it cannot.";
 
 bool takes_packed(const http::Request& request) {
   const std::string* accepted = request.header("Accept-Encoding");

@@ -13,9 +13,8 @@ std::unique_ptr<Messages> open_mpi() {
   const std::string folder = io::find_resource("mpi");
   if (folder.empty())
     throw io::EnvironmentError(
-        "this program was built without MPI; on Debian the packages libopenmpi-dev and openmpi-bin open this "
-        "door, "
-        "and the program is built again");
+        "this program was built without MPI; './stepwire setup mpi' in its checkout adds it, with the Debian "
+        "packages libopenmpi-dev and openmpi-bin");
   void* const module =
       ::dlopen((folder + "/libstepwire_mpi.so").c_str(), RTLD_NOW | RTLD_GLOBAL | RTLD_NODELETE);
   using Open = Messages* (*)();

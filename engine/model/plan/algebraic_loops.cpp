@@ -187,15 +187,46 @@ void refuse_loop(Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) 
                                CycleText(draft, graph, shortest_cycle(graph, nodes)).text(true), cure));
 }
 
-LoopOrder order_loop(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) {
-  std::vector<std::size_t> sizes, given;
-  for (const std::size_t node : nodes) {
+namespace {
+
+/// The nodes of a loop in the canonical order of their blocks.
+LoopNodes canonical_nodes(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) {
+  std::vector<std::size_t> place(draft.canonical.size());
+  for (std::size_t i = 0; i < place.size(); ++i) place[static_cast<std::size_t>(draft.canonical[i])] = i;
+  LoopNodes canonical = nodes;
+  std::ranges::sort(canonical, {}, [&](std::size_t node) {
+    return std::pair(place[graph.owners[node].first], graph.owners[node].second);
+  });
+  return canonical;
+}
+
+/// Returns the tears of a loop. Among sets that cost the same the canonical order of its blocks decides, so
+/// the loop is a graph of its own there, with nodes in that order.
+std::vector<std::size_t> tears_of(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) {
+  const LoopNodes canonical = canonical_nodes(draft, graph, nodes);
+  std::map<std::size_t, std::size_t> place;
+  for (std::size_t i = 0; i < canonical.size(); ++i) place[canonical[i]] = i;
+  OrderGraph loop;
+  std::vector<std::size_t> all, sizes, given;
+  for (const std::size_t node : canonical) {
     const auto [block, output] = graph.owners[node];
+    if (draft.type(block).torn) given.push_back(all.size());
+    all.push_back(all.size());
     sizes.push_back(static_cast<std::size_t>(draft.blocks[block].output_sizes[output]));
-    if (draft.type(block).torn) given.push_back(node);
+    std::vector<std::size_t>& readers = loop.edges.emplace_back();
+    for (const std::size_t reader : graph.readers(node))
+      if (const auto found = place.find(reader); found != place.end()) readers.push_back(found->second);
   }
+  std::vector<std::size_t> tears;
+  for (const std::size_t i : tear(loop, all, sizes, given)) tears.push_back(canonical[i]);
+  return tears;
+}
+
+}  // namespace
+
+LoopOrder order_loop(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) {
   LoopOrder order;
-  order.tears = tear(graph, nodes, sizes, given);
+  order.tears = tears_of(draft, graph, nodes);
   order.blocks = TornOrder(graph, nodes, order.tears).run();
   return order;
 }

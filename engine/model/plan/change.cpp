@@ -30,6 +30,13 @@ Eigen::Index size_of(const Value& value) {
   return matrix ? matrix->size() : 1;
 }
 
+/// Whether a value is one number, by itself or repeated for each of `size` elements.
+bool is_one_number(const Value& value, Eigen::Index size) {
+  const auto* numbers = std::get_if<Eigen::VectorXd>(&value.content);
+  if (!numbers || (numbers->size() != 1 && numbers->size() != size)) return false;
+  return std::ranges::all_of(*numbers, [&](double number) { return number == (*numbers)[0]; });
+}
+
 /// Gathers the change, block by block.
 class Changing {
  public:
@@ -154,17 +161,19 @@ class Changing {
     return std::nullopt;
   }
 
-  /// Numbers for every element are spread as those of the plan are; all else keeps its number of elements.
+  /// Spreads numbers for every element as those of the plan are spread: those that were set, and those that
+  /// the plan has spread already. All else keeps its number of elements.
   void fit_sizes(std::size_t block, AnyBlock& made) {
     const diagram::DiagramBlock& known = plan_.diagram.blocks[block];
     for (std::size_t p = 0; p < known.type().parameters.size(); ++p) {
       const ParameterSpec& spec = known.type().parameters[p];
       if (spec.shape.empty()) continue;
-      const Eigen::Index size = size_of(spec.get(known.block.get())), own = size_of(spec.get(made.get()));
+      const Value value = spec.get(made.get());
+      const Eigen::Index size = size_of(spec.get(known.block.get()));
       const bool was_spread = std::ranges::count(known.spread, p) > 0;
-      if (was_spread && own == 1)
+      if (was_spread && is_one_number(value, size))
         spread(made, spec, size);
-      else if (was_spread || own != size)
+      else if (was_spread || size_of(value) != size)
         refuse_structure(block, spec.name, "the value has another number of elements");
     }
     for (std::size_t s = 0; s < known.type().sizes.size(); ++s)

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "engine/model/plan/lane_task.hpp"
@@ -73,6 +74,15 @@ class NumberTable {
   BlocksOfRun blocks_;
   std::vector<Entry> entries_;
   std::vector<double> numbers_;
+};
+
+/// Compares new code with the interpreter before it is trusted.
+class CodeTrial {
+ public:
+  virtual ~CodeTrial() = default;
+  /// Returns a sentence on the first difference; an empty one if all numbers are equal.
+  virtual std::string difference(const Plan& plan, const CompiledPlan& code) const = 0;
+  virtual std::string difference(const Plan& plan, const CompiledLanes& code) const = 0;
 };
 
 /// What getting code may take.

@@ -46,6 +46,7 @@ struct Draft {
   Plan& plan;
   diagram::Report report;
   std::vector<Block> blocks;
+  std::vector<int> canonical;  ///< blocks in canonical_order(), once sizes are known
 
   diagram::Diagram& diagram() { return plan.diagram; }
   const BlockType& type(std::size_t block) const { return plan.diagram.blocks[block].type(); }

@@ -41,7 +41,7 @@ class LayoutMaker {
     layout.signals = end_;
     each([&](std::size_t b) { place_signals(b); });
     layout.states = end_;
-    each([&](std::size_t b) { place_states(b, true); });
+    for (const int block : draft_.canonical) place_states(static_cast<std::size_t>(block), true);
     layout.state_count = end_ - layout.states;
     layout.derivatives = end_;
     each([&](std::size_t b) { place_dots(b); });

@@ -2,6 +2,7 @@
 
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/units.hpp"
+#include "engine/model/plan/canonical_order.hpp"
 #include "engine/model/plan/draft.hpp"
 #include "engine/model/plan/element_slot.hpp"
 #include "engine/model/plan/guards.hpp"
@@ -64,6 +65,7 @@ Plan make_plan(diagram::Diagram diagram) {
   draft.report.faults().throw_if_any();
   prepare_blocks(draft);
   find_timed(draft);
+  draft.canonical = canonical_order(draft);
   const CallOrder order = plan_order(draft);
   draft.report.faults().throw_if_any();
   find_events(draft, order);

@@ -179,14 +179,14 @@ void append_updates(Draft& draft, std::size_t block) {
 void make_schedule(Draft& draft, const CallOrder& order) {
   draft.plan.periods = {1};
   OutputTables(draft).run(order);
+  for (const int b : draft.plan.memory_order) append_derivatives(draft, static_cast<std::size_t>(b));
   // Updates of continuous states come last: a discrete block that reads such a state still sees its value at
-  // the tick.
+  // the tick. Such updates may read each other's states, so their order must not follow from the file.
   for (const bool continuous : {false, true})
-    for (int b : draft.plan.memory_order) {
-      const auto block = static_cast<std::size_t>(b);
-      if (!continuous) append_derivatives(draft, block);
-      if (draft.type(block).has_continuous_state() == continuous) append_updates(draft, block);
-    }
+    for (const int b : continuous ? draft.canonical : draft.plan.memory_order)
+      if (const auto block = static_cast<std::size_t>(b);
+          draft.type(block).has_continuous_state() == continuous)
+        append_updates(draft, block);
 }
 
 }  // namespace stepwire::plan

@@ -32,7 +32,10 @@ std::optional<plan::CompiledPlan> GeneratedCode::compile(const plan::Plan& plan,
   const std::lock_guard lock(mutex_);
   try {
     std::string problem;
-    const ProgramFunctions functions = functions_of(make_steps(plan, variable), limits, problem);
+    const auto trial = [&](const ProgramFunctions& made) {
+      return trial_.difference(plan, plan::CompiledPlan{made.steps, variable});
+    };
+    const ProgramFunctions functions = functions_of(make_steps(plan, variable), limits, trial, problem);
     if (functions) return plan::CompiledPlan{functions.steps, variable};
     if (!problem.empty() && !limits.only_kept) note(problem);  // a look for what is kept may find nothing
   } catch (const std::exception& error) {  // no reason to end a run, which goes on without
@@ -55,10 +58,18 @@ std::optional<plan::CompiledLanes> GeneratedCode::compile_lanes(const plan::Plan
       why = "blocks of it use other libraries";
       return std::nullopt;
     }
-    std::string problem;
-    if (const ProgramFunctions functions = functions_of(program, limits, problem))
-      return plan::CompiledLanes{functions.run, lanes, differences.variable,
-                                 lane_places(plan, differences, lanes).places};
+    plan::CompiledLanes code{nullptr, lanes, differences.variable,
+                             lane_places(plan, differences, lanes).places};
+    std::string problem, difference;
+    const auto trial = [&](const ProgramFunctions& made) {
+      code.run = made.run;
+      return difference = trial_.difference(plan, code);
+    };
+    if (const ProgramFunctions functions = functions_of(program, limits, trial, problem)) {
+      code.run = functions.run;
+      return code;
+    }
+    if (!difference.empty()) note(difference);
     why = first_error(problem);
   } catch (const std::exception& error) {
     why = error.what();
@@ -72,15 +83,15 @@ int GeneratedCode::lanes() {
   return compiler_->found() && compiler_->is_gcc() ? lanes_of_processor() : 1;
 }
 
-ProgramFunctions GeneratedCode::functions_of(const GeneratedProgram& program,
-                                             const plan::CodeLimits& limits, std::string& problem) {
+ProgramFunctions GeneratedCode::functions_of(const GeneratedProgram& program, const plan::CodeLimits& limits,
+                                             const CodeCache::Trial& trial, std::string& problem) {
   if (!compiler_) compiler_.emplace();
   if (!compiler_->found()) problem = compiler_->problem();
   if (program.lanes > 1 && compiler_->found() && !compiler_->is_gcc())
     problem = compiler_->version() + " does not put runs into lanes; g++ does";
   if (!problem.empty()) return {};
   if (const auto known = known_.find(program.text); known != known_.end()) return known->second;
-  const ProgramFunctions functions = cache_.load(program, *compiler_, limits, problem);
+  const ProgramFunctions functions = cache_.load(program, *compiler_, limits, trial, problem);
   if (limits.stop.stop_requested()) problem.clear();
   if (functions) known_.emplace(program.text, functions);
   return functions;

@@ -13,6 +13,9 @@ namespace stepwire::codegen {
 /// Compiled code for runs, made by this machine's compiler and kept in a cache. From any thread.
 class GeneratedCode : public plan::CodeSource {
  public:
+  /// New code is compared by `trial`, which must outlive it, before anything uses it.
+  explicit GeneratedCode(const plan::CodeTrial& trial) : trial_(trial) {}
+
   std::optional<plan::CompiledPlan> compile(const plan::Plan& plan,
                                             const std::vector<plan::VariableBlock>& variable,
                                             const plan::CodeLimits& limits) override;
@@ -29,9 +32,10 @@ class GeneratedCode : public plan::CodeSource {
  private:
   /// On failure `problem` says why, but for that of the limits.
   ProgramFunctions functions_of(const GeneratedProgram& program, const plan::CodeLimits& limits,
-                                std::string& problem);
+                                const CodeCache::Trial& trial, std::string& problem);
   void note(const std::string& problem);
 
+  const plan::CodeTrial& trial_;
   std::mutex mutex_;
   std::optional<Compiler> compiler_;               ///< looked for when it is needed
   std::map<std::string, ProgramFunctions> known_;  ///< by the program's text

@@ -65,9 +65,9 @@ ProgramFunctions open_library(const std::string& bytes, std::string& problem) {
 /// register as there are lanes.
 std::vector<std::string> flags_of(const GeneratedProgram& program) {
   std::vector<std::string> flags = flags_for_this_machine(program.headers);
+  std::ranges::copy(library_flags(), std::back_inserter(flags));
   if (program.lanes == 1) return flags;
-  // The program itself has functions of the same names, for one run: those of the code must stay its own.
-  flags.insert(flags.end(), {"-fopenmp-simd", "-fvisibility=hidden"});
+  flags.push_back("-fopenmp-simd");
   // A loop over lanes goes into registers only if all that it calls is put into it, however much that is.
   for (const char* limit :
        {"max-inline-insns-single", "large-function-growth", "large-stack-frame-growth", "inline-unit-growth"})
@@ -111,6 +111,10 @@ void* load_library(const std::string& bytes, std::string& problem) {
   return nullptr;
 }
 
+std::vector<std::string> library_flags() {
+  return {"-fvisibility=hidden", "-fvisibility-inlines-hidden", "-Wl,-Bsymbolic"};
+}
+
 std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& headers) {
   // A header of the standard library has neither folder nor ending; of others nobody knows what they include.
   static const std::regex foreign(R"re(#[ \t]*include[ \t]*<(?!stepwire/)[^>\n]*[/.])re");
@@ -119,35 +123,42 @@ std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& 
   return {Compiler::native};
 }
 
+std::string library_head(const std::vector<std::string>& headers, int lanes) {
+  std::string head = lanes == 1 ? "" : fmt::format("#define STEPWIRE_LANES {}\n", lanes);
+  head += "#define STEPWIRE_GENERATED\n#include <cmath>\n#include <cstdint>\n#include <limits>\n\n";
+  head += lanes == 1 ? "#define stepwire stepwire_compiled\n" : "#define stepwire stepwire_in_lanes\n";
+  for (const std::string& header : headers) head += fmt::format("#include \"{}\"\n", header);
+  return head;
+}
+
 std::string library_source(const GeneratedProgram& program) {
-  std::string source = program.lanes == 1 ? "" : fmt::format("#define STEPWIRE_LANES {}\n", program.lanes);
-  source += "#define STEPWIRE_GENERATED\n#include <cmath>\n#include <cstdint>\n#include <limits>\n\n";
-  for (const std::string& header : program.headers) source += fmt::format("#include \"{}\"\n", header);
+  std::string source = library_head(program.headers, program.lanes);
   source += "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n}  // namespace\n\n";
-  if (program.lanes > 1)
-    return source +
-           "extern \"C\" [[gnu::flatten, gnu::visibility(\"default\")]] void stepwire_run(plan::LaneTask& "
-           "task) {\n"
-           "  run(task);\n}\n";
+  const std::string exported = "extern \"C\" [[gnu::flatten, gnu::visibility(\"default\")]] void stepwire_";
+  if (program.lanes > 1) return source + exported + "run(plan::LaneTask& task) {\n  run(task);\n}\n";
   for (const char* function : {"evaluate", "advance"})
-    source += fmt::format(
-        "extern \"C\" [[gnu::flatten]] void stepwire_{0}(double* w, const double* numbers, std::int64_t "
-        "tick) "
-        "{{\n  {0}(w, numbers, tick);\n}}\n",
-        function);
+    source += exported + fmt::format(
+                             "{0}(double* w, const double* numbers, std::int64_t tick) {{\n"
+                             "  {0}(w, numbers, tick);\n}}\n",
+                             function);
   return source;
 }
 
 ProgramFunctions CodeCache::load(const GeneratedProgram& program, const Compiler& compiler,
-                                 const plan::CodeLimits& limits, std::string& problem) const {
+                                 const plan::CodeLimits& limits, const Trial& trial,
+                                 std::string& problem) const {
   try {
     const std::string source = library_source(program), name = key(source, program, compiler);
     if (const auto kept = cache_.find(name)) return open_library(*kept, problem);
     if (limits.only_kept) return {};
     const std::string made = compiled(source, program, compiler, limits.stop, problem);
     if (made.empty()) return {};
+    const ProgramFunctions functions = open_library(made, problem);
+    if (!functions) return {};
+    problem = trial(functions);
+    if (!problem.empty()) return {};
     cache_.keep(name, made);
-    return open_library(made, problem);
+    return functions;
   } catch (const std::exception& error) {  // no folder, no room, no sources: the run goes on without
     problem = error.what();
     return {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -19,7 +20,16 @@ std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& 
 /// Null where that fails, and `problem` says why.
 void* load_library(const std::string& bytes, std::string& problem);
 
-/// The source of a shared library with a program's functions.
+/// Returns the flags by which a library calls its own functions only. The program exports functions of the
+/// same names, of libraries such as Eigen, too, which are compiled for another processor.
+std::vector<std::string> library_flags();
+
+/// Returns the beginning of a library's source: its headers. It gives the namespace of the blocks another
+/// name than in the program: classes have fewer members in generated code, and numbers of lanes between them.
+/// One name never means two classes in a process.
+std::string library_head(const std::vector<std::string>& headers, int lanes);
+
+/// Returns the source of a shared library with a program's functions.
 std::string library_source(const GeneratedProgram& program);
 
 /// What a compiled program has.
@@ -34,10 +44,14 @@ class CodeCache {
  public:
   explicit CodeCache(io::Cache cache = io::Cache()) : cache_(std::move(cache)) {}
 
-  /// The functions of a program, from the cache or compiled; they stay loaded. On failure they are null and
-  /// `problem` says why, but for that of the limits.
+  /// Returns a sentence on the fault of new code; an empty one if there is none.
+  using Trial = std::function<std::string(const ProgramFunctions&)>;
+
+  /// Returns the functions of a program, from the cache or compiled; they stay loaded. On failure they are
+  /// null and `problem` has the reason, but for that of the limits. Compiled code is kept once its trial
+  /// finds nothing.
   ProgramFunctions load(const GeneratedProgram& program, const Compiler& compiler,
-                        const plan::CodeLimits& limits, std::string& problem) const;
+                        const plan::CodeLimits& limits, const Trial& trial, std::string& problem) const;
 
  private:
   io::Cache cache_;

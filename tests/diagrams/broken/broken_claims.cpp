@@ -16,6 +16,7 @@
 #include "engine/base/io/file.hpp"
 #include "engine/base/yaml/error.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "tests/diagrams/broken/changes.hpp"
 
 using namespace stepwire;
@@ -96,7 +97,7 @@ class Runner {
 
  private:
   const Registry registry_ = blocks();
-  codegen::GeneratedCode code_;
+  codegen::GeneratedCode code_{run::code_trial()};
   session::Studies studies_;
   bool takes_long_ = false;
   std::vector<diagram::DiagramParameter> parameters_;

@@ -111,7 +111,7 @@ class Server::Page : public std::enable_shared_from_this<Page> {
     number_ = ++server_.last_page_;
     server_.pages_[number_] = weak_from_this();
     server_.site_.joined(number_);
-    read();
+    read_on();
   }
 
   void read() {
@@ -132,8 +132,15 @@ class Server::Page : public std::enable_shared_from_this<Page> {
     const std::size_t size = message.size() + 1024;  // a small one is work, too
     waiting_ += size;
     server_.site_.said(number_, std::move(message), ticket(size));
-    reads_ = waiting_ <= server_.limits_.waiting;
-    if (reads_) read();
+    reads_ = false;
+    read_on();
+  }
+
+  /// Reads the next message unless too many are not done, or the page does not read what they gave.
+  void read_on() {
+    if (reads_ || waiting_ > server_.limits_.waiting || unsent_ > server_.limits_.unread) return;
+    reads_ = true;
+    read();
   }
 
   /// Whoever lets it go may be in any thread; the page itself goes in ours.
@@ -146,9 +153,7 @@ class Server::Page : public std::enable_shared_from_this<Page> {
 
   void done(std::size_t size) {
     waiting_ -= size;
-    if (reads_ || waiting_ > server_.limits_.waiting) return;
-    reads_ = true;
-    read();
+    read_on();
   }
 
   void write() {
@@ -159,6 +164,7 @@ class Server::Page : public std::enable_shared_from_this<Page> {
                           self->unsent_ -= self->queue_.front().message.size();
                           self->queue_.pop_front();
                           if (!self->queue_.empty()) self->write();
+                          self->read_on();
                         });
   }
 
@@ -169,9 +175,9 @@ class Server::Page : public std::enable_shared_from_this<Page> {
   int number_ = 0;
   beast::flat_buffer buffer_;
   std::size_t waiting_ = 0;  ///< [bytes] of messages whose tickets exist
-  bool reads_ = true;
+  bool reads_ = false;       ///< a read is pending
   std::deque<Outgoing> queue_;
-  std::size_t unsent_ = 0;  ///< [bytes]
+  std::size_t unsent_ = 0;  ///< [bytes] of `queue_`
 };
 
 /// A connection as long as it is none of a page.

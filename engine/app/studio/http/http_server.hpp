@@ -15,10 +15,13 @@ namespace stepwire::http {
 struct Limits {
   std::uint32_t header = 8 << 10;  ///< [bytes] of the head of a request
   std::size_t message = 1 << 20;   ///< [bytes] of one message of a page
-  std::size_t waiting = 2 << 20;   ///< [bytes] of messages that wait for one page
-  std::size_t unsent = 64 << 20;   ///< [bytes] for a page that does not read; beyond it the socket is closed
-  std::size_t pages = 16;          ///< sockets
-  std::size_t connections = 64;    ///< with those that are no sockets
+  // [bytes] for each page; beyond the first two no further message of the page is read, beyond the last the
+  // page is closed
+  std::size_t waiting = 2 << 20;              ///< messages of the page that are not done
+  std::size_t unread = 4 << 20;               ///< messages to the page that it has not read
+  std::size_t unsent = 64 << 20;              ///< the same
+  std::size_t pages = 16;                     ///< sockets
+  std::size_t connections = 64;               ///< with those that are no sockets
   std::chrono::milliseconds handshake{5000};  ///< for each request, and to become a socket
   std::chrono::milliseconds ping{20000};      ///< of silence, after which a page is looked for
 };

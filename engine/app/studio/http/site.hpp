@@ -8,7 +8,7 @@
 namespace stepwire::http {
 
 /// As long as a copy exists, the message that it came with counts against its page: a page is not read on
-/// while too much of what it sent waits.
+/// while too much of what it sent is not done.
 using Ticket = std::shared_ptr<void>;
 
 /// What is served. All calls come from the server's thread and should return at once.

@@ -17,6 +17,7 @@
 #include "engine/app/studio/live/page_clock.hpp"
 #include "engine/app/studio/live/scene_now.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 
 namespace stepwire::live {
 
@@ -101,7 +102,7 @@ class LiveRun {
   Sinks sinks_;
   std::optional<session::LoopSettings> loop_;
   std::string out_;
-  codegen::GeneratedCode code_;
+  codegen::GeneratedCode code_{run::code_trial()};
   FrameViews views_;
   mutable std::mutex mutex_;
   Loaded loaded_;

@@ -6,6 +6,7 @@
 #include "blocks/register.hpp"
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "tests/engine/analyse/estimation/fit_text.hpp"
 
 namespace stepwire::estimation {
@@ -26,7 +27,7 @@ FitResult fit_example(const std::string& name, const std::function<void(FitReque
   session::LoadedModel model = session::load_model(loader, file, {});
   REQUIRE(model.fit);
   if (change) change(*model.fit);
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   return fit({loader, file, {}, &code}, model.job, *model.fit);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "tests/engine/analyse/estimation/fit_text.hpp"
 
 namespace stepwire::estimation {
@@ -43,7 +44,7 @@ TEST_CASE("without noise the truth is found again") {
 TEST_CASE(
     "what no parameter moves is run once and played back where it is read at ticks alone, to the same "
     "result") {
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   std::string sampled = lag(both), stepped = lag(both);
   sampled.replace(sampled.find("frequency: 1 Hz}"), 16, "frequency: 1 Hz, every: 20 ms}");
   stepped.replace(stepped.find("rk4"), 3, "euler");
@@ -78,7 +79,7 @@ TEST_CASE("differential evolution may go ahead") {
 TEST_CASE(
     "a parameter that no straight line describes is planned for each run, of the one compilation, to the "
     "same result") {
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   std::string text = lag(both);
   text.replace(text.find("tau: $tau"), 9, "tau: = tau^2 / 1 s");
   const FitResult result = fit_text(text, &code);
@@ -170,7 +171,7 @@ fit:
   parameters: {gamma: {start: 0 1/m, bounds: [-300 1/m, 300 1/m]}}
   compare: [{model: model.force, measured: truth}]
 )";
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   for (plan::CodeSource* source :
        {static_cast<plan::CodeSource*>(nullptr), static_cast<plan::CodeSource*>(&code)}) {
     const FitResult result = fit_text(text, source);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "tests/engine/analyse/estimation/fit_text.hpp"
 
 namespace stepwire::estimation {
@@ -101,7 +102,7 @@ TEST_CASE("a robust loss takes less from a row that is far off") {
 }
 
 TEST_CASE("compiled runs give what interpreted ones give, at any number of threads") {
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   FitOptions one, three;
   one.threads = 1;
   three.threads = 3;
@@ -116,7 +117,7 @@ TEST_CASE("compiled runs give what interpreted ones give, at any number of threa
 
 TEST_CASE(
     "a number that follows a parameter in no straight line costs a plan for each run, but no compilation") {
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   std::string text = straight_line(both);
   const std::string gain = "gain: $slope";
   REQUIRE(text.find(gain) != std::string::npos);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "tests/engine/analyse/tuning/tune_text.hpp"
 
 namespace stepwire::tuning {
@@ -51,7 +52,7 @@ TEST_CASE("A tuning looks at the same points whatever the number of threads") {
 }
 
 TEST_CASE("Compiled runs give the same history as interpreted ones") {
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   const std::string yaml =
       "sweep: {c: [0, 2]}\n" + cost_of("(u1 - u3)^2 + u2^2",
                                        "  parameters: {a: {from: -9, to: 9}, b: {from: -1, to: 5}}\n"

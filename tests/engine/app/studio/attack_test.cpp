@@ -126,7 +126,7 @@ TEST_CASE("names of copies stay in the folder") {
   for (const std::string& name :
        {std::string("../x"), std::string("/tmp/x"), std::string("a/b"), std::string(".."), std::string("."),
         std::string(""), std::string("x\0y", 3), std::string(300, 'x'), std::string("..\\x"),
-        std::string(".hidden")}) {
+        std::string(".hidden"), std::string("-o"), std::string(" x")}) {
     INFO(name);
     const Json answer = page.call("gallery.copy", Json::object().set("entry", 0).set("name", name));
     CHECK_FALSE(fault(answer).empty());

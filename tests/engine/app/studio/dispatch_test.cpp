@@ -1,5 +1,7 @@
 #include "engine/app/studio/dispatch.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <condition_variable>
@@ -106,6 +108,35 @@ TEST_CASE("calls of one lane are done in order, a slow one holds up no other lan
   CHECK(sent.after(3) == std::vector<std::string>{R"({"id":3,"result":"now"})",
                                                   R"({"id":1,"result":"waited"})",
                                                   R"({"id":2,"result":"waited"})"});
+}
+
+TEST_CASE("a page with many calls waits for its own: another page has its answer after one of them") {
+  std::mutex gate;
+  std::unique_lock closed(gate);
+  Calls calls;
+  calls["wait"] = {[&](int page, const Arguments&) {
+    const std::lock_guard lock(gate);
+    return Json(page);
+  }};
+  Sent sent;
+  Dispatch dispatch(
+      calls, [&](int, std::string text) { sent.take(std::move(text)); }, [](int, std::uint32_t) {});
+  const auto call = [&](int page, int id) {
+    dispatch.take(page, Json::object().set("id", id).set("call", "wait").text(-1), nullptr);
+  };
+  for (int id = 0; id < 1000; ++id) call(1, id);
+  for (int id = 0; id < 2; ++id) call(2, id);
+  closed.unlock();
+  const std::vector<std::string> answers = sent.after(1002);
+  REQUIRE(answers.size() == 1002);
+  const auto place = [&](const std::string& answer) {
+    return std::ranges::find(answers, answer) - answers.begin();
+  };
+  CHECK(place(R"({"id":0,"result":2})") <= 2);  // the thread may have begun with one or two of the other page
+  CHECK(place(R"({"id":1,"result":2})") <= 4);
+  for (int id = 1; id < 1000; ++id)
+    CHECK(place(fmt::format(R"({{"id":{},"result":1}})", id)) >
+          place(fmt::format(R"({{"id":{},"result":1}})", id - 1)));
 }
 
 TEST_CASE("an acknowledgement has no answer, and neither has a call without a number") {

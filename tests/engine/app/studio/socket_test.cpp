@@ -146,6 +146,30 @@ TEST_CASE("a page that floods is not read on until its messages are done") {
   flood.join();
 }
 
+TEST_CASE("a page that sends and does not read is not read on until it reads, and then nothing is lost") {
+  Limits limits;
+  limits.unread = 100'000;
+  limits.unsent = 1 << 30;
+  Served served(limits);
+  PageClient page(served.key());
+  REQUIRE(page.is_open());
+  constexpr std::size_t size = 50'000, count = 1000;  // more than the buffers of both ends of the system hold
+  std::thread flood([&] {
+    for (std::size_t i = 0; i < count; ++i) page.send(std::string(size, 'x'));
+  });
+  REQUIRE(served.site.wait_until([&] { return served.site.bytes >= limits.unread; }));
+  std::this_thread::sleep_for(milliseconds(200));
+  {
+    const std::lock_guard lock(served.site.mutex);
+    CHECK(served.site.bytes < size * count / 2);
+  }
+  PageClient other(served.key());
+  other.send("alive");
+  CHECK(other.receive() == "alive");
+  for (std::size_t i = 0; i < count; ++i) REQUIRE(page.receive() == std::string(size, 'x'));
+  flood.join();
+}
+
 TEST_CASE("a page that reads nothing is closed, and what waits for it is bounded") {
   Limits limits;
   limits.unsent = 1'000'000;

@@ -21,10 +21,11 @@ using json::Json;
 /// The program at work on a file, until the test ends it.
 class RunningStudio {
  public:
-  explicit RunningStudio(const Scratch& folder) : out_(folder.path("out.txt")) {
+  /// `port`: that of --port, which is absent where this is nullptr.
+  explicit RunningStudio(const Scratch& folder, const char* port = nullptr) : out_(folder.path("out.txt")) {
     ::unlink(out_.c_str());
     child_ = ::fork();
-    if (child_ == 0) begin(folder);
+    if (child_ == 0) begin(folder, port);
     for (int i = 0; i < 500 && !read_address(); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
@@ -45,12 +46,13 @@ class RunningStudio {
   }
 
  private:
-  [[noreturn]] void begin(const Scratch& folder) const {
+  [[noreturn]] void begin(const Scratch& folder, const char* port) const {
     ::setenv("XDG_STATE_HOME", folder.path("state").c_str(), 1);
     ::dup2(::open(out_.c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
     ::dup2(STDOUT_FILENO, STDERR_FILENO);
     const std::string file = folder.path("lag.yaml");
-    ::execl(STEPWIRE_PROGRAM, "stepwire", "studio", file.c_str(), "--no-open", static_cast<char*>(nullptr));
+    ::execl(STEPWIRE_PROGRAM, "stepwire", "studio", file.c_str(), "--no-open", port ? "--port" : nullptr,
+            port, nullptr);
     ::_exit(127);
   }
   bool read_address() {
@@ -131,12 +133,22 @@ TEST_CASE("a file or a port that is not to be had is said in one line") {
 TEST_CASE("a port that is none is refused in one sentence") {
   const Scratch folder;
   folder.file("lag.yaml", lag_yaml);
-  for (const char* port : {"99999", "0", "-1", "80a", "65536"}) {
+  for (const char* port : {"99999", "-1", "-0", "80a", "65536"}) {
     const Done done = run_program(folder, {"studio", "lag.yaml", "--no-open", "--port", port});
     CHECK(done.code == 2);
-    CHECK(done.err ==
-          std::string("--port ") + port + ": is no port; a whole number from 1 to 65535 would be\n");
+    CHECK(done.err == std::string("--port ") + port +
+                          ": must be a whole number from 0 to 65535, where 0 is any free port\n");
   }
+}
+
+TEST_CASE("port 0 is any free port, and the address names the one that serves") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  const RunningStudio one(folder, "0"), other(folder, "0");
+  CHECK(one.key().port > 0);
+  CHECK(other.key().port != one.key().port);
+  PageClient page(one.key());
+  CHECK(page.is_open());
 }
 
 TEST_CASE("the timing of a loop needs --loop, and is checked before the studio begins") {

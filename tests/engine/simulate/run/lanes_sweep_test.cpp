@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "engine/simulate/run/run.hpp"
 #include "tests/support/plan_text.hpp"
 
@@ -32,7 +33,7 @@ run::RunResult swept(run::LaneUse lanes, unsigned threads = 2, const std::string
   folder.write("sweep.yaml", text);
   diagram::Loader loader(library());
   const run::Job job = run::make_job(loader, folder.path("sweep.yaml"));
-  GeneratedCode code;
+  GeneratedCode code{run::code_trial()};
   run::RunOptions options;
   options.threads = threads;
   options.engine = run::ExecutionMode::compiled;

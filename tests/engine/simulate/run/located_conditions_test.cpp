@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "engine/simulate/run/executor.hpp"
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
@@ -41,7 +42,8 @@ double passing(double level, double period, int n) {
 TEST_CASE("a reset is located in every block whose states the solver moves") {
   // The signal is a parabola that becomes true at 0.43217 s, in the middle of a step.
   const double at = 0.43217;
-  const std::string signal = "  t: {block: Clock}\n  r: {block: Expression, u: t, expression: u^2 - 0.43217^2}\n";
+  const std::string signal =
+      "  t: {block: Clock}\n  r: {block: Expression, u: t, expression: u^2 - 0.43217^2}\n";
   const auto end = [&](const std::string& block) {
     return last(run_text(text(signal + "  y: {block: " + block + ", reset: r}\n", "[y]")), "y");
   };
@@ -59,9 +61,10 @@ TEST_CASE("a reset is located in every block whose states the solver moves") {
 }
 
 TEST_CASE("a level holds a lag from the instant at which it becomes true to that at which it ends") {
-  const table::Table run = run_text(text("  r: {block: Sine, frequency: 1 Hz, bias: 0.123}\n"
-                                         "  y: {block: Lag, u: 1, tau: 0.5, reset: r, trigger: level}\n",
-                                         "[y]"));
+  const table::Table run =
+      run_text(text("  r: {block: Sine, frequency: 1 Hz, bias: 0.123}\n"
+                    "  y: {block: Lag, u: 1, tau: 0.5, reset: r, trigger: level}\n",
+                    "[y]"));
   const double ends = 0.5 + std::asin(0.123) / (2.0 * std::numbers::pi);
   const double begins = 1.0 - (ends - 0.5);
   CHECK(last(run, "y") == 0.0);
@@ -73,17 +76,20 @@ TEST_CASE("a level holds a lag from the instant at which it becomes true to that
 }
 
 TEST_CASE("a controller takes over at the instant at which it is switched on") {
-  const table::Table run = run_text(text("  t: {block: Clock}\n  on: {block: Sum, signs: \"+-\", u: [t, 0.43217]}\n"
-                                         "  y: {block: PID, u: 1, kp: 1, ki: 4, manual: 2, automatic: on}\n",
-                                         "[y]"));
+  const table::Table run =
+      run_text(text("  t: {block: Clock}\n  on: {block: Sum, signs: \"+-\", u: [t, 0.43217]}\n"
+                    "  y: {block: PID, u: 1, kp: 1, ki: 4, manual: 2, automatic: on}\n",
+                    "[y]"));
   // By hand it gives 2; from then on it goes on from there, 4 higher in each second.
   CHECK(last(run, "y") == Approx(2.0 + 4.0 * (1.0 - 0.43217)).epsilon(1e-11));
 }
 
-TEST_CASE("play that is pushed to and fro keeps to its closed form, and no rounding of its ends is an event") {
+TEST_CASE(
+    "play that is pushed to and fro keeps to its closed form, and no rounding of its ends is an event") {
   for (const char* const step : {"5 ms", "1 ms", "0.2 ms"}) {
     INFO(step);
-    const table::Table run = run_text(std::string("events: locate\nsolver: rk4\nstop: 2 s\nstep: ") + step + R"(
+    const table::Table run =
+        run_text(std::string("events: locate\nsolver: rk4\nstop: 2 s\nstep: ") + step + R"(
 blocks:
   u: {block: Sine, frequency: 2.3 Hz, phase: 1}
   y: {block: Backlash, u: u, width: 0.3}
@@ -205,7 +211,7 @@ TEST_CASE("conditions with a period of their own keep to their ticks") {
 }
 
 TEST_CASE("compiled code locates conditions to the same bits") {
-  codegen::GeneratedCode source;
+  codegen::GeneratedCode source{run::code_trial()};
   const std::string conditions = text(R"(  s: {block: Sine, frequency: 3 Hz}
   t: {block: Integrator, u: 1}
   x: {block: Integrator, u: s, initial: 0.5, enable: {when: s > 0.6, states: reset, outputs: reset}}

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "engine/simulate/run/executor.hpp"
 #include "tests/support/plan_text.hpp"
 
@@ -94,7 +95,7 @@ TEST_CASE("where nothing crosses, the bits are those of a run without events, wi
 }
 
 TEST_CASE("compiled code has the same bits where nothing crosses") {
-  codegen::GeneratedCode source;
+  codegen::GeneratedCode source{run::code_trial()};
   for (const std::string& text : {oscillator, sampled, loop, guarded}) {
     const plan::Plan plan = plan_text("events: locate\nsolver: rk4\n" + text);
     const auto code = source.compile(plan, {}, {});

@@ -5,6 +5,7 @@
 
 #include "engine/model/plan/variable_blocks.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "tests/support/plan_text.hpp"
 
 namespace stepwire::run {
@@ -48,7 +49,7 @@ TogetherRuns::Members members_of(const plan::Plan& plan) {
 /// What chains of runs give that meet, each of several runs one after the other, and whether all met.
 std::vector<std::vector<double>> meet(const plan::Plan& plan, std::size_t chains, unsigned threads,
                                       LaneReport& report, std::atomic<std::size_t>& together) {
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   RunMeeting meeting(members_of(plan), LaneUse::at_once, &code, nullptr);
   std::vector<std::vector<double>> all(3 * chains);
   meeting.in_parallel(chains, threads, [&](std::size_t chain) {
@@ -95,7 +96,7 @@ TEST_CASE("without lanes no run waits for another") {
 
 TEST_CASE("a thread that fails is not waited for") {
   const plan::Plan plan = plan_text(decaying);
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   RunMeeting meeting(members_of(plan), LaneUse::at_once, &code, nullptr);
   std::atomic<std::size_t> made = 0;
   const auto task = [&](std::size_t i) {

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "tests/support/plan_text.hpp"
 
 namespace stepwire::run {
@@ -117,7 +118,7 @@ TEST_CASE("what a wire carries can be set as well") {
 }
 
 TEST_CASE("compiled code takes values as the interpreter does, and is left for those that it does not read") {
-  codegen::GeneratedCode source;
+  codegen::GeneratedCode source{run::code_trial()};
   const plan::Plan plan = plan_with(spring);
   std::vector<std::string> names;
   for (const Case& one : cases)
@@ -152,7 +153,7 @@ TEST_CASE("compiled code takes values as the interpreter does, and is left for t
 }
 
 TEST_CASE("code is left once a number changes that stands in it, and code that is widened for it serves") {
-  codegen::GeneratedCode source;
+  codegen::GeneratedCode source{run::code_trial()};
   const plan::Plan plan = plan_text(
       "step: 1 ms\nparameters: {x: [0, 1, 2], y: [0, 3, 5]}\nblocks:\n  wave: {block: Sine, amplitude: 2}\n"
       "  table: {block: LookupTable, u: wave, points: $x, values: $y}\nrecord: table\n");

@@ -1,6 +1,7 @@
 // Compiled code under a live run: it takes over while the run goes on, and stays where values are set.
 #include "engine/model/diagram/load.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 #include "tests/engine/app/studio/live/waiting.hpp"
 
 namespace stepwire::live {
@@ -30,7 +31,7 @@ TEST_CASE("a live run goes over to compiled code and stays there while parameter
   diagram::Loader loader(library());
   const plan::Plan plan = plan::make_plan(loader.load_text(lag, "lag.yaml"));
   const SignalList signals(plan);
-  codegen::GeneratedCode code;
+  codegen::GeneratedCode code{run::code_trial()};
   RunThread::Options options;
   options.code = &code;
   RunThread run(plan, signals, options);
