@@ -111,13 +111,17 @@ class Server::Page : public std::enable_shared_from_this<Page> {
     number_ = ++server_.last_page_;
     server_.pages_[number_] = weak_from_this();
     server_.site_.joined(number_);
-    read_on();
+    read();
   }
 
+  /// Reads the next message unless too many are not done, or the page does not read what they gave.
   void read() {
+    if (reads_ || waiting_ > server_.limits_.waiting || unsent_ > server_.limits_.unread) return;
+    reads_ = true;
     stream_.async_read(buffer_, [self = shared_from_this()](error_code error, std::size_t) {
+      self->reads_ = false;
       if (error) return self->leave();
-      if (self->stream_.got_text()) self->take();
+      self->stream_.got_text() ? self->take() : self->close();
     });
   }
 
@@ -132,14 +136,6 @@ class Server::Page : public std::enable_shared_from_this<Page> {
     const std::size_t size = message.size() + 1024;  // a small one is work, too
     waiting_ += size;
     server_.site_.said(number_, std::move(message), ticket(size));
-    reads_ = false;
-    read_on();
-  }
-
-  /// Reads the next message unless too many are not done, or the page does not read what they gave.
-  void read_on() {
-    if (reads_ || waiting_ > server_.limits_.waiting || unsent_ > server_.limits_.unread) return;
-    reads_ = true;
     read();
   }
 
@@ -153,7 +149,7 @@ class Server::Page : public std::enable_shared_from_this<Page> {
 
   void done(std::size_t size) {
     waiting_ -= size;
-    read_on();
+    read();
   }
 
   void write() {
@@ -164,7 +160,7 @@ class Server::Page : public std::enable_shared_from_this<Page> {
                           self->unsent_ -= self->queue_.front().message.size();
                           self->queue_.pop_front();
                           if (!self->queue_.empty()) self->write();
-                          self->read_on();
+                          self->read();
                         });
   }
 
