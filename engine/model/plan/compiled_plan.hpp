@@ -80,9 +80,9 @@ class NumberTable {
 class CodeTrial {
  public:
   virtual ~CodeTrial() = default;
-  /// Returns a sentence on the first difference; an empty one if all numbers are equal.
-  virtual std::string difference(const Plan& plan, const CompiledPlan& code) const = 0;
-  virtual std::string difference(const Plan& plan, const CompiledLanes& code) const = 0;
+  /// Returns a sentence on the first fault; an empty one if all numbers are equal.
+  virtual std::string fault(const Plan& plan, const CompiledPlan& code) const = 0;
+  virtual std::string fault(const Plan& plan, const CompiledLanes& code) const = 0;
 };
 
 /// What getting code may take.

@@ -33,7 +33,7 @@ std::optional<plan::CompiledPlan> GeneratedCode::compile(const plan::Plan& plan,
   try {
     std::string problem;
     const auto trial = [&](const ProgramFunctions& made) {
-      return trial_.difference(plan, plan::CompiledPlan{made.steps, variable});
+      return trial_.fault(plan, plan::CompiledPlan{made.steps, variable});
     };
     const ProgramFunctions functions = functions_of(make_steps(plan, variable), limits, trial, problem);
     if (functions) return plan::CompiledPlan{functions.steps, variable};
@@ -60,16 +60,16 @@ std::optional<plan::CompiledLanes> GeneratedCode::compile_lanes(const plan::Plan
     }
     plan::CompiledLanes code{nullptr, lanes, differences.variable,
                              lane_places(plan, differences, lanes).places};
-    std::string problem, difference;
+    std::string problem, fault;
     const auto trial = [&](const ProgramFunctions& made) {
       code.run = made.run;
-      return difference = trial_.difference(plan, code);
+      return fault = trial_.fault(plan, code);
     };
     if (const ProgramFunctions functions = functions_of(program, limits, trial, problem)) {
       code.run = functions.run;
       return code;
     }
-    if (!difference.empty()) note(difference);
+    if (!fault.empty()) note(fault);
     why = first_error(problem);
   } catch (const std::exception& error) {
     why = error.what();

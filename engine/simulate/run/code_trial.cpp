@@ -1,13 +1,20 @@
 #include "engine/simulate/run/code_trial.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "engine/base/subprocess/isolated.hpp"
+#include "engine/base/subprocess/process.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/simulate/run/drive.hpp"
 #include "engine/simulate/run/executor.hpp"
@@ -17,7 +24,11 @@ namespace stepwire::run {
 
 namespace {
 
-constexpr double apart = 1e-3;  // of the states of two lanes
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::seconds longest{5};
+constexpr double apart = 1e-3;                                          // of the states of two lanes
+constexpr std::size_t most_text = 2000, memory = std::size_t{8} << 30;  // [bytes]
 
 /// Whether two numbers have the same bits; a NaN is like any other, since its sign and payload are of no use.
 bool same(double a, double b) {
@@ -100,10 +111,28 @@ std::string difference_of_rows(const record::Recording& interpreted, const recor
   return "";
 }
 
-std::string sentence(const std::string& difference) {
-  if (difference.empty()) return "";
-  return "compiled code gives other numbers: " + difference +
-         "; this is a fault of the program or of the compiler";
+std::string read_all(const io::Descriptor& file) {
+  std::string text(most_text, ' ');
+  const ssize_t size = ::read(file.number(), text.data(), text.size());
+  text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+  return text;
+}
+
+/// Calls a trial in a process of its own, since wrong code may crash or never end. Returns a sentence on what
+/// is wrong; an empty one if nothing is.
+std::string fault_of_trial(const std::function<std::string()>& trial) {
+  constexpr const char* cause = "; this is a fault of the program or of the compiler";
+  try {
+    const std::string difference = read_all(subprocess::call_isolated(
+        [&](int output) {
+          const std::string found = trial().substr(0, most_text);
+          if (::write(output, found.data(), found.size()) < 0) throw std::runtime_error("no room");
+        },
+        {subprocess::usual_limit(), memory}));
+    return difference.empty() ? "" : "compiled code gives other numbers: " + difference + cause;
+  } catch (const subprocess::IsolationError& error) {
+    return std::string("compiled code ") + error.what() + " in its trial" + cause;
+  }
 }
 
 plan::Plan shortened(const plan::Plan& plan, std::int64_t ticks) {
@@ -162,31 +191,38 @@ class LaneTrial {
   std::vector<Lane> lanes_;
 };
 
-}  // namespace
-
-std::string CodeTrial::difference(const plan::Plan& plan, const plan::CompiledPlan& code) const {
+std::string difference_of(const plan::Plan& plan, const plan::CompiledPlan& code) {
   Executor interpreted(plan), compiled(plan);
   compiled.use(code);
   const StopConditionEvaluator stopper(plan);
   const std::vector<Range> here = at_tick(plan), between = between_ticks(plan.layout);
-  while (interpreted.tick() < trial_ticks) {
+  const Clock::time_point end = Clock::now() + longest;
+  while (interpreted.tick() < trial_ticks && Clock::now() < end) {
     interpreted.evaluate();
     compiled.evaluate();
-    if (std::string found = difference_in(here, interpreted, compiled); !found.empty())
-      return sentence(found);
+    if (std::string found = difference_in(here, interpreted, compiled); !found.empty()) return found;
     if (!interpreted.healthy() || interpreted.finished() || stopper.stops(interpreted.values())) return "";
     interpreted.advance();
     compiled.advance();
-    if (std::string found = difference_in(between, interpreted, compiled); !found.empty())
-      return sentence(found);
+    if (std::string found = difference_in(between, interpreted, compiled); !found.empty()) return found;
     if (!interpreted.healthy()) return "";
   }
   return "";
 }
 
-std::string CodeTrial::difference(const plan::Plan& plan, const plan::CompiledLanes& code) const {
+std::string difference_of(const plan::Plan& plan, const plan::CompiledLanes& code) {
   const plan::Plan first_ticks = shortened(plan, trial_ticks / code.lanes);
-  return sentence(LaneTrial(first_ticks, code).difference());
+  return LaneTrial(first_ticks, code).difference();
+}
+
+}  // namespace
+
+std::string CodeTrial::fault(const plan::Plan& plan, const plan::CompiledPlan& code) const {
+  return fault_of_trial([&] { return difference_of(plan, code); });
+}
+
+std::string CodeTrial::fault(const plan::Plan& plan, const plan::CompiledLanes& code) const {
+  return fault_of_trial([&] { return difference_of(plan, code); });
 }
 
 const CodeTrial& code_trial() {

@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <regex>
 
 #include "engine/simulate/codegen/generated_code.hpp"
@@ -43,7 +44,7 @@ std::string difference(std::size_t evaluated, std::size_t advanced, std::int64_t
   WrongCode::evaluated = evaluated;
   WrongCode::advanced = advanced;
   WrongCode::at = at;
-  return code_trial().difference(plan, {{WrongCode::evaluate, WrongCode::advance}, {}});
+  return code_trial().fault(plan, {{WrongCode::evaluate, WrongCode::advance}, {}});
 }
 
 std::size_t place(const std::string& block) {
@@ -75,6 +76,17 @@ TEST_CASE("a wrong state is found after its step") {
   CHECK_THAT(difference(0, place("x"), 999), Catch::Contains("x is ") && Catch::Contains("at 1 s"));
 }
 
+TEST_CASE("code that crashes ends its trial alone") {
+  const plan::Plan plan = plan_text(swinging);
+  const auto crash = [](double*, const double*, std::int64_t tick) {
+    if (tick == 3) ::raise(SIGSEGV);
+  };
+  CHECK_THAT(code_trial().fault(plan, {{crash, crash}, {}}), Catch::Contains("compiled code "));
+  CHECK_THAT(
+      code_trial().fault(plan, {{[](double*, const double*, std::int64_t) { ::raise(SIGSEGV); }, crash}, {}}),
+      Catch::Contains("was ended by signal 11"));
+}
+
 TEST_CASE("a trial ends after a thousand ticks") {
   CHECK(difference(0, place("x"), 1000) == "");
 }
@@ -90,7 +102,7 @@ TEST_CASE("lanes that mix up their runs fail the trial") {
     WARN("there are no lanes here: " << why);
     return;
   }
-  CHECK(code_trial().difference(plan, *lanes) == "");
+  CHECK(code_trial().fault(plan, *lanes) == "");
   static void (*right)(plan::LaneTask&) = nullptr;
   right = lanes->run;
   static std::size_t x = 0;
@@ -102,7 +114,7 @@ TEST_CASE("lanes that mix up their runs fail the trial") {
     std::swap(task.values[x * width], task.values[x * width + 1]);
     right(task);
   };
-  CHECK_THAT(code_trial().difference(plan, *lanes), Catch::Contains("compiled code gives other numbers"));
+  CHECK_THAT(code_trial().fault(plan, *lanes), Catch::Contains("compiled code gives other numbers"));
 }
 
 }  // namespace stepwire::run
