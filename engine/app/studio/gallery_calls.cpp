@@ -23,13 +23,17 @@ Json entries() {
   return Json::object().set("entries", std::move(list));
 }
 
-/// A name and nothing more: no folder, no ending but .yaml, nothing that is hidden.
+/// A name and nothing more: no folder, no ending but .yaml, no hidden file, no option of a program.
 std::string file_name(std::string name) {
   if (name.ends_with(".yaml")) name.resize(name.size() - 5);
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_ ";
-  const bool is_plain =
-      !name.empty() && name.size() <= 100 && name.find_first_not_of(letters) == std::string::npos;
-  if (!is_plain) throw Fault("this is no name of a file; it has letters, digits, '-' and '_'");
+  constexpr std::string_view not_first = "- ";
+  const bool is_plain = !name.empty() && name.size() <= 100 &&
+                        not_first.find(name.front()) == not_first.npos &&
+                        name.find_first_not_of(letters) == std::string::npos;
+  if (!is_plain)
+    throw Fault(
+        "this is no name of a file; it has letters, digits, '-' and '_', and does not begin with '-'");
   return name + ".yaml";
 }
 
