@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cmath>
-
+#include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/block/resettable.hpp"
 
 namespace stepwire {
@@ -18,12 +17,12 @@ struct QuaternionIntegrator : Resettable {
 
   void outputs() {
     const bool now = resetting();
-    double length = 0.0;
+    SumOfSquares squares;
     for (Index i = 0; i < 4; ++i) {
       y[i] = now ? target(i) : x[i];
-      length += y[i] * y[i];
+      squares.add(y[i]);
     }
-    length = std::sqrt(length);
+    const double length = squares.root();
     for (Index i = 0; i < 4; ++i) y[i] /= length;
   }
 

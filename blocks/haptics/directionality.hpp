@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -37,9 +38,10 @@ struct Directionality {
 
   void update() {
     if (direction == Direction::force) return;
-    double square = 0.0;
-    for (Index i = 0; i < position.size(); ++i) square += way(i) * way(i);
-    const double share = square > travel * travel ? travel / std::sqrt(square) : 1.0;
+    SumOfSquares squares;
+    for (Index i = 0; i < position.size(); ++i) squares.add(way(i));
+    const double scaled_travel = squares.scale() * travel;
+    const double share = squares.scaled() > scaled_travel * scaled_travel ? travel / squares.root() : 1.0;
     behind.each([&](Index i) { return position[i] - share * way(i); });
     is_drawn = 1.0;
   }
@@ -58,16 +60,12 @@ struct Directionality {
   }
 
   double length_of_direction() const {
-    double square = 0.0;
-    for (Index i = 0; i < f_max.size(); ++i) square += toward(i) * toward(i);
-    const double length = std::sqrt(square);
+    const double length = stepwire::length_of(f_max.size(), [&](Index i) { return toward(i); });
     return direction == Direction::force && !(length > threshold) ? 0.0 : length;
   }
 
   static double length_of(const Input<>& vector) {
-    double square = 0.0;
-    for (Index i = 0; i < vector.size(); ++i) square += vector[i] * vector[i];
-    return std::sqrt(square);
+    return stepwire::length_of(vector.size(), [&](Index i) { return static_cast<double>(vector[i]); });
   }
 
   /// The sine from what is left of d beside F_max: exact also where both are nearly in line.

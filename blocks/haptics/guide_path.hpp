@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -47,27 +48,24 @@ struct GuidePath {
 
  private:
   double distance_from_path() const {
-    double along = 0.0, square = 0.0;
-    for (Index i = 0; i < position.size(); ++i) {
-      const double way = target[i] - start[i];
-      along += way * (position[i] - start[i]);
-      square += way * way;
-    }
+    SumOfSquares ways;
+    for (Index i = 0; i < position.size(); ++i) ways.add(target[i] - start[i]);
+    const double square = ways.scaled(), scale = ways.scale();
+    double along = 0.0;
+    for (Index i = 0; i < position.size(); ++i)
+      along += scale * (target[i] - start[i]) * (scale * (position[i] - start[i]));
     const double share = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
-    double away = 0.0;
-    for (Index i = 0; i < position.size(); ++i) {
-      const double gap = position[i] - start[i] - share * (target[i] - start[i]);
-      away += gap * gap;
-    }
-    return std::sqrt(away);
+    return length_of(position.size(),
+                     [&](Index i) { return position[i] - start[i] - share * (target[i] - start[i]); });
   }
 
   /// The start stays where it is until the pin is farther away than the trail, which then pulls it along.
   void follow() {
-    double square = 0.0;
-    for (Index i = 0; i < position.size(); ++i) square += (position[i] - from[i]) * (position[i] - from[i]);
-    if (square <= trail * trail) return;
-    const double share = trail / std::sqrt(square);
+    SumOfSquares squares;
+    for (Index i = 0; i < position.size(); ++i) squares.add(position[i] - from[i]);
+    const double scaled_trail = squares.scale() * trail;
+    if (squares.scaled() <= scaled_trail * scaled_trail) return;
+    const double share = trail / squares.root();
     from.each([&](Index i) { return position[i] - share * (position[i] - from[i]); });
   }
 };

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -15,14 +16,15 @@ struct Norm {
   Output<1> y{};
 
   void outputs() {
-    double squares = 0.0, sum = 0.0, max = 0.0;
+    double sum = 0.0, max = 0.0;
+    SumOfSquares squares;
     for (Index k = 0; k < u.size(); ++k) {
       const double size = std::abs(u[k]);
-      squares += size * size;
+      squares.add(size);
       sum += size;
       max = size <= max ? max : size;  // so that no number stays no number
     }
-    y = kind == Kind::euclidean ? std::sqrt(squares) : kind == Kind::sum ? sum : max;
+    y = kind == Kind::euclidean ? squares.root() : kind == Kind::sum ? sum : max;
   }
 
   static void declare(Declare<Norm>& is);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/signal/index.hpp"
 
 namespace stepwire {
@@ -30,8 +31,11 @@ void multiply(const A& a, const B& b, Product&& q) {
 
 /// The matrix of a quaternion of any length but 0; nothing that is a number for that.
 template <class Q, class M>
-void matrix_of(const Q& q, M&& m) {
-  const double s = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+void matrix_of(const Q& of, M&& m) {
+  SumOfSquares squares;
+  for (Index k = 0; k < 4; ++k) squares.add(of[k]);
+  const double scale = squares.scale(), q[4] = {of[0] * scale, of[1] * scale, of[2] * scale, of[3] * scale};
+  const double s = 2.0 / squares.scaled();
   m[0] = 1.0 - s * (q[2] * q[2] + q[3] * q[3]);
   m[1] = s * (q[1] * q[2] + q[0] * q[3]);
   m[2] = s * (q[1] * q[3] - q[0] * q[2]);
@@ -63,7 +67,7 @@ void matrix_of_angles(Order order, const Angles& angles, M&& m) {
 /// The quaternion of a turn by an angle about an axis of any length but 0.
 template <class Axis>
 void quaternion_of_axis(const Axis& axis, double angle, double* q) {
-  const double length = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+  const double length = length_of(3, [&](Index k) { return axis[k]; });
   q[0] = std::cos(0.5 * angle);
   for (Index k = 0; k < 3; ++k) q[k + 1] = std::sin(0.5 * angle) * axis[k] / length;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -31,9 +32,7 @@ struct PathDrift {
 
  private:
   double gone() const {
-    double square = 0.0;
-    for (Index i = 0; i < position.size(); ++i) square += (position[i] - last[i]) * (position[i] - last[i]);
-    return std::sqrt(square);
+    return length_of(position.size(), [&](Index i) { return position[i] - last[i]; });
   }
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 
+#include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -58,12 +58,12 @@ struct LinkageCore {
   template <class Position, class Velocity>
   Link link(Index k, const Position& position, const Velocity& velocity) const {
     Link is;
-    double square = 0.0;
+    SumOfSquares squares;
     for (Index i = 0; i < dimensions(); ++i) {
       at(is.along, i) = position[i] - anchors(k, i);
-      square += at(is.along, i) * at(is.along, i);
+      squares.add(at(is.along, i));
     }
-    is.length = std::sqrt(square);
+    is.length = squares.root();
     for (Index i = 0; is.length > 0.0 && i < dimensions(); ++i) {
       at(is.along, i) /= is.length;
       is.rate += at(is.along, i) * velocity[i];

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/block/configure.hpp"
 #include "engine/model/block/declare.hpp"
 
@@ -11,13 +12,8 @@ namespace stepwire {
 
 namespace {
 
-double length_of(const Matrix& points, Index leg) {
-  double square = 0.0;
-  for (Index i = 0; i < points.columns(); ++i) {
-    const double run = points(leg + 1, i) - points(leg, i);
-    square += run * run;
-  }
-  return std::sqrt(square);
+double length_of_leg(const Matrix& points, Index leg) {
+  return length_of(points.columns(), [&](Index i) { return points(leg + 1, i) - points(leg, i); });
 }
 
 }  // namespace
@@ -27,7 +23,7 @@ void Pusher::configure(Configure& is) {
     is.refuse<&Pusher::points>(fmt::format(
         "there is {} point; it takes two or more, as [[0 mm, 0 mm], [9 mm, 5 mm]]", points.rows()));
   for (Index k = 0; k + 1 < points.rows(); ++k)
-    if (!(length_of(points, k) > 0.0))
+    if (!(length_of_leg(points, k) > 0.0))
       is.refuse<&Pusher::points>(
           fmt::format("point {} lies where point {} does; leave one out", k + 2, k + 1));
 }
@@ -36,7 +32,7 @@ void Pusher::prepare() {
   std::vector<double> numbers;
   double at = 0.0, behind = 0.0;
   for (Index k = 0; k + 1 < points.rows(); ++k) {
-    const double length = length_of(points, k);
+    const double length = length_of_leg(points, k);
     // A leg that is too short for the speed has no even part.
     const double up = std::min(speed / highest_acceleration, std::sqrt(length / highest_acceleration));
     const double even = length / (highest_acceleration * up) - up;

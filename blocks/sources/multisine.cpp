@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/base/math/random.hpp"
+#include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
@@ -16,20 +17,21 @@ namespace {
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double max_lines = 100'000, max_harmonics = 1e15;
 
-double sum_of_squares(const Numbers& numbers) {
-  double sum = 0.0;
-  for (double number : numbers) sum += number * number;
-  return sum;
+SumOfSquares squares_of(const Numbers& numbers) {
+  SumOfSquares squares;
+  for (double number : numbers) squares.add(number);
+  return squares;
 }
 
 /// Phases that keep the crest low: phi_k = -2 pi sum_{j<k} (k - j) p_j, p the share of each line in the
 /// power.
 Numbers schroeder_phases(const Numbers& amplitudes) {
-  const double all = sum_of_squares(amplitudes);
+  const SumOfSquares all = squares_of(amplitudes);
   double turns = 0.0, power = 0.0;
   return amplitudes.map([&](double amplitude) {
     turns += power;
-    power += amplitude * amplitude / all;
+    const double scaled = amplitude * all.scale();
+    power += scaled * scaled / all.scaled();
     return -two_pi * (turns - std::floor(turns));
   });
 }
@@ -70,9 +72,10 @@ void Multisine::lay_amplitudes(const Configure& is) {
     is.refuse<&Multisine::amplitude>(fmt::format(
         "has {} values for {} lines; give one for all or one for each", amplitude.size(), omega.size()));
   a = amplitude.size() == 1 ? Numbers(omega.size(), amplitude[0]) : amplitude;
-  const double squares = sum_of_squares(a);
-  if (squares == 0.0) is.refuse<&Multisine::amplitude>("is zero in every line; at least one must not be");
-  if (rms > 0.0) a = a.map([&](double one) { return one * (rms / std::sqrt(0.5 * squares)); });
+  const SumOfSquares squares = squares_of(a);
+  if (squares.scaled() == 0.0)
+    is.refuse<&Multisine::amplitude>("is zero in every line; at least one must not be");
+  if (rms > 0.0) a = a.map([&](double one) { return one * (rms / squares.root(2.0)); });
 }
 
 void Multisine::lay_phases(const Configure& is) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -40,9 +41,7 @@ struct StraightMotion {
  private:
   /// Of the direction.
   double length() const {
-    double square = 0.0;
-    for (double element : direction) square += element * element;
-    return std::sqrt(square);
+    return length_of(direction.size(), [&](Index i) { return direction[i]; });
   }
 
   struct Turn {

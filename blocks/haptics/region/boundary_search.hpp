@@ -79,7 +79,7 @@ struct BoundarySearch {
       const Vector2 way = from - touch.at;
       const double square = dot(way, way), reach = best.distance + tolerance;
       if (!(square <= reach * reach)) continue;
-      const double distance = std::sqrt(square);
+      const double distance = length(way);
       const double facing = distance > 0.0 ? dot(touch.normal, way) / distance : 0.0;
       const BoundaryPoint found{touch.at, touch.normal, distance, facing, i};
       if (is_better(found, best)) best = found;

@@ -26,7 +26,8 @@ inline double cross(Vector2 a, Vector2 b) {
   return a.x * b.y - a.y * b.x;
 }
 inline double length(Vector2 a) {
-  return std::sqrt(dot(a, a));
+  const double square = dot(a, a);
+  return square > 0x1p-900 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(a.x, a.y);
 }
 inline Vector2 turned_left(Vector2 a) {
   return {-a.y, a.x};

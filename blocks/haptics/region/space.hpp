@@ -22,7 +22,8 @@ inline double dot(Vector3 a, Vector3 b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 inline double length(Vector3 a) {
-  return std::sqrt(dot(a, a));
+  const double square = dot(a, a);
+  return square > 0x1p-900 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(a.x, a.y, a.z);
 }
 /// Some direction at right angles to a, always the same one.
 inline Vector3 beside(Vector3 a) {

@@ -20,6 +20,7 @@ constexpr double shown_confidence = 0.95;  // where the claim has none
 struct Found {
   double value = query::nothing;
   statistics::ConfidenceInterval interval{query::nothing, query::nothing};
+  bool low_is_open = false, high_is_open = false;  ///< that end of the interval needs more runs
 };
 
 /// Is a row of the run selected?
@@ -43,7 +44,26 @@ Found quantile_of(std::vector<double> numbers, double share, double confidence) 
   const statistics::RankInterval ranks = statistics::quantile_ranks(numbers.size(), share, confidence);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return {statistics::hazen_quantile(numbers, share),
-          {ranks.low ? numbers[*ranks.low] : -infinity, ranks.high ? numbers[*ranks.high] : infinity}};
+          {ranks.low ? numbers[*ranks.low] : -infinity, ranks.high ? numbers[*ranks.high] : infinity},
+          !ranks.low,
+          !ranks.high};
+}
+
+/// Reason why so few runs do not decide a claim: an end of the interval that counts is open. Empty if they
+/// do.
+std::string undecided(const Claim& claim, const Found& found, double confidence, std::size_t runs) {
+  const Comparison& comparison = claim.comparison;
+  const bool low = found.low_is_open && comparison.margin(found.interval.low) < 0.0;
+  const bool high = found.high_is_open && comparison.margin(found.interval.high) < 0.0;
+  if (!low && !high) return "";
+  const std::string side = low && high ? "" : low ? " from below" : " from above";
+  if (claim.share <= 0.0 || claim.share >= 1.0)
+    return fmt::format(
+        "undecided: no number of runs bounds the {:g} % quantile{}; take a share between 0 and 1",
+        100.0 * claim.share, side);
+  return fmt::format("undecided: {} runs do not bound the {:g} % quantile{} with {:g} %; {} runs do", runs,
+                     100.0 * claim.share, side, 100.0 * confidence,
+                     statistics::values_for_both_ranks(claim.share, confidence));
 }
 
 std::string shown_text(const Claim& claim, const Found& found, double confidence, std::size_t runs) {
@@ -81,6 +101,8 @@ void judge_runs(const Claim& claim, const std::vector<double>& numbers, Verdict&
   verdict.interval = found.interval;
   verdict.confidence = confidence;
   verdict.shown = shown_text(claim, found, confidence, numbers.size());
+  verdict.note = undecided(claim, found, confidence, numbers.size());
+  if (!verdict.note.empty()) return;
   const Comparison& comparison = claim.comparison;
   verdict.holds = claim.confidence ? std::min(comparison.margin(found.interval.low),
                                               comparison.margin(found.interval.high)) >= 0.0

@@ -35,12 +35,15 @@ double fit_percent(std::vector<double> model, const std::vector<double>& measure
     const double offset = mean - mean_of(model);
     for (double& value : model) value += offset;
   }
-  double error = 0.0, variation = 0.0;
+  SumOfSquares error, variation;
   for (std::size_t i = 0; i < model.size(); ++i) {
-    error += (model[i] - measured[i]) * (model[i] - measured[i]);
-    variation += (measured[i] - mean) * (measured[i] - mean);
+    error.add(model[i] - measured[i]);
+    variation.add(measured[i] - mean);
   }
-  return variation > 0.0 ? 100.0 * (1.0 - std::sqrt(error / variation)) : query::nothing;
+  if (!(variation.scaled() > 0.0)) return query::nothing;
+  const bool alike = error.scale() == variation.scale();
+  return 100.0 *
+         (1.0 - (alike ? std::sqrt(error.scaled() / variation.scaled()) : error.root() / variation.root()));
 }
 
 }  // namespace
@@ -78,7 +81,8 @@ void Reducing::take(double value) {
   undefined_ = undefined_ || std::isnan(value);
   largest_ = all_ == 0 ? value : std::max(largest_, value);
   smallest_ = all_ == 0 ? value : std::min(smallest_, value);
-  sum_ += reduction_ == Reduction::rms ? value * value : value;
+  sum_ += value;
+  square_sum_.add(value);
   ++all_;
   if (reduction_ == Reduction::fraction && value != 0.0) ++counted_;
 }
@@ -91,12 +95,10 @@ void Reducing::add_edges(const Rows& rows) {
 
 /// By the trapezoid rule.
 void Reducing::add_times(const Rows& rows) {
-  const auto value = [&](std::size_t row) {
-    return reduction_ == Reduction::rms ? rows.value[row] * rows.value[row] : rows.value[row];
-  };
   for_each_interval(rows, [&](std::size_t i, std::size_t j) {
     const double step = rows.time[j] - rows.time[i];
-    integral_ += 0.5 * step * (value(i) + value(j));
+    integral_ += 0.5 * step * (rows.value[i] + rows.value[j]);
+    square_integral_.add(rows.value[i], rows.value[j], 0.5 * step);
     duration_ += step;
   });
 }
@@ -106,9 +108,13 @@ double Reducing::time_mean() const {
   return duration_ > 0.0 ? integral_ / duration_ : sum_ / static_cast<double>(all_);
 }
 
+double Reducing::rms() const {
+  return duration_ > 0.0 ? square_integral_.root(duration_) : square_sum_.root(static_cast<double>(all_));
+}
+
 double Reducing::value() const {
   if (reduction_ == Reduction::mean) return time_mean();
-  if (reduction_ == Reduction::rms) return std::sqrt(time_mean());
+  if (reduction_ == Reduction::rms) return rms();
   if (undefined_) return query::nothing;
   switch (reduction_) {
     case Reduction::max:

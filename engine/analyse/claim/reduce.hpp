@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/analyse/claim/claim.hpp"
+#include "engine/base/math/sum_of_squares.hpp"
 
 namespace stepwire::claim {
 
@@ -41,12 +42,14 @@ class Reducing {
   void add_times(const Rows& rows);
   void take(double value);
   double time_mean() const;
+  double rms() const;
 
   Reduction reduction_;
   bool free_offset_ = false, undefined_ = false;
   double share_ = 0.5;
   double largest_ = 0.0, smallest_ = 0.0;
   double integral_ = 0.0, duration_ = 0.0, sum_ = 0.0;
+  SumOfSquares square_integral_, square_sum_;  ///< of rms
   std::size_t all_ = 0;               ///< selected rows
   std::size_t counted_ = 0;           ///< of them, those that a fraction or a count counts
   std::vector<double> values_, others_;  ///< of reductions that have to sort or to see all

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "engine/model/diagram/output_names.hpp"
@@ -85,6 +86,16 @@ void add_numbers_of_blocks(const diagram::Diagram& diagram, query::SymbolTable& 
     }
 }
 
+/// Adds the words of recorded signals whose numbers mean states.
+void add_words(const diagram::Diagram& diagram, query::SymbolTable& names) {
+  std::unordered_map<std::string_view, std::vector<std::string>> words;
+  for (const diagram::RecordRequest& record : diagram.records)
+    for (const diagram::RecordedSignal& signal : record.signals)
+      words.try_emplace(signal.name, diagram::signal_words(diagram, signal.signal));
+  for (query::RecordedName& column : names.columns)
+    if (const auto known = words.find(column.name); known != words.end()) column.words = known->second;
+}
+
 }  // namespace
 
 std::string without_quotes(const std::string& word) {
@@ -101,10 +112,8 @@ query::SymbolTable names_of(const run::Job& job) {
     const auto columns = record::recorded_columns(job.plan, diagram.records[r]);
     for (std::size_t i = 1; i < columns.size(); ++i)
       names.columns.push_back({columns[i].name, columns[i].dimension, r});
-    for (const diagram::RecordedSignal& signal : diagram.records[r].signals)
-      for (query::RecordedName& column : names.columns)
-        if (column.name == signal.name) column.words = diagram::signal_words(diagram, signal.signal);
   }
+  add_words(diagram, names);
   for (const diagram::DiagramParameter& parameter : diagram.parameters)
     if (const double* number = std::get_if<double>(&parameter.value.content))
       names.parameters.push_back({parameter.name, *number, parameter.dimension});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "engine/analyse/query/number.hpp"
 #include "engine/analyse/statistics/rank_sensitivity.hpp"
@@ -58,6 +59,17 @@ std::string column_name(const Outcome& outcome, const std::string& measure, cons
   return outcome.name + "." + measure + "." + parameter;
 }
 
+/// Reason why an outcome has no measures; empty if its numbers are complete and differ.
+std::string note_on(const Outcome& outcome, const std::vector<double>& numbers) {
+  const auto missing = std::ranges::count_if(numbers, [](double number) { return std::isnan(number); });
+  if (missing > 0)
+    return fmt::format("'{}' is not a number in {} of {} runs, so no parameter can be judged by it",
+                       outcome.name, missing, numbers.size());
+  if (numbers.empty() || std::ranges::adjacent_find(numbers, std::not_equal_to()) != numbers.end()) return "";
+  return fmt::format("'{}' is {} in all {} runs: no parameter changes it, and none has a share of it",
+                     outcome.name, query::short_number(numbers.front()), numbers.size());
+}
+
 }  // namespace
 
 std::vector<query::RecordedName> result_names(const Request& request, std::size_t recording) {
@@ -107,7 +119,8 @@ record::Recording results(const Request& request, const RunOutcomes& numbers) {
   return found;
 }
 
-text::TextTable results_table(const Request& request, const record::Recording& results) {
+text::TextTable results_table(const Request& request, const RunOutcomes& numbers,
+                              const record::Recording& results) {
   text::TextTable table{request.screens() ? "Effects of Morris"
                         : request.ranks() ? "Rank correlations"
                                           : "Indices of Sobol",
@@ -119,7 +132,8 @@ text::TextTable results_table(const Request& request, const record::Recording& r
     table.columns.push_back(fmt::format("{:g} %", 100.0 * request.bootstrap.confidence));
   }
   const auto number = [&](const std::string& name) {
-    return query::short_number(results.table.find(name)->values.front(), 3);
+    const double value = results.table.find(name)->values.front();
+    return std::isnan(value) ? "-" : query::short_number(value, 3);
   };
   for (const Outcome& outcome : request.outcomes)
     for (const std::string& parameter : request.parameters) {
@@ -127,10 +141,14 @@ text::TextTable results_table(const Request& request, const record::Recording& r
       for (const std::string& measure : request.measures()) {
         const std::string name = column_name(outcome, measure, parameter);
         line.push_back(number(name));
-        line.push_back(fmt::format("{} to {}", number(name + ".low"), number(name + ".high")));
+        const std::string low = number(name + ".low"), high = number(name + ".high");
+        line.push_back(low == high && low == "-" ? "-" : fmt::format("{} to {}", low, high));
       }
       table.rows.push_back(std::move(line));
     }
+  for (std::size_t i = 0; i < request.outcomes.size() && i < numbers.outcomes.size(); ++i)
+    if (std::string note = note_on(request.outcomes[i], numbers.outcomes[i]); !note.empty())
+      table.notes.push_back(std::move(note));
   return table;
 }
 

@@ -55,7 +55,9 @@ void add_outcomes(const Request& request, std::span<const record::Recording> run
 /// What is found of the numbers of all runs, as a recording of one row with these columns.
 record::Recording results(const Request& request, const RunOutcomes& numbers);
 
-/// The same for readers: a line for each outcome and parameter.
-text::TextTable results_table(const Request& request, const record::Recording& results);
+/// The same for readers: a line for each outcome and parameter, and notes on outcomes that have no such
+/// numbers.
+text::TextTable results_table(const Request& request, const RunOutcomes& numbers,
+                              const record::Recording& results);
 
 }  // namespace stepwire::sensitivity

@@ -1,6 +1,8 @@
 #include "engine/analyse/statistics/proportion.hpp"
 
+#include <algorithm>
 #include <boost/math/distributions/beta.hpp>
+#include <cmath>
 
 namespace stepwire::statistics {
 
@@ -46,6 +48,19 @@ RankInterval quantile_ranks(std::size_t count, double share, double confidence) 
   // Seen from the other end the same.
   if (const std::size_t high = largest_rank(count, 1.0 - share, tail); high > 0) ranks.high = count - high;
   return ranks;
+}
+
+// The probability that all n values are on one side of the quantile is share^n, or (1 - share)^n.
+std::size_t values_for_both_ranks(double share, double confidence) {
+  const auto both = [&](std::size_t count) {
+    const RankInterval ranks = quantile_ranks(count, share, confidence);
+    return ranks.low && ranks.high;
+  };
+  const double rarer = std::max(share, 1.0 - share);
+  const double estimate = std::log(0.5 * (1.0 - confidence)) / std::log(rarer);
+  auto count = static_cast<std::size_t>(std::max(1.0, std::floor(estimate) - 1.0));
+  while (!both(count)) ++count;
+  return count;
 }
 
 }  // namespace stepwire::statistics

@@ -21,4 +21,7 @@ struct RankInterval {
 };
 RankInterval quantile_ranks(std::size_t count, double share, double confidence);
 
+/// The fewest values for which both ends are there; for a share between 0 and 1.
+std::size_t values_for_both_ranks(double share, double confidence);
+
 }  // namespace stepwire::statistics

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <vector>
 
 #include "engine/app/cli/console.hpp"
+#include "engine/base/io/temporary.hpp"
 #include "engine/base/subprocess/process.hpp"
 
 namespace stepwire::cli {
@@ -28,6 +30,7 @@ void put_archive(const std::string& folder, const std::string& file) {
   std::array<char, 1 << 16> block;
   while (archive.read(block.data(), block.size()) || archive.gcount() > 0)
     put_data({block.data(), static_cast<std::size_t>(archive.gcount())});
+  if (!archive.eof()) io::refuse_file(file, errno);
 }
 
 }  // namespace stepwire::cli

@@ -76,9 +76,8 @@ ExitCode generate(const GenerateCall& call, const Registry& registry) {
                             : generate_unit({call.file, call.out, name, call.fmi}, registry, model, tuning);
   for (const codegen::FixedParameter& fixed : tuning.fixed)
     say("  {} cannot be changed there: {}\n", fixed.name, fixed.reason);
-  if (const std::string parts = left_out(model); !parts.empty()) fmt::print("  left out: {}\n", parts);
-  fmt::print(
-      "  the flags -ffp-contract=off and -fno-builtin-... of its {}CMakeLists.txt keep the bits of a run\n",
+  if (const std::string parts = left_out(model); !parts.empty()) say("  left out: {}\n", parts);
+  say("  the flags -ffp-contract=off and -fno-builtin-... of its {}CMakeLists.txt keep the bits of a run\n",
       call.fmi == 0 ? "" : "sources/");
   return code;
 }

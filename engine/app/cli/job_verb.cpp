@@ -33,10 +33,15 @@ constexpr Scheduler slurm{
 constexpr Scheduler pbs{"#PBS -N {}\n#PBS -J 1-{}\n#PBS -l select=1:ncpus={}\n", "$PBS_ARRAY_INDEX",
                         "echo {} | qsub -W depend=afterany:JOB"};
 
+/// A path as a word of a shell that no program takes for an option.
+std::string path_word(const std::string& path) {
+  return text::shell_word(path.starts_with('-') ? "./" + path : path);
+}
+
 /// The options by which each task reads the file as this call does.
 std::string load_options_text(const LoadWords& words) {
   std::string text;
-  for (const std::string& file : words.set_from) text += " --set-from " + text::shell_word(file);
+  for (const std::string& file : words.set_from) text += " --set-from " + path_word(file);
   for (const std::string& set : words.set) text += " --set " + text::shell_word(set);
   if (!words.stop.empty()) text += " --stop " + text::shell_word(words.stop);
   if (words.large) text += " --large";
@@ -55,7 +60,7 @@ std::string script_of(const JobCall& call) {
   const Scheduler& scheduler = call.pbs ? pbs : slurm;
   const std::string here = text::shell_word(std::filesystem::current_path().string());
   const std::string program = text::shell_word(std::filesystem::read_symlink("/proc/self/exe").string());
-  const std::string out = text::shell_word(call.out);
+  const std::string out = path_word(call.out);
   const std::string collect =
       fmt::format("cd {} && {} collect {}/part-* --out {}/all", here, program, out, out);
   std::string script = "#!/bin/sh\n" + fmt::format(fmt::runtime(scheduler.head), job_name(call.file),
@@ -67,7 +72,7 @@ std::string script_of(const JobCall& call) {
   script += fmt::format(
       "#   {}\n", text::visible(fmt::format(fmt::runtime(scheduler.behind), text::shell_word(collect))));
   script += fmt::format("cd {}\nexec {} run {} --part \"{}/{}\" --threads {} --out {}/\"part-{}\"{}\n", here,
-                        program, text::shell_word(call.file), scheduler.task, call.tasks, call.threads, out,
+                        program, path_word(call.file), scheduler.task, call.tasks, call.threads, out,
                         scheduler.task, load_options_text(call.words));
   return script;
 }

@@ -62,7 +62,7 @@ void add_analyses(const LoadedModel& model, const sensitivity::RunOutcomes& numb
   outcome.shown.push_back(sensitivity::results(*model.sensitivity, numbers));
   for (const query::NamedTable& table : model.tables)
     if (table.name == sensitivity_table)
-      *table.table = sensitivity::results_table(*model.sensitivity, outcome.shown.back());
+      *table.table = sensitivity::results_table(*model.sensitivity, numbers, outcome.shown.back());
 }
 
 bool shows_more(const LoadedModel& model) {

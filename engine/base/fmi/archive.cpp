@@ -4,9 +4,9 @@
 #include <zip.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "engine/base/fmi/unit_error.hpp"
+#include "engine/base/io/file.hpp"
 
 namespace stepwire::fmi {
 
@@ -20,14 +20,6 @@ bool leads_out(const std::string& name) {
   if (name.empty() || name[0] == '/' || name.find('\\') != name.npos || name.find('\0') != name.npos)
     return true;
   return std::ranges::any_of(fs::path(name), [](const fs::path& part) { return part == ".."; });
-}
-
-void write(const fs::path& file, const std::string& bytes) {
-  fs::create_directories(file.parent_path());
-  std::ofstream out(file, std::ios::binary);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out) throw UnitError(fmt::format("cannot be unpacked: {} cannot be written", file.string()));
 }
 
 }  // namespace
@@ -84,7 +76,7 @@ std::string Archive::read(const std::string& name) const {
 
 void Archive::unpack(const std::string& start, const fs::path& folder) const {
   for (const std::string& name : names_)
-    if (name.starts_with(start) && !name.ends_with('/')) write(folder / name, read(name));
+    if (name.starts_with(start) && !name.ends_with('/')) io::write_file((folder / name).string(), read(name));
 }
 
 }  // namespace stepwire::fmi

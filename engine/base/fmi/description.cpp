@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <pugixml.hpp>
 
 #include "engine/base/fmi/read_variables.hpp"
@@ -40,17 +39,12 @@ int read_version(const pugi::xml_node& root) {
 }  // namespace
 
 const Variable* Description::find(std::uint32_t reference) const {
-  const auto found = std::ranges::find(variables, reference, &Variable::reference);
-  return found == variables.end() ? nullptr : &*found;
+  const auto place = places.find(reference);
+  return place == places.end() ? nullptr : &variables[place->second];
 }
 
 bool Description::feeds_through(const Variable& input) const {
-  return std::ranges::any_of(variables, [&](const Variable& output) {
-    if (output.causality != Causality::output) return false;
-    const auto about = std::ranges::find(dependencies, output.reference,
-                                         [](const auto& dependency) { return dependency.first; });
-    return about == dependencies.end() || std::ranges::find(about->second, input.reference) != about->second.end();
-  });
+  return !feeding || feeding->contains(input.reference);
 }
 
 Description read_description(const std::string& xml) {

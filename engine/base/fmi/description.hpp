@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace stepwire::fmi {
@@ -59,8 +61,9 @@ struct Description {
   std::vector<std::uint32_t> states, derivatives;  ///< references of those that are continuous
   std::size_t state_count = 0;                     ///< in numbers
   std::size_t indicator_count = 0;
-  /// For each output that says so, by reference, the references of what it depends on.
-  std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> dependencies;
+  std::unordered_map<std::uint32_t, std::size_t> places;  ///< of the first variable with each reference
+  /// References of variables that outputs depend on; std::nullopt if an output has no list of them.
+  std::optional<std::unordered_set<std::uint32_t>> feeding;
 
   const Variable* find(std::uint32_t reference) const;
   /// May an output follow this input at the same instant?

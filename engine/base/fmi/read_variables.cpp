@@ -118,6 +118,9 @@ class Reader {
     if (is_port(variable) && !names_.insert(variable.port).second)
       throw UnitError(fmt::format("two of its variables would be called '{}' as ports; '{}' is one of them",
                                   variable.port, variable.name));
+    into_.places.try_emplace(variable.reference, nodes_.size());
+    if (const auto state = node.attribute("derivative"); state && into_.version == 3)
+      states_.try_emplace(variable.reference, state.as_uint());
     nodes_.push_back(node);
     into_.variables.push_back(std::move(variable));
   }
@@ -159,8 +162,8 @@ class Reader {
   std::size_t dimension_of(const pugi::xml_node& dimension) const {
     if (const auto start = dimension.attribute("start")) return start.as_uint();
     const unsigned reference = dimension.attribute("valueReference").as_uint();
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (into_.variables[i].reference == reference) return nodes_[i].attribute("start").as_uint();
+    if (const auto place = into_.places.find(reference); place != into_.places.end())
+      return nodes_[place->second].attribute("start").as_uint();
     throw UnitError(fmt::format("a dimension names the variable {}, which is not there", reference));
   }
 
@@ -168,6 +171,7 @@ class Reader {
     take_sizes();
     const pugi::xml_node structure = root_.child("ModelStructure");
     into_.version == 2 ? read_second(structure) : read_third(structure);
+    gather_feeding();
     for (std::uint32_t reference : into_.states) {
       const Variable* state = into_.find(reference);
       if (!state) throw UnitError(fmt::format("its state {} is no variable", reference));
@@ -186,10 +190,8 @@ class Reader {
   }
   void add_state(std::uint32_t derivative) {
     into_.derivatives.push_back(derivative);
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      if (into_.variables[i].reference == derivative)
-        if (const auto state = nodes_[i].attribute("derivative"))
-          return into_.states.push_back(state.as_uint());
+    if (const auto state = states_.find(derivative); state != states_.end())
+      return into_.states.push_back(state->second);
     throw UnitError(fmt::format("its derivative {} does not say of which state it is", derivative));
   }
 
@@ -215,10 +217,22 @@ class Reader {
     const auto reference = [&](unsigned number) {
       return into_.version == 2 ? into_.variables[at_place(number)].reference : number;
     };
-    auto& [output, inputs] = into_.dependencies.emplace_back();
-    output = reference(node.attribute(key).as_uint());
+    const auto [known, is_new] = depending_.try_emplace(reference(node.attribute(key).as_uint()));
     std::istringstream list(node.attribute("dependencies").value());
-    for (unsigned number = 0; list >> number;) inputs.push_back(reference(number));
+    for (unsigned number = 0; list >> number;) {
+      const std::uint32_t on = reference(number);
+      if (is_new) known->second.push_back(on);
+    }
+  }
+
+  void gather_feeding() {
+    into_.feeding.emplace();
+    for (const Variable& output : into_.variables) {
+      if (output.causality != Causality::output) continue;
+      const auto known = depending_.find(output.reference);
+      if (known == depending_.end()) return into_.feeding.reset();
+      into_.feeding->insert(known->second.begin(), known->second.end());
+    }
   }
 
   pugi::xml_node root_;
@@ -227,6 +241,8 @@ class Reader {
   DeclaredTypes declared_;
   std::vector<pugi::xml_node> nodes_;  ///< of the variables
   std::set<std::string> names_;        ///< of ports
+  std::unordered_map<std::uint32_t, std::uint32_t> states_;  ///< by their derivatives, in FMI 3
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> depending_;  ///< what outputs depend on
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -111,36 +112,74 @@ class Dataset {
     budget_ -= size.rows * size.columns * sizeof(double);
   }
 
-  void read_numbers(const std::string& name, const Handle& as) {
+  /// Reads the dataset once, as `numbers` doubles of each element.
+  std::vector<double> numbers_of_elements(const Handle& as, std::size_t numbers) const {
     const Size count = size();
-    spend(name, count);
-    std::vector<double> all(count.rows * count.columns);
+    std::vector<double> all(count.rows * count.columns * numbers);
     if (H5Dread(set_, as.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()) < 0)
-      Session::refuse(fmt::format("'{}' cannot be read; it is damaged, cut off, or packed by a filter that is not installed",
-                         name));
-    if (count.columns == 1 || count.rows == 1) return table_.columns.push_back({name, unit_, std::move(all)});
-    for (std::size_t column = 0; column < count.columns; ++column) {
-      std::vector<double> values(count.rows);
-      for (std::size_t row = 0; row < count.rows; ++row) values[row] = all[row * count.columns + column];
-      table_.columns.push_back({fmt::format("{}({})", name, column + 1), unit_, std::move(values)});
-    }
+      Session::refuse(fmt::format(
+          "'{}' cannot be read; it is damaged, cut off, or packed by a filter that is not installed", name_));
+    return all;
   }
 
-  void read_members() {
+  /// Every `step`-th number from `first` on, as long as there are some.
+  static std::vector<double> picked(const std::vector<double>& all, std::size_t first, std::size_t step) {
+    std::vector<double> values;
+    values.reserve(all.size() / step + 1);
+    for (std::size_t i = first; i < all.size(); i += step) values.push_back(all[i]);
+    return values;
+  }
+
+  /// The columns of a matrix, row by row; one of a vector.
+  void add_columns(const std::string& name, std::vector<double> all) {
+    const Size count = size();
+    if (count.columns == 1 || count.rows == 1) return table_.columns.push_back({name, unit_, std::move(all)});
+    for (std::size_t column = 0; column < count.columns; ++column)
+      table_.columns.push_back(
+          {fmt::format("{}({})", name, column + 1), unit_, picked(all, column, count.columns)});
+  }
+
+  void read_numbers(const std::string& name, const Handle& as) {
+    spend(name, size());
+    add_columns(name, numbers_of_elements(as, 1));
+  }
+
+  /// A member of a compound, and the reason why it cannot be read; empty if it can.
+  struct Member {
+    std::string name, problem;
+  };
+
+  std::vector<Member> members_of_type() const {
+    std::vector<Member> members;
     const int count = H5Tget_nmembers(type_.id());
     for (int i = 0; i < count; ++i) {
       const auto index = static_cast<unsigned>(i);
       char* const text = H5Tget_member_name(type_.id(), index);
-      const std::string member = text ? text : "";
+      members.push_back({text ? text : "", problem_of({H5Tget_member_type(type_.id(), index), H5Tclose})});
       H5free_memory(text);
-      const Handle of_member(H5Tget_member_type(type_.id(), index), H5Tclose);
-      if (const std::string problem = problem_of(of_member); !problem.empty()) {
-        note(name_ + "." + member, problem);
-        continue;
-      }
-      const Handle alone(H5Tcreate(H5T_COMPOUND, sizeof(double)), H5Tclose);
-      H5Tinsert(alone.id(), member.c_str(), 0, H5T_NATIVE_DOUBLE);
-      read_numbers(name_ + "." + member, alone);
+    }
+    return members;
+  }
+
+  /// All members in one go, however many there are.
+  void read_members() {
+    const std::vector<Member> members = members_of_type();
+    const auto readable =
+        static_cast<std::size_t>(std::ranges::count_if(members, &std::string::empty, &Member::problem));
+    const Handle record(H5Tcreate(H5T_COMPOUND, std::max<std::size_t>(readable, 1) * sizeof(double)),
+                        H5Tclose);
+    std::size_t place = 0;
+    for (const Member& member : members) {
+      if (!member.problem.empty()) continue;
+      spend(name_ + "." + member.name, size());
+      H5Tinsert(record.id(), member.name.c_str(), place++ * sizeof(double), H5T_NATIVE_DOUBLE);
+    }
+    const std::vector<double> all =
+        readable > 0 ? numbers_of_elements(record, readable) : std::vector<double>();
+    place = 0;
+    for (const Member& member : members) {
+      const std::string name = name_ + "." + member.name;
+      member.problem.empty() ? add_columns(name, picked(all, place++, readable)) : note(name, member.problem);
     }
   }
 

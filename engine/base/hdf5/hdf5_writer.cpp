@@ -68,13 +68,13 @@ struct Hdf5Writer::File {
   explicit File(const std::string& of) : writer(of), path(of) {
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_file_locking(access.id(), false, true);  // others may read while this is written
-    file = {H5Fcreate(writer.temporary().c_str(), H5F_ACC_TRUNC, group_properties(H5P_FILE_CREATE).id(),
-                      access.id()),
-            H5Fclose};
+    const Handle creation = group_properties(H5P_FILE_CREATE);
+    file = {H5Fcreate(writer.temporary().c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose};
     root = {H5Gopen2(require(file).id(), "/", H5P_DEFAULT), H5Gclose};
     require(root);
   }
 
+  /// Every call of the library forgets the complaint of the one before: none comes between it and this.
   void require(bool done) const {
     if (done) return;
     const std::string complaint = Session::complaint();
@@ -88,9 +88,8 @@ struct Hdf5Writer::File {
 
   void put_texts(hid_t object, const char* name, const Handle& space, const std::vector<const char*>& texts) {
     const Handle type = text_type();
-    const Handle attribute(H5Acreate2(object, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-                           H5Aclose);
-    require(H5Awrite(require(attribute).id(), type.id(), texts.data()) >= 0);
+    Handle attribute(H5Acreate2(object, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    require(H5Awrite(require(attribute).id(), type.id(), texts.data()) >= 0 && attribute.close());
   }
 
   void put_text(hid_t object, const char* name, const std::string& text) {
@@ -99,9 +98,10 @@ struct Hdf5Writer::File {
 
   Handle put(hid_t group, const std::string& name, const Handle& type, const Handle& space, hsize_t rows,
              const void* content, Length length = Length::fixed) {
-    Handle set(H5Dcreate2(group, name.c_str(), type.id(), space.id(), H5P_DEFAULT,
-                          dataset_properties(rows, length).id(), H5P_DEFAULT),
-               H5Dclose);
+    const Handle creation = dataset_properties(rows, length);
+    Handle set(
+        H5Dcreate2(group, name.c_str(), type.id(), space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+        H5Dclose);
     require(set);
     require(rows == 0 || H5Dwrite(set.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, content) >= 0);
     return set;
@@ -121,27 +121,33 @@ struct Hdf5Writer::File {
 
   void put(hid_t group, const table::SweptValue& value) {
     const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Handle set =
-        value.word.empty()
-            ? put(group, value.name, {H5Tcopy(H5T_IEEE_F64LE), H5Tclose}, space, 1, &value.number)
-            : put(group, value.name, text_type(value.word.size()), space, 1, value.word.data());
+    Handle set = value.word.empty()
+                     ? put(group, value.name, {H5Tcopy(H5T_IEEE_F64LE), H5Tclose}, space, 1, &value.number)
+                     : put(group, value.name, text_type(value.word.size()), space, 1, value.word.data());
     put_text(set.id(), "units", value.unit);
+    require(set.close());
   }
 
   void put(const table::RunView& run, Length length) {
     Handle group;
+    const Handle creation = group_properties(H5P_GROUP_CREATE);
     if (!run.name.empty())
-      group = {H5Gcreate2(root.id(), run.name.c_str(), H5P_DEFAULT, group_properties(H5P_GROUP_CREATE).id(),
-                          H5P_DEFAULT),
-               H5Gclose};
+      group = {H5Gcreate2(root.id(), run.name.c_str(), H5P_DEFAULT, creation.id(), H5P_DEFAULT), H5Gclose};
     const hid_t place = run.name.empty() ? root.id() : require(group).id();
-    growing.clear();
+    close_growing();
     for (const table::SweptValue& value : run.swept) put(place, value);
     for (const table::SeriesView& series : run.series) {
       Handle set = put(place, series, length);
-      if (length == Length::growing) growing.push_back(std::move(set));
+      length == Length::growing ? growing.push_back(std::move(set)) : require(set.close());
     }
     rows = run.series.empty() ? 0 : run.series.front().values.size();
+    require(group.close());
+  }
+
+  /// To close a dataset writes what the library still holds of it.
+  void close_growing() {
+    for (Handle& set : growing) require(set.close());
+    growing.clear();
   }
 
   void append(const Handle& set, std::span<const double> values) const {
@@ -159,7 +165,7 @@ struct Hdf5Writer::File {
   }
 
   void close() {
-    growing.clear();
+    close_growing();
     require(root.close() && H5Fflush(file.id(), H5F_SCOPE_LOCAL) >= 0 && file.close());
   }
 };

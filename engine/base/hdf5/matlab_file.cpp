@@ -63,9 +63,9 @@ struct MatlabFile::File {
 
   void put_attribute(const Handle& object, const char* name, const Handle& type, const void* value) const {
     const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Handle attribute(H5Acreate2(object.id(), name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-                           H5Aclose);
-    require(attribute && H5Awrite(attribute.id(), type.id(), value) >= 0);
+    Handle attribute(H5Acreate2(object.id(), name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                     H5Aclose);
+    require(attribute && H5Awrite(attribute.id(), type.id(), value) >= 0 && attribute.close());
   }
 
   void put_class(const Handle& object, std::string_view name) const {
@@ -76,9 +76,10 @@ struct MatlabFile::File {
 
   Handle put(const Handle& place, const std::string& name, const Handle& type, const Handle& space,
              const void* content) const {
-    Handle set(H5Dcreate2(place.id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT,
-                          without_times(H5P_DATASET_CREATE).id(), H5P_DEFAULT),
-               H5Dclose);
+    const Handle creation = without_times(H5P_DATASET_CREATE);
+    Handle set(
+        H5Dcreate2(place.id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+        H5Dclose);
     require(set && H5Dwrite(set.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, content) >= 0);
     return set;
   }
@@ -96,20 +97,20 @@ struct MatlabFile::File {
   }
 
   void put_text(const std::string& name, const std::u16string& text) const {
-    const Handle set =
-        text.empty() ? put_empty(cells, name, 0, 0)
+    Handle set = text.empty()
+                     ? put_empty(cells, name, 0, 0)
                      : put(cells, name, copy_of(H5T_STD_U16LE), matrix_space(1, text.size()), text.data());
     put_class(set, "char");
     const std::int32_t bytes = 2;
     put_attribute(set, "MATLAB_int_decode", copy_of(H5T_STD_I32LE), &bytes);
+    require(set.close());
   }
 
   /// The texts of a cell lie in a group of their own, and the cell refers to them.
   hobj_ref_t put_cell(const std::u16string& text) {
+    const Handle creation = without_times(H5P_GROUP_CREATE);
     if (!cells)
-      cells = {H5Gcreate2(file.id(), group_of_cells, H5P_DEFAULT, without_times(H5P_GROUP_CREATE).id(),
-                          H5P_DEFAULT),
-               H5Gclose};
+      cells = {H5Gcreate2(file.id(), group_of_cells, H5P_DEFAULT, creation.id(), H5P_DEFAULT), H5Gclose};
     require(static_cast<bool>(cells));
     const std::string name = fmt::format("t{}", texts++);
     put_text(name, text);
@@ -138,20 +139,22 @@ MatlabFile::~MatlabFile() {
 void MatlabFile::add(const std::string& name, std::size_t rows, std::size_t columns,
                      std::span<const double> values) {
   const Session session;
-  const Handle set = values.empty() ? file_->put_empty(file_->file, name, rows, columns)
-                                    : file_->put(file_->file, name, copy_of(H5T_IEEE_F64LE),
-                                                 matrix_space(rows, columns), values.data());
+  Handle set = values.empty() ? file_->put_empty(file_->file, name, rows, columns)
+                              : file_->put(file_->file, name, copy_of(H5T_IEEE_F64LE),
+                                           matrix_space(rows, columns), values.data());
   file_->put_class(set, "double");
+  file_->require(set.close());
 }
 
 void MatlabFile::add(const std::string& name, const std::vector<std::u16string>& texts) {
   const Session session;
   std::vector<hobj_ref_t> references;
   for (const std::u16string& text : texts) references.push_back(file_->put_cell(text));
-  const Handle set = texts.empty() ? file_->put_empty(file_->file, name, 0, 0)
-                                   : file_->put(file_->file, name, copy_of(H5T_STD_REF_OBJ),
-                                                matrix_space(texts.size(), 1), references.data());
+  Handle set = texts.empty() ? file_->put_empty(file_->file, name, 0, 0)
+                             : file_->put(file_->file, name, copy_of(H5T_STD_REF_OBJ),
+                                          matrix_space(texts.size(), 1), references.data());
   file_->put_class(set, "cell");
+  file_->require(set.close());
 }
 
 void MatlabFile::finish() {

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/owned_folder.hpp"
 #include "engine/base/io/temporary.hpp"
 
@@ -34,7 +35,13 @@ AtomicFileWriter::~AtomicFileWriter() {
   fs::remove(temporary_, ignored);
 }
 
-bool AtomicFileWriter::append(std::string_view piece) {
+void AtomicFileWriter::append(std::string_view piece) {
+  if (try_append(piece)) return;
+  incomplete_ = true;
+  throw EnvironmentError(trouble_);
+}
+
+bool AtomicFileWriter::try_append(std::string_view piece) {
   if (write_all(piece)) {
     size_ += static_cast<std::int64_t>(piece.size());
     return true;
@@ -49,6 +56,7 @@ bool AtomicFileWriter::write_all(std::string_view piece) {
   while (!piece.empty()) {
     const ssize_t written = ::write(file_, piece.data(), piece.size());
     if (written < 0 && errno == EINTR) continue;
+    if (written == 0) errno = EIO;
     if (written <= 0) return false;
     piece.remove_prefix(static_cast<std::size_t>(written));
   }
@@ -56,6 +64,7 @@ bool AtomicFileWriter::write_all(std::string_view piece) {
 }
 
 void AtomicFileWriter::finish() {
+  if (incomplete_) throw EnvironmentError(trouble_);
   const int file = std::exchange(file_, -1);
   const bool closed = ::close(file) == 0;
   const int reason = errno;

@@ -150,8 +150,9 @@ void OwnedFolder::refuse_foreign(const std::string& name, const std::string& sho
 void OwnedFolder::note(const std::string& name) {
   if (!names_.insert(name).second || text::visible(name) != name || name.starts_with('#')) return;
   const std::string text = (names_.size() == 1 ? list_head : "") + name + "\n";
-  [[maybe_unused]] const ssize_t written =
-      ::write(list_, text.data(), text.size());  // a full disk shows at the file itself
+  const ssize_t written = ::write(list_, text.data(), text.size());
+  if (written != static_cast<ssize_t>(text.size()))
+    refuse_file(shown_ + "/" + list_name, written < 0 ? errno : ENOSPC);
 }
 
 void note_written(const std::string& path) {

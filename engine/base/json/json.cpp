@@ -18,7 +18,7 @@ struct JsonText {
     Out result = Out::object();
     // Past the library's own look-up, which walks all keys: ours are different already.
     auto& pairs = result.get_ref<Out::object_t&>();
-    for (const auto& [key, value] : members) pairs.push_back({key, of(value)});
+    for (const auto& [key, value] : members.all()) pairs.push_back({key, of(value)});
     return result;
   }
   Out operator()(const std::vector<Json>& items) const {
@@ -56,14 +56,28 @@ Json& Json::set(std::string key, Json value) {
   if (std::holds_alternative<std::nullptr_t>(value_)) value_ = Members{};
   auto* const members = std::get_if<Members>(&value_);
   if (!members) throw std::logic_error("only an object takes keys");
-  const auto same =
-      std::find_if(members->begin(), members->end(), [&](const auto& m) { return m.first == key; });
-  if (same != members->end()) {
-    same->second = std::move(value);
+  if (Json* const same = members->find(key)) {
+    *same = std::move(value);
   } else {
-    members->emplace_back(std::move(key), std::move(value));
+    members->add(std::move(key), std::move(value));
   }
   return *this;
+}
+
+Json* Json::Members::find(std::string_view key) {
+  if (places_.empty()) {
+    const auto found = std::ranges::find(pairs_, key, &std::pair<std::string, Json>::first);
+    return found == pairs_.end() ? nullptr : &found->second;
+  }
+  const auto place = places_.find(key);
+  return place == places_.end() ? nullptr : &pairs_[place->second].second;
+}
+
+void Json::Members::add(std::string key, Json value) {
+  constexpr std::size_t few = 32;
+  pairs_.emplace_back(std::move(key), std::move(value));
+  if (pairs_.size() <= few) return;
+  for (std::size_t i = places_.size(); i < pairs_.size(); ++i) places_.emplace(pairs_[i].first, i);
 }
 
 std::string Json::text(int indent) const {

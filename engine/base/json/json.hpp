@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -75,7 +76,24 @@ class Json {
   std::string text(int indent = 2) const;
 
  private:
-  using Members = std::vector<std::pair<std::string, Json>>;
+  /// Keys and values in their order. Those of many keys have an index, so that none is looked for among all.
+  class Members {
+   public:
+    const std::vector<std::pair<std::string, Json>>& all() const { return pairs_; }
+    Json* find(std::string_view key);
+    const Json* find(std::string_view key) const { return const_cast<Members*>(this)->find(key); }
+    /// A key that it does not have.
+    void add(std::string key, Json value);
+
+   private:
+    struct Hash {
+      using is_transparent = void;
+      std::size_t operator()(std::string_view key) const { return std::hash<std::string_view>()(key); }
+    };
+
+    std::vector<std::pair<std::string, Json>> pairs_;
+    std::unordered_map<std::string, std::size_t, Hash, std::equal_to<>> places_;  ///< empty of up to 32 keys
+  };
   using Value = std::variant<std::nullptr_t, bool, double, std::int64_t, std::uint64_t, std::string,
                              std::vector<Json>, Members>;
   friend struct JsonText;

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "engine/base/json/json.hpp"
@@ -7,37 +6,72 @@ namespace stepwire::json {
 
 namespace {
 
-using In = nlohmann::ordered_json;
+using In = nlohmann::json;
 
-constexpr int deepest = 64;
+constexpr std::size_t deepest = 64;
 
-Json read(const In& in) {
-  if (in.is_boolean()) return in.get<bool>();
-  if (in.is_number_unsigned()) return in.get<std::uint64_t>();
-  if (in.is_number_integer()) return in.get<std::int64_t>();
-  if (in.is_number()) return in.get<double>();
-  if (in.is_string()) return in.get<std::string>();
-  if (in.is_null()) return nullptr;
-  Json result = in.is_array() ? Json::list() : Json::object();
-  for (const auto& [key, value] : in.items())
-    if (in.is_array())
-      result.push(read(value));
-    else
-      result.set(key, read(value));
-  return result;
-}
+/// Makes a value of what the library reads one by one: its own values look for a key among all of an object.
+class Builder {
+ public:
+  bool null() { return put(nullptr); }
+  bool boolean(bool value) { return put(value); }
+  bool number_integer(std::int64_t value) { return put(value); }
+  bool number_unsigned(std::uint64_t value) { return put(value); }
+  bool number_float(double value, const std::string&) { return put(value); }
+  bool string(std::string& value) { return put(std::move(value)); }
+  bool binary(In::binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(Json::object()); }
+  bool start_array(std::size_t) { return open(Json::list()); }
+  bool key(std::string& name) {
+    open_.back().key = std::move(name);
+    return true;
+  }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool parse_error(std::size_t, const std::string&, const In::exception& error) {
+    throw JsonError(error.what());
+  }
+
+  Json done() { return std::move(whole_); }
+
+ private:
+  /// An object or a list that has not ended, and the key of its next value.
+  struct Open {
+    Json value;
+    std::string key;
+  };
+
+  bool put(Json value) {
+    if (open_.empty()) {
+      whole_ = std::move(value);
+    } else if (Open& in = open_.back(); in.value.is_list()) {
+      in.value.push(std::move(value));
+    } else {
+      in.value.set(std::move(in.key), std::move(value));
+    }
+    return true;
+  }
+  bool open(Json value) {
+    if (open_.size() == deepest) throw JsonError("nested deeper than 64 levels");
+    open_.push_back({std::move(value), ""});
+    return true;
+  }
+  bool close() {
+    Json value = std::move(open_.back().value);
+    open_.pop_back();
+    return put(std::move(value));
+  }
+
+  std::vector<Open> open_;
+  Json whole_;
+};
 
 }  // namespace
 
 Json Json::parse(std::string_view text) {
-  try {
-    return read(In::parse(text, [](int depth, In::parse_event_t, In&) {
-      if (depth > deepest) throw JsonError("nested deeper than 64 levels");
-      return true;
-    }));
-  } catch (const In::exception& error) {
-    throw JsonError(error.what());
-  }
+  Builder builder;
+  In::sax_parse(text, &builder);
+  return builder.done();
 }
 
 std::span<const Json> Json::items() const {
@@ -46,15 +80,13 @@ std::span<const Json> Json::items() const {
 }
 
 std::span<const std::pair<std::string, Json>> Json::members() const {
-  if (const auto* members = std::get_if<Members>(&value_)) return *members;
+  if (const auto* members = std::get_if<Members>(&value_)) return members->all();
   return {};
 }
 
 const Json* Json::find(std::string_view key) const {
   const auto* members = std::get_if<Members>(&value_);
-  if (!members) return nullptr;
-  const auto found = std::ranges::find(*members, key, &Members::value_type::first);
-  return found == members->end() ? nullptr : &found->second;
+  return members ? members->find(key) : nullptr;
 }
 
 std::optional<double> Json::as_number() const {

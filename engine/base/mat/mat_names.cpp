@@ -1,9 +1,9 @@
 #include "engine/base/mat/mat_names.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace stepwire::mat {
 namespace {
@@ -14,28 +14,44 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// The name of a column as MATLAB allows it, and not one of `used`.
-std::string matlab_name(const std::string& name, std::set<std::string>& used) {
+/// The name of a column as MATLAB allows it.
+std::string allowed_name(const std::string& name) {
   std::string allowed = name.empty() || !is_letter(name.front()) ? "x" : "";
   for (const char c : name) allowed += is_letter(c) || (c >= '0' && c <= '9') ? c : '_';
   allowed.resize(std::min(allowed.size(), longest_name));
-  std::string unique = allowed;
-  for (int i = 2; !used.insert(unique).second; ++i) {
-    const std::string ending = fmt::format("_{}", i);
-    unique = allowed.substr(0, longest_name - ending.size()) + ending;
-  }
-  return unique;
+  return allowed;
 }
+
+/// Names, each given once; one that is taken has a number behind it.
+class Taken {
+ public:
+  explicit Taken(std::set<std::string> names) : names_(std::move(names)) {}
+
+  std::string unique(const std::string& name) {
+    if (names_.insert(name).second) return name;
+    for (std::size_t digits = 1, first = 2, end = 10;; ++digits, first = end, end *= 10) {
+      const std::string stem = name.substr(0, longest_name - 1 - digits) + '_';
+      // Numbers before this one are taken: no name is tried twice.
+      std::size_t& next = next_.try_emplace({stem, digits}, first).first->second;
+      while (next < end)
+        if (std::string numbered = stem + std::to_string(next++); names_.insert(numbered).second)
+          return numbered;
+    }
+  }
+
+ private:
+  std::set<std::string> names_;
+  std::map<std::pair<std::string, std::size_t>, std::size_t> next_;  ///< by the text before it, and digits
+};
 
 }  // namespace
 
 std::vector<std::string> matlab_names(const std::vector<std::string>& columns) {
-  std::set<std::string> used{"names",  "units",     "break",  "case",       "catch",    "continue",
-                             "else",   "elseif",    "end",    "for",        "function", "global",
-                             "if",     "otherwise", "parfor", "persistent", "return",   "spmd",
-                             "switch", "try",       "while",  "classdef"};
+  Taken taken({"names",  "units", "break",    "case",   "catch", "continue",  "else",   "elseif",
+               "end",    "for",   "function", "global", "if",    "otherwise", "parfor", "persistent",
+               "return", "spmd",  "switch",   "try",    "while", "classdef"});
   std::vector<std::string> names;
-  for (const std::string& column : columns) names.push_back(matlab_name(column, used));
+  for (const std::string& column : columns) names.push_back(taken.unique(allowed_name(column)));
   return names;
 }
 

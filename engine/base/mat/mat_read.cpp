@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <unordered_map>
 
 #include "engine/base/hdf5/handle.hpp"
 #include "engine/base/mat/mat_content.hpp"
@@ -66,11 +67,13 @@ void append_columns(table::Table& table, MatVariable& variable) {
 void restore_names(table::Table& table, const MatContent& content) {
   if (content.names.size() != table.columns.size() || content.units.size() != table.columns.size()) return;
   const std::vector<std::string> variables = matlab_names(content.names);
+  std::unordered_map<std::string_view, std::size_t> places;
+  for (std::size_t i = 0; i < variables.size(); ++i) places.emplace(table.columns[i].name, i);
+  if (!std::ranges::all_of(variables, [&](const std::string& name) { return places.contains(name); })) return;
   table::Table ordered;
   for (std::size_t i = 0; i < variables.size(); ++i) {
-    const auto column = std::ranges::find(table.columns, variables[i], &table::Column::name);
-    if (column == table.columns.end()) return;
-    ordered.columns.push_back({content.names[i], content.units[i], column->values});
+    std::vector<double>& values = table.columns[places.at(variables[i])].values;
+    ordered.columns.push_back({content.names[i], content.units[i], std::move(values)});
   }
   table = std::move(ordered);
 }

@@ -18,20 +18,25 @@ std::string inside(const std::string& name, const std::string& member) {
   return name.empty() ? member : name + "." + member;
 }
 
+void add_units(Units& units, const std::string& name, const Json& schema) {
+  if (const Json* unit = schema.find("unit"); unit && unit->as_text()) units[name] = *unit->as_text();
+  if (const Json* members = schema.find("properties"))
+    for (const auto& [key, member] : members->members()) add_units(units, inside(name, key), member);
+}
+
 }  // namespace
 
-ChannelRows::ChannelRows(std::string topic, const std::string& schema) : topic_(std::move(topic)) {
+Units units_of(std::string_view schema) {
+  Units units;
   try {
-    add_units("", Json::parse(schema));
+    add_units(units, "", Json::parse(schema));
   } catch (const json::JsonError&) {  // then nothing is known of units
   }
+  return units;
 }
 
-void ChannelRows::add_units(const std::string& name, const Json& schema) {
-  if (const Json* unit = schema.find("unit"); unit && unit->as_text()) units_[name] = *unit->as_text();
-  if (const Json* members = schema.find("properties"))
-    for (const auto& [key, member] : members->members()) add_units(inside(name, key), member);
-}
+ChannelRows::ChannelRows(std::string topic, std::shared_ptr<const Units> units)
+    : topic_(std::move(topic)), units_(std::move(units)) {}
 
 void ChannelRows::add(std::string_view message, std::uint64_t time) {
   times_.push_back(time);
@@ -61,6 +66,8 @@ void ChannelRows::add(const std::string& name, const Json& value) {
 /// Up to this message, which is nan there at first.
 std::vector<double>& ChannelRows::column(const std::string& name) {
   const auto [place, is_new] = places_.try_emplace(name, columns_.size());
+  if (is_new && columns() == max_columns)
+    throw table::TableError(fmt::format("'{}' has more than {} columns", topic_, max_columns));
   if (is_new) columns_.push_back({name, "", {}});
   std::vector<double>& values = columns_[place->second].values;
   values.resize(rows(), nothing);
@@ -75,7 +82,7 @@ void ChannelRows::give(table::RecordTable& table, const std::string& prefix, std
   }
   for (table::Column& column : columns_) {
     column.values.resize(rows(), nothing);
-    if (const auto unit = units_.find(column.name); unit != units_.end()) column.unit = unit->second;
+    if (units_ && units_->contains(column.name)) column.unit = units_->at(column.name);
     if (const auto problem = problems_.find(column.name); problem != problems_.end())
       table.problems[prefix + column.name] = problem->second;
     column.name = prefix + column.name;

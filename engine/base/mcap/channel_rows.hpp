@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,29 +13,39 @@
 
 namespace stepwire::mcap {
 
+/// Units by the name of a column.
+using Units = std::map<std::string, std::string>;
+/// Units in a JSON schema, from its words `unit`; empty for other texts.
+Units units_of(std::string_view schema);
+
 /// Columns from the JSON messages of one channel.
 class ChannelRows {
  public:
-  ChannelRows(std::string topic, const std::string& schema);
+  static constexpr std::size_t max_columns = 20'000;
+
+  /// `units`: of its schema; nullptr where it has none.
+  ChannelRows(std::string topic, std::shared_ptr<const Units> units);
 
   const std::string& topic() const { return topic_; }
   std::size_t rows() const { return times_.size(); }
   std::size_t columns() const { return columns_.size() + 1; }
-  /// Adds what a message says, logged at `time` [ns]. Throws TableError where it is no JSON.
+  /// Numbers that its columns hold once they are as long as each other.
+  std::size_t numbers() const { return columns() * rows(); }
+  /// Adds the numbers of a message, logged at `time` [ns]. Throws TableError where it is no JSON, and at the
+  /// first column beyond max_columns.
   void add(std::string_view message, std::uint64_t time);
   /// Puts the columns into the table, the prefix before their names; times count from `begin` [ns].
   void give(table::RecordTable& table, const std::string& prefix, std::uint64_t begin);
 
  private:
   void add(const std::string& name, const json::Json& value);
-  void add_units(const std::string& name, const json::Json& schema);
   std::vector<double>& column(const std::string& name);
 
   std::string topic_;
   std::vector<std::uint64_t> times_;
   std::vector<table::Column> columns_;
   std::map<std::string, std::size_t> places_;
-  std::map<std::string, std::string> units_;
+  std::shared_ptr<const Units> units_;
   std::map<std::string, std::string> problems_;
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <memory>
 
 #include "engine/base/mcap/bytes.hpp"
 #include "engine/base/mcap/channel_rows.hpp"
@@ -13,8 +14,6 @@
 namespace stepwire::mcap {
 
 namespace {
-
-constexpr std::size_t max_columns = 20'000;
 
 /// Goes through the records of one file.
 class Reading {
@@ -53,8 +52,8 @@ class Reading {
   void take_schema(Cursor& content) {
     const auto id = content.number<std::uint16_t>();
     content.text();  // its name
-    const bool json = content.text() == "jsonschema";
-    schemas_[id] = json ? content.text() : "";
+    if (content.text() == "jsonschema")
+      schemas_[id] = std::make_shared<const Units>(units_of(content.text()));
   }
 
   void take_channel(Cursor& content) {
@@ -71,10 +70,13 @@ class Reading {
     begin_ = std::min(begin_, time);
     if (channel == channels_.end()) return;
     ChannelRows& rows = channel->second;
+    numbers_ -= rows.numbers();
     rows.add(content.rest(), time);
-    if (rows.columns() > max_columns || rows.columns() * rows.rows() > max_numbers_)
-      throw table::TableError(fmt::format("'{}' has {} columns of {} rows, more than a file of this size may have",
-                                          rows.topic(), rows.columns(), rows.rows()));
+    numbers_ += rows.numbers();
+    if (numbers_ > max_numbers_)
+      throw table::TableError(fmt::format(
+          "with {} columns of {} rows in '{}' it has more numbers than a file of this size may have",
+          rows.columns(), rows.rows(), rows.topic()));
   }
 
   void take_chunk(Cursor& content) {
@@ -89,9 +91,9 @@ class Reading {
     read(records, true);
   }
 
-  std::size_t max_numbers_;
+  std::size_t max_numbers_, numbers_ = 0;  ///< of all channels
   std::uint64_t begin_ = std::numeric_limits<std::uint64_t>::max();
-  std::map<std::uint16_t, std::string> schemas_;
+  std::map<std::uint16_t, std::shared_ptr<const Units>> schemas_;
   std::map<std::uint16_t, ChannelRows> channels_;
 };
 

@@ -73,7 +73,7 @@ struct McapWriter::File {
   }
 
   void put(std::string_view bytes) {
-    if (!writer.append(bytes)) throw io::EnvironmentError(writer.trouble());
+    writer.append(bytes);
     written += bytes.size();
     data_crc = checksum(data_crc, bytes);
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <cstdlib>
 
 namespace stepwire::table {
 namespace {
@@ -14,15 +16,27 @@ bool begins_formula(const std::string& word) {
   return start > 0 || !csv_number(word);
 }
 
+/// Of a number that fills the whole text.
+std::errc read_number(std::string_view text, double& value) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  return rest == end ? error : std::errc::invalid_argument;
+}
+
 }  // namespace
 
 std::optional<double> csv_number(std::string_view text) {
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-  const char* const end = text.data() + text.size();
   double value = 0.0;
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (rest != end || error != std::errc{}) return std::nullopt;
+  if (read_number(text, value) != std::errc{}) return std::nullopt;
   return value;
+}
+
+std::string csv_number_problem(const std::string& text) {
+  double value = 0.0;
+  if (read_number(text, value) != std::errc::result_out_of_range) return "is no number";
+  return std::abs(std::strtod(text.c_str(), nullptr)) > 1.0 ? "is too large: numbers are below 1.8e308"
+                                                            : "is too small: numbers are 0 or above 4.9e-324";
 }
 
 std::string csv_cell(const std::string& word) {

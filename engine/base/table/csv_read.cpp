@@ -37,7 +37,12 @@ class Csv {
  public:
   /// `tolerant`: as read_record_csv().
   Csv(const std::string& path, std::string_view text, ColumnWords& words, bool tolerant = false)
-      : path_(path), at_(text.data()), end_(at_ + text.size()), words_(words), tolerant_(tolerant) {
+      : path_(path),
+        at_(text.data()),
+        end_(at_ + text.size()),
+        max_numbers_(max_unpacked(text.size()) / sizeof(double)),
+        words_(words),
+        tolerant_(tolerant) {
     if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
     if (tolerant_) begin_behind_comments();
     separator_ = separator();
@@ -71,8 +76,12 @@ class Csv {
 
   bool at_line_end() const { return at_ == end_ || *at_ == '\n' || *at_ == '\r'; }
 
-  bool only_blanks_left() const {
-    return std::all_of(at_, end_, [](char c) { return is_csv_blank(c) || c == '\n' || c == '\r'; });
+  /// Blank lines are looked at once, however many follow each other.
+  bool only_blanks_left() {
+    if (!next_text_ || next_text_ < at_)
+      next_text_ =
+          std::find_if_not(at_, end_, [](char c) { return is_csv_blank(c) || c == '\n' || c == '\r'; });
+    return next_text_ == end_;
   }
 
   /// Lines that begin with '#'.
@@ -209,6 +218,9 @@ class Csv {
   /// Reads a row again from its start: quoted numbers, a plus sign, or the reason why it cannot be read.
   void row_slowly(const char* start) {
     at_ = start;
+    if (rows_ * table_.columns.size() > max_numbers_)  // empty rows of many columns
+      fail(fmt::format("{} rows of {} columns are more than a file of this size may have", rows_ + 1,
+                       table_.columns.size()));
     const std::vector<std::string> texts = cells();
     filled_rows_ = std::ranges::all_of(texts, &std::string::empty) ? filled_rows_ : rows_ + 1;
     for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -243,7 +255,8 @@ class Csv {
   }
 
   void tell_problem(const std::string& text, const std::string& column) {
-    const std::string problem = fmt::format("'{}' is no number (column '{}')", shown(text), shown(column));
+    const std::string problem =
+        fmt::format("'{}' {} (column '{}')", shown(text), csv_number_problem(text), shown(column));
     if (!tolerant_) fail(problem);
     problems_.add(rows_, column, fmt::format("{}:{}: {}", path_, line_, problem));
   }
@@ -257,6 +270,8 @@ class Csv {
   const std::string& path_;
   const char* at_;
   const char* end_;
+  const char* next_text_ = nullptr;  ///< behind blanks and empty lines
+  std::size_t max_numbers_;
   char separator_ = ',';
   std::size_t line_ = 1;
   std::size_t rows_ = 0;

@@ -105,11 +105,15 @@ class CorrelationReading {
           fmt::format("is a matrix of {0} rows and {0} columns, for the numbers that are drawn in "
                       "their order, or has pairs: {{k: {{m: 0.5}}}}",
                       numbers.size()));
+    bool all_numbers = true;
     for (std::size_t row = 0; row < numbers.size(); ++row)
-      for (std::size_t column = 0; column < numbers.size(); ++column)
-        if (const auto value = number(node_.items[row].items[column]))
-          matrix_(static_cast<Eigen::Index>(numbers[row]), static_cast<Eigen::Index>(numbers[column])) =
-              *value;
+      for (std::size_t column = 0; column < numbers.size(); ++column) {
+        const auto value = number(node_.items[row].items[column]);
+        all_numbers = all_numbers && value;
+        matrix_(static_cast<Eigen::Index>(numbers[row]), static_cast<Eigen::Index>(numbers[column])) =
+            value.value_or(0.0);
+      }
+    if (!all_numbers) return;
     if (matrix_ != matrix_.transpose()) return read_.fault(node_.mark, "is not symmetric");
     if ((matrix_.diagonal().array() != 1.0).any())
       read_.fault(node_.mark, "has 1 on its diagonal, since each parameter goes with itself by 1");

@@ -22,13 +22,43 @@ const char* const tools = R"cpp(
   }
 )cpp";
 
-const char* const open_function =
-    "\nstd::FILE* open(const std::string& folder, const char* name, const char* titles) {\n"
-    "  std::FILE* file = std::fopen((folder + \"/\" + name).c_str(), \"w\");\n"
-    "  if (!file) {\n    std::perror((folder + \"/\" + name).c_str());\n    std::exit(3);\n  }\n"
-    "  std::fputs(titles, file);\n  return file;\n}\n\n";
+/// Tables are whole under their names or not there: a full disk leaves the ones before as they are.
+const char* const table_functions = R"cpp(
+  /// A table that is written, until the end under the name `path`.part.
+  struct Table {
+    std::string path;
+    std::FILE* file;
+  };
+  std::vector<Table> tables;
 
-/// Of what opens the files, the rows of a tick, the last tick, what closes the files, a check of loops.
+  /// Ends the program with the system's reason; tables of an earlier run keep their content.
+  [[noreturn]] void refuse(const std::string& path) {
+    std::perror(path.c_str());
+    for (const Table& table : tables) std::remove((table.path + ".part").c_str());
+    std::exit(3);
+  }
+
+  std::FILE* open(const std::string& folder, const char* name, const char* titles) {
+    const std::string path = folder + "/" + name;
+    tables.push_back({path, std::fopen((path + ".part").c_str(), "w")});
+    std::FILE* file = tables.back().file;
+    if (!file) refuse(path);
+    std::fputs(titles, file);
+    return file;
+  }
+
+  /// Gives the tables their names.
+  void finish() {
+    for (const Table& table : tables) {
+      const bool whole = !std::ferror(table.file);
+      if (std::fclose(table.file) != 0 || !whole) refuse(table.path);
+    }
+    for (const Table& table : tables)
+      if (std::rename((table.path + ".part").c_str(), table.path.c_str()) != 0) refuse(table.path);
+  }
+)cpp";
+
+/// Of what opens the files, the rows of a tick, the last tick, a check of loops.
 constexpr char main_form[] =
     "}}  // namespace\n\n"
     "/// Runs the diagram to its stop; what it records goes into the folder that is named, "
@@ -39,13 +69,15 @@ constexpr char main_form[] =
     "by default the current one\\n\", "
     "stderr);\n"
     "    return 2;\n  }}\n"
-    "  [[maybe_unused]] const std::string folder = argc > 1 ? argv[1] : \".\";\n{0}"
+    "  [[maybe_unused]] const std::string folder = argc > 1 ? argv[1] : \".\";\n"
+    "#ifdef SIGXFSZ\n  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full "
+    "disk\n#endif\n{0}"
     "  static Diagram d;\n  const char* fault = nullptr;\n"
     "  while (true) {{\n    d.evaluate();\n"
-    "    if (!d.finite()) fault = \"a signal is no longer a finite number\";\n{4}    if (fault) "
+    "    if (!d.finite()) fault = \"a signal is no longer a finite number\";\n{3}    if (fault) "
     "break;\n    const bool last = d.tick >= {2} || d.stops();\n{1}"
     "    if (last) break;\n    d.advance();\n"
-    "    fault = d.fault();\n    if (fault) break;\n  }}\n{3}"
+    "    fault = d.fault();\n    if (fault) break;\n  }}\n  finish();\n"
     "  if (!fault) return 0;\n"
     "  std::fprintf(stderr, \"%s (at %g s); the run ends here\\n\", fault, d.time());\n  "
     "return 2;\n}}\n";
@@ -64,7 +96,9 @@ std::string row_function(const diagram::RecordRequest& request, const plan::Plan
       text += fmt::format("  write_number(file, d.recorded.{}{}, ',');\n", recorded_member(signal),
                           size == 1 ? "" : fmt::format("[{}]", k));
   }
-  return text + "  std::fputc('\\n', file);\n}\n\n";
+  return text +
+         fmt::format("  std::fputc('\\n', file);\n  if (std::ferror(file)) refuse(tables[{}].path);\n}}\n\n",
+                     number);
 }
 
 std::string open_text(const diagram::RecordRequest& request, const plan::Plan& plan, std::size_t number) {
@@ -81,12 +115,12 @@ std::string open_text(const diagram::RecordRequest& request, const plan::Plan& p
 
 std::string main_text(const plan::Plan& plan, const std::string& header, const std::string& space) {
   std::string text = fmt::format(
-      "#include <charconv>\n#include <cmath>\n#include <cstdio>\n#include <cstdlib>\n"
-      "#include <string>\n\n#include {0}\n\nnamespace {{\n\nusing {1}::Diagram;\n",
+      "#include <charconv>\n#include <cmath>\n#include <csignal>\n#include <cstdio>\n#include <cstdlib>\n"
+      "#include <string>\n#include <vector>\n\n#include {0}\n\nnamespace {{\n\nusing {1}::Diagram;\n",
       cpp_string(header), space);
   text += tools;
-  text += open_function;
-  std::string opening, rows, closing;
+  text += table_functions;
+  std::string opening, rows;
   for (std::size_t i = 0; i < plan.diagram.records.size(); ++i) {
     const diagram::RecordRequest& request = plan.diagram.records[i];
     text += row_function(request, plan, i);
@@ -95,9 +129,8 @@ std::string main_text(const plan::Plan& plan, const std::string& header, const s
     rows += every == 1
                 ? fmt::format("    write_row_{0}(file_{0}, d);\n", i)
                 : fmt::format("    if (d.tick % {1} == 0 || last) write_row_{0}(file_{0}, d);\n", i, every);
-    closing += fmt::format("  if (std::fclose(file_{0}) != 0) return 3;\n", i);
   }
-  return text + fmt::format(main_form, opening, rows, plan.steps, closing,
+  return text + fmt::format(main_form, opening, rows, plan.steps,
                             plan.loops.empty() ? "" : "    if (!fault) fault = d.unsolved();\n");
 }
 

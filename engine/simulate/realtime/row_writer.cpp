@@ -31,7 +31,7 @@ class RowWriter::Sink {
     table::append_csv_head(text_, columns);
     for (std::size_t i = 0; i < columns.size(); ++i)
       if (columns[i].name == "tick") tick_ = i;
-    if (!file.append(text_)) throw io::EnvironmentError(file.trouble());
+    file.append(text_);
     text_.clear();
   }
 
@@ -47,7 +47,7 @@ class RowWriter::Sink {
   }
   void flush() {
     if (text_.empty()) return;
-    (file.append(text_) ? written : lost) += waiting_;
+    (file.try_append(text_) ? written : lost) += waiting_;
     waiting_ = 0;
     text_.clear();
   }

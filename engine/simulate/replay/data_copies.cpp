@@ -12,6 +12,7 @@ namespace stepwire::replay {
 
 namespace {
 
+/// Letters, digits, '.', '-' and '_'.
 std::string safe(std::string name) {
   const auto is_safe = [](unsigned char c) { return std::isalnum(c) || c == '.' || c == '-' || c == '_'; };
   std::replace_if(name.begin(), name.end(), std::not_fn(is_safe), '_');
@@ -30,7 +31,9 @@ const std::string& DataCopies::name_of(const std::string& path) {
 
 std::string DataCopies::free_name(const std::string& path) const {
   const std::filesystem::path file(path);
-  const std::string stem = safe(file.stem().string()), ending = safe(file.extension().string());
+  std::string stem = safe(file.stem().string());
+  if (stem.starts_with('-') || stem.starts_with('.')) stem.insert(0, "_");  // no option, no hidden file
+  const std::string ending = safe(file.extension().string());
   for (std::size_t index = 0;; ++index)
     if (std::string name = io::numbered(stem, index, ending); !taken_.contains(name)) return name;
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import os
 from collections.abc import Callable, Sequence
 
 
@@ -22,9 +23,17 @@ class Picture:
         return self._svg
 
     def save(self, path: str) -> None:
-        """Writes the SVG file."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.svg)
+        """Writes the SVG file, whole or not at all. Raises OSError where the system refuses."""
+        text, path = self.svg, os.path.realpath(path)
+        part = f"{path}.{os.getpid()}.part"
+        try:
+            with open(part, "x", encoding="utf-8") as file:
+                file.write(text)
+            os.replace(part, path)
+        except BaseException:
+            if os.path.exists(part):
+                os.remove(part)
+            raise
 
     def _repr_svg_(self) -> str:
         return self.svg

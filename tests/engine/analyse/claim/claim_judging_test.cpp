@@ -39,6 +39,16 @@ TEST_CASE("mean and rms of a sine over half a period are 2/pi and the square roo
   CHECK(verdict_of("rms: rig.x, at_most: 1", records).value == Approx(std::sqrt(0.5)).epsilon(1e-4));
 }
 
+TEST_CASE("rms and fit are right where squares of the rows are too large or too small for a double") {
+  for (const double size : {1e-200, 1e200, 1e-300, 1e300}) {
+    INFO(size);
+    const auto records = record_of({0, 1, 2, 3}, {3 * size, -3 * size, 3 * size, 3 * size});
+    CHECK(verdict_of("rms: rig.x, at_most: 1e301 m", records).value == Approx(3 * size));
+    CHECK(verdict_of("fit: [rig.x, 2*rig.x], at_most: 100", record_of({0, 1}, {size, 3 * size})).value ==
+          Approx(100.0 * (1.0 - std::sqrt(1.25))));  // errors of 1 and 3 beside -2 and 2
+  }
+}
+
 TEST_CASE("rows that are left out and ends of runs break an interval of time") {
   // Runs 0..2 and 0..1; the row at 1 s of the first is left out, so that only the second run has a duration.
   const auto records = record_of({0, 1, 2, 0, 1}, {8, 9, 8, 2, 4}, {0, 3});

@@ -73,6 +73,39 @@ TEST_CASE("a quantile over runs lies between order statistics") {
   CHECK(std::isinf(few.interval->high));
 }
 
+TEST_CASE(
+    "a claim on a quantile that so few runs do not bound is undecided, and says how many runs decide it") {
+  const Verdict few =
+      verdict_of("quantile_of_runs: {share: 99.9 %, value: final(rig.x)}, at_most: 100 m", runs(3));
+  CHECK_FALSE(few.holds);
+  CHECK(few.note == "undecided: 3 runs do not bound the 99.9 % quantile from above with 95 %; 3688 runs do");
+  REQUIRE(few.interval);
+  CHECK(few.value == 3.0);
+  const auto holds = [](const std::string& claim, int count) {
+    return verdict_of("quantile_of_runs: {share: 95 %, value: final(rig.x)}, " + claim, runs(count)).holds;
+  };
+  CHECK_FALSE(holds("at_most: 100 m", 71));  // 1 - 0.95^72 is the first above 97.5 %
+  CHECK(holds("at_most: 100 m", 72));
+  CHECK(holds("at_least: 1 m", 10));  // an open end does not count where the claim does not look
+  CHECK_FALSE(holds("at_least: 10 m", 10));
+  CHECK(verdict_of("quantile_of_runs: {share: 50 %, value: final(rig.x)}, equals: 2 m, within: 1 m", runs(3))
+            .note == "undecided: 3 runs do not bound the 50 % quantile with 95 %; 6 runs do");
+  CHECK(verdict_of("quantile_of_runs: {share: 5 %, value: final(rig.x)}, at_least: 0 m, confidence: 99 %",
+                   runs(3))
+            .note == "undecided: 3 runs do not bound the 5 % quantile from below with 99 %; 104 runs do");
+  CHECK(verdict_of("quantile_of_runs: {share: 100 %, value: final(rig.x)}, at_most: 100 m", runs(3)).note ==
+        "undecided: no number of runs bounds the 100 % quantile from above; take a share between 0 and 1");
+}
+
+TEST_CASE("the fewest values that bound a quantile on both sides are those that probability says") {
+  for (const double share : {0.001, 0.05, 0.5, 0.9, 0.999, 0.99999}) {
+    const std::size_t count = statistics::values_for_both_ranks(share, 0.95);
+    const double rarer = std::max(share, 1.0 - share);
+    CHECK(std::pow(rarer, static_cast<double>(count)) <= 0.025);
+    CHECK(std::pow(rarer, static_cast<double>(count) - 1.0) > 0.025);
+  }
+}
+
 TEST_CASE("runs that where leaves out do not count, and swept parameters may be named") {
   CHECK(verdict_of("fraction_of_runs: max(rig.x) < 30.5 m, where: current > 20 A, equals: 1/8, within: 1e-12",
                    runs(100))

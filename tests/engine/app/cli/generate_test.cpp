@@ -54,7 +54,7 @@ std::string build_command(const std::string& printed) {
 
 }  // namespace
 
-TEST_CASE("a generated program is built without us and writes the same bytes as a run") {
+TEST_CASE("a generated program is built without us and writes the same bytes as a run, or none") {
   if (!there_is_a_compiler()) return;
   const std::string solver = GENERATE(as<std::string>(), "rk4", "rosenbrock", "sdirk");
   CAPTURE(solver);
@@ -80,6 +80,18 @@ TEST_CASE("a generated program is built without us and writes the same bytes as 
   CHECK(content_of(made + "/signals.csv") == content_of(folder.path("out/signals.csv")));
   CHECK(content_of(made + "/signals-2.csv") == content_of(folder.path("out/signals-2.csv")));
   CHECK(lines_of(content_of(made + "/signals.csv")).size() > 100);
+  const std::string whole = content_of(made + "/signals-2.csv");
+  for (const char* limit : {"0", "1", "2", "4"}) {
+    const subprocess::ProcessResult full =
+        subprocess::run_process({.command = {"sh", "-c", "ulimit -f \"$2\"; exec \"$0\" \"$1\"",
+                                             made + "/build/bin/rig_diagram", made, limit}});
+    CHECK(full.status == 3);
+    CHECK_THAT(full.errors, Contains(".csv: File too large\n"));
+    CHECK(lines_of(full.errors).size() == 1);
+    CHECK(content_of(made + "/signals.csv") == content_of(folder.path("out/signals.csv")));
+    CHECK(content_of(made + "/signals-2.csv") == whole);
+    CHECK_FALSE(std::filesystem::exists(made + "/signals.csv.part"));
+  }
 }
 
 TEST_CASE("generate says what of a file it leaves out, and what keeps the bits") {

@@ -120,13 +120,14 @@ TEST_CASE("calls with arguments of every kind are answered, and the studio goes 
   CHECK(other.call("hello", Json::object().set("protocol", 1)).find("result"));
 }
 
-TEST_CASE("names of copies stay in the folder") {
+TEST_CASE("names of copies stay in the folder, and are no option of a program") {
   Target target;
   PageClient page(target.key);
   for (const std::string& name :
        {std::string("../x"), std::string("/tmp/x"), std::string("a/b"), std::string(".."), std::string("."),
         std::string(""), std::string("x\0y", 3), std::string(300, 'x'), std::string("..\\x"),
-        std::string(".hidden"), std::string("-o"), std::string(" x")}) {
+        std::string(".hidden"), std::string("-o"), std::string("--out"), std::string(" x"),
+        std::string(" ")}) {
     INFO(name);
     const Json answer = page.call("gallery.copy", Json::object().set("entry", 0).set("name", name));
     CHECK_FALSE(fault(answer).empty());

@@ -1,44 +1,20 @@
 #include "engine/base/io/atomic_file_writer.hpp"
 
-#include <sys/resource.h>
-
 #include <catch2/catch.hpp>
-#include <csignal>
 
+#include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
+#include "tests/engine/base/io/small_disk.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
 namespace stepwire::io {
-
-namespace {
-
-/// While it lives a file may have so many bytes, which fails writes as a full disk does.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit small = before_;
-    small.rlim_cur = bytes;
-    setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~SmallDisk() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
-
-}  // namespace
 
 TEST_CASE("a growing file has its name when it is whole, and replaces the one before") {
   const Scratch scratch;
   const std::string path = scratch.file("a.csv", "old");
   AtomicFileWriter file(path);
-  CHECK(file.append("one\n"));
-  CHECK(file.append("two\n"));
+  file.append("one\n");
+  file.append("two\n");
   CHECK(read_file(path) == "old");
   file.finish();
   CHECK(read_file(path) == "one\ntwo\n");
@@ -52,15 +28,34 @@ TEST_CASE("a growing file that is not finished leaves nothing") {
   CHECK(scratch.files() == 0);
 }
 
-TEST_CASE("a full disk loses whole pieces, and what fits later is written") {
+TEST_CASE(
+    "a piece that the disk does not take is an error, there and at the end, and the file before stays") {
+  const Scratch scratch;
+  const std::string path = scratch.file("a.csv", "old"), why = path + ": File too large";
+  {
+    AtomicFileWriter file(path);
+    file.append("first\n");
+    {
+      const SmallDisk small(20);
+      CHECK_THROWS_WITH(file.append("a piece that does not fit\n"), why);
+    }
+    file.append("a piece that fits again\n");
+    CHECK_THROWS_WITH(file.finish(), why);
+    CHECK_THROWS_AS(file.finish(), EnvironmentError);
+  }
+  CHECK(read_file(path) == "old");
+  CHECK(scratch.files() == 1);
+}
+
+TEST_CASE("pieces that may be lost are lost whole, and those that fit later are written") {
   const Scratch scratch;
   AtomicFileWriter file(scratch.path("a.csv"));
-  CHECK(file.append("first\n"));
+  CHECK(file.try_append("first\n"));
   {
     const SmallDisk small(20);
-    CHECK_FALSE(file.append("a piece that does not fit\n"));
+    CHECK_FALSE(file.try_append("a piece that does not fit\n"));
   }
-  CHECK(file.append("last\n"));
+  CHECK(file.try_append("last\n"));
   CHECK(file.trouble() == scratch.path("a.csv") + ": File too large");
   file.finish();
   CHECK(read_file(scratch.path("a.csv")) == "first\nlast\n");

@@ -52,6 +52,17 @@ TEST_CASE("a CSV file gives its columns with names and units") {
   CHECK(table.find("b") == nullptr);
 }
 
+TEST_CASE("a number that is too large or too small for a double is told from what is no number") {
+  CHECK(wrong("time,x\n0,1e400\n") ==
+        "press.csv:2: '1e400' is too large: numbers are below 1.8e308 (column 'x')");
+  CHECK(wrong("time,x\n0,-1e5000\n") ==
+        "press.csv:2: '-1e5000' is too large: numbers are below 1.8e308 (column 'x')");
+  CHECK(wrong("time,x\n0,1e-400\n") ==
+        "press.csv:2: '1e-400' is too small: numbers are 0 or above 4.9e-324 (column 'x')");
+  CHECK(wrong("time,x\n0,1e400x\n") == "press.csv:2: '1e400x' is no number (column 'x')");
+  CHECK(read("x\n1e308\n5e-324\n0e-999\n").columns[0].values == Values{1e308, 5e-324, 0.0});
+}
+
 TEST_CASE("semicolons, tabs, quotes, CRLF, a byte-order mark and empty last lines are understood") {
   CHECK(read("a;b\n1;2\n").find("b")->values == Values{2.0});
   CHECK(read("a\tb\n1\t2").find("b")->values == Values{2.0});
@@ -98,7 +109,8 @@ TEST_CASE("what is wrong in a CSV file is said with its line") {
   CHECK(wrong("a,b\n1,\n") == "press.csv:2: '' is no number (column 'b')");
   CHECK(wrong("a,b\n1,2 mm\n") == "press.csv:2: '2 mm' is no number (column 'b')");
   CHECK(wrong("a,b\n1,0x10\n") == "press.csv:2: '0x10' is no number (column 'b')");
-  CHECK(wrong("a,b\n1,1e999\n") == "press.csv:2: '1e999' is no number (column 'b')");
+  CHECK(wrong("a,b\n1,1e999\n") ==
+        "press.csv:2: '1e999' is too large: numbers are below 1.8e308 (column 'b')");
   CHECK(wrong("a;b\n1;2,5\n") == "press.csv:2: '2,5' is no number (column 'b')");
   CHECK(wrong("a,b\n1,2\n3\n") == "press.csv:3: 1 value where the header names 2");
   CHECK(wrong("a,b\n1,2,3\n") == "press.csv:2: 3 values where the header names 2");

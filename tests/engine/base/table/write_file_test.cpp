@@ -1,12 +1,11 @@
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
-#include <csignal>
 #include <thread>
 #include <vector>
 
 #include "engine/base/io/file.hpp"
+#include "tests/engine/base/io/small_disk.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
 namespace stepwire::table {
@@ -37,21 +36,13 @@ TEST_CASE("a file that cannot be replaced keeps its content and says why") {
 TEST_CASE("a write that ends half way leaves the old file and no other") {
   const Scratch scratch;
   const std::string path = scratch.file("a.txt", "old");
-  // A limit on the size of files fails a write after some bytes as a full disk does.
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  rlimit small = before;
-  small.rlim_cur = 10'000;
-  setrlimit(RLIMIT_FSIZE, &small);
   std::string message;
   try {
+    const SmallDisk small(10'000);
     io::write_file(path, std::string(1'000'000, 'x'));
   } catch (const io::EnvironmentError& error) {
     message = error.what();
   }
-  setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
   CHECK(message == path + ": File too large");
   CHECK(io::read_file(path) == "old");
   CHECK(scratch.files() == 1);

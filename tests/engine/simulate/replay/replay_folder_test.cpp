@@ -132,6 +132,17 @@ TEST_CASE("a run of what was left may be left in the same folder") {
   CHECK(io::read_file(folder.path("out/inputs/rows.csv")) == rows(2));
 }
 
+TEST_CASE("a copy of a data file is no option of a program and no hidden file") {
+  const DiagramFolder folder;
+  for (const std::string name : {"-rf", ".rows"}) {
+    folder.write(name + ".csv", rows(2));
+    folder.write("main.yaml",
+                 head + "blocks: {a: {block: FromFile, file: " + name + ".csv, column: x}}\nrecord: a\n");
+    write_replay(folder.path("out"), folder.plan("main.yaml"));
+    CHECK(io::read_file(folder.path("out/inputs/_" + name + ".csv")) == rows(2));
+  }
+}
+
 TEST_CASE("a data file that is gone is a matter of the surroundings") {
   const DiagramFolder folder;
   folder.write("rows.csv", rows(2));
