@@ -10,7 +10,7 @@ const playwright = await import("playwright-core").then((all) => all.default ?? 
 const chromium = [process.env.STEPWIRE_CHROMIUM, "/usr/bin/chromium"].find((path) => path && existsSync(path));
 
 /** Why there is no browser here; false where there is one. */
-export const missing = !playwright ? "playwright-core is not installed: npm ci in tests/gallery"
+export const missing = !playwright ? "playwright-core is not installed: ./stepwire setup tests"
   : !chromium ? "chromium is not installed; on Debian it is the package chromium"
   : false;
 

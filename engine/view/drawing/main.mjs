@@ -26,7 +26,7 @@ function newElk() {
     return new ELK();
   } catch (error) {
     if (error.code !== "MODULE_NOT_FOUND") throw error;
-    return fail(3, `elkjs is not installed; npm ci in ${fileURLToPath(new URL(".", import.meta.url))} installs it`);
+    return fail(3, `elkjs is not installed; ./stepwire setup in the checkout of ${fileURLToPath(new URL(".", import.meta.url))} installs it`);
   }
 }
 

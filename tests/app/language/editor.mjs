@@ -10,7 +10,7 @@ const rpc = await import("vscode-jsonrpc/node.js").then((all) => all.default ?? 
 const protocol = await import("vscode-languageserver-protocol/node.js").then((all) => all.default ?? all, () => undefined);
 
 /** Why there is no client here; false where there is one. */
-export const missing = rpc && protocol ? false : "vscode-languageserver-protocol is not installed: npm ci in tests/app/language";
+export const missing = rpc && protocol ? false : "vscode-languageserver-protocol is not installed: ./stepwire setup tests";
 
 /** Where a text begins to have a word, as editors count: units of UTF-16. */
 export function place(text, word, behind = 0) {

@@ -8,7 +8,7 @@ import {join} from "node:path";
 import {after, test} from "node:test";
 
 const mcap = await import("@mcap/core").catch(() => null);
-const missing = mcap ? false : "@mcap/core is not installed; npm ci in tests/app/mcap installs it";
+const missing = mcap ? false : "@mcap/core is not installed; ./stepwire setup tests installs it";
 const folder = mkdtempSync(join(tmpdir(), "stepwire-mcap-"));
 after(() => rmSync(folder, {recursive: true}));
 

@@ -7,7 +7,7 @@ const playwright = await import("playwright-core").then((all) => all.default ?? 
 const executablePath = [process.env.STEPWIRE_CHROMIUM, "/usr/bin/chromium"].find((path) => path && existsSync(path));
 
 /** Why there is no browser; false where there is one. */
-export const missing = !playwright ? "playwright-core is not installed: npm ci in tests/app/studio"
+export const missing = !playwright ? "playwright-core is not installed: ./stepwire setup tests"
   : !executablePath ? "chromium is not installed; on Debian it is the package chromium" : false;
 
 /** How long something may take that comes at once on a machine with nothing else to do [ms]. */

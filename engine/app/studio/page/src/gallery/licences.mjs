@@ -11,7 +11,7 @@ function folderOf(wanted, from) {
   for (let at = from; ; at = dirname(at)) {
     const folder = join(at, "node_modules", wanted);
     if (existsSync(join(folder, "package.json"))) return folder;
-    if (at === dirname(at)) throw new Error(`the package '${wanted}' is not installed; npm ci in the page's folder installs it`);
+    if (at === dirname(at)) throw new Error(`the package '${wanted}' is not installed; ./stepwire setup installs it`);
   }
 }
 
