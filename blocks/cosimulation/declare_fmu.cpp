@@ -26,8 +26,9 @@ void declare_parameters(Declare<Block>& is) {
            "the step, and its outputs are those after its last step; with model exchange our solver integrates "
            "its states, and its events are found as those of other blocks are: where `events: locate` "
            "stands at their instant, else at the ticks. A fault of the unit ends the run with its message. The "
-           "unit is foreign code: with `isolate: true` it runs in a process of its own, and a crash there is a "
-           "fault of the block. Runs with it are interpreted.",
+           "unit is foreign code: it runs in a process of its own, and a crash, an exit or a call that does not "
+           "return is a fault of the block. With `isolate: false` it runs in the program, which costs less a step "
+           "and ends where the unit ends it. Runs with it are interpreted.",
        .source = "Modelica Association, Functional Mock-up Interface 3.0 (2022) and 2.0",
        .not_real_time = "calls foreign code, of whose steps nothing bounds the time",
        .symbol = {.text = "{file|unit}"}});
@@ -40,7 +41,7 @@ void declare_parameters(Declare<Block>& is) {
   is.template parameter<&Block::parameters>(
       {.doc = "values of the unit's parameters, and start values of its variables, by their names: {k: 2 1/s}; "
               "a bare number is SI"});
-  is.template parameter<&Block::isolate>({.doc = "does it run in a process of its own?", .structural = true});
+  is.template parameter<&Block::isolate>({.doc = "run it in a process of its own", .structural = true});
   is.template state<&Block::unit_state>(
       {.unit = "*", .shape = "k", .doc = "the unit's own state, as bytes", .settable = false});
   is.template state<&Block::unit_moves>({.doc = "how often it has moved on", .settable = false});

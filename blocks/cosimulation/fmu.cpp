@@ -16,7 +16,7 @@ void Fmu::begin() {
 }
 
 void Fmu::keep() {
-  if (!unit.works() || unit.kept() == 0 || !unit.run(fmi::Operation::save)) return;
+  if (!unit.works() || unit.kept() == 0) return;
   std::memcpy(unit_state.data(), unit.exchange().kept(), unit.kept() * sizeof(double));
   std::memcpy(unit.last_kept.data(), unit.exchange().kept(), unit.kept() * sizeof(double));
 }

@@ -19,7 +19,7 @@ struct Fmu {
   FilePath file{};
   Interface interface = Interface::automatic;
   Tree parameters{};
-  bool isolate = false;
+  bool isolate = true;
   std::vector<Input<>> inputs{};    ///< as many as are bound
   std::vector<Output<>> results{};
   DiscreteState<> unit_state{};    ///< bytes of the unit's state, as numbers; one where it cannot be saved
@@ -33,7 +33,7 @@ struct Fmu {
  protected:
   /// Before the first tick.
   void begin();
-  /// Saves the unit's state in that of the block.
+  /// Copies the state that the unit has saved into that of the block.
   void keep();
   /// Hands the inputs over that are wired.
   void hand_over();

@@ -44,7 +44,7 @@ class RunningUnit {
     std::vector<std::size_t> inputs{};
     std::size_t outputs = 0, numbers_shown = 0, indicators = 0;
   };
-  bool isolated_ = false;
+  bool isolated_ = true;
   std::size_t kept_ = 0;
   Sizes sizes_{};
   std::unique_ptr<fmi::Runner> runner_;

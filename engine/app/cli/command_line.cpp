@@ -19,6 +19,7 @@
 #include "engine/app/session/version.hpp"
 #include "engine/base/io/cache.hpp"
 #include "engine/base/json/json.hpp"
+#include "engine/base/subprocess/scratch_folder.hpp"
 #include "engine/base/text/characters.hpp"
 #include "engine/base/yaml/error.hpp"
 #include "engine/simulate/blockset/blockset.hpp"
@@ -145,6 +146,7 @@ class CommandLine {
 int run_command_line(int argc, char** argv, Registry (*blocks)()) {
   fill_standard_streams();
   catch_signals();
+  subprocess::remove_abandoned_folders();
   const ExitCode code = guarded([&] { return CommandLine().run(argc, argv, blocks()); });
   if (const std::string problem = io::take_cache_problem(); !problem.empty())
     remark("the cache keeps nothing: {}\n", text::visible(problem));

@@ -2,13 +2,15 @@
 
 #include <utility>
 
+#include "engine/base/math/floating_point.hpp"
+
 struct _object;  // PyObject of Python's headers, which stay in the sources of this room
 
 namespace stepwire::python {
 
 /// Holds the interpreter lock for as long as it lives; from any thread, also where it is held already. The
 /// first one of a thread that Python does not know makes that thread known until it ends: the next ones are
-/// cheap.
+/// cheap. The floating-point state that Python code leaves ends with the lock.
 class Lock {
  public:
   Lock();
@@ -17,10 +19,12 @@ class Lock {
   Lock& operator=(const Lock&) = delete;
 
  private:
+  FloatingPointState kept_{};
   int state_;
 };
 
-/// Lets go of the interpreter lock, which this thread holds, for as long as it lives.
+/// Lets go of the interpreter lock, which this thread holds, for as long as it lives. The floating-point
+/// state is the usual one meanwhile, whatever Python code has set.
 class Unlocked {
  public:
   Unlocked();
@@ -29,6 +33,7 @@ class Unlocked {
   Unlocked& operator=(const Unlocked&) = delete;
 
  private:
+  UsualFloatingPoint usual_{};
   void* thread_;
 };
 

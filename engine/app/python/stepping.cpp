@@ -8,6 +8,7 @@
 #include "engine/app/python/faults.hpp"
 #include "engine/app/python/loaded_file.hpp"
 #include "engine/app/python/numbers.hpp"
+#include "engine/base/math/floating_point.hpp"
 #include "engine/stepwire/simulation.hpp"
 
 namespace stepwire::python {
@@ -22,10 +23,7 @@ class Stepping {
  public:
   Stepping(const std::shared_ptr<LoadedFile>& of, const std::string& engine,
            const std::vector<std::string>& tuned)
-      : raised_(of->kinds()->raised),
-        simulation_(LoadedFile::library_model(of),
-                    {engine == "interpreted" ? ExecutionMode::interpreted : ExecutionMode::compiled, tuned}) {
-  }
+      : raised_(of->kinds()->raised), simulation_(begun(of, engine, tuned)) {}
 
   void step(std::int64_t ticks) {
     if (ticks < 0) throw py::value_error("a simulation steps forward: ticks >= 0");
@@ -79,6 +77,15 @@ class Stepping {
   }
 
  private:
+  static Simulation begun(const std::shared_ptr<LoadedFile>& of, const std::string& engine,
+                          const std::vector<std::string>& tuned) {
+    const UsualFloatingPoint usual;
+    return Simulation(
+        LoadedFile::library_model(of),
+        {engine == "interpreted" ? ExecutionMode::interpreted : ExecutionMode::compiled, tuned});
+  }
+
+  /// A call, during which the floating-point state is the usual one.
   class Use {
    public:
     explicit Use(Stepping& of) : of_(of) {
@@ -88,6 +95,7 @@ class Stepping {
     ~Use() { of_.used_ = false; }
 
    private:
+    UsualFloatingPoint usual_{};
     Stepping& of_;
   };
 

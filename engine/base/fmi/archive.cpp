@@ -4,6 +4,7 @@
 #include <zip.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "engine/base/fmi/unit_error.hpp"
 #include "engine/base/io/file.hpp"
@@ -14,7 +15,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr zip_uint64_t max_bytes = 1u << 30u;
+constexpr zip_int64_t max_entries = 20'000;
+constexpr std::uint64_t mebibyte = 1u << 20u;
+
+/// Bytes that an archive may unpack to: 20 times its own, and 256 MiB at least, 4 GiB at most. Real units
+/// have less; zeros unpack to 1000 times their archive.
+std::uint64_t max_unpacked(const std::string& path) {
+  std::error_code none;
+  const std::uint64_t own = fs::file_size(path, none);
+  return none ? 256 * mebibyte : std::clamp<std::uint64_t>(20 * own, 256 * mebibyte, 4096 * mebibyte);
+}
 
 bool leads_out(const std::string& name) {
   if (name.empty() || name[0] == '/' || name.find('\\') != name.npos || name.find('\0') != name.npos)
@@ -42,14 +52,31 @@ Archive::Archive(const std::string& path) : path_(path) {
     throw UnitError(fmt::format("{} is no unit that can be read: {}; a unit is a zip archive", path, text));
   }
   handle_ = std::make_unique<Handle>(opened);
-  const zip_int64_t count = zip_get_num_entries(opened, 0);
+  read_entries();
+}
+
+void Archive::read_entries() {
+  const zip_int64_t count = zip_get_num_entries(handle_->zip, 0);
+  if (count > max_entries)
+    throw UnitError(fmt::format("{} has {} entries, and a unit may have {}; nothing of it is unpacked", path_,
+                                count, max_entries));
+  const std::uint64_t most = max_unpacked(path_);
+  std::uint64_t whole = 0;
   for (zip_int64_t i = 0; i < count; ++i) {
-    const char* name = zip_get_name(opened, static_cast<zip_uint64_t>(i), 0);
-    names_.emplace_back(name ? name : "");
+    zip_stat_t about;
+    zip_stat_init(&about);
+    zip_stat_index(handle_->zip, static_cast<zip_uint64_t>(i), 0, &about);
+    names_.emplace_back(about.name ? about.name : "");
     if (leads_out(names_.back()))
       throw UnitError(fmt::format("{} has an entry '{}' that leads out of the archive; nothing of it is used",
-                                  path, names_.back()));
+                                  path_, names_.back()));
+    whole += std::min(about.size, most + 1);  // no sum of these is too large for its type
   }
+  if (whole > most)
+    throw UnitError(
+        fmt::format("{} unpacks to {} MiB, and a unit of its size may unpack to {} MiB; nothing of it is "
+                    "unpacked",
+                    path_, whole / mebibyte, most / mebibyte));
 }
 
 Archive::~Archive() = default;
@@ -62,7 +89,6 @@ std::string Archive::read(const std::string& name) const {
   zip_stat_t about;
   if (zip_stat(handle_->zip, name.c_str(), 0, &about) != 0)
     throw UnitError(fmt::format("{} has no {}", path_, name));
-  if (about.size > max_bytes) throw UnitError(fmt::format("{} in {} is larger than 1 GiB", name, path_));
   std::string bytes(about.size, '\0');
   zip_file_t* file = zip_fopen(handle_->zip, name.c_str(), 0);
   const zip_int64_t count = file ? zip_fread(file, bytes.data(), about.size) : -1;

@@ -4,9 +4,10 @@
 
 namespace stepwire::fmi {
 
-std::unique_ptr<Calls> instantiate(const Package& package, Mode mode, const std::string& name) {
-  return package.description().version == 2 ? instance_of_2(package, mode, name)
-                                            : instance_of_3(package, mode, name);
+std::unique_ptr<Calls> instantiate(const Package& package, Mode mode, const std::string& name,
+                                   CallNote& note) {
+  return package.description().version == 2 ? instance_of_2(package, mode, name, note)
+                                            : instance_of_3(package, mode, name, note);
 }
 
 const Interface& interface_of(const Description& description, Mode mode) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/base/fmi/foreign_call.hpp"
 #include "engine/base/fmi/package.hpp"
 
 namespace stepwire::fmi {
@@ -21,7 +22,8 @@ struct EventInfo {
 /// What a unit says of a step that it has made.
 struct StepInfo {
   bool terminates = false, enters_event = false;
-  bool made = true;  ///< false where the unit has ended before it
+  bool made = true;      ///< false where the unit has ended before it
+  double reached = 0.0;  ///< time that the unit has reached [s]; FMI 2 has no such number of its own
 };
 
 /// The calls of one instance, alike for both versions. A call that fails is false, and message() says why.
@@ -57,8 +59,9 @@ class Calls {
   virtual std::string message() const = 0;
 };
 
-/// Loads the binary, and makes an instance. Throws UnitError.
-std::unique_ptr<Calls> instantiate(const Package& package, Mode mode, const std::string& name);
+/// Loads the binary, and makes an instance, whose calls are noted. Throws UnitError.
+std::unique_ptr<Calls> instantiate(const Package& package, Mode mode, const std::string& name,
+                                   CallNote& note);
 
 /// The interface of a mode.
 const Interface& interface_of(const Description& description, Mode mode);

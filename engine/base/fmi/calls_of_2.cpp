@@ -7,17 +7,16 @@
 #include "engine/base/fmi/calls_of.hpp"
 #include "engine/base/fmi/fmi2_unit.h"
 #include "engine/base/fmi/library.hpp"
-#include "engine/base/fmi/log_text.hpp"
+#include "engine/base/fmi/unit_calls.hpp"
 
 namespace stepwire::fmi {
 
 namespace {
 
-constexpr int ends_at = 2;  // of statuses, Discard and all after it are faults
-
 void log(fmi2ComponentEnvironment environment, fmi2String, fmi2Status status, fmi2String, fmi2String message,
          ...) {
-  if (status < ends_at) return;
+  const UsualFloatingPoint ours;
+  if (!is_fault(static_cast<int>(status))) return;
   char text[400];
   va_list values;
   va_start(values, message);
@@ -90,10 +89,12 @@ struct ModelFunctions {
   decltype(fmi2EnterContinuousTimeMode)* leave_event;
 };
 
-class Second : public Calls {
+class Second : public UnitCalls {
  public:
-  Second(const Package& package, Mode mode, const std::string& name)
-      : library_(package.binary(interface_of(package.description(), mode))), f_(library_) {
+  Second(const Package& package, Mode mode, const std::string& name, CallNote& note)
+      : UnitCalls(note),
+        library_(package.binary(interface_of(package.description(), mode)), note),
+        f_(library_) {
     if (mode == Mode::co_simulation) {
       library_.find(step_, "fmi2DoStep");
       library_.find(get_boolean_status_, "fmi2GetBooleanStatus");
@@ -105,123 +106,117 @@ class Second : public Calls {
     callbacks_.freeMemory = std::free;
     callbacks_.stepFinished = nullptr;
     callbacks_.componentEnvironment = &log_;
-    unit_ = f_.make(name.c_str(), mode == Mode::co_simulation ? fmi2CoSimulation : fmi2ModelExchange,
-                    package.description().token.c_str(), package.resources_uri().c_str(), &callbacks_, fmi2False,
-                    fmi2False);
+    unit_ = call("fmi2Instantiate", f_.make, name.c_str(),
+                 mode == Mode::co_simulation ? fmi2CoSimulation : fmi2ModelExchange,
+                 package.description().token.c_str(), package.resources_uri().c_str(), &callbacks_, fmi2False,
+                 fmi2False);
     if (!unit_)
       throw UnitError("its binary refuses to be instantiated" + (log_.empty() ? "" : ": " + log_.text()));
   }
   ~Second() override {
-    if (started_ && !failed_) f_.terminate(unit_);
-    f_.free_instance(unit_);
+    if (started_ && !failed()) call("fmi2Terminate", f_.terminate, unit_);
+    call("fmi2FreeInstance", f_.free_instance, unit_);
   }
 
   bool set_up(double start) override {
-    return check(f_.set_up(unit_, fmi2False, 0.0, start, fmi2False, 0.0), "fmi2SetupExperiment") &&
-           check(f_.enter_initialization(unit_), "fmi2EnterInitializationMode");
+    return done("fmi2SetupExperiment", f_.set_up, unit_, fmi2False, 0.0, start, fmi2False, 0.0) &&
+           done("fmi2EnterInitializationMode", f_.enter_initialization, unit_);
   }
   bool initialize() override {
-    return started_ = check(f_.exit_initialization(unit_), "fmi2ExitInitializationMode");
+    return started_ = done("fmi2ExitInitializationMode", f_.exit_initialization, unit_);
   }
-  bool get(Type type, const std::uint32_t* references, std::size_t count, void* values, std::size_t) override {
+  bool get(Type type, const std::uint32_t* references, std::size_t count, void* values,
+           std::size_t) override {
     if (type == Type::float64)
-      return check(f_.get_real(unit_, references, count, static_cast<fmi2Real*>(values)), "fmi2GetReal");
+      return done("fmi2GetReal", f_.get_real, unit_, references, count, static_cast<fmi2Real*>(values));
     if (type == Type::int32)
-      return check(f_.get_integer(unit_, references, count, static_cast<fmi2Integer*>(values)),
-                   "fmi2GetInteger");
-    return check(f_.get_boolean(unit_, references, count, static_cast<fmi2Boolean*>(values)), "fmi2GetBoolean");
+      return done("fmi2GetInteger", f_.get_integer, unit_, references, count,
+                  static_cast<fmi2Integer*>(values));
+    return done("fmi2GetBoolean", f_.get_boolean, unit_, references, count,
+                static_cast<fmi2Boolean*>(values));
   }
   bool set(Type type, const std::uint32_t* references, std::size_t count, const void* values,
            std::size_t) override {
     if (type == Type::float64)
-      return check(f_.set_real(unit_, references, count, static_cast<const fmi2Real*>(values)), "fmi2SetReal");
+      return done("fmi2SetReal", f_.set_real, unit_, references, count, static_cast<const fmi2Real*>(values));
     if (type == Type::int32)
-      return check(f_.set_integer(unit_, references, count, static_cast<const fmi2Integer*>(values)),
-                   "fmi2SetInteger");
-    return check(f_.set_boolean(unit_, references, count, static_cast<const fmi2Boolean*>(values)),
-                 "fmi2SetBoolean");
+      return done("fmi2SetInteger", f_.set_integer, unit_, references, count,
+                  static_cast<const fmi2Integer*>(values));
+    return done("fmi2SetBoolean", f_.set_boolean, unit_, references, count,
+                static_cast<const fmi2Boolean*>(values));
   }
 
-  bool set_time(double time) override { return check(model_->set_time(unit_, time), "fmi2SetTime"); }
+  bool set_time(double time) override { return done("fmi2SetTime", model_->set_time, unit_, time); }
   bool set_states(const double* states, std::size_t count) override {
-    return check(model_->set_states(unit_, states, count), "fmi2SetContinuousStates");
+    return done("fmi2SetContinuousStates", model_->set_states, unit_, states, count);
   }
   bool get_states(double* states, std::size_t count) override {
-    return check(model_->get_states(unit_, states, count), "fmi2GetContinuousStates");
+    return done("fmi2GetContinuousStates", model_->get_states, unit_, states, count);
   }
   bool get_slopes(double* slopes, std::size_t count) override {
-    return check(model_->get_slopes(unit_, slopes, count), "fmi2GetDerivatives");
+    return done("fmi2GetDerivatives", model_->get_slopes, unit_, slopes, count);
   }
   bool get_indicators(double* indicators, std::size_t count) override {
-    return check(model_->get_indicators(unit_, indicators, count), "fmi2GetEventIndicators");
+    return done("fmi2GetEventIndicators", model_->get_indicators, unit_, indicators, count);
   }
   bool complete_step(StepInfo& info) override {
     fmi2Boolean enters = fmi2False, ends = fmi2False;
-    const bool done =
-        check(model_->complete_step(unit_, fmi2True, &enters, &ends), "fmi2CompletedIntegratorStep");
-    info = {ends != fmi2False, enters != fmi2False};
-    return done;
+    const bool whole =
+        done("fmi2CompletedIntegratorStep", model_->complete_step, unit_, fmi2True, &enters, &ends);
+    info.terminates = ends != fmi2False;
+    info.enters_event = enters != fmi2False;
+    return whole;
   }
-  bool enter_event() override { return check(model_->enter_event(unit_), "fmi2EnterEventMode"); }
+  bool enter_event() override { return done("fmi2EnterEventMode", model_->enter_event, unit_); }
   bool update(EventInfo& info) override {
     fmi2EventInfo told{};
-    const bool done = check(model_->update(unit_, &told), "fmi2NewDiscreteStates");
+    const bool whole = done("fmi2NewDiscreteStates", model_->update, unit_, &told);
     info = {told.newDiscreteStatesNeeded != fmi2False, told.terminateSimulation != fmi2False,
             told.valuesOfContinuousStatesChanged != fmi2False, told.nextEventTimeDefined != fmi2False,
             told.nextEventTime};
-    return done;
+    return whole;
   }
-  bool leave_event() override { return check(model_->leave_event(unit_), "fmi2EnterContinuousTimeMode"); }
+  bool leave_event() override { return done("fmi2EnterContinuousTimeMode", model_->leave_event, unit_); }
 
   bool step(double time, double length, StepInfo& info) override {
-    const fmi2Status status = step_(unit_, time, length, fmi2False);
+    const int status = static_cast<int>(call("fmi2DoStep", step_, unit_, time, length, fmi2False));
     info.terminates = status == fmi2Discard && wants_end();
     info.made = !info.terminates;
-    return info.terminates || check(status, "fmi2DoStep");
+    info.reached = info.made ? time + length : time;
+    return info.terminates || accept("fmi2DoStep", status);
   }
 
   std::size_t state_size() override {
     fmi2FMUstate state = nullptr;
     std::size_t size = 0;
-    const bool done = check(f_.get_state(unit_, &state), "fmi2GetFMUstate") &&
-                      check(f_.state_size(unit_, state, &size), "fmi2SerializedFMUstateSize");
-    if (state) f_.free_state(unit_, &state);
-    return done ? size : 0;
+    const bool whole = done("fmi2GetFMUstate", f_.get_state, unit_, &state) &&
+                       done("fmi2SerializedFMUstateSize", f_.state_size, unit_, state, &size);
+    if (state) call("fmi2FreeFMUstate", f_.free_state, unit_, &state);
+    return whole ? size : 0;
   }
   bool save(char* bytes, std::size_t count) override {
     fmi2FMUstate state = nullptr;
-    const bool done = check(f_.get_state(unit_, &state), "fmi2GetFMUstate") &&
-                      check(f_.serialize(unit_, state, bytes, count), "fmi2SerializeFMUstate");
-    if (state) f_.free_state(unit_, &state);
-    return done;
+    const bool whole = done("fmi2GetFMUstate", f_.get_state, unit_, &state) &&
+                       done("fmi2SerializeFMUstate", f_.serialize, unit_, state, bytes, count);
+    if (state) call("fmi2FreeFMUstate", f_.free_state, unit_, &state);
+    return whole;
   }
   bool load(const char* bytes, std::size_t count) override {
     fmi2FMUstate state = nullptr;
-    const bool done = check(f_.deserialize(unit_, bytes, count, &state), "fmi2DeSerializeFMUstate") &&
-                      check(f_.set_state(unit_, state), "fmi2SetFMUstate");
-    if (state) f_.free_state(unit_, &state);
-    return done;
-  }
-
-  std::string message() const override {
-    return log_.empty() ? std::string(call_) + " failed, and the unit gives no reason" : log_.text();
+    const bool whole = done("fmi2DeSerializeFMUstate", f_.deserialize, unit_, bytes, count, &state) &&
+                       done("fmi2SetFMUstate", f_.set_state, unit_, state);
+    if (state) call("fmi2FreeFMUstate", f_.free_state, unit_, &state);
+    return whole;
   }
 
  private:
   /// Has it discarded a step since its run is over?
-  bool wants_end() const {
+  bool wants_end() {
     fmi2Boolean terminated = fmi2False;
-    return get_boolean_status_(unit_, fmi2Terminated, &terminated) == fmi2OK && terminated != fmi2False;
+    return call("fmi2GetBooleanStatus", get_boolean_status_, unit_, fmi2Terminated, &terminated) == fmi2OK &&
+           terminated != fmi2False;
   }
 
-  bool check(fmi2Status status, const char* call) {
-    if (status < ends_at) return true;
-    failed_ = true;
-    call_ = call;
-    return false;
-  }
-
-  LogText log_;
   fmi2CallbackFunctions callbacks_{};
   Library library_;
   Functions f_;
@@ -229,14 +224,14 @@ class Second : public Calls {
   decltype(fmi2DoStep)* step_ = nullptr;
   decltype(fmi2GetBooleanStatus)* get_boolean_status_ = nullptr;
   fmi2Component unit_ = nullptr;
-  bool started_ = false, failed_ = false;
-  const char* call_ = "";
+  bool started_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<Calls> instance_of_2(const Package& package, Mode mode, const std::string& name) {
-  return std::make_unique<Second>(package, mode, name);
+std::unique_ptr<Calls> instance_of_2(const Package& package, Mode mode, const std::string& name,
+                                     CallNote& note) {
+  return std::make_unique<Second>(package, mode, name, note);
 }
 
 }  // namespace stepwire::fmi

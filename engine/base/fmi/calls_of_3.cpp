@@ -6,16 +6,15 @@
 #include "engine/base/fmi/calls_of.hpp"
 #include "engine/base/fmi/fmi3.h"
 #include "engine/base/fmi/library.hpp"
-#include "engine/base/fmi/log_text.hpp"
+#include "engine/base/fmi/unit_calls.hpp"
 
 namespace stepwire::fmi {
 
 namespace {
 
-constexpr int ends_at = 2;  // of statuses, Discard and all after it are faults
-
 void log(fmi3InstanceEnvironment environment, fmi3Status status, fmi3String, fmi3String message) {
-  if (status >= ends_at) static_cast<LogText*>(environment)->take(message);
+  const UsualFloatingPoint ours;
+  if (is_fault(static_cast<int>(status))) static_cast<LogText*>(environment)->take(message);
 }
 
 /// The functions that both interfaces have, by the names of the standard.
@@ -48,15 +47,15 @@ using AnyFunction = void (*)();
 
 /// Calls a function of the standard with pointers to its own type of values.
 template <class Value>
-fmi3Status get_values(AnyFunction function, fmi3Instance unit, const fmi3ValueReference* references, size_t count,
-                      void* values, size_t numbers) {
+fmi3Status get_values(AnyFunction function, fmi3Instance unit, const fmi3ValueReference* references,
+                      size_t count, void* values, size_t numbers) {
   using Get = fmi3Status (*)(fmi3Instance, const fmi3ValueReference*, size_t, Value*, size_t);
   return reinterpret_cast<Get>(function)(unit, references, count, static_cast<Value*>(values), numbers);
 }
 
 template <class Value>
-fmi3Status set_values(AnyFunction function, fmi3Instance unit, const fmi3ValueReference* references, size_t count,
-                      const void* values, size_t numbers) {
+fmi3Status set_values(AnyFunction function, fmi3Instance unit, const fmi3ValueReference* references,
+                      size_t count, const void* values, size_t numbers) {
   using Set = fmi3Status (*)(fmi3Instance, const fmi3ValueReference*, size_t, const Value*, size_t);
   return reinterpret_cast<Set>(function)(unit, references, count, static_cast<const Value*>(values), numbers);
 }
@@ -119,138 +118,128 @@ struct ModelFunctions {
   decltype(fmi3EnterContinuousTimeMode)* leave_event;
 };
 
-class Third : public Calls {
+class Third : public UnitCalls {
  public:
-  Third(const Package& package, Mode mode, const std::string& name)
-      : library_(package.binary(interface_of(package.description(), mode))), f_(library_), values_(library_) {
+  Third(const Package& package, Mode mode, const std::string& name, CallNote& note)
+      : UnitCalls(note),
+        library_(package.binary(interface_of(package.description(), mode)), note),
+        f_(library_),
+        values_(library_) {
     const std::string& token = package.description().token;
     const std::string resources = package.resources();
     if (mode == Mode::co_simulation) {
       library_.find(step_, "fmi3DoStep");
       decltype(fmi3InstantiateCoSimulation)* make;
       library_.find(make, "fmi3InstantiateCoSimulation");
-      unit_ = make(name.c_str(), token.c_str(), resources.c_str(), false, false, false, false, nullptr, 0, &log_,
-                   log, nullptr);
+      unit_ = call("fmi3InstantiateCoSimulation", make, name.c_str(), token.c_str(), resources.c_str(), false,
+                   false, false, false, nullptr, 0, &log_, log, nullptr);
     } else {
       model_.emplace(library_);
       decltype(fmi3InstantiateModelExchange)* make;
       library_.find(make, "fmi3InstantiateModelExchange");
-      unit_ = make(name.c_str(), token.c_str(), resources.c_str(), false, false, &log_, log);
+      unit_ = call("fmi3InstantiateModelExchange", make, name.c_str(), token.c_str(), resources.c_str(),
+                   false, false, &log_, log);
     }
     if (!unit_)
       throw UnitError("its binary refuses to be instantiated" + (log_.empty() ? "" : ": " + log_.text()));
   }
   ~Third() override {
-    if (started_ && !failed_) f_.terminate(unit_);
-    f_.free_instance(unit_);
+    if (started_ && !failed()) call("fmi3Terminate", f_.terminate, unit_);
+    call("fmi3FreeInstance", f_.free_instance, unit_);
   }
 
   bool set_up(double start) override {
-    return check(f_.enter_initialization(unit_, false, 0.0, start, false, 0.0), "fmi3EnterInitializationMode");
+    return done("fmi3EnterInitializationMode", f_.enter_initialization, unit_, false, 0.0, start, false, 0.0);
   }
   bool initialize() override {
-    return started_ = check(f_.exit_initialization(unit_), "fmi3ExitInitializationMode");
+    return started_ = done("fmi3ExitInitializationMode", f_.exit_initialization, unit_);
   }
   bool get(Type type, const std::uint32_t* references, std::size_t count, void* values,
            std::size_t numbers) override {
     const std::size_t place = place_of(type);
-    return check(value_types[place].get(values_.get[place], unit_, references, count, values, numbers),
-                 "a fmi3Get function");
+    return done("a fmi3Get function", value_types[place].get, values_.get[place], unit_, references, count,
+                values, numbers);
   }
   bool set(Type type, const std::uint32_t* references, std::size_t count, const void* values,
            std::size_t numbers) override {
     const std::size_t place = place_of(type);
-    return check(value_types[place].set(values_.set[place], unit_, references, count, values, numbers),
-                 "a fmi3Set function");
+    return done("a fmi3Set function", value_types[place].set, values_.set[place], unit_, references, count,
+                values, numbers);
   }
 
-  bool set_time(double time) override { return check(model_->set_time(unit_, time), "fmi3SetTime"); }
+  bool set_time(double time) override { return done("fmi3SetTime", model_->set_time, unit_, time); }
   bool set_states(const double* states, std::size_t count) override {
-    return check(model_->set_states(unit_, states, count), "fmi3SetContinuousStates");
+    return done("fmi3SetContinuousStates", model_->set_states, unit_, states, count);
   }
   bool get_states(double* states, std::size_t count) override {
-    return check(model_->get_states(unit_, states, count), "fmi3GetContinuousStates");
+    return done("fmi3GetContinuousStates", model_->get_states, unit_, states, count);
   }
   bool get_slopes(double* slopes, std::size_t count) override {
-    return check(model_->get_slopes(unit_, slopes, count), "fmi3GetContinuousStateDerivatives");
+    return done("fmi3GetContinuousStateDerivatives", model_->get_slopes, unit_, slopes, count);
   }
   bool get_indicators(double* indicators, std::size_t count) override {
-    return check(model_->get_indicators(unit_, indicators, count), "fmi3GetEventIndicators");
+    return done("fmi3GetEventIndicators", model_->get_indicators, unit_, indicators, count);
   }
   bool complete_step(StepInfo& info) override {
-    return check(model_->complete_step(unit_, true, &info.enters_event, &info.terminates),
-                 "fmi3CompletedIntegratorStep");
+    return done("fmi3CompletedIntegratorStep", model_->complete_step, unit_, true, &info.enters_event,
+                &info.terminates);
   }
-  bool enter_event() override { return check(model_->enter_event(unit_), "fmi3EnterEventMode"); }
+  bool enter_event() override { return done("fmi3EnterEventMode", model_->enter_event, unit_); }
   bool update(EventInfo& info) override {
     bool nominals = false;
-    return check(model_->update(unit_, &info.again, &info.terminates, &nominals, &info.states_changed,
-                                &info.has_next, &info.next),
-                 "fmi3UpdateDiscreteStates");
+    return done("fmi3UpdateDiscreteStates", model_->update, unit_, &info.again, &info.terminates, &nominals,
+                &info.states_changed, &info.has_next, &info.next);
   }
-  bool leave_event() override { return check(model_->leave_event(unit_), "fmi3EnterContinuousTimeMode"); }
+  bool leave_event() override { return done("fmi3EnterContinuousTimeMode", model_->leave_event, unit_); }
 
   bool step(double time, double length, StepInfo& info) override {
     bool early = false;
-    double last = time + length;
-    return check(step_(unit_, time, length, false, &info.enters_event, &info.terminates, &early, &last),
-                 "fmi3DoStep") &&
-           (!early || info.terminates || check(fmi3Discard, "fmi3DoStep, which returned early,"));
+    info.reached = time + length;
+    return done("fmi3DoStep", step_, unit_, time, length, false, &info.enters_event, &info.terminates, &early,
+                &info.reached) &&
+           (!early || info.terminates || accept("fmi3DoStep, which returned early,", fmi3Discard));
   }
 
   std::size_t state_size() override {
     fmi3FMUState state = nullptr;
     std::size_t size = 0;
-    const bool done = check(f_.get_state(unit_, &state), "fmi3GetFMUState") &&
-                      check(f_.state_size(unit_, state, &size), "fmi3SerializedFMUStateSize");
-    if (state) f_.free_state(unit_, &state);
-    return done ? size : 0;
+    const bool whole = done("fmi3GetFMUState", f_.get_state, unit_, &state) &&
+                       done("fmi3SerializedFMUStateSize", f_.state_size, unit_, state, &size);
+    if (state) call("fmi3FreeFMUState", f_.free_state, unit_, &state);
+    return whole ? size : 0;
   }
   bool save(char* bytes, std::size_t count) override {
     fmi3FMUState state = nullptr;
-    const bool done = check(f_.get_state(unit_, &state), "fmi3GetFMUState") &&
-                      check(f_.serialize(unit_, state, reinterpret_cast<fmi3Byte*>(bytes), count),
-                            "fmi3SerializeFMUState");
-    if (state) f_.free_state(unit_, &state);
-    return done;
+    const bool whole =
+        done("fmi3GetFMUState", f_.get_state, unit_, &state) &&
+        done("fmi3SerializeFMUState", f_.serialize, unit_, state, reinterpret_cast<fmi3Byte*>(bytes), count);
+    if (state) call("fmi3FreeFMUState", f_.free_state, unit_, &state);
+    return whole;
   }
   bool load(const char* bytes, std::size_t count) override {
     fmi3FMUState state = nullptr;
-    const bool done =
-        check(f_.deserialize(unit_, reinterpret_cast<const fmi3Byte*>(bytes), count, &state),
-              "fmi3DeserializeFMUState") &&
-        check(f_.set_state(unit_, state), "fmi3SetFMUState");
-    if (state) f_.free_state(unit_, &state);
-    return done;
-  }
-
-  std::string message() const override {
-    return log_.empty() ? std::string(call_) + " failed, and the unit gives no reason" : log_.text();
+    const bool whole = done("fmi3DeserializeFMUState", f_.deserialize, unit_,
+                            reinterpret_cast<const fmi3Byte*>(bytes), count, &state) &&
+                       done("fmi3SetFMUState", f_.set_state, unit_, state);
+    if (state) call("fmi3FreeFMUState", f_.free_state, unit_, &state);
+    return whole;
   }
 
  private:
-  bool check(fmi3Status status, const char* call) {
-    if (status < ends_at) return true;
-    failed_ = true;
-    call_ = call;
-    return false;
-  }
-
-  LogText log_;
   Library library_;
   Functions f_;
   ValueFunctions values_;
   std::optional<ModelFunctions> model_;
   decltype(fmi3DoStep)* step_ = nullptr;
   fmi3Instance unit_ = nullptr;
-  bool started_ = false, failed_ = false;
-  const char* call_ = "";
+  bool started_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<Calls> instance_of_3(const Package& package, Mode mode, const std::string& name) {
-  return std::make_unique<Third>(package, mode, name);
+std::unique_ptr<Calls> instance_of_3(const Package& package, Mode mode, const std::string& name,
+                                     CallNote& note) {
+  return std::make_unique<Third>(package, mode, name, note);
 }
 
 }  // namespace stepwire::fmi

@@ -4,11 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/base/fmi/foreign_call.hpp"
 #include "engine/base/fmi/package.hpp"
 
 namespace stepwire::fmi {
 
-/// What a running unit is called for.
+/// Tasks of a running unit. Behind start, act and step it saves its state, where that has room.
 enum class Operation : std::uint32_t {
   start,      ///< makes an instance, sets its parameters, and initializes it
   outputs,    ///< y at time, x, u
@@ -16,8 +17,7 @@ enum class Operation : std::uint32_t {
   crossings,  ///< z at time, x, u
   act,        ///< its discrete part at time, x, u: changes x where `changed` is set
   step,       ///< from time by length with u, then y
-  save,       ///< its state into kept
-  load,       ///< and back
+  load,       ///< restores the state that it has saved into kept
   quit
 };
 
@@ -34,12 +34,13 @@ struct Exchange {
   // Between two processes: whose turn it is. Odd: the unit's.
   std::atomic<std::uint32_t> turn{0};
   std::atomic<std::uint32_t> sleepers{0};
+  CallNote call{};
   Operation operation = Operation::quit;
   std::uint32_t ok = 1, changed = 0;
   std::uint32_t ended = 0;  ///< 1: the unit ends the run where it stands now; 2: it did so before this step
   double time = 0.0, length = 0.0;
-  double next = 0.0;  ///< time of the next event [s], infinity where there is none
-  std::size_t state_bytes = 0;  ///< after `start`: what the unit's state takes, 0 where it cannot be saved
+  double next = 0.0;             ///< time of the next event [s], infinity where there is none
+  std::size_t state_bytes = 0;   ///< after `start`: what the unit's state takes, 0 where it cannot be saved
   std::size_t kept_numbers = 0;  ///< the same in numbers, with what is remembered of events
   Counts counts;
   char message[400] = "";

@@ -2,32 +2,39 @@
 
 #include <fmt/format.h>
 #include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
 #include <new>
 
 #include "engine/base/fmi/turns.hpp"
 #include "engine/base/fmi/unit_error.hpp"
+#include "engine/base/subprocess/process.hpp"
 
 namespace stepwire::fmi {
 
 namespace {
 
 constexpr std::uint32_t ours = 0, of_unit = 1;
-constexpr int patience = 50;  // waits of 20 ms for a process that is to end
+constexpr int patience = 50;  // waits for a process that is to end, or whose call was interrupted
+constexpr std::chrono::milliseconds wait{20};  // of await_turn(), at most
+
+/// Waits after which a call has taken too long; waits are counted, since a clock runs on while both processes
+/// are stopped.
+long waits_of_limit() {
+  return static_cast<long>(subprocess::usual_limit() / wait) + 1;
+}
 
 }  // namespace
 
 Isolated::Isolated(const Setup& setup, const Counts& counts)
-    : setup_(setup), bytes_(Exchange::bytes(counts)) {
+    : setup_(setup), bytes_(Exchange::bytes(counts)), limit_(waits_of_limit()) {
   void* memory = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw UnitError("the system gives no memory to share with its process");
   exchange_ = new (memory) Exchange;
   exchange_->counts = counts;
-  const pid_t parent = getpid();
-  process_.emplace([this, parent] { live(parent); }, std::vector<int>{});
+  process_.emplace([this] { live(); }, std::vector<int>{});
   if (process_->started()) return;
   munmap(memory, bytes_);
   throw UnitError("the system gives no process for it");
@@ -51,11 +58,11 @@ void Isolated::quit() {
     process_->end();
 }
 
-/// What the process does, until it is to end or the one that made it has.
-void Isolated::live(pid_t parent) {
+/// The work of the process, until it is to end. It ends with the one that made it.
+void Isolated::live() {
   {
     Model model(setup_, *exchange_);
-    while (getppid() == parent) {
+    while (true) {
       if (!await_turn(exchange_->turn, exchange_->sleepers, of_unit)) continue;
       if (exchange_->operation == Operation::quit) break;
       model.run();
@@ -67,12 +74,29 @@ void Isolated::live(pid_t parent) {
 
 bool Isolated::run(Operation operation) {
   exchange_->operation = operation;
-  bool ended = process_->ended();
-  if (!ended) pass_turn(exchange_->turn, exchange_->sleepers, of_unit);
-  while (!ended && !await_turn(exchange_->turn, exchange_->sleepers, ours)) ended = process_->has_ended();
-  if (!ended) return exchange_->ok != 0;
+  if (process_->ended()) return fail(process_->ending());
+  pass_turn(exchange_->turn, exchange_->sleepers, of_unit);
+  long interrupted = 0;
+  for (long waits = 0; !await_turn(exchange_->turn, exchange_->sleepers, ours); ++waits) {
+    if (process_->has_ended()) return fail(process_->ending());
+    interrupted = subprocess::processes_stop() ? interrupted + 1 : 0;
+    if (interrupted > patience) return end("was ended by an interruption");
+    if (waits > limit_)
+      return end("does not come to an end and was ended; STEPWIRE_HELPER_LIMIT allows more seconds");
+  }
+  return exchange_->ok != 0;
+}
+
+bool Isolated::end(const char* why) {
+  process_->end();
+  return fail(why);
+}
+
+bool Isolated::fail(const std::string& why) {
   exchange_->ok = 0;
-  const std::string text = fmt::format("its process {}", process_->ending());
+  const bool known = exchange_->call.under_way();
+  const std::string text =
+      fmt::format("its process {}{}", known ? "in " + exchange_->call.text() + " " : "", why);
   std::memcpy(exchange_->message, text.c_str(), std::min(text.size() + 1, sizeof exchange_->message));
   return false;
 }

@@ -7,7 +7,9 @@
 
 namespace stepwire::fmi {
 
-/// A unit in a process of its own. Both processes have the exchange in shared memory, and take turns.
+/// A unit in a process of its own. Both processes have the exchange in shared memory, and take turns. An
+/// operation that takes longer than a helper may, or lasts for a second behind an interruption, ends that
+/// process.
 class Isolated : public Runner {
  public:
   Isolated(const Setup& setup, const Counts& counts);
@@ -18,11 +20,15 @@ class Isolated : public Runner {
   bool run(Operation operation) override;
 
  private:
-  void live(pid_t parent);
+  void live();
   void quit();
+  /// Ends the process; the operation fails.
+  bool end(const char* why);
+  bool fail(const std::string& why);
 
   Setup setup_;
   std::size_t bytes_;
+  long limit_;  ///< waits for an operation
   std::optional<subprocess::Fork> process_;
 };
 

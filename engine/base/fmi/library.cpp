@@ -5,11 +5,22 @@
 
 namespace stepwire::fmi {
 
-Library::Library(const std::string& file) : handle_(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+namespace {
+
+// Code made with -ffast-math sets flush-to-zero as it is loaded.
+void* load(const std::string& file, CallNote& note) {
+  const ForeignCall call(note, "the loading of its binary");
+  return dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+}
+
+}  // namespace
+
+Library::Library(const std::string& file, CallNote& note) : note_(note), handle_(load(file, note)) {
   if (!handle_) throw UnitError(fmt::format("its binary cannot be loaded: {}", dlerror()));
 }
 
 Library::~Library() {
+  const ForeignCall call(note_, "the unloading of its binary");
   dlclose(handle_);
 }
 

@@ -2,15 +2,16 @@
 
 #include <string>
 
+#include "engine/base/fmi/foreign_call.hpp"
 #include "engine/base/fmi/unit_error.hpp"
 
 namespace stepwire::fmi {
 
-/// A binary that is loaded.
+/// A binary that is loaded; to load and to unload it calls foreign code.
 class Library {
  public:
   /// Throws UnitError with the linker's reason.
-  explicit Library(const std::string& file);
+  Library(const std::string& file, CallNote& note);
   ~Library();
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
@@ -24,6 +25,7 @@ class Library {
  private:
   void* address(const char* name) const;
 
+  CallNote& note_;
   void* handle_;
 };
 

@@ -1,4 +1,5 @@
-// More than 300 lines with its header: what a unit is called for, in the order in which it may be called, is one table.
+// More than 300 lines with its header: what a unit is called for, in the order in which it may be called, is
+// one table.
 #include "engine/base/fmi/model.hpp"
 
 #include <fmt/format.h>
@@ -16,6 +17,12 @@ namespace {
 
 constexpr int most_iterations = 100;
 constexpr double never = std::numeric_limits<double>::infinity();
+constexpr std::size_t most_state_bytes = std::size_t{256} << 20;
+
+/// By how much times may differ that a unit has added up in its own way.
+double tolerance_at(double time) {
+  return 1e-9 * std::max(1.0, std::abs(time));
+}
 
 std::vector<std::size_t> discrete_numbers(const Description& description) {
   std::vector<std::size_t> places;
@@ -69,10 +76,11 @@ void Model::enter() {
   if (setup_.package->instances()++ > 0 && only_once) {
     --setup_.package->instances();
     throw UnitError(
-        "a process may have but one instance of the unit, and has one; with isolate: true each has a process");
+        "a process may have but one instance of the unit, and has one; with isolate: true each has a "
+        "process");
   }
   try {
-    calls_ = instantiate(*setup_.package, setup_.mode, setup_.name);
+    calls_ = instantiate(*setup_.package, setup_.mode, setup_.name, exchange_.call);
   } catch (...) {
     --setup_.package->instances();
     throw;
@@ -95,6 +103,8 @@ void Model::run() {
       fail(calls_->message());
   } catch (const std::exception& error) {
     fail(error.what());
+  } catch (...) {
+    fail(exchange_.call.text() + " threw an exception");
   }
 }
 
@@ -105,8 +115,12 @@ void Model::start() {
     return fail(calls_->message());
   const Interface& about = interface_of(setup_.package->description(), setup_.mode);
   exchange_.state_bytes = about.keeps_state ? calls_->state_size() : 0;
+  if (exchange_.state_bytes > most_state_bytes)
+    throw UnitError(fmt::format("its state has {} bytes, and at most {} can be saved", exchange_.state_bytes,
+                                most_state_bytes));
   exchange_.kept_numbers =
       exchange_.state_bytes == 0 ? 0 : (exchange_.state_bytes + 7) / 8 + 1 + signs_.size() + last_.size();
+  if (!save()) fail(calls_->message());
 }
 
 bool Model::assign() {
@@ -117,6 +131,7 @@ bool Model::assign() {
 
 bool Model::begin() {
   exchange_.next = never;
+  reached_ = -never;
   exchange_.changed = exchange_.ended = 0;
   if (!inputs_.get(*calls_, exchange_.inputs())) return false;
   for (std::size_t i = 0; i < discrete_.size(); ++i) last_[i] = exchange_.inputs()[discrete_[i]];
@@ -131,21 +146,38 @@ bool Model::iterate_events() {
   EventInfo info{.again = true};
   for (int i = 0; info.again; ++i) {
     info = {};
-    if (i == most_iterations) {
-      fail("its events do not come to an end");
-      return true;
-    }
+    if (i == most_iterations) throw UnitError("its events do not come to an end");
     if (!calls_->update(info)) return false;
     exchange_.changed |= info.states_changed ? 1u : 0u;
     exchange_.ended |= info.terminates ? 1u : 0u;
     if (info.terminates) return true;
   }
+  require_next(info);
   exchange_.next = info.has_next ? info.next : never;
   if (!calls_->leave_event()) return false;
   if (exchange_.counts.indicators == 0) return true;
-  if (!calls_->get_indicators(exchange_.indicators(), exchange_.counts.indicators)) return false;
+  if (!read_indicators()) return false;
   for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = exchange_.indicators()[i] > 0.0;
   return true;
+}
+
+void Model::require_next(const EventInfo& info) const {
+  if (!info.has_next ||
+      (std::isfinite(info.next) && info.next >= exchange_.time - tolerance_at(exchange_.time)))
+    return;
+  throw UnitError(
+      fmt::format("it returned {} s as the time of its next event, at {} s; that must be a later time",
+                  info.next, exchange_.time));
+}
+
+bool Model::read_indicators() {
+  const double* first = exchange_.indicators();
+  if (!calls_->get_indicators(exchange_.indicators(), signs_.size())) return false;
+  const double* wrong =
+      std::find_if_not(first, first + signs_.size(), [](double z) { return std::isfinite(z); });
+  if (wrong == first + signs_.size()) return true;
+  throw UnitError(fmt::format("its event indicator {} is {} at {} s; it must be a finite number",
+                              wrong - first + 1, *wrong, exchange_.time));
 }
 
 bool Model::move_to(double time) {
@@ -161,8 +193,9 @@ bool Model::act() {
   if (info.terminates) exchange_.ended = 1;
   bool due = info.enters_event || exchange_.time >= exchange_.next - 1e-9 * std::abs(exchange_.next);
   if (!signs_.empty()) {
-    if (!calls_->get_indicators(exchange_.indicators(), signs_.size())) return false;
-    for (std::size_t i = 0; i < signs_.size(); ++i) due |= (exchange_.indicators()[i] > 0.0) != bool(signs_[i]);
+    if (!read_indicators()) return false;
+    for (std::size_t i = 0; i < signs_.size(); ++i)
+      due |= (exchange_.indicators()[i] > 0.0) != bool(signs_[i]);
   }
   for (std::size_t i = 0; i < discrete_.size(); ++i) {
     const double now = exchange_.inputs()[discrete_[i]];
@@ -179,12 +212,29 @@ bool Model::step() {
   StepInfo info;
   if (!inputs_.set(*calls_, exchange_.inputs())) return false;
   if (!calls_->step(exchange_.time, exchange_.length, info)) return false;
+  require_reached(info.reached);
   if (info.terminates) exchange_.ended = info.made ? 1 : 2;
   return outputs_.get(*calls_, exchange_.outputs());
 }
 
+/// A unit with steps of its own may stop short of the end, but it neither passes it nor returns.
+void Model::require_reached(double reached) {
+  const double end = exchange_.time + exchange_.length, tolerance = tolerance_at(end);
+  const bool fits = std::isfinite(reached) && reached >= reached_ - tolerance && reached <= end + tolerance;
+  if (!fits)
+    throw UnitError(
+        fmt::format("it returned {} s as its last successful time, in the step from {} s to {} s; that must "
+                    "be a time up to there, "
+                    "and no earlier than before",
+                    reached, exchange_.time, end));
+  reached_ = reached;
+}
+
 // Behind the bytes of the unit stands what is remembered of its events.
 bool Model::save() {
+  if (exchange_.counts.kept == 0 || exchange_.state_bytes == 0) return true;
+  if (exchange_.kept_numbers > exchange_.counts.kept)
+    throw UnitError("its state takes more bytes than that of the instance before");
   double* behind = exchange_.kept() + (exchange_.state_bytes + 7) / 8;
   if (!calls_->save(reinterpret_cast<char*>(exchange_.kept()), exchange_.state_bytes)) return false;
   *behind++ = exchange_.next;
@@ -196,6 +246,7 @@ bool Model::save() {
 bool Model::load() {
   const double* behind = exchange_.kept() + (exchange_.state_bytes + 7) / 8;
   exchange_.ended = 0;
+  reached_ = -never;
   exchange_.next = *behind++;
   for (char& sign : signs_) sign = *behind++ != 0.0;
   for (double& number : last_) number = *behind++;
@@ -204,17 +255,20 @@ bool Model::load() {
 
 bool Model::perform() {
   switch (exchange_.operation) {
-    case Operation::outputs: return move_to(exchange_.time) && outputs_.get(*calls_, exchange_.outputs());
+    case Operation::outputs:
+      return move_to(exchange_.time) && outputs_.get(*calls_, exchange_.outputs());
     case Operation::slopes:
       return move_to(exchange_.time) && calls_->get_slopes(exchange_.slopes(), exchange_.counts.states);
     case Operation::crossings:
-      return move_to(exchange_.time) &&
-             (signs_.empty() || calls_->get_indicators(exchange_.indicators(), signs_.size()));
-    case Operation::act: return act();
-    case Operation::step: return step();
-    case Operation::save: return save();
-    case Operation::load: return load();
-    default: return true;
+      return move_to(exchange_.time) && (signs_.empty() || read_indicators());
+    case Operation::act:
+      return act() && save();
+    case Operation::step:
+      return step() && save();
+    case Operation::load:
+      return load();
+    default:
+      return true;
   }
 }
 

@@ -19,7 +19,7 @@ struct Assignment {
 struct Setup {
   std::shared_ptr<const Package> package;
   Mode mode = Mode::co_simulation;
-  std::string name;  ///< of the instance
+  std::string name;  ///< of the instance, for messages: that of the block
   std::vector<Assignment> assignments{};
 };
 
@@ -47,6 +47,10 @@ class Model {
   bool assign();
   bool begin();
   bool iterate_events();
+  /// Throw UnitError for times and indicators that no unit may have.
+  void require_next(const EventInfo& info) const;
+  void require_reached(double reached);
+  bool read_indicators();
   bool move_to(double time);
   bool act();
   bool step();
@@ -60,7 +64,8 @@ class Model {
   ValueGroups inputs_, continuous_inputs_, outputs_;
   std::vector<double> last_;  ///< numbers of discrete inputs at the last event
   std::vector<std::size_t> discrete_;
-  std::vector<char> signs_;   ///< of the indicators, after the last event
+  double reached_ = 0.0;     ///< last successful time of the steps up to now [s]
+  std::vector<char> signs_;  ///< of the indicators, after the last event
 };
 
 }  // namespace stepwire::fmi

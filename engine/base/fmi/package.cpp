@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <map>
 #include <mutex>
 #include <set>
@@ -24,12 +23,6 @@ std::string platforms_of(const Archive& archive) {
     if (name.starts_with("binaries/") && end != name.npos) found.insert(name.substr(9, end - 9));
   }
   return found.empty() ? "no binaries at all" : fmt::format("binaries for {}", fmt::join(found, ", "));
-}
-
-fs::path new_folder() {
-  std::string pattern = (fs::temp_directory_path() / "stepwire-unit-XXXXXX").string();
-  if (!mkdtemp(pattern.data())) throw UnitError("cannot be unpacked: there is no folder for it in " + pattern);
-  return pattern;
 }
 
 /// Says which file a sentence is about.
@@ -64,20 +57,18 @@ Package::Package(const std::string& path) : path_(path) {
     if (!archive.contains("modelDescription.xml"))
       throw UnitError("it has no modelDescription.xml; a unit of FMI 2 or 3 has one at its root");
     description_ = read_description(archive.read("modelDescription.xml"));
-    folder_ = new_folder();
+    if (folder_.path().empty())
+      throw UnitError("cannot be unpacked: no folder can be made for it; TMPDIR names where");
     for (const Interface* one : {&description_.co_simulation, &description_.model_exchange})
       if (!one->identifier.empty()) unpack_binaries(archive, *one);
-    archive.unpack("resources/", folder_);
+    archive.unpack("resources/", folder());
   } catch (const UnitError& error) {
-    std::error_code none;
-    if (!folder_.empty()) fs::remove_all(folder_, none);
     refuse(path, error);
   }
 }
 
-Package::~Package() {
-  std::error_code none;
-  fs::remove_all(folder_, none);
+fs::path Package::folder() const {
+  return folder_.path();
 }
 
 void Package::unpack_binaries(const Archive& archive, const Interface& of) {
@@ -85,19 +76,19 @@ void Package::unpack_binaries(const Archive& archive, const Interface& of) {
   if (!archive.contains(fmt::format("{}{}.so", here, of.identifier)))
     throw UnitError(fmt::format("it has {}, and none for this platform: {}{}.so is missing",
                                 platforms_of(archive), here, of.identifier));
-  archive.unpack(here, folder_);
+  archive.unpack(here, folder());
 }
 
 std::string Package::binary(const Interface& of) const {
-  return (folder_ / binary_folder(description_.version) / (of.identifier + ".so")).string();
+  return (folder() / binary_folder(description_.version) / (of.identifier + ".so")).string();
 }
 
 std::string Package::resources() const {
-  return (folder_ / "resources").string() + "/";
+  return (folder() / "resources").string() + "/";
 }
 
 std::string Package::resources_uri() const {
-  return "file://" + (folder_ / "resources").string();
+  return "file://" + (folder() / "resources").string();
 }
 
 std::shared_ptr<const Package> open_package(const std::string& path) {

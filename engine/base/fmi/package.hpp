@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/base/fmi/description.hpp"
+#include "engine/base/subprocess/scratch_folder.hpp"
 
 namespace stepwire::fmi {
 
@@ -17,7 +18,6 @@ class Package {
  public:
   /// Throws UnitError: no archive, no modelDescription.xml, another version, no binary for this platform.
   explicit Package(const std::string& path);
-  ~Package();
   Package(const Package&) = delete;
   Package& operator=(const Package&) = delete;
 
@@ -32,11 +32,12 @@ class Package {
   std::string binary(const Interface& of) const;
 
  private:
+  std::filesystem::path folder() const;
   void unpack_binaries(const class Archive& archive, const Interface& of);
 
   std::string path_;
   Description description_;
-  std::filesystem::path folder_;
+  subprocess::ScratchFolder folder_;
   mutable std::atomic<int> instances_{0};
 };
 

@@ -23,11 +23,11 @@ const std::map<std::string, Type>& types(int version) {
                                                {"Boolean", Type::wide_boolean},
                                                {"String", Type::other}};
   static const std::map<std::string, Type> three{
-      {"Float64", Type::float64}, {"Float32", Type::float32}, {"Int8", Type::int8},
-      {"UInt8", Type::uint8},     {"Int16", Type::int16},     {"UInt16", Type::uint16},
-      {"Int32", Type::int32},     {"UInt32", Type::uint32},   {"Int64", Type::int64},
+      {"Float64", Type::float64}, {"Float32", Type::float32},   {"Int8", Type::int8},
+      {"UInt8", Type::uint8},     {"Int16", Type::int16},       {"UInt16", Type::uint16},
+      {"Int32", Type::int32},     {"UInt32", Type::uint32},     {"Int64", Type::int64},
       {"UInt64", Type::uint64},   {"Enumeration", Type::int64}, {"Boolean", Type::boolean},
-      {"String", Type::other},    {"Binary", Type::other},    {"Clock", Type::other}};
+      {"String", Type::other},    {"Binary", Type::other},      {"Clock", Type::other}};
   return version == 2 ? two : three;
 }
 
@@ -79,6 +79,8 @@ Causality causality_of(const std::string& word) {
   const auto found = words.find(word);
   return found == words.end() ? Causality::local : found->second;
 }
+
+constexpr std::size_t most_numbers = 10'000'000;
 
 /// Reads the variables one after the other.
 class Reader {
@@ -157,7 +159,8 @@ class Reader {
   void take_sizes() {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       for (const pugi::xml_node& dimension : nodes_[i].children("Dimension"))
-        into_.variables[i].size *= dimension_of(dimension);
+        into_.variables[i].size =
+            std::min(into_.variables[i].size, most_numbers + 1) * dimension_of(dimension);
   }
   std::size_t dimension_of(const pugi::xml_node& dimension) const {
     if (const auto start = dimension.attribute("start")) return start.as_uint();
@@ -177,6 +180,17 @@ class Reader {
       if (!state) throw UnitError(fmt::format("its state {} is no variable", reference));
       into_.state_count += state->size;
     }
+    require_few();
+  }
+
+  /// Numbers that a text of some bytes can announce, and no memory has.
+  void require_few() const {
+    std::size_t most = std::max(into_.state_count, into_.indicator_count);
+    for (const Variable& variable : into_.variables) most = std::max(most, variable.size);
+    if (most > most_numbers)
+      throw UnitError(
+          fmt::format("a variable, its states or its event indicators have {} numbers, and may have {}", most,
+                      most_numbers));
   }
 
   void read_third(const pugi::xml_node& structure) {

@@ -1,7 +1,11 @@
 #include "engine/base/fmi/runner.hpp"
 
-#include <new>
+#include <fmt/format.h>
 
+#include <new>
+#include <optional>
+
+#include "engine/base/fmi/call_watch.hpp"
 #include "engine/base/fmi/isolated.hpp"
 
 namespace stepwire::fmi {
@@ -15,6 +19,7 @@ class Inside : public Runner {
       : setup_(setup), memory_(new (std::align_val_t(alignof(Exchange))) char[Exchange::bytes(counts)]()) {
     exchange_ = new (memory_.get()) Exchange;
     exchange_->counts = counts;
+    watch_.emplace(exchange_->call, fmt::format("{}: the unit {}", setup.name, setup.package->path()));
     model_ = std::make_unique<Model>(setup_, *exchange_);
   }
 
@@ -30,6 +35,7 @@ class Inside : public Runner {
   };
   Setup setup_;
   std::unique_ptr<char[], Free> memory_;
+  std::optional<CallWatch> watch_;
   std::unique_ptr<Model> model_;
 };
 

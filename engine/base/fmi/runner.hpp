@@ -21,8 +21,9 @@ class Runner {
 };
 
 /// `kept` is how many numbers its state takes. A unit that is isolated runs in a process of its own: what
-/// ends that one is a failure of the operation, and it ends with this one. Throws UnitError where the system
-/// gives no process.
+/// ends that one is a failure of the operation, and it ends with this one. A call of another unit that exits
+/// or hangs ends this process with a sentence (CallWatch). Throws UnitError where the system gives no
+/// process.
 std::unique_ptr<Runner> make_runner(const Setup& setup, bool isolated, std::size_t kept = 0);
 
 }  // namespace stepwire::fmi

@@ -10,7 +10,9 @@ namespace stepwire::fmi {
 
 namespace {
 
-constexpr int looks = 4000;  // about 10 to 40 us: as long as waking a process takes
+// 5 us and less: as long as waking a process takes. Where all processors are busy, the other process begins
+// when this one sleeps.
+constexpr int looks = 150;
 
 void rest() {
 #if defined(__x86_64__)

@@ -44,17 +44,17 @@ std::vector<std::string> environment_with(const std::string& scratch) {
   return result;
 }
 
-/// A group of its own, and signals as a new program finds them, whatever this one does with them.
+/// A group, 0 for one of its own, and signals as a new program finds them, whatever this one does with them.
 class Attributes {
  public:
-  Attributes() {
+  explicit Attributes(pid_t group) {
     posix_spawnattr_init(&value);
     sigset_t none, all;
     sigemptyset(&none);
     sigfillset(&all);
     posix_spawnattr_setsigmask(&value, &none);
     posix_spawnattr_setsigdefault(&value, &all);
-    posix_spawnattr_setpgroup(&value, 0);
+    posix_spawnattr_setpgroup(&value, group);
     posix_spawnattr_setflags(&value, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   }
   ~Attributes() { posix_spawnattr_destroy(&value); }
@@ -64,12 +64,14 @@ class Attributes {
   posix_spawnattr_t value;
 };
 
-pid_t spawn(std::vector<std::string> command, const std::string& scratch, const std::array<int, 3>& streams) {
+/// A program in a group; -1 where it cannot be run.
+pid_t spawn(std::vector<std::string> command, const std::string& scratch, const std::array<int, 3>& streams,
+            pid_t group) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   for (int stream = 0; stream < 3; ++stream)
     posix_spawn_file_actions_adddup2(&actions, streams[static_cast<std::size_t>(stream)], stream);
-  const Attributes attributes;
+  const Attributes attributes(group);
   std::vector<std::string> variables = environment_with(scratch);
   pid_t id = -1;
   const int status = ::posix_spawnp(&id, command.front().c_str(), &actions, &attributes.value,
@@ -78,17 +80,39 @@ pid_t spawn(std::vector<std::string> command, const std::string& scratch, const 
   return status == 0 ? id : -1;
 }
 
+/// The guard of a group waits for the end of a connection. SIGTERM comes first, since SIGKILL ends the guard,
+/// too.
+constexpr const char* guard_script =
+    "read -r _ || { trap '' TERM; kill -TERM 0; rm -rf -- \"$1\"; kill -KILL 0; }";
+
+pid_t spawn_guard(const std::string& scratch, int life) {
+  const io::Descriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
+  return spawn({"/bin/sh", "-c", guard_script, "sh", scratch}, "", {life, nothing.number(), nothing.number()},
+               0);
+}
+
+void await(pid_t id, int& status) {
+  while (::waitpid(id, &status, 0) < 0 && errno == EINTR) {
+  }
+}
+
 }  // namespace
 
 Child::Child(const std::vector<std::string>& command, const std::string& scratch) {
-  auto in = connection(), out = connection(), err = connection();
-  if (!in[1].open() || !out[1].open() || !err[1].open()) return;
+  auto in = connection(), out = connection(), err = connection(), life = connection();
+  if (!in[1].open() || !out[1].open() || !err[1].open() || !life[1].open()) return;
   {
     const io::GroupBeginning beginning;
-    id_ = spawn(command, scratch, {in[1].number(), out[1].number(), err[1].number()});
-    if (!alive()) return;
-    io::note_group(id_);
+    guard_ = spawn_guard(scratch, life[1].number());
+    if (guard_ < 0) return;
+    io::note_group(guard_);
+    id_ = spawn(command, scratch, {in[1].number(), out[1].number(), err[1].number()}, guard_);
   }
+  if (!alive()) {
+    end_group();
+    return;
+  }
+  life_ = std::move(life[0]);
   input = std::move(in[0]);
   output = std::move(out[0]);
   errors = std::move(err[0]);
@@ -103,13 +127,19 @@ bool Child::ended() const {
   return ::waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid != 0;
 }
 
+void Child::end_group() {
+  ::kill(-guard_, SIGKILL);
+  io::forget_group(guard_);  // before another process may get its number
+  int status = 0;
+  await(guard_, status);
+}
+
 int Child::end() {
   if (!alive()) return 0;
-  ::kill(-id_, SIGKILL);
-  io::forget_group(id_);  // before another process may get its number
+  ::kill(-guard_, SIGKILL);  // before its status is taken, while the guard keeps the number of the group
   int status = 0;
-  while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
-  }
+  await(id_, status);
+  end_group();
   id_ = -1;
   return status;
 }

@@ -9,7 +9,9 @@
 
 namespace stepwire::subprocess {
 
-/// A program that runs in a process group of its own, with the ends of its three streams.
+/// A program that runs in a process group of its own, with the ends of its three streams. The group has a
+/// guard, a shell that ends the group and removes the folder for temporary files where this process ends
+/// first, in whatever way.
 class Child {
  public:
   /// Begins it; alive() is false where that fails.
@@ -28,7 +30,12 @@ class Child {
   io::Descriptor input, output, errors;
 
  private:
+  /// Sends a signal that ends the group, and waits for its guard.
+  void end_group();
+
   pid_t id_ = -1;
+  pid_t guard_ = -1;       ///< leads the group
+  io::Descriptor life_{};  ///< open as long as this process lives
 };
 
 }  // namespace stepwire::subprocess

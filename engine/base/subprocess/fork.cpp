@@ -1,10 +1,13 @@
 #include "engine/base/subprocess/fork.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -24,7 +27,19 @@ void close_all_but(std::vector<int> kept) {
   ::close_range(first, ~0u, 0);
 }
 
+/// Ends this process by a signal when the other one closes its end of a pipe, which its own end does as well.
+/// Unlike PR_SET_PDEATHSIG this follows the process, not the thread that has made this one.
+void end_with(int other) {
+  ::fcntl(other, F_SETOWN, ::getpid());
+  ::fcntl(other, F_SETSIG, SIGKILL);
+  ::fcntl(other, F_SETFL, O_ASYNC);
+  pollfd look{other, 0, 0};
+  if (::poll(&look, 1, 0) > 0) ::_exit(1);  // it has ended meanwhile
+}
+
 void leave_other_process(const std::vector<int>& kept) {
+  // Foreign code may exit: what the other process has registered for its own exit is not called.
+  ::on_exit([](int status, void*) { ::_exit(status); }, nullptr);
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGPIPE, SIGXFSZ})
     std::signal(signal, SIG_DFL);
   for (const int signal : {SIGINT, SIGHUP, SIGQUIT}) std::signal(signal, SIG_IGN);
@@ -33,9 +48,16 @@ void leave_other_process(const std::vector<int>& kept) {
 
 }  // namespace
 
-Fork::Fork(const std::function<void()>& work, std::vector<int> kept) : id_(::fork()) {
+Fork::Fork(const std::function<void()>& work, std::vector<int> kept) {
+  std::array<int, 2> ends{-1, -1};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;
+  io::Descriptor there(ends[0]);
+  life_ = io::Descriptor(ends[1]);
+  id_ = ::fork();
   if (id_ != 0) return;
+  kept.push_back(there.number());
   leave_other_process(kept);
+  end_with(there.number());
   work();
   ::_exit(0);
 }

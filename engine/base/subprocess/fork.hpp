@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/io/descriptor.hpp"
+
 namespace stepwire::subprocess {
 
 /// A copy of this process in which one function runs. Signals have their usual meaning in it, but the
-/// terminal does not interrupt it: whoever made it ends it. Of the files and sockets of this process it sees
-/// the three streams and those that are kept.
+/// terminal does not interrupt it: whoever made it ends it, also by ending itself in whatever way. Of the
+/// files and sockets of this process it sees the three streams and those that are kept.
 class Fork {
  public:
   Fork() = default;
@@ -38,6 +40,7 @@ class Fork {
 
  private:
   pid_t id_ = -1;
+  io::Descriptor life_{};  ///< open as long as the process of this object lives
   int status_ = 0;
   bool ended_ = false;
 };

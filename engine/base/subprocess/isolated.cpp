@@ -4,13 +4,11 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <fstream>
 #include <new>
 
@@ -47,9 +45,7 @@ void close_streams() {
 }
 
 /// In the process of its own.
-void work(const std::function<void(int)>& function, int output, std::size_t memory, pid_t parent) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) return;
+void work(const std::function<void(int)>& function, int output, std::size_t memory) {
   close_streams();
   bound(RLIMIT_CORE, 0);
   bound(RLIMIT_FSIZE, memory);
@@ -95,9 +91,7 @@ io::Descriptor call_isolated(const std::function<void(int output)>& function, co
   io::Descriptor output(::memfd_create("stepwire", MFD_CLOEXEC));
   if (!output.open()) throw IsolationError("gets no memory from the system");
   auto [here, there] = sign_of_life();
-  const pid_t parent = ::getpid();
-  Fork fork([&] { work(function, output.number(), bounds.memory, parent); },
-            {output.number(), there.number()});
+  Fork fork([&] { work(function, output.number(), bounds.memory); }, {output.number(), there.number()});
   if (!fork.started()) throw IsolationError("gets no process from the system");
   there.close();
   await_end(fork, here.number(), bounds.limit);

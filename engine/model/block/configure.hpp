@@ -40,8 +40,15 @@ struct Configuration {
 /// declaration left open.
 class Configure {
  public:
-  Configure(std::set<std::string> connected, double period, std::map<std::string, Eigen::Index> counts = {})
-      : connected_(std::move(connected)), period_(period), counts_(std::move(counts)) {}
+  Configure(std::set<std::string> connected, double period, std::map<std::string, Eigen::Index> counts = {},
+            std::string name = "")
+      : connected_(std::move(connected)),
+        period_(period),
+        counts_(std::move(counts)),
+        name_(std::move(name)) {}
+
+  /// The block's name in the diagram, "rig.wheel"; for messages alone.
+  const std::string& name() const { return name_; }
 
   /// Is this optional input fed?
   template <auto input>
@@ -104,6 +111,7 @@ class Configure {
   std::set<std::string> connected_;
   double period_;
   std::map<std::string, Eigen::Index> counts_;
+  std::string name_;
   Configuration answers_;
 };
 

@@ -52,11 +52,9 @@ class Declare {
   Declare() {
     type_.bytes = sizeof(Block);
     type_.alignment = alignof(Block);
-    type_.construct = [](void* memory) { ::new (memory) Block{}; };
-    type_.copy = [](void* memory, const void* block) {
-      ::new (memory) Block(*static_cast<const Block*>(block));
-    };
-    type_.destroy = [](void* block) { static_cast<Block*>(block)->~Block(); };
+    type_.construct = detail::construct<Block>;
+    type_.copy = detail::copy<Block>;
+    type_.destroy = [](void* block) { detail::Called<Block>(block)->~Block(); };
     find_phases();
   }
 
@@ -211,7 +209,7 @@ class Declare {
                                  [](void* block, double* first) { of<member>(block).bind(first); }});
     if constexpr (!std::is_null_pointer_v<decltype(detail)>)
       type_.diagnostics.back().detail = [](const void* block) {
-        return detail(*static_cast<const Block*>(block));
+        return detail(*stepwire::detail::Called<const Block>(block));
       };
   }
 
@@ -242,7 +240,7 @@ class Declare {
   template <void (*set)(Block&)>
   void preset(std::string name, std::string doc) {
     type_.presets.push_back(
-        {std::move(name), std::move(doc), [](void* block) { set(*static_cast<Block*>(block)); }});
+        {std::move(name), std::move(doc), [](void* block) { set(*detail::Called<Block>(block)); }});
   }
 
   /// Is one of the states declared up to now continuous?
@@ -269,18 +267,18 @@ class Declare {
     if constexpr (requires(const Block b, Crossings& zero) { b.crossings(zero); })
       type_.run_crossings = [](const void* block, double* numbers) {
         Crossings zero(numbers);
-        static_cast<const Block*>(block)->crossings(zero);
+        detail::Called<const Block>(block)->crossings(zero);
       };
     if constexpr (requires(Block b, Configure & is) { b.configure(is); })
-      type_.configure = [](void* block, Configure& is) { static_cast<Block*>(block)->configure(is); };
+      type_.configure = [](void* block, Configure& is) { detail::Called<Block>(block)->configure(is); };
     if constexpr (requires(Block b) { b.prepare(); })
-      type_.prepare = [](void* block) { static_cast<Block*>(block)->prepare(); };
+      type_.prepare = [](void* block) { detail::Called<Block>(block)->prepare(); };
     if constexpr (requires(const Block b, Outline& lines) { b.outline(lines); })
       type_.outline = [](const void* block, Outline& lines) {
-        static_cast<const Block*>(block)->outline(lines);
+        detail::Called<const Block>(block)->outline(lines);
       };
     if constexpr (requires(Block b) { b.start(); })
-      type_.start = [](void* block) { static_cast<Block*>(block)->start(); };
+      type_.start = [](void* block) { detail::Called<Block>(block)->start(); };
   }
 
   BlockType type_;

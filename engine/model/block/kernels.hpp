@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <new>
+
+#ifdef STEPWIRE_BLOCKS_FROM_OUTSIDE
+#include "engine/base/math/floating_point.hpp"
+#endif
 
 namespace stepwire {
 
@@ -42,6 +47,39 @@ class Kernels {
 
 namespace detail {
 
+/// Surrounds a call of a block's own function. Blocks from outside are foreign code: the sources of their
+/// folder are compiled with STEPWIRE_BLOCKS_FROM_OUTSIDE, and behind each call the floating-point state is as
+/// before. For blocks of the library it is empty.
+#ifdef STEPWIRE_BLOCKS_FROM_OUTSIDE
+using BlockCall = FloatingPointState;
+#else
+struct BlockCall {};
+#endif
+
+/// A block in an expression that calls one of its own functions.
+template <class Block>
+class Called {
+ public:
+  explicit Called(const void* block) : block_(static_cast<Block*>(const_cast<void*>(block))) {}
+  Block* operator->() const { return block_; }
+  Block& operator*() const { return *block_; }
+
+ private:
+  Block* block_;
+  [[no_unique_address]] BlockCall call_{};
+};
+
+template <class Block>
+void construct(void* memory) {
+  [[maybe_unused]] const BlockCall call;
+  ::new (memory) Block{};
+}
+
+template <class Block>
+void copy(void* memory, const void* block) {
+  ::new (memory) Block(*Called<const Block>(block));
+}
+
 template <class Port>
 [[gnu::always_inline]] inline void assume_one_element(const Port& port) {
   if constexpr (requires { port.size(); })
@@ -69,6 +107,7 @@ void run_phase(void* first, void* end) {
   Block* block = static_cast<Block*>(first);
   do {
     assume<specialization>(*block);
+    [[maybe_unused]] const BlockCall call;
     (block->*phase)();
   } while (++block != end);
 }

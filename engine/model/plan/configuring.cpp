@@ -23,7 +23,7 @@ Configure what_is_known(const Plan& plan, std::size_t index) {
     if (!block.inputs[input].empty()) connected.insert(spec.name);
     if (spec.list) counts[spec.name] = static_cast<Eigen::Index>(block.inputs[input].size());
   }
-  return Configure(std::move(connected), period_of(plan, index), std::move(counts));
+  return Configure(std::move(connected), period_of(plan, index), std::move(counts), block.name);
 }
 
 yaml::Fault fault_of(const Plan& plan, std::size_t index, const ParameterRefused& refused) {

@@ -15,6 +15,7 @@
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/cache.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/base/math/floating_point.hpp"
 #include "engine/base/subprocess/process.hpp"
 #include "engine/base/subprocess/scratch_folder.hpp"
 #include "engine/base/yaml/error.hpp"
@@ -56,7 +57,7 @@ std::vector<std::string> sources_in(const std::string& folder) {
 std::vector<std::string> flags_of(const std::string& folder, const codegen::IncludedHeaders& headers) {
   std::vector<std::string> flags = codegen::include_options(headers);
   // What it defines is what it uses, also where the program has something of the same name.
-  flags.insert(flags.end(), {"-idirafter", folder, "-Wl,-Bsymbolic"});
+  flags.insert(flags.end(), {"-idirafter", folder, "-Wl,-Bsymbolic", "-DSTEPWIRE_BLOCKS_FROM_OUTSIDE"});
   return flags;
 }
 
@@ -149,6 +150,7 @@ void load_blockset(const std::string& path, Registry& registry) {
   if (!add)
     refuse(folder,
            "no source here defines 'void register_blocks(stepwire::Registry&)', outside of any namespace");
+  const FloatingPointState kept;
   try {
     add(registry);
   } catch (const std::exception& error) {

@@ -162,8 +162,11 @@ void require_headers(const plan::Plan& plan) {
 
 std::vector<std::string> headers_of(const plan::Plan& plan) {
   std::set<std::string> headers;
-  for (const diagram::DiagramBlock& block : plan.diagram.blocks)
-    if (!block.type().header.empty()) headers.insert(block.type().header);
+  for (const diagram::DiagramBlock& block : plan.diagram.blocks) {
+    const std::string& header = block.type().header;
+    if (!header.empty()) headers.insert(header);
+    if (is_of_others(header)) headers.insert("engine/base/math/floating_point.hpp");
+  }
   if (const auto method = solve::find_implicit(plan.diagram.solver)) headers.insert(method->header);
   if (!plan.loops.empty()) headers.insert("engine/simulate/solve/loop_solver.hpp");
   if (plan.crossing_count > 0) headers.insert("engine/simulate/solve/event_locator.hpp");

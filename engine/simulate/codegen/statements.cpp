@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "engine/simulate/codegen/headers.hpp"
+
 namespace stepwire::codegen {
 
 const char* function_of(Phase phase) {
@@ -152,8 +154,10 @@ void Statements::bind_rest(std::size_t block, const Places& places, Pieces& piec
 
 std::string Statements::call_text(std::size_t block, Phase phase, const std::string& fixed,
                                   const std::string& rest) const {
-  const std::string call =
+  std::string call =
       fmt::format("    b.{}({});\n", function_of(phase), phase == Phase::crossings ? "zero" : "");
+  if (is_of_others(plan_.diagram.blocks[block].type().header))
+    call = "    const FloatingPointState kept;\n" + call;
   const std::string made = fmt::format("    {} b;\n", struct_of(plan_, block)) + fixed;
   if (lanes_.lanes == 1 || !lanes_.blocks[block]) return made + rest + call;
   return made +

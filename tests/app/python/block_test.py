@@ -1,5 +1,7 @@
 """Blocks written in Python."""
 
+import ctypes
+
 import numpy as np
 import pytest
 import stepwire
@@ -112,6 +114,37 @@ def test_a_block_has_vectors_time_and_several_outputs(tmp_path):
     run = stepwire.load(written(tmp_path, text.replace("[it]", "[it.double, it.sum]")), blocks=[Several]).run()
     assert np.array_equal(run["it.double"][-1], [2, 4, 6])
     assert np.allclose(run["it.sum"], 321 + run["time"])
+
+
+MATHS = ctypes.CDLL("libm.so.6")
+UPWARD = 0x800  # FE_UPWARD of x86-64
+
+
+def test_a_rounding_mode_that_python_code_sets_changes_no_other_block(tmp_path):
+    @stepwire.block(inputs=["u"], outputs=["y"], parameters={"mode": "1"})
+    class Rounding:
+        mode = 0.0
+
+        def outputs(self, u):
+            MATHS.fesetround(int(self.mode))
+            return u
+
+    text = ONE.format(block="Rounding, u: wave, mode: $mode").replace("blocks:", "parameters: {mode: 0}\nblocks:").replace(
+        "record: [it]",
+        "  wave: {block: Sine, amplitude: 1, frequency: 3 Hz}\n  third: {block: Gain, u: wave, gain: 0.1}\n"
+        "  lag: {block: Lag, u: third, tau: 0.3 s}\nrecord: [third, lag, it]")
+    model = stepwire.load(written(tmp_path, text), blocks=[Rounding])
+    right = model.run()
+    block, observer = model.run(mode=str(UPWARD)), model.run(observers=[lambda run: MATHS.fesetround(UPWARD)])
+    MATHS.fesetround(UPWARD)
+    try:
+        outside = stepwire.load(written(tmp_path, text), blocks=[Rounding]).run()
+        assert MATHS.fegetround() == UPWARD
+    finally:
+        MATHS.fesetround(0)
+    for run in (block, observer, outside):
+        for name in ("third", "lag"):
+            assert np.array_equal(run[name], right[name])
 
 
 def test_a_sweep_runs_blocks_in_parallel(tmp_path):

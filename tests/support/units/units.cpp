@@ -92,4 +92,21 @@ Entries unit_of_3(const std::string& kind) {
           {"binaries/aarch64-linux/unit.so", bytes_of(UNIT_OF_3)}};
 }
 
+Entries bad_unit(int version, const std::string& deed) {
+  const std::string about = fmt::format("fmiVersion=\"{}.0\" modelName=\"bad\" {}=\"{}\"", version,
+                                        version == 3 ? "instantiationToken" : "guid", deed);
+  const std::string variables =
+      version == 3 ? R"xml(<Float64 name="y" valueReference="1" causality="output"/><Float64 name="z" valueReference="2"/>)xml"
+                   : R"xml(<ScalarVariable name="y" valueReference="1" causality="output"><Real/></ScalarVariable>)xml";
+  const std::string description = fmt::format(
+      R"xml(<fmiModelDescription {}{}><ModelExchange modelIdentifier="unit"/><CoSimulation modelIdentifier="unit"/>
+<ModelVariables>{}</ModelVariables><ModelStructure>{}</ModelStructure></fmiModelDescription>)xml",
+      about, version == 3 ? "" : " numberOfEventIndicators=\"1\"", variables,
+      version == 3 ? "<EventIndicator valueReference=\"2\"/>" : "");
+  Entries entries{{"modelDescription.xml", description}};
+  for (const char* platform : {"x86_64-linux", "aarch64-linux", "linux64"})
+    entries[fmt::format("binaries/{}/unit.so", platform)] = bytes_of(BAD_UNIT);
+  return entries;
+}
+
 }  // namespace stepwire::testing

@@ -15,4 +15,8 @@ std::string write_zip(const std::string& path, const Entries& entries);
 /// equations stand in unit_of_3.cpp.
 Entries unit_of_3(const std::string& kind);
 
+/// The files of a unit of FMI 2 or 3 that does something wrong from 0.25 s on, in one of its calls: "exit DoStep". Its
+/// output y is the time that it has reached. Deeds and calls: see bad_unit.cpp.
+Entries bad_unit(int version, const std::string& deed);
+
 }  // namespace stepwire::testing

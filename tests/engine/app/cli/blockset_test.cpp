@@ -149,3 +149,31 @@ TEST_CASE("blocks whose registration throws are refused with their folder, as da
   CHECK(done.out.find("\"call\": \"--blocks own\"") != std::string::npos);
   CHECK(done.out.find("no licence") != std::string::npos);
 }
+
+TEST_CASE("a block from outside that sets the floating-point state changes no number of other blocks") {
+  const Outside folder;
+  folder.file("wave.yaml",
+              diagram.substr(0, diagram.find("record:")) +
+                  "  third: {block: Gain, u: wave, gain: 0.1}\n  lag: {block: Lag, u: third, tau: 0.3 s}\n"
+                  "  tiny: {block: Gain, u: wave, gain: 1e-310}\nrecord: [more, third, lag, tiny]\n");
+  const auto signals = [&](const std::string& engine) {
+    const Done done = run_program(
+        folder, {"run", "wave.yaml", "--blocks", "own", "--engine", engine, "--out", "out", "--quiet"});
+    INFO(done.err);
+    CHECK(done.code == 0);
+    return content_of(folder.path("out/signals.csv"));
+  };
+  const auto write_law = [&](const std::string& deed) {  // the sum is exact in every mode
+    folder.file("own/family/law.hpp",
+                "#pragma once\n#include <cfenv>\n#include <xmmintrin.h>\ninline double tripled(double u) { " +
+                    deed + " return u + u; }\n");
+  };
+  write_law("");
+  const std::string right = signals("interpreted");
+  for (const std::string deed : {"std::fesetround(FE_UPWARD);", "_mm_setcsr(_mm_getcsr() | 0x8040u);"})
+    for (const std::string engine : {"interpreted", "compiled"}) {
+      write_law(deed);
+      INFO(deed << " " << engine);
+      CHECK(signals(engine) == right);
+    }
+}

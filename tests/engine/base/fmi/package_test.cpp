@@ -1,4 +1,7 @@
 // Files that are no units, or that this machine cannot run, are refused in one sentence.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "engine/base/fmi/package.hpp"
@@ -56,7 +59,8 @@ TEST_CASE("a small unit is read: its version, its variables and their units") {
 
 TEST_CASE("an archive whose paths lead out of it is refused, and nothing of it is written") {
   Entries entries = unit_of_3("dahlquist");
-  for (const char* path : {"../evil.txt", "resources/../../evil.txt", "/evil.txt", "resources\\..\\evil.txt"}) {
+  for (const char* path :
+       {"../evil.txt", "resources/../../evil.txt", "/evil.txt", "resources\\..\\evil.txt"}) {
     Entries with = entries;
     with[path] = "evil";
     holds(refusal_of(with), "leads out of the archive");
@@ -71,6 +75,15 @@ TEST_CASE("what is no archive, or a broken one, is refused") {
   std::ifstream file(whole, std::ios::binary);
   std::string bytes(std::istreambuf_iterator<char>(file), {});
   holds(refusal(scratch.file("half.fmu", bytes.substr(0, bytes.size() / 2))), "a unit is a zip archive");
+}
+
+TEST_CASE("an archive that unpacks to too many bytes or files is refused, and nothing of it is unpacked") {
+  Entries large = unit_of_3("dahlquist"), many = large;
+  for (int i = 0; i < 17; ++i)
+    large[fmt::format("resources/{}", i)] = std::string(std::size_t{16} << 20, '\0');
+  holds(refusal_of(large), "unpacks to 272 MiB, and a unit of its size may unpack to 256 MiB");
+  for (int i = 0; i < 20'000; ++i) many[fmt::format("resources/{}", i)] = "";
+  holds(refusal_of(many), fmt::format("has {} entries, and a unit may have 20000", many.size()));
 }
 
 TEST_CASE("a unit without a description, of another version, or without a binary is refused") {
@@ -90,8 +103,9 @@ TEST_CASE("a unit without a description, of another version, or without a binary
 
 TEST_CASE("a token that is another one is refused with the unit's reason") {
   const Scratch scratch;
-  const auto package = open_package(write_zip(
-      scratch.path("unit.fmu"), replaced("instantiationToken=\"dahlquist\"", "instantiationToken=\"other\"")));
+  const auto package =
+      open_package(write_zip(scratch.path("unit.fmu"),
+                             replaced("instantiationToken=\"dahlquist\"", "instantiationToken=\"other\"")));
   const auto runner = make_runner({package, Mode::co_simulation, "unit"}, false);
   CHECK_FALSE(runner->run(Operation::start));
   holds(runner->exchange().message, "the token is another one");
@@ -107,10 +121,11 @@ TEST_CASE("a state that is saved is restored, inside and in a process of its own
     REQUIRE(runner->run(Operation::start));
     REQUIRE(exchange.kept_numbers <= 64);
     REQUIRE(runner->run(Operation::step));
-    REQUIRE(runner->run(Operation::save));
+    const std::vector<double> saved(exchange.kept(), exchange.kept() + 64);
     const double after_one = exchange.outputs()[0];
     REQUIRE(runner->run(Operation::step));
     const double after_two = exchange.outputs()[0];
+    std::ranges::copy(saved, exchange.kept());
     REQUIRE(runner->run(Operation::load));
     REQUIRE(runner->run(Operation::step));
     CHECK(exchange.outputs()[0] == after_two);

@@ -58,6 +58,18 @@ TEST_CASE("A function that crashes, throws or ends its process is one sentence, 
   CHECK_THAT(trouble_of([](int) { throw 1; }), Contains("has ended itself"));
 }
 
+TEST_CASE("A function that exits in a process of its own runs no handler of this process") {
+  const Scratch scratch;
+  static std::string path;
+  path = scratch.path("handler has run");
+  std::atexit([] {
+    if (!path.empty()) std::ofstream(path) << "wrong";
+  });
+  CHECK(trouble_of([](int) { std::exit(4); }) == "has ended itself with status 4");
+  CHECK_FALSE(std::filesystem::exists(path));
+  path.clear();
+}
+
 TEST_CASE("A function that comes to no end is ended") {
   const IsolationBounds soon{std::chrono::milliseconds(100), usual.memory};
   const auto start = std::chrono::steady_clock::now();

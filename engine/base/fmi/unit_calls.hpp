@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/base/fmi/calls.hpp"
+#include "engine/base/fmi/foreign_call.hpp"
+#include "engine/base/fmi/log_text.hpp"
+
+namespace stepwire::fmi {
+
+/// Base of the calls of both versions: every function of a unit is called here.
+class UnitCalls : public Calls {
+ public:
+  std::string message() const override { return log_.empty() ? fault_.text() : log_.text(); }
+
+ protected:
+  explicit UnitCalls(CallNote& note) : note_(note) {}
+
+  template <class Function, class... Arguments>
+  auto call(const char* name, Function* function, Arguments... arguments) {
+    const ForeignCall call(note_, name);
+    return function(arguments...);
+  }
+  /// Calls a function that returns a status. False where that is a fault, or none of the standard.
+  template <class Function, class... Arguments>
+  bool done(const char* name, Function* function, Arguments... arguments) {
+    return accept(name, static_cast<int>(call(name, function, arguments...)));
+  }
+  /// Discard and all statuses behind it are faults.
+  bool accept(const char* name, int status);
+  bool failed() const { return failed_; }
+
+  CallNote& note_;
+  LogText log_;
+
+ private:
+  LogText fault_;
+  bool failed_ = false;
+};
+
+/// Is a status a fault? So is a number that the standard does not have.
+constexpr bool is_fault(int status) {
+  return status < 0 || status >= 2;
+}
+
+}  // namespace stepwire::fmi
