@@ -99,6 +99,7 @@ class Watch {
   }
 
   void begin() {
+    process_ = ::getpid();  // a worker is a copy of the process that has made it
     try {
       thread_ = std::jthread([this](const std::stop_token& stop) { look(stop); });
     } catch (const std::system_error&) {  // the system gives no thread: exits are caught, and hanging calls
@@ -114,7 +115,7 @@ class Watch {
     }
   }
 
-  const pid_t process_ = ::getpid();
+  pid_t process_ = ::getpid();
   bool catches_exits_ = false;
   std::mutex mutex_;
   std::condition_variable_any changed_;

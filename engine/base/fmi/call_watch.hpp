@@ -6,11 +6,10 @@
 
 namespace stepwire::fmi {
 
-/// Watches the calls of a unit in this process for as long as it lives. The process ends with a sentence on
-/// its standard error that names the unit and the call:
-/// - with status 3 where the unit calls exit() or quick_exit(), or a call takes longer than a helper program
-/// may;
-/// - with status 130 where a call lasts for a second behind an interruption.
+/// Watches the calls of a unit in this process for as long as it lives. A sentence on the standard error
+/// names the unit and the call, and the process ends. Its status is 3 where the unit calls exit() or
+/// quick_exit(), or where a call takes longer than a helper program may. It is 130 where a call lasts for a
+/// second behind an interruption.
 class CallWatch {
  public:
   /// `unit` begins the sentence: "wheel: the unit wheel.fmu".

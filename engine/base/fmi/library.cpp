@@ -3,12 +3,15 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include "engine/base/subprocess/fork.hpp"
+
 namespace stepwire::fmi {
 
 namespace {
 
 // Code made with -ffast-math sets flush-to-zero as it is loaded.
 void* load(const std::string& file, CallNote& note) {
+  const std::lock_guard lock(subprocess::loader_mutex());
   const ForeignCall call(note, "the loading of its binary");
   return dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
 }
@@ -20,6 +23,7 @@ Library::Library(const std::string& file, CallNote& note) : note_(note), handle_
 }
 
 Library::~Library() {
+  const std::lock_guard lock(subprocess::loader_mutex());
   const ForeignCall call(note_, "the unloading of its binary");
   dlclose(handle_);
 }

@@ -36,7 +36,7 @@ class UnitCalls : public Calls {
   bool failed_ = false;
 };
 
-/// Is a status a fault? So is a number that the standard does not have.
+/// True for the statuses that are faults, and for numbers that the standard does not have.
 constexpr bool is_fault(int status) {
   return status < 0 || status >= 2;
 }

@@ -5,9 +5,9 @@
 
 namespace stepwire {
 
-/// Keeps the rounding mode, the handling of denormal numbers and the exception masks of this thread: at the
-/// end of its scope they are as they were at the beginning, whatever foreign code has set. On x86-64 the
-/// control registers are read, 5 ns in all, and written only where they differ; the raised flags stay.
+/// Keeps the floating-point state of this thread: the rounding mode, the handling of denormal numbers and the
+/// exception masks. Its end restores them, whatever foreign code has set meanwhile. On x86-64 the control
+/// registers are written only where they differ; the raised flags stay. fesetenv() takes 150 ns there.
 class FloatingPointState {
  public:
   FloatingPointState() { read(before_); }

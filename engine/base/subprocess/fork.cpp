@@ -48,12 +48,19 @@ void leave_other_process(const std::vector<int>& kept) {
 
 }  // namespace
 
+std::mutex& loader_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 Fork::Fork(const std::function<void()>& work, std::vector<int> kept) {
   std::array<int, 2> ends{-1, -1};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;
   io::Descriptor there(ends[0]);
   life_ = io::Descriptor(ends[1]);
+  std::unique_lock lock(loader_mutex());
   id_ = ::fork();
+  lock.unlock();
   if (id_ != 0) return;
   kept.push_back(there.number());
   leave_other_process(kept);

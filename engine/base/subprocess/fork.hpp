@@ -3,12 +3,17 @@
 #include <sys/types.h>
 
 #include <functional>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include "engine/base/io/descriptor.hpp"
 
 namespace stepwire::subprocess {
+
+/// Held while a library is loaded or unloaded: a copy of the process that was made meanwhile would find the
+/// loader's own lock taken for ever.
+std::mutex& loader_mutex();
 
 /// A copy of this process in which one function runs. Signals have their usual meaning in it, but the
 /// terminal does not interrupt it: whoever made it ends it, also by ending itself in whatever way. Of the

@@ -15,6 +15,7 @@
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/math/floating_point.hpp"
+#include "engine/base/subprocess/fork.hpp"
 #include "engine/base/subprocess/scratch_folder.hpp"
 #include "engine/simulate/codegen/headers.hpp"
 
@@ -105,6 +106,7 @@ std::string compiled(const std::string& source, const GeneratedProgram& program,
 // The file in memory stays open, since the loader takes another one of its number for it.
 void* load_library(const std::string& bytes, std::string& problem) {
   const int file = sealed_file(bytes);
+  const std::lock_guard lock(subprocess::loader_mutex());
   const FloatingPointState kept;  // code made with -ffast-math sets another one as it is loaded
   void* library = ::dlopen(fmt::format("/proc/self/fd/{}", file).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library) return library;

@@ -2,6 +2,6 @@
 
 #include <string>
 
-/// How many processes work in a folder; those that end within two seconds are not counted, nor is one that
-/// nobody waits for yet.
+/// Returns the number of processes that work in a folder. Processes that end within two seconds are not
+/// counted, nor are those that have ended and were not waited for.
 int processes_in(const std::string& folder);

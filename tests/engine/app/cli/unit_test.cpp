@@ -68,7 +68,7 @@ TEST_CASE("an interruption ends a run whose unit hangs, in the program with a se
 
 TEST_CASE("the process of a unit that hangs ends with a program that is killed") {
   const Scratch folder;
-  Call call = with_unit(folder, "hang DoStep", "");
+  Call call = with_unit(folder, "hang DoStep", ", isolate: true");
   call.environment.clear();
   call.interrupt_after = 2.0;
   call.signals = {SIGKILL};
