@@ -99,7 +99,8 @@ std::string fault_of_others(const std::vector<std::string>& words) {
 bool is_command(const std::string& code) {
   return std::regex_search(
              code,
-             std::regex(R"(^(\./stepwire|bench/run|bench/fits|build/\S+|cmake|ctest|npm|git) ?(?! ))")) &&
+             std::regex(
+                 R"(^(\./stepwire|bench/run|bench/fits|tests/\S+|build/\S+|cmake|ctest|npm|git) ?(?! ))")) &&
          code.find(' ') != std::string::npos;
 }
 

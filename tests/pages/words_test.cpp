@@ -63,7 +63,7 @@ TEST_CASE("every option of the program stands in a page") {
 
 TEST_CASE("every option that a page names alone is one of the program or of a script of ours") {
   Words known = options_of_program();
-  for (const char* script : {"bench/run", "bench/fits", "bench/studio"})
+  for (const char* script : {"bench/run", "bench/fits", "bench/studio", "tests/random/run"})
     known.merge(options_in(content_of(std::filesystem::path(STEPWIRE_SOURCE_DIR) / script)));
   for (const Page& page : all_pages())
     for (const std::string& paragraph : paragraphs_of(page))

@@ -16,6 +16,7 @@
 #include "engine/simulate/codegen/headers.hpp"
 #include "engine/simulate/codegen/lane_places.hpp"
 #include "engine/simulate/codegen/library.hpp"
+#include "engine/simulate/run/code_trial.hpp"
 
 namespace stepwire::random {
 
@@ -77,14 +78,14 @@ std::string program_text(const plan::Plan& plan, const codegen::Tuning& tuning,
          "static_cast<own_NUMBER::Diagram*>(d)->advance(); }\n";
 }
 
-/// Flags beside those of every compilation. Less is optimised, as compiling is
-/// what takes the time here.
+/// Flags beside those of every compilation. Less is optimised, as compiling is what takes the time here.
 std::vector<std::string> flags_of(int lanes, const std::vector<std::string>& headers) {
-  if (lanes == 1) return {"-O0"};
-  std::vector<std::string> flags{"-O1"};  // without it a loop over lanes stays one
+  std::vector<std::string> flags = codegen::library_flags();
+  flags.push_back(lanes == 1 ? "-O0" : "-O1");  // without -O1 a loop over lanes stays one
+  if (lanes == 1) return flags;
   const auto native = codegen::flags_for_this_machine(headers);
   flags.insert(flags.end(), native.begin(), native.end());
-  flags.insert(flags.end(), {"-fopenmp-simd", "-fvisibility=hidden"});
+  flags.push_back("-fopenmp-simd");
   return flags;
 }
 
@@ -130,7 +131,7 @@ std::optional<plan::CompiledLanes> BatchCode::compile_lanes(const plan::Plan& pl
 }
 
 int BatchCode::lanes() {
-  static const int count = codegen::GeneratedCode().lanes();
+  static const int count = codegen::GeneratedCode(run::code_trial()).lanes();
   return count;
 }
 
@@ -177,20 +178,16 @@ std::vector<BatchCode::Group> BatchCode::open_groups() {
 std::string BatchCode::source_of(const Group& group) {
   std::set<std::string> headers;
   for (const Piece* piece : group) headers.insert(piece->headers.begin(), piece->headers.end());
-  std::string source =
-      group.front()->lanes == 1 ? "" : fmt::format("#define STEPWIRE_LANES {}\n", group.front()->lanes);
-  source += "#define STEPWIRE_GENERATED\n";
-  for (const char* header : {"bit", "cmath", "cstdint", "cstring", "limits"})
-    source += fmt::format("#include <{}>\n", header);
-  for (const std::string& header : headers) source += fmt::format("#include \"{}\"\n", header);
+  std::string source = "#include <bit>\n#include <cstring>\n";
+  source += codegen::library_head({headers.begin(), headers.end()}, group.front()->lanes);
   source += "using namespace stepwire;\n";
   for (std::size_t i = 0; i < group.size(); ++i) source += fmt::format(fmt::runtime(group[i]->text), i);
   return source;
 }
 
 void BatchCode::compile_whole(Piece& piece) {
-  const codegen::ProgramFunctions made =
-      codegen::CodeCache().load(*piece.whole, compiler_, {}, piece.problem);
+  const codegen::ProgramFunctions made = codegen::CodeCache().load(
+      *piece.whole, compiler_, {}, [](const codegen::ProgramFunctions&) { return ""; }, piece.problem);
   piece.done = true;
   if (!made) return;
   piece.functions["evaluate"] = reinterpret_cast<void*>(made.steps.evaluate);

@@ -17,9 +17,8 @@ struct OwnProgram {
   void (*advance)(void* program) = nullptr;
 };
 
-/// Code of many diagrams, compiled in few sources: a tenth of the time. The
-/// first calls note what is wanted and return std::nullopt; after compile_all()
-/// the same calls return functions.
+/// Code of many diagrams, compiled in few sources: a tenth of the time. At first a call notes its code and
+/// returns std::nullopt; after compile_all() the same call returns functions.
 class BatchCode : public plan::CodeSource {
  public:
   std::optional<plan::CompiledPlan> compile(const plan::Plan& plan,
@@ -29,12 +28,11 @@ class BatchCode : public plan::CodeSource {
                                                    const plan::RunDifferences& differences,
                                                    const plan::CodeLimits& limits, std::string& why) override;
   int lanes() override;
-  /// The program that `generate` writes, with parameters to change or without;
-  /// nullopt before compile_all() and where it does not compile.
+  /// The program that `generate` writes, with parameters to change or without; nullopt before compile_all()
+  /// and where it does not compile.
   std::optional<OwnProgram> program(const plan::Plan& plan, bool constant_parameters);
 
-  /// Code as a run has it, with all that the compiler optimises, from the cache
-  /// or compiled.
+  /// Code as a run has it, with all that the compiler optimises, from the cache or compiled.
   std::optional<plan::CompiledPlan> as_runs_have_it(const plan::Plan& plan);
 
   bool has_compiler() const { return compiler_.found(); }
@@ -42,8 +40,7 @@ class BatchCode : public plan::CodeSource {
   void compile_all();
   /// Forgets everything; what is loaded stays loaded.
   void clear() { pieces_.clear(); }
-  /// The errors of the compiler in the code that was wanted last; empty if it
-  /// has none.
+  /// The errors of the compiler in the code of the last call; empty if it has none.
   const std::string& problem() const { return problem_; }
 
  private:

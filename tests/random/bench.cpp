@@ -45,7 +45,7 @@ std::string Bench::plain(double value, const unit::Dimension& unit) {
 }
 
 std::string Bench::number(double value, const unit::Dimension& unit) {
-  const bool is_parameter = dice.chance(sketch.parameters.empty() ? 0.5 : 0.12);
+  const bool is_parameter = dice.chance(sketch.parameters.empty() ? 0.8 : 0.12);
   if (!is_parameter) return plain(value, unit);
   const std::string name = fmt::format("p{}", sketch.parameters.size() + 1);
   sketch.parameters.push_back({name, plain(value, unit)});

@@ -51,8 +51,7 @@ class Bench {
   std::string next_name();
   void add(Entry entry) { sketch.blocks.push_back(std::move(entry)); }
 
-  /// A signal of this shape: an element of a vector does for a number. Makes a
-  /// source where there is none.
+  /// A signal of this shape: an element of a vector does for a number. Makes a source where there is none.
   Wire wire(const Shape& shape);
   /// Any signal that may be a matrix or not.
   Wire any_wire(bool may_be_matrix);

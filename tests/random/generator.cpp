@@ -88,8 +88,7 @@ class Generator {
     bench_.wires.push_back({name, {}, {}});
   }
 
-  /// Rare are blocks that no code can be made of, as no law about code holds
-  /// beside them.
+  /// Rare are blocks that no code can be made of, as no law about code holds beside them.
   const BlockType* chosen_type() {
     while (true) {
       const BlockType* type = dice_.of(types_);
@@ -131,8 +130,7 @@ class Generator {
     }
   }
 
-  /// A signal that feeds back: behind a Gain that takes its unit and is
-  /// below 1.
+  /// A signal that feeds back: behind a Gain that takes its unit and is below 1.
   std::string source_for(const Promise& promise) {
     const Wire wire = bench_.wire(promise.shape);
     if (!promise.unit && !promise.gentle) return wire.text;
@@ -175,8 +173,7 @@ class Generator {
                        digits(bench_.some_period()), bench_.wire({}).text);
   }
 
-  /// Blocks that follow each other in the file become a part, which sometimes
-  /// runs on condition.
+  /// Blocks that follow each other in the file become a part, which sometimes runs on condition.
   void move_some_into_part(const std::string& name, const std::string& file) {
     Sketch& sketch = bench_.sketch;
     const std::size_t count = sketch.blocks.size(), first = dice_.below(count);

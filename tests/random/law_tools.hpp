@@ -17,15 +17,13 @@ run::RunResult one_by_one(const Loaded& sweep);
 /// Choices of one law for a diagram.
 Dice dice_of(const Trial& trial, std::uint64_t law);
 
-/// The parameter that a sweep of the diagram has, and five values of it. The
-/// diagram has a parameter.
+/// The parameter that a sweep of the diagram has, and five values of it. The diagram has a parameter.
 const Key& swept_parameter(const Trial& trial);
 std::vector<std::string> swept_values(const Key& parameter);
 /// The diagram with that sweep. Throws yaml::Error where a value is refused.
 std::unique_ptr<Loaded> sweep_of(const Trial& trial);
 
-/// Laws about code of a diagram: compiled for a run, for a sweep, in lanes, as
-/// a program of its own.
+/// Laws about code of a diagram: compiled for a run, for a sweep, in lanes, as a program of its own.
 const std::vector<Law>& laws_of_code();
 
 }  // namespace stepwire::random

@@ -20,8 +20,7 @@ run::RunOptions with_code(plan::CodeSource& code) {
   return options;
 }
 
-/// Compares with a run, or all runs of a sweep, that code has made from the
-/// first tick on.
+/// Compares with a run, or all runs of a sweep, that code has made from the first tick on.
 Verdict like_compiled(const run::RunResult& expected, const Loaded& loaded, BatchCode& code,
                       const run::RunOptions& options) {
   const run::RunResult result = run(loaded, options);
@@ -72,8 +71,7 @@ Verdict compiled_as_runs_are(const Trial& trial, BatchCode& code) try {
 
 // --- Runs that begin in the interpreter.
 
-/// Hands a run to its code at a tick, and sets a parameter at another one,
-/// which takes it back.
+/// Hands a run to its code at a tick, and sets a parameter at another one, which takes it back.
 class TakingOver : public run::RunObserver {
  public:
   TakingOver(const plan::CompiledPlan* code, std::int64_t take_at, std::int64_t set_at, const Key* parameter)
@@ -172,7 +170,7 @@ const std::vector<Law>& laws_of_code() {
                                     {"taken over by code", taken_over, 2, 1, true, true},
                                     {"set while compiled", set_while_compiled, 2, 1, true, true},
                                     {"swept and compiled", swept_compiled, 2, 0, true, true},
-                                    {"swept in lanes", in_lanes, 2, 0, true, true},
+                                    {"swept in lanes", in_lanes, 1, 0, true, true},
                                     {"compiled as runs are", compiled_as_runs_are, 24, 7, true, true},
                                     {"generated program", generated, 3, 0, true, true}};
   return all;

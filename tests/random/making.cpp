@@ -187,8 +187,7 @@ std::string Making::connect_list(const InputSpec& input) {
   return "[" + text + "]";
 }
 
-/// An element of a list: of the shape of all, a number for all elements, or as
-/// long as it is.
+/// An element of a list: of the shape of all, a number for all elements, or as long as it is.
 Wire Making::element_of_list(const InputSpec& input, std::size_t index) {
   const auto [rows, columns] = letters_of(input.shape);
   if (input.shape.starts_with("+") && columns.empty()) {

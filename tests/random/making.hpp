@@ -12,11 +12,9 @@ namespace stepwire::random {
 /// Units of the unit variables of one block.
 class UnitVariables {
  public:
-  /// The unit of an expression; nullopt for "*" and while a variable is
-  /// unknown.
+  /// The unit of an expression; nullopt for "*" and while a variable is unknown.
   std::optional<unit::Dimension> value(const std::string& text) const;
-  /// Makes unknown variables of an expression such that it is this unit, as far
-  /// as there are any.
+  /// Makes unknown variables of an expression such that it is this unit, as far as there are any.
   void take(const std::string& text, const unit::Dimension& unit);
 
  private:
@@ -43,8 +41,7 @@ class Making {
 
   Dice& dice() { return bench.dice; }
   Index size(const std::string& letter);
-  /// The shape of a port or a parameter; letters that are unknown become some
-  /// size.
+  /// The shape of a port or a parameter; letters that are unknown become some size.
   Shape shape_of(const std::string& text);
   bool is_known(const std::string& text) const;
   void set(const std::string& key, const std::string& value) { entry.keys.push_back({key, value}); }

@@ -58,8 +58,7 @@ std::string covariance_of(Making& making) {
   return covariance(making, std::string(1, letter).c_str());
 }
 
-/// Whole periods, whatever the period is: those of some_period() divide 30
-/// steps.
+/// Whole periods, whatever the period is: those of some_period() divide 30 steps.
 std::string whole_periods(Making& making) {
   const bool has_own = making.has("every");
   const double of_period = has_own ? making.period : 30.0 * making.bench.step;

@@ -29,8 +29,8 @@ class Loaded {
 /// Column names of one diagram, as another one has them.
 using OtherName = std::function<std::string(const std::string&)>;
 
-/// The first number in which two runs differ, as a sentence; empty if all bits
-/// of all columns agree. Columns of `other` that `expected` lacks do not count.
+/// The first number in which two runs differ, as a sentence; empty if all bits of all columns agree. Columns
+/// of `other` that `expected` lacks do not count.
 std::string difference(const run::RunResult& expected, const run::RunResult& other,
                        const OtherName& name_in_other = {});
 

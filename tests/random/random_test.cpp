@@ -122,7 +122,7 @@ TEST_CASE("a trial that compares next to nothing counts as one that fails") {
   for (random::LawCount& law : totals.laws) law.same = 50;
 
   CHECK(random::weakness_of(totals, all_blocks()).empty());
-  totals.laws.back().same = 4;
+  totals.laws.back().same = 1;
   CHECK(random::weakness_of(totals, all_blocks()).find("less than 5 %") != std::string::npos);
   totals.refused["a reason"] = 70;
   CHECK(random::weakness_of(totals, all_blocks()).find("60 %") != std::string::npos);

@@ -47,8 +47,7 @@ std::set<std::string> names_of(const Sketch& sketch) {
   return names;
 }
 
-/// Moves blocks into a part, with ports for what they read and what is read of
-/// them.
+/// Moves blocks into a part, with ports for what they read and what is read of them.
 class Mover {
  public:
   Mover(const Sketch& sketch, const std::set<std::string>& moved, std::string name)

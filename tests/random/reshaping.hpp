@@ -11,8 +11,8 @@ namespace stepwire::random {
 
 /// Diagrams that compute the same as another one, by construction.
 
-/// The blocks of these names in a part of their own. A bus, and a block that
-/// reads one as a whole, stays outside and is taken out of `moved`.
+/// The blocks of these names in a part of their own. A bus, and a block that reads one as a whole, stays
+/// outside and is taken out of `moved`.
 Sketch with_part(const Sketch& sketch, std::set<std::string>& moved, const std::string& name,
                  const std::string& file);
 /// The blocks in another order of lines.
@@ -23,8 +23,8 @@ std::string renamed_word(const std::string& word);
 /// Further blocks that nothing else reads.
 Sketch with_unrelated(const Sketch& sketch);
 
-/// Calls `other` for each reference ("n3", "n3.y", "n3.2") to one of these
-/// blocks in a text, and puts what it returns there.
+/// Calls `other` for each reference ("n3", "n3.y", "n3.2") to one of these blocks in a text, and puts what it
+/// returns there.
 std::string with_references(const std::string& text, const std::set<std::string>& names,
                             const std::function<std::string(const std::string&)>& other);
 

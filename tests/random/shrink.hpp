@@ -4,8 +4,7 @@
 
 namespace stepwire::random {
 
-/// A smaller diagram that breaks the same law, as small as leaving out blocks,
-/// keys and wires makes it.
+/// A smaller diagram that breaks the same law, as small as leaving out blocks, keys and wires makes it.
 Failure shrunk(Trials& trials, const Failure& failure);
 
 /// Diagrams that have a little less than this one.

@@ -20,8 +20,8 @@ struct Entry {
   const std::string* find(const std::string& key) const;
 };
 
-/// A diagram file in pieces, so that it can be reordered, renamed, made
-/// smaller. Names of blocks are words that occur in values as references alone.
+/// A diagram file in pieces, so that it can be reordered, renamed, made smaller. Names of blocks are words
+/// that occur in values as references alone.
 struct Sketch {
   std::vector<Key> head;  ///< step, stop, solver, ...
   std::vector<Key> parameters, units, inputs, outputs;

@@ -43,8 +43,7 @@ class Trials {
   /// The folder has the data files of diagrams.
   Trials(const Registry& registry, std::string folder);
 
-  /// Tries all laws on the diagrams of these seeds; code of a batch of them is
-  /// compiled together.
+  /// Tries all laws on the diagrams of these seeds; code of a batch of them is compiled together.
   void run(std::uint64_t first, std::size_t count, const std::function<void(const Failure&)>& failed);
   const Totals& totals() const { return totals_; }
 
@@ -67,8 +66,8 @@ class Trials {
 
 /// Counts as lines of text.
 std::string totals_text(const Totals& totals);
-/// The reason for which the counts prove too little: too many refused, a law
-/// that is hardly compared, a type that is missing; empty if there is none.
+/// The reason for which the counts prove too little: too many refused, a law that is hardly compared, a type
+/// that is missing; empty if there is none.
 std::string weakness_of(const Totals& totals, const Registry& registry);
 
 }  // namespace stepwire::random

@@ -20,8 +20,7 @@ std::string whole(Making& making) {
   return std::to_string(making.dice().whole(first, last));
 }
 
-/// Values of models, filters, sources, plants and devices, a part of
-/// special_values().
+/// Values of models, filters, sources, plants and devices, a part of special_values().
 const std::map<std::string, SpecialValue>& model_values();
 
 }  // namespace stepwire::random
