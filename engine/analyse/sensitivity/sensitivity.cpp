@@ -70,6 +70,17 @@ std::string note_on(const Outcome& outcome, const std::vector<double>& numbers) 
                      outcome.name, query::short_number(numbers.front()), numbers.size());
 }
 
+/// A number of the results for readers; "-" where it is none.
+std::string number_text(const record::Recording& results, const std::string& name) {
+  const double value = results.table.find(name)->values.front();
+  return std::isnan(value) ? "-" : query::short_number(value, 3);
+}
+
+std::string interval_text(const record::Recording& results, const std::string& name) {
+  const std::string low = number_text(results, name + ".low"), high = number_text(results, name + ".high");
+  return low == "-" && high == "-" ? "-" : fmt::format("{} to {}", low, high);
+}
+
 }  // namespace
 
 std::vector<query::RecordedName> result_names(const Request& request, std::size_t recording) {
@@ -131,18 +142,13 @@ text::TextTable results_table(const Request& request, const RunOutcomes& numbers
     table.columns.push_back(measure);
     table.columns.push_back(fmt::format("{:g} %", 100.0 * request.bootstrap.confidence));
   }
-  const auto number = [&](const std::string& name) {
-    const double value = results.table.find(name)->values.front();
-    return std::isnan(value) ? "-" : query::short_number(value, 3);
-  };
   for (const Outcome& outcome : request.outcomes)
     for (const std::string& parameter : request.parameters) {
       std::vector<std::string> line{outcome.name, parameter};
       for (const std::string& measure : request.measures()) {
         const std::string name = column_name(outcome, measure, parameter);
-        line.push_back(number(name));
-        const std::string low = number(name + ".low"), high = number(name + ".high");
-        line.push_back(low == high && low == "-" ? "-" : fmt::format("{} to {}", low, high));
+        line.push_back(number_text(results, name));
+        line.push_back(interval_text(results, name));
       }
       table.rows.push_back(std::move(line));
     }

@@ -8,12 +8,27 @@
 #include <vector>
 
 #include "engine/app/cli/console.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/temporary.hpp"
 #include "engine/base/subprocess/process.hpp"
 
 namespace stepwire::cli {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Throws EnvironmentError with the first line that tar prints.
+void make(const std::vector<std::string>& command) {
+  try {
+    subprocess::run_helper("tar", {.command = command});
+  } catch (const io::EnvironmentError& error) {
+    const std::string words = error.what();
+    throw io::EnvironmentError(words.substr(0, words.find('\n')));
+  }
+}
+
+}  // namespace
 
 void put_archive(const std::string& folder, const std::string& file) {
   std::vector<std::string> command{
@@ -25,7 +40,7 @@ void put_archive(const std::string& folder, const std::string& file) {
     command.push_back(entry.path().filename().string());
   std::sort(command.begin() + static_cast<std::ptrdiff_t>(options), command.end());
   if (command.size() == options) return;  // no run began
-  subprocess::run_helper("tar", {.command = command});
+  make(command);
   std::ifstream archive(file, std::ios::binary);
   std::array<char, 1 << 16> block;
   while (archive.read(block.data(), block.size()) || archive.gcount() > 0)

@@ -44,7 +44,8 @@ std::vector<std::string> environment_with(const std::string& scratch) {
   return result;
 }
 
-/// A group, 0 for one of its own, and signals as a new program finds them, whatever this one does with them.
+/// A group, 0 for one of its own, and signals as a new program finds them, whatever this one does with them. A
+/// file that may not grow stays an error with a reason, as a full disk is.
 class Attributes {
  public:
   explicit Attributes(pid_t group) {
@@ -52,6 +53,7 @@ class Attributes {
     sigset_t none, all;
     sigemptyset(&none);
     sigfillset(&all);
+    sigdelset(&all, SIGXFSZ);
     posix_spawnattr_setsigmask(&value, &none);
     posix_spawnattr_setsigdefault(&value, &all);
     posix_spawnattr_setpgroup(&value, group);

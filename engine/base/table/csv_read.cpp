@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "engine/base/table/csv_cell.hpp"
+#include "engine/base/table/csv_numbering.hpp"
 #include "engine/base/table/csv_problems.hpp"
 #include "engine/base/table/csv_title.hpp"
 #include "engine/base/table/record_table.hpp"
@@ -21,28 +21,11 @@ namespace {
 
 constexpr std::size_t longest_field = 100'000;
 
-/// The words of one column, each with its number.
-struct Numbering {
-  std::vector<std::string>* texts = nullptr;  ///< none where the column holds numbers
-  std::unordered_map<std::string, double> numbers{};
-
-  double operator()(const std::string& text) {
-    const auto [place, is_new] = numbers.try_emplace(text, static_cast<double>(texts->size()));
-    if (is_new) texts->push_back(text);
-    return place->second;
-  }
-};
-
 class Csv {
  public:
   /// `tolerant`: as read_record_csv().
   Csv(const std::string& path, std::string_view text, ColumnWords& words, bool tolerant = false)
-      : path_(path),
-        at_(text.data()),
-        end_(at_ + text.size()),
-        max_numbers_(max_unpacked(text.size()) / sizeof(double)),
-        words_(words),
-        tolerant_(tolerant) {
+      : path_(path), at_(text.data()), end_(at_ + text.size()), words_(words), tolerant_(tolerant) {
     if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
     if (tolerant_) begin_behind_comments();
     separator_ = separator();
@@ -271,13 +254,13 @@ class Csv {
   const char* at_;
   const char* end_;
   const char* next_text_ = nullptr;  ///< behind blanks and empty lines
-  std::size_t max_numbers_;
+  std::size_t max_numbers_ = max_unpacked(static_cast<std::size_t>(end_ - at_)) / sizeof(double);
   char separator_ = ',';
   std::size_t line_ = 1;
   std::size_t rows_ = 0;
   Table table_;
   ColumnWords& words_;
-  std::vector<Numbering> numberings_;  ///< of each column
+  std::vector<CsvNumbering> numberings_;  ///< of each column
   bool tolerant_;
   std::size_t filled_rows_ = 0;  ///< up to the last one with anything in it
   CsvProblems problems_;

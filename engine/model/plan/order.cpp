@@ -2,8 +2,6 @@
 #include <deque>
 #include <map>
 #include <optional>
-#include <set>
-#include <tuple>
 
 #include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/plan/algebraic_loops.hpp"
@@ -179,51 +177,34 @@ class Order {
       for (std::size_t n = graph_.first[b]; n < graph_.first[b + 1]; ++n)
         if (waiting_[n] == 0 && loop_of_[n] < 0) node_ready(n);
     }
-    while (const auto bucket = next_bucket()) take_bucket(buckets_[*bucket], *bucket);
+    while (Bucket* bucket = next_bucket()) {
+      while (!bucket->blocks.empty()) {
+        const std::size_t block = bucket->blocks.front();
+        bucket->blocks.pop_front();
+        emit(block);
+      }
+      bucket->height = 0;
+    }
     return std::move(order_);
   }
 
   /// Blocks of one group that are ready.
   struct Bucket {
     std::deque<std::size_t> blocks;
-    int guard = -1;
     int height = 0;  ///< of the highest
-    bool taken = false;
+
+    auto rank() const { return std::pair(height, blocks.size()); }
   };
 
-  /// Sorts buckets: the highest first, of these the largest, of these the one that was made first.
-  using Rank = std::tuple<int, std::ptrdiff_t, std::size_t>;
-
-  static Rank rank(const Bucket& bucket, std::size_t index) {
-    return {-bucket.height, -static_cast<std::ptrdiff_t>(bucket.blocks.size()), index};
-  }
-  void list(const Bucket& bucket, std::size_t index) {
-    ready_.insert(rank(bucket, index));
-    ready_of_guard_[bucket.guard].insert(rank(bucket, index));
-  }
-  void unlist(const Bucket& bucket, std::size_t index) {
-    ready_.erase(rank(bucket, index));
-    ready_of_guard_[bucket.guard].erase(rank(bucket, index));
-  }
-
-  /// Lists all blocks of a bucket, with those that get ready meanwhile.
-  void take_bucket(Bucket& bucket, std::size_t index) {
-    unlist(bucket, index);
-    bucket.taken = true;
-    while (!bucket.blocks.empty()) {
-      const std::size_t block = bucket.blocks.front();
-      bucket.blocks.pop_front();
-      emit(block);
-    }
-    bucket.height = 0;
-    bucket.taken = false;
-  }
-
-  /// Returns the next bucket, of the present guard if it has one. Lists a loop, or a block that is ready in
-  /// part, if no bucket is ready.
-  std::optional<std::size_t> next_bucket() {
-    const std::set<Rank>& alike = ready_of_guard_[guard_];
-    if (!ready_.empty()) return std::get<std::size_t>(*(alike.empty() ? ready_ : alike).begin());
+  /// The bucket to go on with; where no block is ready as a whole, one that is in part.
+  Bucket* next_bucket() {
+    Bucket* best = nullptr;
+    const auto rank = [&](const Bucket& bucket) {
+      return std::pair(draft_.diagram().blocks[bucket.blocks.front()].guard == guard_, bucket.rank());
+    };
+    for (auto& bucket : buckets_)
+      if (!bucket.blocks.empty() && (!best || rank(bucket) > rank(*best))) best = &bucket;
+    if (best) return best;
     for (Loop& loop : loops_)
       if (loop.waiting == 0) {
         emit_loop(loop);
@@ -236,7 +217,7 @@ class Order {
       emit(graph_.owners[node].first);
       return next_bucket();
     }
-    return std::nullopt;
+    return nullptr;
   }
 
   void node_ready(std::size_t node) {
@@ -248,11 +229,8 @@ class Order {
     const auto [found, added] = bucket_of_.try_emplace(group(block), buckets_.size());
     if (added) buckets_.emplace_back();
     Bucket& bucket = buckets_[found->second];
-    if (!bucket.taken) unlist(bucket, found->second);
-    bucket.guard = draft_.diagram().blocks[block].guard;
     bucket.blocks.push_back(block);
     bucket.height = std::max(bucket.height, heights_[block]);
-    if (!bucket.taken) list(bucket, found->second);
   }
 
   /// One waits no more for this node.
@@ -303,8 +281,6 @@ class Order {
   int guard_ = -1;  ///< of the block that was listed last: what is off is passed over in one go
   std::map<Group, std::size_t> bucket_of_;
   std::deque<Bucket> buckets_;  // a deque: growing keeps references valid
-  std::set<Rank> ready_;        ///< buckets with blocks, but for the one that is taken
-  std::map<int, std::set<Rank>> ready_of_guard_;
   std::deque<std::size_t> partly_ready_;
 };
 

@@ -11,11 +11,11 @@ using namespace stepwire;
 
 namespace {
 
-/// The first value of a column of blocks that take constants.
-double value_of(const std::string& blocks, const std::string& name) {
-  return column(
-      run_text(fmt::format("step: 10 ms\nstop: 10 ms\nsolver: euler\nblocks:\n{}record: [y]\n", blocks)),
-      name)[0];
+/// The first value of a column of blocks that take constants. `signal`: what is recorded.
+double value_of(const std::string& blocks, const std::string& name, const std::string& signal = "y") {
+  return column(run_text(fmt::format("step: 10 ms\nstop: 10 ms\nsolver: euler\nblocks:\n{}record: [{}]\n",
+                                     blocks, signal)),
+                name)[0];
 }
 
 double norm_of(const std::string& vector, const std::string& kind = "euclidean") {
@@ -63,13 +63,15 @@ TEST_CASE("a turn does not depend on the length of its axis or its quaternion") 
 TEST_CASE("a direction, a resistance and the power of lines count whatever their size") {
   for (const double size : sizes) {
     INFO(size);
-    const std::string motion = "  y: {{block: StraightMotion, direction: [{}, {}], speed: 10 m/s}}\n";
-    CHECK(value_of(fmt::format(fmt::runtime(motion), 3.0 * size, 4.0 * size), "y.velocity.2") == Approx(8.0));
+    const std::string motion =
+        "  y: {{block: StraightMotion, from: [0, 0], direction: [{}, {}], speed: 10 m/s}}\n";
+    CHECK(value_of(fmt::format(fmt::runtime(motion), 3.0 * size, 4.0 * size), "y.velocity.2", "y.velocity") ==
+          Approx(8.0));
     const std::string force = fmt::format("  f: {{block: Constant, value: {{value: [{}, {}], unit: N}}}}\n",
                                           -3.0 * size, -4.0 * size);
     const std::string most = fmt::format("  m: {{block: Constant, value: {{value: [{}, {}], unit: N}}}}\n",
                                          3.0 * size, 4.0 * size);
-    CHECK(value_of(force + most + "  y: {block: Directionality, f_max: m, force: f}\n", "y.y.2") ==
+    CHECK(value_of(force + most + "  y: {block: Directionality, f_max: m, force: f}\n", "y.y.2", "y.y") ==
           Approx(4.0 * size));
     const std::string lines =
         "  y: {{block: Multisine, frequencies: [1 Hz], phase: zero, amplitude: {}, rms: 3}}\n";

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <map>
 
 #include "engine/base/subprocess/process.hpp"
 #include "tests/engine/app/cli/program.hpp"
@@ -58,7 +59,7 @@ const std::vector<Kind> kinds{
     {"archive", {"run", "a.yaml", "--out", "-"}, ".out", "tar"},
     {"table of a sweep", {"run", "sweep.yaml", "--out", "out", "--files", "csv"}, "out/sweep.csv"},
     {"large table of a sweep", {"run", "mixed.yaml", "--out", "out", "--files", "csv"}, "out/sweep.csv"},
-    {"points of a sweep", {"run", "sweep.yaml", "--part", "1/2", "--out", "out"}, "out/points"},
+    {"points of a sweep", {"run", "sweep.yaml", "--part", "1/2", "--out", "out"}, "out/points.journal"},
     {"profile", {"run", "b.yaml", "--profile", "--out", "out", "--files", "csv"}, "out/profile.csv"},
     {"flattened diagram", {"flatten", "a.yaml", "-o", "flat.yaml"}, "flat.yaml"},
     {"flattened diagram to the standard output", {"flatten", "a.yaml"}, ".out"},
@@ -71,7 +72,7 @@ const std::vector<Kind> kinds{
     {"linear system as mat",
      {"linearize", "a.yaml", "--from", "u", "--to", "lag", "--out", "out"},
      "out/linear.mat"},
-    {"operating point", {"trim", "a.yaml", "--out", "out"}, "out/trim.json"},
+    {"operating point", {"trim", "trim.yaml", "--out", "out"}, "out/trim.json"},
     {"fit", {"fit", "fit.yaml", "--out", "out", "--files", "csv"}, "out/fit.json"},
     {"tuning", {"tune", "tune.yaml", "--out", "out", "--files", "csv"}, "out/tune.json"},
     {"steps of a tuning", {"tune", "tune.yaml", "--out", "out", "--files", "csv"}, "out/tune-history.csv"},
@@ -114,6 +115,7 @@ void write_diagrams(const Scratch& folder) {
                   "stop: 0.2 s\ntune: {parameters: {tau: {from: 10 ms, to: 10 s}}, minimise: rms(lag - "
                   "truth)}\n" +
                   sought);
+  folder.file("trim.yaml", head + "stop: 1 s\n" + lag + "trim: {inputs: {u: 1}}\n");
   folder.file("study.yaml", content_of(STEPWIRE_SOURCE_DIR "/diagrams/examples/88-small-study.yaml"));
 }
 
@@ -136,26 +138,29 @@ std::size_t pieces_in(const Scratch& folder) {
 /// The target as a call has to find it: of the folder of results none, else a file of before.
 void put_former(const Scratch& folder, const Kind& kind) {
   fs::remove_all(folder.path("out"));
-  if (!kind.in_folder_of_results()) folder.file(kind.target, "former");
+  fs::remove(folder.path(".out"));
+  if (!kind.in_folder_of_results() && kind.target != ".out") folder.file(kind.target, "former");
 }
 
-void check_refused(const Done& done, const std::string& reason) {
+/// An archive is made of what a run has left, so its line may be a second one; tar does not always give the
+/// reason.
+void check_refused(const Kind& kind, const Done& done, const std::string& reason) {
+  const std::size_t lines = lines_of(done.err).size();
   CHECK(done.code == 3);
-  CHECK(lines_of(done.err).size() == 1);
-  CHECK_THAT(done.err, Contains(reason));
+  CHECK((lines == 1 || (kind.name == "archive" && lines == 2)));
+  CHECK_THAT(done.err, Contains(reason) || Contains("runs.tar: Wrote only "));
 }
 
-/// A part of a file is never there under its name. `size`: of the whole file.
+/// A part of a file is never there under its name. The standard output may have a part, and a journal, of which
+/// a later call reads whole records. `size`: of the whole file.
 void check_whole_or_former(const Scratch& folder, const Kind& kind, std::size_t size) {
-  if (kind.target == ".out") return;
+  if (kind.target == ".out" || kind.target.ends_with(".journal")) return;
   const std::string left = content_of(folder.path(kind.target));
   const bool former = kind.in_folder_of_results() ? !fs::exists(folder.path(kind.target)) : left == "former";
-  CHECK((former || left.size() == size));
+  const bool with_another_time =
+      left.ends_with("\n") && left.size() + 16 > size;  // in JSON: how long it took
+  CHECK((former || left.size() == size || with_another_time));
   CHECK(pieces_in(folder) == 0);
-}
-
-bool can_be_made(const Kind& kind) {
-  return kind.needs.empty() || !stepwire::subprocess::find_program(kind.needs).empty();
 }
 
 /// A file system of 3 MiB in the place of a folder, for this process and those that it starts.
@@ -195,6 +200,25 @@ std::vector<std::size_t> rooms_for(const Kind& kind) {
   return rooms;
 }
 
+/// Sizes of the targets, by the names of their kinds, where the disk takes all.
+const std::map<std::string, std::size_t>& whole_sizes() {
+  static const std::map<std::string, std::size_t> sizes = [] {
+    const Scratch folder;
+    write_diagrams(folder);
+    std::map<std::string, std::size_t> all;
+    for (const Kind& kind : kinds) {
+      if (!kind.needs.empty() && stepwire::subprocess::find_program(kind.needs).empty()) continue;
+      put_former(folder, kind);
+      const Done done = run_program(folder, call_of(kind));
+      INFO(kind.name << ": " << done.err);
+      CHECK(done.code == 0);
+      all[kind.name] = content_of(folder.path(kind.target)).size();
+    }
+    return all;
+  }();
+  return sizes;
+}
+
 }  // namespace
 
 TEST_CASE(
@@ -202,14 +226,10 @@ TEST_CASE(
   const Scratch folder;
   write_diagrams(folder);
   for (const Kind& kind : kinds) {
+    if (!whole_sizes().contains(kind.name)) continue;
+    const std::size_t size = whole_sizes().at(kind.name),
+                      least = 200;  // which the line itself has to fit into
     INFO(kind.name);
-    if (!can_be_made(kind)) continue;
-    put_former(folder, kind);
-    const Done done = run_program(folder, call_of(kind));
-    INFO(done.err << done.out.substr(0, 1000));
-    CHECK(done.code == 0);
-    const std::string whole = content_of(folder.path(kind.target));
-    const std::size_t size = whole.size(), least = 200;  // which the line itself has to fit into
     REQUIRE(size > least);
     for (const std::size_t limit : {least, size / 4, size / 2, size / 4 * 3, size - 1}) {
       put_former(folder, kind);
@@ -217,13 +237,14 @@ TEST_CASE(
       limited.max_bytes_of_file = std::max(limit, least);
       const Done refused = run_program(folder, limited);
       INFO(limit << " of " << size << " bytes: " << refused.err);
-      check_refused(refused, "File too large");
+      check_refused(kind, refused, "File too large");
       check_whole_or_former(folder, kind, size);
     }
   }
 }
 
 TEST_CASE("a full file system ends every call with 3 and a line, and the file before stays") {
+  whole_sizes();  // on another disk
   const Scratch folder, words;
   const SmallFileSystem disk(folder.path(""));
   if (!disk.mounted()) {
@@ -232,7 +253,7 @@ TEST_CASE("a full file system ends every call with 3 and a line, and the file be
   }
   write_diagrams(folder);
   for (const Kind& kind : kinds) {
-    if (!can_be_made(kind)) continue;
+    if (!whole_sizes().contains(kind.name)) continue;
     for (const std::size_t room : rooms_for(kind)) {
       put_former(folder, kind);
       disk.fill(room);
@@ -242,8 +263,8 @@ TEST_CASE("a full file system ends every call with 3 and a line, and the file be
       done.err = content_of(call.err_to);
       fs::remove(folder.path("fill"));
       INFO(kind.name << " in " << room << " bytes: " << done.err);
-      check_refused(done, "No space left on device");
-      check_whole_or_former(folder, kind, 0);
+      check_refused(kind, done, "No space left on device");
+      check_whole_or_former(folder, kind, whole_sizes().at(kind.name));
     }
   }
 }
