@@ -54,27 +54,29 @@ std::optional<plan::CompiledLanes> GeneratedCode::compile_lanes(const plan::Plan
   if (!why.empty()) return std::nullopt;
   try {
     const GeneratedProgram program = make_lanes(plan, differences, lanes);
-    if (flags_for_this_machine(program.headers).empty()) {
-      why = "blocks of it use other libraries";
-      return std::nullopt;
-    }
     plan::CompiledLanes code{nullptr, lanes, differences.variable,
                              lane_places(plan, differences, lanes).places};
-    std::string problem, fault;
-    const auto trial = [&](const ProgramFunctions& made) {
-      code.run = made.run;
-      return fault = trial_.fault(plan, code);
-    };
-    if (const ProgramFunctions functions = functions_of(program, limits, trial, problem)) {
-      code.run = functions.run;
+    if (flags_for_this_machine(program.headers).empty())
+      why = "blocks of it use other libraries";
+    else if (load_lanes(plan, program, limits, code, why))
       return code;
-    }
-    if (!fault.empty()) note(fault);
-    why = first_error(problem);
   } catch (const std::exception& error) {
     why = error.what();
   }
   return std::nullopt;
+}
+
+bool GeneratedCode::load_lanes(const plan::Plan& plan, const GeneratedProgram& program,
+                               const plan::CodeLimits& limits, plan::CompiledLanes& code, std::string& why) {
+  std::string problem, fault;
+  const auto trial = [&](const ProgramFunctions& made) {
+    code.run = made.run;
+    return fault = trial_.fault(plan, code);
+  };
+  code.run = functions_of(program, limits, trial, problem).run;
+  if (!fault.empty()) note(fault);
+  why = first_error(problem);
+  return code.run != nullptr;
 }
 
 int GeneratedCode::lanes() {

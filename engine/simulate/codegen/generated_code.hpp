@@ -33,6 +33,9 @@ class GeneratedCode : public plan::CodeSource {
   /// On failure `problem` says why, but for that of the limits.
   ProgramFunctions functions_of(const GeneratedProgram& program, const plan::CodeLimits& limits,
                                 const CodeCache::Trial& trial, std::string& problem);
+  /// Sets the function of lanes. Otherwise `why` has the reason, but for that of the limits.
+  bool load_lanes(const plan::Plan& plan, const GeneratedProgram& program, const plan::CodeLimits& limits,
+                  plan::CompiledLanes& code, std::string& why);
   void note(const std::string& problem);
 
   const plan::CodeTrial& trial_;
