@@ -87,7 +87,7 @@ TEST_CASE(
   CHECK_FALSE(holds("at_most: 100 m", 71));  // 1 - 0.95^72 is the first above 97.5 %
   CHECK(holds("at_most: 100 m", 72));
   CHECK(holds("at_least: 1 m", 10));  // an open end does not count where the claim does not look
-  CHECK_FALSE(holds("at_least: 10 m", 10));
+  CHECK_FALSE(holds("at_least: 10.5 m", 10));
   CHECK(verdict_of("quantile_of_runs: {share: 50 %, value: final(rig.x)}, equals: 2 m, within: 1 m", runs(3))
             .note == "undecided: 3 runs do not bound the 50 % quantile with 95 %; 6 runs do");
   CHECK(verdict_of("quantile_of_runs: {share: 5 %, value: final(rig.x)}, at_least: 0 m, confidence: 99 %",
