@@ -33,10 +33,9 @@ bool natural_less(const std::string& a, const std::string& b) {
   return std::tuple(a.size() - i, a) < std::tuple(b.size() - j, b);
 }
 
-/// Colour refinement (Weisfeiler and Leman 1968), with colours that are ranks: blocks begin with ranks by
-/// type, and each round splits the ranks by those of the blocks at the other ends of wires, until no rank
-/// splits any more. A round costs a sort of the wires. Large diagrams get few rounds, and names decide on the
-/// rest.
+/// Colour refinement (Weisfeiler and Leman 1968), with ranks as colours. Blocks begin with ranks by type.
+/// Each round splits a rank by the ranks at the other ends of its wires, until no rank splits any more. A
+/// round costs a sort of the wires. Large diagrams get few rounds, and names decide on the rest.
 class Refinement {
  public:
   explicit Refinement(const Draft& draft)

@@ -10,7 +10,7 @@ namespace stepwire::run {
 
 namespace {
 
-/// Masses of one chain, which wiring tells apart, and two of the same kind that only their names tell apart.
+/// A chain of masses with springs and a drive.
 const std::vector<std::string> chain{"  push: {block: Sine, amplitude: 3 N, frequency: 2 Hz}",
                                      "  m1: {block: Mass, force: f1, mass: 0.3 kg}",
                                      "  m2: {block: Mass, force: f2, mass: 0.07 kg}",
