@@ -13,8 +13,8 @@ std::vector<diagram::Setting> call_settings(const LoadOptions& options);
 
 /// What the runs of a search for values of a model's parameters are made of, such as a fit or a tuning.
 struct SearchParts {
-  /// Of so many runs, each of all points of a sweep. They are compiled where the call says so; where it
-  /// leaves that open, if they would take longer than a compilation.
+  /// `runs` counts runs, each of all points of a sweep. With the automatic mode code is compiled for them if
+  /// they would take longer than a compilation.
   SearchParts(const Registry& registry, const LoadedModel& model, run::ExecutionMode engine, double runs);
 
   codegen::GeneratedCode code{run::code_trial()};

@@ -8,7 +8,8 @@ const {Acknowledgements} = await bundled("connection/acknowledgements.ts");
 const made = () => { const sent = []; return {sent, all: new Acknowledgements((sequence) => sent.push(sequence))}; };
 const add = (all, view, ...sequences) => { for (const sequence of sequences) all.add({view, sequence}); };
 
-// Timers of a clock of the test's own, until the test is over; the function that it returns lets milliseconds pass. Those of node:test changed after node 18.
+// Replaces the timers by those of a clock of its own until the test ends. Returns a function that advances it by milliseconds.
+// The mock timers of node:test changed after node 18.
 const clock = (context) => {
   const {setTimeout, clearTimeout} = globalThis;
   const waiting = new Map();
