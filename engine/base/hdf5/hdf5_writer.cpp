@@ -44,13 +44,20 @@ Handle group_properties(hid_t of) {
   return properties;
 }
 
-Handle dataset_properties(hsize_t rows, Length length) {
+/// Every number has a checksum: that of its chunk, or that of the object header in which a scalar lies.
+Handle dataset_properties(hsize_t rows, Length length, bool is_scalar) {
   Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties.id(), false);
-  if (rows <= rows_of_chunk && length == Length::fixed) return properties;
+  if (is_scalar) {
+    H5Pset_layout(properties.id(), H5D_COMPACT);
+    return properties;
+  }
   const double filled = 0.0;  // what lies behind the last row in its chunk would be of any bits
-  H5Pset_chunk(properties.id(), 1, &rows_of_chunk);
+  const hsize_t chunk =
+      length == Length::growing ? rows_of_chunk : std::clamp<hsize_t>(rows, 1, rows_of_chunk);
+  H5Pset_chunk(properties.id(), 1, &chunk);
   H5Pset_fill_value(properties.id(), H5T_NATIVE_DOUBLE, &filled);
+  H5Pset_fletcher32(properties.id());
   return properties;
 }
 
@@ -68,9 +75,13 @@ struct Hdf5Writer::File {
   explicit File(const std::string& of) : writer(of), path(of) {
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_file_locking(access.id(), false, true);  // others may read while this is written
+    H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V110);
     const Handle creation = group_properties(H5P_FILE_CREATE);
     file = {H5Fcreate(writer.temporary().c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose};
-    root = {H5Gopen2(require(file).id(), "/", H5P_DEFAULT), H5Gclose};
+    // From here on the form of HDF5 1.10 (2016), in which each header and index has a checksum. A whole file
+    // of that form could not be read while it is written.
+    require(H5Fset_libver_bounds(require(file).id(), H5F_LIBVER_V110, H5F_LIBVER_V110) >= 0);
+    root = {H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose};
     require(root);
   }
 
@@ -98,7 +109,8 @@ struct Hdf5Writer::File {
 
   Handle put(hid_t group, const std::string& name, const Handle& type, const Handle& space, hsize_t rows,
              const void* content, Length length = Length::fixed) {
-    const Handle creation = dataset_properties(rows, length);
+    const bool is_scalar = H5Sget_simple_extent_type(space.id()) == H5S_SCALAR;
+    const Handle creation = dataset_properties(rows, length, is_scalar);
     Handle set(
         H5Dcreate2(group, name.c_str(), type.id(), space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
         H5Dclose);

@@ -67,12 +67,18 @@ void record_all(const Scope& scope, const Origin& origin, const Resolver& resolv
       request.signals[i].signal = *signal;
 }
 
+/// May a column have this name, "x" or "rig.x", "rig.x.2" as an element has it?
+bool may_name_column(std::string name) {
+  take_element(name);
+  return is_dotted_name(name) && name != "time";
+}
+
 /// Signals under names of the file's own: {position: rig.x, force: push.force}.
 void read_named(const yaml::Node& map, const Scope& scope, const Resolver& resolver, RecordRequest& request,
                 Report& report) {
   for (const yaml::Entry& entry : map.entries) {
     const Origin origin = scope.at(entry.value.mark);
-    if (!is_dotted_name(entry.key) || entry.key == "time") {
+    if (!may_name_column(entry.key)) {
       report.add(
           scope.at(entry.mark), "record",
           yaml::fault_text("'{}' is no name for a signal; use letters, digits, '_' and dots ('time' has a "
@@ -128,11 +134,26 @@ bool comes_with_whole(const RecordedSignal& signal, const RecordRequest& request
   });
 }
 
+/// Columns of a whole signal "v" are "v.1", "v.2" and so on: no other signal may be named so.
+void refuse_names_of_elements(const RecordRequest& request, Report& report) {
+  for (const RecordedSignal& signal : request.signals) {
+    std::string whole = signal.name;
+    if (take_element(whole).is_whole()) continue;
+    if (std::ranges::any_of(request.signals,
+                            [&](const RecordedSignal& other) { return other.name == whole; }))
+      report.add(signal.origin, "record",
+                 fmt::format("'{}' is the name of an element of '{}', recorded here as well; take another "
+                             "name",
+                             signal.name, whole));
+  }
+}
+
 /// Keeps a signal once in a recording, however often it is named; two signals cannot have one name.
 void drop_repeated(RecordRequest& request, Report& report) {
   std::map<std::string, SignalRef> seen;
   std::erase_if(request.signals,
                 [&](const RecordedSignal& signal) { return comes_with_whole(signal, request); });
+  refuse_names_of_elements(request, report);
   std::erase_if(request.signals, [&](const RecordedSignal& signal) {
     const auto [first, is_new] = seen.emplace(signal.name, signal.signal);
     if (first->second != signal.signal)

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "engine/base/hdf5/handle.hpp"
 #include "engine/base/hdf5/hdf5_read.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
@@ -23,6 +24,12 @@ struct Pair {
   std::int32_t count;
   float force;
 };
+
+/// A session comes before the first call of the library, which closes nothing at the end of the program then.
+hid_t created(const std::string& path) {
+  const Session session;
+  return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+}
 
 void put(hid_t file, const char* name, hid_t type, const std::vector<hsize_t>& size, const void* content) {
   const hid_t space = H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr);
@@ -53,7 +60,7 @@ void put_flags(hid_t file) {
 
 /// Whole numbers in the other order of bytes, a matrix, members, flags, and what holds no columns.
 void write_by_library(const std::string& path) {
-  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t file = created(path);
   const std::vector<std::int16_t> whole{0x0100, 0x0200};
   const Values numbers{1, 2, 3, 4, 5, 6, 7, 8};
   put(file, "whole", H5T_STD_I16BE, {2}, whole.data());
@@ -106,7 +113,7 @@ TEST_CASE("a group inside of itself and links out of the file lead nowhere") {
 
 TEST_CASE("numbers that a small file has not are not made") {
   const Scratch scratch;
-  const hid_t file = H5Fcreate(scratch.path("a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t file = created(scratch.path("a.h5"));
   put(file, "huge", H5T_NATIVE_DOUBLE, {hsize_t{1} << 40}, nullptr);
   H5Fclose(file);
   CHECK_THAT(refusal(scratch.path("a.h5")), Contains("more than a file of this size may unpack to"));
@@ -117,7 +124,7 @@ TEST_CASE("what is no HDF5 file, is empty or is not there is told in one line") 
   CHECK_THAT(refusal(scratch.file("a.h5", "time,x\n0,1\n")), Contains("a.h5: this is no HDF5 file"));
   CHECK_THAT(refusal(scratch.file("b.h5", "")), Contains("b.h5: this is no HDF5 file"));
   CHECK_THROWS_AS(read_hdf5(scratch.path("none.h5")), io::EnvironmentError);
-  H5Fclose(H5Fcreate(scratch.path("c.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  H5Fclose(created(scratch.path("c.h5")));
   CHECK_THAT(refusal(scratch.path("c.h5")), EndsWith("c.h5: there is no dataset in the file"));
 }
 

@@ -1,8 +1,10 @@
 // What is written comes back, by the same bytes each time; another reader is Debian's h5py.
+#include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <numeric>
 
 #include "engine/base/hdf5/hdf5_read.hpp"
@@ -40,6 +42,14 @@ std::vector<table::RunView> two_runs() {
 void check_bits(const Values& back, std::span<const double> wanted) {
   REQUIRE(back.size() == wanted.size());
   CHECK(std::memcmp(back.data(), wanted.data(), wanted.size_bytes()) == 0);
+}
+
+/// Each column with the bits of its numbers; units and titles are texts in a heap that has no checksum.
+std::map<std::string, std::vector<std::uint64_t>> numbers_of(const table::RecordTable& table) {
+  std::map<std::string, std::vector<std::uint64_t>> bits;
+  for (const table::Column& column : table.columns)
+    for (const double value : column.values) bits[column.name].push_back(std::bit_cast<std::uint64_t>(value));
+  return bits;
 }
 
 /// What a script for Debian's python prints of a file; nothing where that has no h5py.
@@ -169,6 +179,30 @@ TEST_CASE("a file that is not finished is not there") {
   const Scratch scratch;
   { Hdf5Writer(scratch.path("a.h5"), "").add(one_run().front()); }
   CHECK(scratch.files() == 0);
+}
+
+TEST_CASE("no damaged byte of an HDF5 file gives other numbers or other names") {
+  const Scratch scratch;
+  const std::string path = scratch.path("a.h5");
+  const auto read_back = [&] { return numbers_of(read_hdf5(path)); };
+  for (const auto& runs : {one_run(), two_runs()}) {
+    write_runs(path, runs);
+    const std::string whole = io::read_file(path);
+    const auto right = read_back();
+    std::size_t other = 0, refused = 0;
+    for (std::size_t at = 0; at < whole.size(); at += 23) {
+      std::string damaged = whole;
+      damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
+      scratch.file("a.h5", damaged);
+      try {
+        if (read_back() != right) ++other;
+      } catch (const std::exception&) {
+        ++refused;
+      }
+    }
+    CHECK(other == 0);
+    CHECK(refused > 0);
+  }
 }
 
 TEST_CASE("h5py reads runs with their units") {

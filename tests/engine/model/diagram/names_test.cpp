@@ -69,13 +69,30 @@ TEST_CASE("a name for what is recorded must be a name, and of one signal") {
     REQUIRE(lines.size() == 1);
     return lines[0];
   };
-  CHECK_THAT(fault("{v.1: rig.push}"),
-             Catch::StartsWith("test.yaml:5:20: record: 'v.1' is no name for a signal"));
+  CHECK_THAT(fault("{1.v: rig.push}"),
+             Catch::StartsWith("test.yaml:5:20: record: '1.v' is no name for a signal"));
   CHECK_THAT(fault("[rig.push, {time: rig.push}]"), Catch::Contains("'time' is no name for a signal"));
   CHECK_THAT(fault("{v: [rig.push]}"), Catch::Contains("a name is given to one signal"));
   CHECK_THAT(fault("[rig.push, {rig.push: rig.cart.velocity}]"),
              Catch::StartsWith("test.yaml:5:41: record: two signals are named 'rig.push' here"));
   CHECK(faults_of(cart + "record: [rig.push, {signals: {rig.push: rig.push}}]\n").empty());
+}
+
+TEST_CASE("what is recorded may be named as an element is, and is no element of another signal") {
+  const std::string vector =
+      "stepwire: 1\nstep: 1 s\nstop: 1 s\nblocks:\n  v: {block: Constant, value: [2, 3]}\n";
+  const auto names = [&](const std::string& record) {
+    const run::RunResult result = result_of(vector + record);
+    Lines names;
+    for (const table::Column& column : result.recordings[0].table.columns)
+      names.push_back(column.name);
+    return names;
+  };
+  CHECK(names("record: {signals: {x.2: v.2}}\n") == Lines{"time", "x.2"});
+  CHECK(names("record: {signals: {x: v, x.2: v.2}}\n") == Lines{"time", "x.1", "x.2"});
+  const auto faults = faults_of(vector + "record: {signals: {x: v, x.2: v.1}}\n");
+  REQUIRE(faults.size() == 1);
+  CHECK_THAT(faults[0], Catch::Contains("'x.2' is the name of an element of 'x', recorded here as well"));
 }
 
 TEST_CASE("a file may say the unit of a signal, which then holds along its wires") {
