@@ -44,7 +44,7 @@ Handle group_properties(hid_t of) {
   return properties;
 }
 
-/// Every number has a checksum: that of its chunk, or that of the object header in which a scalar lies.
+/// A checksum for every number: that of its chunk, or of a scalar that of the object header.
 Handle dataset_properties(hsize_t rows, Length length, bool is_scalar) {
   Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties.id(), false);

@@ -67,7 +67,7 @@ void record_all(const Scope& scope, const Origin& origin, const Resolver& resolv
       request.signals[i].signal = *signal;
 }
 
-/// May a column have this name, "x" or "rig.x", "rig.x.2" as an element has it?
+/// A name that a column may have: "x" or "rig.x", "rig.x.2" as an element has it.
 bool may_name_column(std::string name) {
   take_element(name);
   return is_dotted_name(name) && name != "time";
