@@ -74,8 +74,7 @@ text::TextTable table_of(const std::string& name, const Experiment& experiment, 
 
 }  // namespace
 
-std::vector<query::NamedTable> empty_study_tables(bool swept) {
-  if (swept) return {{"means"}, {"significance"}};
+std::vector<query::NamedTable> empty_study_tables() {
   std::vector<query::NamedTable> tables;
   for (const char* name : {"errors", "subjects", "anova", "anova_with_subject", "repeated_measures", "means",
                            "significance", "experiments", "experiments_significance"})

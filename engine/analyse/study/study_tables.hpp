@@ -8,16 +8,16 @@
 
 namespace stepwire::study {
 
-/// The tables that a study makes, by the names that `plot: table` has for them, still empty. Over a sweep
-/// these are means and significance alone, a line for each point.
-std::vector<query::NamedTable> empty_study_tables(bool swept);
+/// The tables that a study makes, by the names that `plot: table` has for them, still empty.
+std::vector<query::NamedTable> empty_study_tables();
 
 /// Fills in those of one experiment. What cannot be analysed is said in the table's place.
 void fill_study_tables(const Experiment& experiment, const StudyRequest& request,
                        std::vector<query::NamedTable>& tables);
 
-/// Fills in those of a sweep: at each point the means of the conditions, or P of the factors, and
-/// whether the statements of the thesis hold there.
+/// Fills in those of a sweep: `means` and `significance` have a line for each point, with the means of the
+/// conditions or P of the factors, and whether the statements of the thesis hold there; the others have the
+/// rows of all points.
 void fill_sweep_tables(const Experiments& experiments, const StudyRequest& request,
                        std::vector<query::NamedTable>& tables);
 

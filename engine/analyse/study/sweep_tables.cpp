@@ -1,5 +1,8 @@
-// What the studies of a sweep say, a line for each.
+// What the studies of a sweep say: a line for each, or the tables of all, one below the other.
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
 
 #include "engine/analyse/study/side_by_side.hpp"
 #include "engine/analyse/study/study_tables.hpp"
@@ -8,6 +11,49 @@
 namespace stepwire::study {
 
 namespace {
+
+/// The columns by which the points of a sweep are told apart: the first axes that do so, since with
+/// `together` one is enough. What else a point sets is a note.
+class PointColumns {
+ public:
+  explicit PointColumns(const Experiments& experiments) : experiments_(experiments) {
+    const std::size_t axes = experiments.front().sets.size();
+    while (count_ < axes && !all_differ()) ++count_;
+  }
+
+  std::vector<std::string> names() const { return texts(experiments_.front(), &diagram::Setting::name); }
+  std::vector<std::string> values(const Experiment& experiment) const {
+    return texts(experiment, &diagram::Setting::value);
+  }
+
+  /// "D1: offset=8 N, spread=0.5" of each point; none where the columns have all.
+  std::vector<std::string> notes() const {
+    std::vector<std::string> notes;
+    if (count_ == experiments_.front().sets.size()) return notes;
+    for (const Experiment& experiment : experiments_) {
+      const auto rest = experiment.sets.begin() + static_cast<std::ptrdiff_t>(count_);
+      notes.push_back(fmt::format("{}: {}.", fmt::join(values(experiment), ", "),
+                                  run::settings_text({rest, experiment.sets.end()})));
+    }
+    return notes;
+  }
+
+ private:
+  bool all_differ() const {
+    std::set<std::vector<std::string>> seen;
+    return std::ranges::all_of(
+        experiments_, [&](const Experiment& one) { return count_ > 0 && seen.insert(values(one)).second; });
+  }
+
+  std::vector<std::string> texts(const Experiment& experiment, std::string diagram::Setting::*part) const {
+    std::vector<std::string> result;
+    for (std::size_t i = 0; i < count_; ++i) result.push_back(experiment.sets[i].*part);
+    return result;
+  }
+
+  const Experiments& experiments_;
+  std::size_t count_ = 0;
+};
 
 /// What a table of the sweep shows of one experiment: the thesis' values and ours, and what it states.
 struct Shown {
@@ -53,17 +99,15 @@ void add_line(const Shown& shown, std::vector<std::string> line, text::TextTable
 text::TextTable table_of(const std::string& title,
                          Shown (*shown_of)(const StudyRequest&, const TaskAnalysis&),
                          const Experiments& experiments, const StudyRequest& request) {
-  text::TextTable table{title, {}, {}, {}};
-  for (const diagram::Setting& setting : experiments.front().sets) table.columns.push_back(setting.name);
+  const PointColumns points(experiments);
+  text::TextTable table{title, points.names(), {}, {}};
   const std::size_t swept = table.columns.size();
   Shown first;
   for (const Experiment& experiment : experiments) {
     const auto& analysis = experiment.analysis;
     const Shown shown = analysis ? shown_of(request, *analysis) : Shown{};
     if (table.columns.size() == swept && analysis) add_head(first = shown, table);
-    std::vector<std::string> line;
-    for (const diagram::Setting& setting : experiment.sets) line.push_back(setting.value);
-    add_line(shown, std::move(line), table);
+    add_line(shown, points.values(experiment), table);
     if (!analysis)
       table.notes.push_back(fmt::format("Not analysed with {}: {}.", run::settings_text(experiment.sets),
                                         experiment.not_analysed));
@@ -73,7 +117,34 @@ text::TextTable table_of(const std::string& title,
   for (const ComparedValue& value : first.values) published.push_back(printed_probability(value.published));
   if (has_published(request)) table.rows.push_back(std::move(published));
   for (auto& row : table.rows) row.resize(table.columns.size(), "–");
+  for (std::string& note : points.notes()) table.notes.push_back(std::move(note));
   return table;
+}
+
+/// The tables of all points below each other, of which each row begins with its point.
+text::TextTable stacked(std::size_t which, const std::vector<std::vector<query::NamedTable>>& of_points,
+                        const Experiments& experiments) {
+  const PointColumns points(experiments);
+  text::TextTable all{of_points.front()[which].table->title, points.names(), {}, {}};
+  const auto longest = std::ranges::max_element(
+      of_points, {}, [&](const auto& tables) { return tables[which].table->columns.size(); });
+  const std::vector<std::string>& columns = (*longest)[which].table->columns;
+  all.columns.insert(all.columns.end(), columns.begin(), columns.end());
+  for (std::size_t i = 0; i < experiments.size(); ++i) {
+    const text::TextTable& one = *of_points[i][which].table;
+    for (const auto& row : one.rows) {
+      std::vector<std::string> line = points.values(experiments[i]);
+      line.insert(line.end(), row.begin(), row.end());
+      line.resize(all.columns.size());
+      all.rows.push_back(std::move(line));
+    }
+    for (const std::string& note : one.notes) {
+      const std::string told = fmt::format("{}: {}", fmt::join(points.values(experiments[i]), ", "), note);
+      const bool is_new = std::ranges::find(all.notes, note) == all.notes.end();
+      if (i == 0 || is_new) all.notes.push_back(i == 0 ? note : told);
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -86,10 +157,15 @@ void fill_sweep_tables(const Experiments& experiments, const StudyRequest& reque
                                                                first.others.size() + 1, first.seed);
   const std::string of = fmt::format(" of task {}, {} subjects{} ({})", request.task, request.subjects.size(),
                                      which, whose_trials(request));
-  for (query::NamedTable& one : tables)
-    *one.table = one.name == "means"
-                     ? table_of("Mean normalised errors" + of, shown_means, experiments, request)
-                     : table_of("Significance (P)" + of, shown_significance, experiments, request);
+  std::vector<std::vector<query::NamedTable>> of_points;
+  for (const Experiment& experiment : experiments)
+    fill_study_tables(experiment, request, of_points.emplace_back(empty_study_tables()));
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    *tables[i].table = tables[i].name == "means"
+                           ? table_of("Mean normalised errors" + of, shown_means, experiments, request)
+                       : tables[i].name == "significance"
+                           ? table_of("Significance (P)" + of, shown_significance, experiments, request)
+                           : stacked(i, of_points, experiments);
 }
 
 }  // namespace stepwire::study

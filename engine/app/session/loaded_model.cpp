@@ -34,7 +34,7 @@ void add_study(diagram::Loader& loader, const LoadOptions& options, LoadedModel&
   study::check_carry(*model.study, model.job.plan, faults);
   faults.throw_if_any();
   study::add_study_names(*model.study, diagram, names);
-  model.tables = names.tables = study::empty_study_tables(!model.job.points.empty());
+  model.tables = names.tables = study::empty_study_tables();
 }
 
 /// Reads what the file asks of linear analysis, and adds the names that it makes.

@@ -112,7 +112,7 @@ std::string verify_recorded(const std::string& folder, const Registry& registry)
   const Outcome outcome = study_outcome(model, experiments);
   const std::string errors =
       difference(path_in(folder, "errors.csv"), errors_text(model, experiments, outcome));
-  return errors.empty() ? difference(path_in(folder, "tables.txt"), tables_text(model, experiments)) : errors;
+  return errors.empty() ? difference(path_in(folder, "tables.txt"), tables_text(model)) : errors;
 }
 
 }  // namespace stepwire::session

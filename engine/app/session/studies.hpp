@@ -56,7 +56,7 @@ void write_study(const std::string& folder, const LoadedModel& model, const stud
 /// What errors.csv and tables.txt have.
 std::string errors_text(const LoadedModel& model, const study::Experiments& experiments,
                         const Outcome& outcome);
-std::string tables_text(const LoadedModel& model, const study::Experiments& experiments);
+std::string tables_text(const LoadedModel& model);
 
 /// All that it found, for programs.
 json::Json study_json(const LoadedModel& model, const study::Experiments& experiments);

@@ -91,27 +91,6 @@ Json experiments_json(const study::Experiment& experiment, const study::StudyReq
   return list;
 }
 
-/// Of one experiment alone there is nothing to say about several.
-std::string all_tables(const std::vector<query::NamedTable>& tables, const study::StudyRequest& request) {
-  std::string all;
-  for (const query::NamedTable& one : tables)
-    if (request.experiments > 1 || !one.name.starts_with("experiments"))
-      all += (all.empty() ? "" : "\n") + text::text(*one.table);
-  return all;
-}
-
-/// Of a sweep, the tables of each of its points behind those of the model.
-std::string tables_of_points(const study::StudyRequest& request, const study::Experiments& experiments) {
-  std::string all;
-  for (const study::Experiment& experiment : experiments) {
-    if (experiment.sets.empty()) continue;
-    std::vector<query::NamedTable> tables = study::empty_study_tables(false);
-    study::fill_study_tables(experiment, request, tables);
-    all += fmt::format("\n\nWith {}\n\n{}", run::settings_text(experiment.sets), all_tables(tables, request));
-  }
-  return all;
-}
-
 /// How many columns of a recording, behind the time, say at which point of a sweep its rows are.
 std::ptrdiff_t swept_columns_of(const record::Recording& recording) {
   const auto first = std::ranges::find(recording.table.columns, "subject", &table::Column::name);
@@ -152,7 +131,8 @@ std::string errors_csv(const LoadedModel& model, const study::Experiments& exper
   table.columns.insert(table.columns.begin(), swept, swept + swept_columns_of(recording));
   for (const record::Categories& one : recording.categories)
     for (const std::string& text : one.texts)
-      if (one.column != "subject" && one.column != "condition") words[one.column].push_back(without_quotes(text));
+      if (one.column != "subject" && one.column != "condition")
+        words[one.column].push_back(without_quotes(text));
   return table::csv_text(table, words);
 }
 
@@ -181,7 +161,7 @@ void write_study(const std::string& folder, const LoadedModel& model, const stud
     io::write_file(folder + "/" + io::numbered("trials", i, ".csv"), trials_text(model, experiments[i]));
   io::write_file(folder + "/errors.csv", errors_text(model, experiments, outcome));
   io::write_file(folder + "/study.json", study_json(model, experiments).text() + "\n");
-  io::write_file(folder + "/tables.txt", tables_text(model, experiments));
+  io::write_file(folder + "/tables.txt", tables_text(model));
   if (model.study->experiments > 1 && experiments.size() == 1)
     render::write_figure(folder, "experiments",
                          repetition_figure(study::outcomes(experiments.front(), *model.study), *model.study),
@@ -193,8 +173,13 @@ std::string errors_text(const LoadedModel& model, const study::Experiments& expe
   return errors_csv(model, experiments, outcome.result.recordings[model.job.plan.diagram.records.size()]);
 }
 
-std::string tables_text(const LoadedModel& model, const study::Experiments& experiments) {
-  return all_tables(model.tables, *model.study) + tables_of_points(*model.study, experiments);
+std::string tables_text(const LoadedModel& model) {
+  std::string all;
+  for (const query::NamedTable& one :
+       model.tables)  // of one experiment alone there is nothing to say of several
+    if (model.study->experiments > 1 || !one.name.starts_with("experiments"))
+      all += (all.empty() ? "" : "\n") + text::text(*one.table);
+  return all;
 }
 
 Json study_json(const LoadedModel& model, const study::Experiments& experiments) {

@@ -64,7 +64,7 @@ std::string study_text(session::LoadedModel& model, messages::ItemWorkers* worke
   call.workers = workers;
   const auto experiments = session.study(model, call);
   const session::Outcome outcome = session::study_outcome(model, *experiments);
-  std::string text = session::tables_text(model, *experiments) +
+  std::string text = session::tables_text(model) +
                      session::errors_text(model, *experiments, outcome) +
                      session::study_json(model, *experiments).text();
   for (const record::Recording& recording : outcome.result.recordings)
