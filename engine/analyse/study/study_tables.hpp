@@ -15,9 +15,8 @@ std::vector<query::NamedTable> empty_study_tables();
 void fill_study_tables(const Experiment& experiment, const StudyRequest& request,
                        std::vector<query::NamedTable>& tables);
 
-/// Fills in those of a sweep: `means` and `significance` have a line for each point, with the means of the
-/// conditions or P of the factors, and whether the statements of the thesis hold there; the others have the
-/// rows of all points.
+/// Fills in those of a sweep. `means` and `significance` have a line for each point: means of the conditions,
+/// P of the factors, and whether the statements of the thesis hold. The others have the rows of all points.
 void fill_sweep_tables(const Experiments& experiments, const StudyRequest& request,
                        std::vector<query::NamedTable>& tables);
 
