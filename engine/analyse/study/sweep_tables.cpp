@@ -1,4 +1,4 @@
-// What the studies of a sweep say: a line for each, or the tables of all, one below the other.
+// Tables of a swept study: a line for each point, or the rows of all points below each other.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace stepwire::study {
 
 namespace {
 
-/// The columns by which the points of a sweep are told apart: the first axes that do so, since with
-/// `together` one is enough. What else a point sets is a note.
+/// Columns for what differs between the points of a sweep: as few axes as are needed, one with `together`.
+/// Notes have the other values of each point.
 class PointColumns {
  public:
   explicit PointColumns(const Experiments& experiments) : experiments_(experiments) {
@@ -26,7 +26,7 @@ class PointColumns {
     return texts(experiment, &diagram::Setting::value);
   }
 
-  /// "D1: offset=8 N, spread=0.5" of each point; none where the columns have all.
+  /// "D1: offset=8 N, spread=0.5" for each point. Empty if the columns have all values.
   std::vector<std::string> notes() const {
     std::vector<std::string> notes;
     if (count_ == experiments_.front().sets.size()) return notes;

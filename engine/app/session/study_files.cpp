@@ -175,8 +175,7 @@ std::string errors_text(const LoadedModel& model, const study::Experiments& expe
 
 std::string tables_text(const LoadedModel& model) {
   std::string all;
-  for (const query::NamedTable& one :
-       model.tables)  // of one experiment alone there is nothing to say of several
+  for (const query::NamedTable& one : model.tables)  // these tables compare several experiments
     if (model.study->experiments > 1 || !one.name.starts_with("experiments"))
       all += (all.empty() ? "" : "\n") + text::text(*one.table);
   return all;
