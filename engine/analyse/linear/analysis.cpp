@@ -5,9 +5,9 @@ namespace stepwire::linear {
 namespace {
 
 ChannelAnalysis channel_of(const Linearization& all, std::size_t input, std::size_t output) {
-  const StateSpace channel = all.system.channel(input, output).connected();
+  const StateSpace whole = all.system.channel(input, output), channel = whole.connected();
   return {channel.inputs[0].name, channel.outputs[0].name, zeros_of(channel),
-          gain_at_rest(channel),  bandwidth(channel),      margins_of(channel, all.feedback)};
+          gain_at_rest(channel),  bandwidth(channel),      margins_of(whole, all.feedback)};
 }
 
 }  // namespace

@@ -123,7 +123,28 @@ double Margins::delay() const {
   return least;
 }
 
-Margins margins_of(const StateSpace& system, double feedback) {
+namespace {
+
+/// The fastest growing mode of all states; none where each dies out or stays, to what rounding makes of it.
+std::optional<Complex> growing(const StateSpace& closed) {
+  constexpr double rounding = 1e-8;
+  std::optional<Complex> found;
+  double largest = 0.0, fastest = 0.0;
+  const std::vector<Complex> poles = eigenvalues(closed.A);
+  for (const Complex& pole : poles) largest = std::max(largest, std::abs(pole));
+  for (const Complex& pole : poles) {
+    const double growth = closed.is_sampled() ? std::abs(pole) - 1.0 : pole.real();
+    if (growth <= rounding * (closed.is_sampled() ? 1.0 : largest) || growth <= fastest) continue;
+    fastest = growth;
+    found = pole;
+  }
+  return found;
+}
+
+}  // namespace
+
+Margins margins_of(const StateSpace& all, double feedback) {
+  const StateSpace system = all.connected();
   const Loop loop(system, feedback);
   Margins margins;
   margins.gain = loop.gain_margins(system);
@@ -132,6 +153,9 @@ Margins margins_of(const StateSpace& system, double feedback) {
   const StateSpace closed = system.closed(feedback);
   if (closed.A.allFinite()) margins.closed_poles = eigenvalues(closed.A);
   margins.stable = closed.A.allFinite() && is_stable(margins.closed_poles, system.sample_time);
+  if (!margins.stable || system.states.size() == all.states.size()) return margins;
+  margins.hidden = growing(all.closed(feedback));
+  margins.stable = !margins.hidden;
   return margins;
 }
 

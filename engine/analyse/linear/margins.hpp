@@ -20,8 +20,9 @@ struct Margins {
   std::vector<Crossing> phase;  ///< of all frequencies at which |L| = 1
   double modulus = 0.0;         ///< least distance of L from -1
   double modulus_frequency = 0.0;
-  std::vector<Complex> closed_poles;
-  bool stable = false;  ///< is the closed loop?
+  std::vector<Complex> closed_poles;  ///< of the states between input and output
+  bool stable = false;                ///< is the closed loop, with all states?
+  std::optional<Complex> hidden{};    ///< a mode that grows, and that input or output have no part in
 
   /// The crossing whose factor is nearest to 1, or whose angle is nearest to 0.
   std::optional<Crossing> worst_gain() const, worst_phase() const;
@@ -29,8 +30,9 @@ struct Margins {
   double delay() const;
 };
 
-/// Of one input and one output, closed by u = feedback y, so that L = -feedback * (what is put out).
-Margins margins_of(const StateSpace& system, double feedback);
+/// Of one input and one output, closed by u = feedback y, so that L = -feedback * (what is put out). States
+/// outside of the loop count for stability where they grow; an integrator there does not.
+Margins margins_of(const StateSpace& all, double feedback);
 
 /// The frequency [rad/s] at which the gain first falls below 1/sqrt(2) of what it is at rest; infinite where
 /// it never does, 0 where it is 0 or infinite at rest.

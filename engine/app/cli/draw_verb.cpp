@@ -5,6 +5,7 @@
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
+#include "engine/app/cli/kept_inputs.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/cli/watch.hpp"
 #include "engine/base/io/file.hpp"
@@ -39,6 +40,7 @@ render::PictureKind kind_of(const DrawCall& call) {
 ExitCode draw(const DrawCall& call, diagram::Loader& loader) {
   const drawing::DrawnFile file(loader, call.file);
   require_names(call, file.view());
+  keep_inputs(call.out, loader.paths());
   const EndDelay delay(EndDelay::Signals::first);
   const json::Json graph = file.view().graph(call.options);
   const render::PictureKind kind = kind_of(call);

@@ -1,14 +1,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 
 #include "engine/app/cli/console.hpp"
+#include "engine/app/cli/kept_inputs.hpp"
 #include "engine/app/cli/load_words.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/model/diagram/flatten.hpp"
+#include "engine/simulate/replay/replay_folder.hpp"
 
 namespace stepwire::cli {
 
@@ -21,14 +22,10 @@ struct FlattenCall {
 };
 
 ExitCode flatten(const FlattenCall& call, const Registry& registry) {
-  std::error_code none;
-  if (!call.out.empty() && std::filesystem::equivalent(call.file, call.out, none)) {
-    complain("{} would be written over itself; give -o another name\n", call.file);
-    return ExitCode::wrong;
-  }
   const session::LoadOptions options = load_options(call.words);
   diagram::Loader loader(registry, options.limits);
   const plan::Plan plan = plan::make_plan(loader.load(call.file, options.settings));
+  keep_inputs(call.out, replay::files_read(plan));
   const std::string text = diagram::flattened_text(plan.diagram);
   if (call.out.empty())
     put_data(text);

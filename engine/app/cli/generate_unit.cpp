@@ -5,12 +5,14 @@
 #include <filesystem>
 
 #include "engine/app/cli/console.hpp"
+#include "engine/app/cli/kept_inputs.hpp"
 #include "engine/app/fmu/unit_export.hpp"
 #include "engine/app/session/version.hpp"
 #include "engine/base/fmi/archive_bytes.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/subprocess/process.hpp"
+#include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/view/drawing/draw.hpp"
 #include "engine/view/render/picture_kind.hpp"
 
@@ -57,6 +59,7 @@ void require_target(const std::string& out) {
 ExitCode generate_unit(const UnitCall& call, const Registry& registry, const session::LoadedModel& model,
                        const codegen::Tuning& tuning) {
   require_target(call.out);
+  keep_inputs(call.out, replay::files_read(model.job));
   const codegen::Compiler compiler;
   fmu::ExportOptions options{
       .version = call.version, .name = call.name, .made_by = "stepwire " + session::program_version()};

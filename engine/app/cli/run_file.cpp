@@ -9,6 +9,7 @@
 #include "engine/app/cli/console_style.hpp"
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
+#include "engine/app/cli/kept_inputs.hpp"
 #include "engine/app/cli/kept_run.hpp"
 #include "engine/app/cli/monitoring.hpp"
 #include "engine/app/cli/run_requirements.hpp"
@@ -44,6 +45,7 @@ class FileRun {
     require_fitting(call_, model);
     const EndDelay delay(EndDelay::Signals::first);
     render::require_converter(call_.pictures);
+    keep_inputs(call_.csv == standard_output ? "" : call_.csv, replay::files_read(model.job));
     const std::string folder = folder_of(call_, model.file);
     use_ = {folder, session::files_for(model, call_.files), !call_.csv.empty()};
     if (!folder.empty() && !call_.files && use_.files != session::usual_files)
@@ -156,7 +158,8 @@ class FileRun {
       const auto watch = watched(file_name(model));
       if (mpi_ && kept) return mpi_->run(*kept, model, session_.monitor());
       if (kept) return kept->run(session_, call_.engine, call_.models.threads);
-      if (session::goes_run_by_run(model, use_)) return session_.pass(model, call_.engine, call_.models.threads);
+      if (session::goes_run_by_run(model, use_))
+        return session_.pass(model, call_.engine, call_.models.threads);
       if (partial) session_.monitor().observers = {partial.get()};
       return session_.run(model, call_.engine, call_.models.threads);
     }();

@@ -67,7 +67,10 @@ double degrees(double angle) {
 
 std::string margins_text(const linear::Margins& margins, double feedback) {
   std::string text = fmt::format("  closed by u = {}y: {}\n", feedback < 0.0 ? "-" : "",
-                                 margins.stable ? "stable" : "not stable");
+                                 margins.stable   ? "stable"
+                                 : margins.hidden ? fmt::format("not stable: {} grows outside of the loop",
+                                                                complex_text(*margins.hidden))
+                                                  : "not stable");
   for (const linear::Crossing& crossing : margins.gain)
     text += fmt::format("  gain margin {} dB (factor {}) at {} rad/s\n",
                         short_number(decibels(crossing.margin), 6), short_number(crossing.margin, 6),

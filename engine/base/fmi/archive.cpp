@@ -73,10 +73,10 @@ void Archive::read_entries() {
     whole += std::min(about.size, most + 1);  // no sum of these is too large for its type
   }
   if (whole > most)
-    throw UnitError(
-        fmt::format("{} unpacks to {} MiB, and a unit of its size may unpack to {} MiB; nothing of it is "
-                    "unpacked",
-                    path_, whole / mebibyte, most / mebibyte));
+    throw UnitError(fmt::format(
+        "{} unpacks to {} MiB or more, and a unit of its size may unpack to {} MiB; nothing of it is "
+        "unpacked",
+        path_, whole / mebibyte, most / mebibyte));
 }
 
 Archive::~Archive() = default;

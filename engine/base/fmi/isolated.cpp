@@ -1,7 +1,9 @@
 #include "engine/base/fmi/isolated.hpp"
 
 #include <fmt/format.h>
+#include <stdio_ext.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -60,6 +62,9 @@ void Isolated::quit() {
 
 /// The work of the process, until it is to end. It ends with the one that made it.
 void Isolated::live() {
+  // What the unit prints is no data: standard output may be a table.
+  __fpurge(stdout);
+  ::dup2(STDERR_FILENO, STDOUT_FILENO);
   {
     Model model(setup_, *exchange_);
     while (true) {

@@ -1,12 +1,15 @@
 #include "engine/base/fmi/runner.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <new>
 #include <optional>
 
 #include "engine/base/fmi/call_watch.hpp"
 #include "engine/base/fmi/isolated.hpp"
+#include "engine/base/io/descriptor.hpp"
 
 namespace stepwire::fmi {
 
@@ -26,6 +29,7 @@ class Inside : public Runner {
   bool run(Operation operation) override {
     exchange_->operation = operation;
     model_->run();
+    [[maybe_unused]] const int back = ::fchdir(folder_.number());  // a unit may change it
     return exchange_->ok != 0;
   }
 
@@ -34,6 +38,7 @@ class Inside : public Runner {
     void operator()(char* memory) const { ::operator delete[](memory, std::align_val_t(alignof(Exchange))); }
   };
   Setup setup_;
+  io::Descriptor folder_{::open(".", O_PATH | O_DIRECTORY | O_CLOEXEC)};  ///< in which files are written
   std::unique_ptr<char[], Free> memory_;
   std::optional<CallWatch> watch_;
   std::unique_ptr<Model> model_;

@@ -38,6 +38,7 @@ void end_with(int other) {
 }
 
 void leave_other_process(const std::vector<int>& kept) {
+  ::setpgid(0, 0);  // processes of foreign code end with this one
   // Foreign code may exit: what the other process has registered for its own exit is not called.
   ::on_exit([](int status, void*) { ::_exit(status); }, nullptr);
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGPIPE, SIGXFSZ})
@@ -61,6 +62,7 @@ Fork::Fork(const std::function<void()>& work, std::vector<int> kept) {
   std::unique_lock lock(loader_mutex());
   id_ = ::fork();
   lock.unlock();
+  if (id_ > 0) ::setpgid(id_, id_);  // here, too: whoever comes first
   if (id_ != 0) return;
   kept.push_back(there.number());
   leave_other_process(kept);
@@ -74,14 +76,24 @@ Fork::~Fork() {
 }
 
 bool Fork::has_ended() {
-  if (ended_) return true;
-  const pid_t found = ::waitpid(id_, &status_, WNOHANG);
-  ended_ = found == id_ || (found < 0 && errno == ECHILD);  // who ignores SIGCHLD has no status
+  if (!ended_) look(WNOHANG);
   return ended_;
 }
 
 void Fork::wait() {
-  while (!ended_) ended_ = ::waitpid(id_, &status_, 0) >= 0 || errno != EINTR;
+  while (!ended_) look(0);
+}
+
+/// The group still has the number of the process when its other processes are ended.
+void Fork::look(int how) {
+  siginfo_t info{};
+  if (::waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOWAIT | how) != 0) {
+    ended_ = errno == ECHILD;  // who ignores SIGCHLD has no status
+    return;
+  }
+  if (info.si_pid != id_) return;
+  ::kill(-id_, SIGKILL);
+  ended_ = ::waitpid(id_, &status_, 0) == id_;
 }
 
 void Fork::end() {

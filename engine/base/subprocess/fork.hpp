@@ -16,7 +16,8 @@ namespace stepwire::subprocess {
 std::mutex& loader_mutex();
 
 /// A copy of this process in which one function runs. Signals have their usual meaning in it, but the
-/// terminal does not interrupt it: whoever made it ends it, also by ending itself in whatever way. Of the
+/// terminal does not interrupt it: whoever made it ends it, also by ending itself in whatever way. Processes
+/// that it makes end when it has ended. Of the
 /// files and sockets of this process it sees the three streams and those that are kept.
 class Fork {
  public:
@@ -44,6 +45,8 @@ class Fork {
   std::string ending() const;
 
  private:
+  void look(int how);
+
   pid_t id_ = -1;
   io::Descriptor life_{};  ///< open as long as the process of this object lives
   int status_ = 0;

@@ -6,6 +6,7 @@
 #include <cfenv>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <string>
@@ -45,6 +46,9 @@ int act(const Unit& unit, const std::string& call) {
   if (unit.does("stop")) std::raise(SIGSTOP);
   if (unit.does("throw")) throw 1;
   if (unit.does("upward")) std::fesetround(FE_UPWARD);
+  if (unit.does("print")) std::printf("printed\n"), std::fflush(stdout);
+  if (unit.does("chdir") && ::chdir("/") != 0) std::abort();
+  if (unit.does("fork") && ::fork() == 0) hang();
   if (unit.does("flush")) _mm_setcsr(_mm_getcsr() | 0x8040u);
   return status_of(unit.deed);
 }

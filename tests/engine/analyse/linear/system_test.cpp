@@ -66,6 +66,28 @@ TEST_CASE("a loop that needs gain has a margin below 1") {
   CHECK_FALSE(margins_of(form_of({0, 0.4, 0.8, 0.4}, {1, 0, 0, 0}), -1.0).stable);
 }
 
+TEST_CASE("a mode that grows outside of the loop makes it unstable, and an integrator there does not") {
+  // 1/(s + 1) closed by -1 has its pole at -2. Beside it a mode that the input does not reach.
+  const auto beside = [](double pole, double reached, double shown) {
+    StateSpace system = form_of({0, 1}, {1, 1});
+    system.A = Eigen::Matrix2d{{-1.0, 0.0}, {0.0, pole}};
+    system.B = Eigen::Vector2d{1.0, reached};
+    system.C = Eigen::RowVector2d{1.0, shown};
+    system.states.push_back({"z", ""});
+    return margins_of(system, -1.0);
+  };
+  for (const auto& [reached, shown] : {std::pair{0.0, 1.0}, {1.0, 0.0}}) {
+    const Margins grows = beside(5.0, reached, shown);
+    CHECK_FALSE(grows.stable);
+    REQUIRE(grows.hidden);
+    CHECK(grows.hidden->real() == Approx(5.0));
+    REQUIRE(grows.closed_poles.size() == 1);
+    CHECK(grows.closed_poles[0].real() == Approx(-2.0));
+    CHECK(beside(0.0, reached, shown).stable);
+    CHECK(beside(-3.0, reached, shown).stable);
+  }
+}
+
 TEST_CASE("a loop that comes back as it is has the margins of its negative") {
   const Margins margins = margins_of(form_of({0, 0, 0, -4}, {1, 3, 3, 1}), 1.0);
   REQUIRE(margins.gain.size() == 1);

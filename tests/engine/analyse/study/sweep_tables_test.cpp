@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "engine/analyse/study/study_tables.hpp"
 #include "tests/engine/analyse/study/samples.hpp"
@@ -27,10 +28,12 @@ Experiment experiment_of(const std::string& offset,
   return experiment;
 }
 
-std::vector<query::NamedTable> tables_of(const Experiments& experiments) {
-  std::vector<query::NamedTable> tables = empty_study_tables(true);
+std::map<std::string, text::TextTable> tables_of(const Experiments& experiments) {
+  std::vector<query::NamedTable> tables = empty_study_tables();
   fill_sweep_tables(experiments, request_of_task_1(), tables);
-  return tables;
+  std::map<std::string, text::TextTable> all;
+  for (const query::NamedTable& one : tables) all[one.name] = *one.table;
+  return all;
 }
 
 }  // namespace
@@ -40,8 +43,7 @@ TEST_CASE("a swept study has a line for each point, with what is published below
   const auto tables =
       tables_of({experiment_of("2 N", {{"NO", 0.698}, {"H", 0.217}, {"V", 0.114}, {"HV", 0.079}}),
                  experiment_of("5 N", {{"NO", 0.698}, {"H", 0.114}, {"V", 0.217}, {"HV", 0.079}})});
-  REQUIRE(tables.size() == 2);
-  const text::TextTable& means = *tables[0].table;
+  const text::TextTable& means = tables.at("means");
   CHECK(means.columns == std::vector<std::string>{"offset", "NO", "H", "V", "HV", "(1)"});
   REQUIRE(means.rows.size() == 3);
   CHECK(means.rows[0].front() == "2 N");
@@ -58,7 +60,7 @@ TEST_CASE("whether factors are significant as published is told for each point")
   const auto tables =
       tables_of({experiment_of("2 N", {{"NO", 0.698}, {"H", 0.217}, {"V", 0.114}, {"HV", 0.079}}),
                  experiment_of("5 N", {{"NO", 0.3}, {"H", 0.3}, {"V", 0.3}, {"HV", 0.3}})});
-  const text::TextTable& significance = *tables[1].table;
+  const text::TextTable& significance = tables.at("significance");
   CHECK(significance.columns == std::vector<std::string>{"offset", "haptic", "visual", "(1)", "(2)"});
   REQUIRE(significance.rows.size() == 3);
   CHECK(significance.rows[0][3] == "holds");
@@ -67,13 +69,29 @@ TEST_CASE("whether factors are significant as published is told for each point")
   CHECK(significance.rows[1][4] == "fails");
 }
 
+TEST_CASE("the other tables have the rows of all points, each with what differs between them") {
+  Experiments two{experiment_of("2 N", {{"NO", 0.698}, {"H", 0.217}, {"V", 0.114}, {"HV", 0.079}}),
+                  experiment_of("5 N", {{"NO", 0.3}, {"H", 0.3}, {"V", 0.3}, {"HV", 0.3}})};
+  two[0].sets.push_back({"slope", "1 N/mm"});  // one column tells the points apart
+  two[1].sets.push_back({"slope", "1 N/mm"});
+  const text::TextTable anova = tables_of(two).at("anova");
+  CHECK(anova.columns[0] == "offset");
+  CHECK(anova.columns[1] == "term");
+  REQUIRE(anova.rows.size() == 8);
+  CHECK(anova.rows[0][0] == "2 N");
+  CHECK(anova.rows[0][1] == "haptic");
+  CHECK(anova.rows[4][0] == "5 N");
+  CHECK(anova.rows[4][1] == "haptic");
+  CHECK(tables_of(two).at("means").notes.back() == "5 N: slope=1 N/mm.");
+}
+
 TEST_CASE("a point whose trials cannot be analysed says why") {
   Experiment lost;
   lost.sets.push_back({"offset", "9 N"});
   lost.not_analysed = "all errors are zero";
   const auto tables =
       tables_of({lost, experiment_of("2 N", {{"NO", 0.7}, {"H", 0.2}, {"V", 0.1}, {"HV", 0.05}})});
-  const text::TextTable& means = *tables[0].table;
+  const text::TextTable& means = tables.at("means");
   CHECK(means.rows[0] == std::vector<std::string>{"9 N", "–", "–", "–", "–", "–"});
   CHECK(means.notes.front() == "Not analysed with offset=9 N: all errors are zero.");
 }

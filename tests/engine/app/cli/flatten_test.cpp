@@ -63,7 +63,17 @@ TEST_CASE("flatten refuses what run refuses, and to write over its own file") {
   const std::string before = content_of(folder.path("rig.yaml"));
   const Done over = run_program(folder, {"flatten", "rig.yaml", "-o", "./rig.yaml"});
   CHECK(over.code == 2);
-  CHECK_THAT(over.err, Contains("would be written over itself"));
+  CHECK_THAT(over.err, Contains("rig.yaml: would be written over by this call, which reads it"));
+  for (const std::vector<std::string>& call :
+       {std::vector<std::string>{"run", "rig.yaml", "--csv", "rig.yaml"},
+        {"draw", "rig.yaml", "-o", "rig.yaml"},
+        {"run", "rig.yaml", "--csv", "rows.csv"},
+        {"generate", "rig.yaml", "--fmi", "3", "-o", "rig.yaml"}}) {
+    const Done refused = run_program(folder, {call});
+    INFO(call[0] << " " << call.back() << ": " << refused.err);
+    CHECK(refused.code == 2);
+    CHECK_THAT(refused.err, Contains(call.back() + ": would be written over by this call, which reads it"));
+  }
   CHECK(content_of(folder.path("rig.yaml")) == before);
   CHECK(run_program(folder, {"flatten", "rig.yaml", "-o", "rows.csv/flat.yaml"}).code == 3);
 }

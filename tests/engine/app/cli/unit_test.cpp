@@ -49,6 +49,30 @@ TEST_CASE("a unit in the program that exits or hangs ends it with status 3 and a
     }
 }
 
+TEST_CASE("what an isolated unit prints is no part of a table on the standard output") {
+  const Scratch folder;
+  Call call = with_unit(folder, "print DoStep", "");
+  call.arguments = {"run", "bad.yaml", "--csv", "-"};
+  const Done done = run_program(folder, call);
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Catch::StartsWith("time [s],wheel.y") && !Contains("printed"));
+  CHECK_THAT(done.err, Contains("printed"));
+}
+
+TEST_CASE("a unit that leaves the folder of the call does not take the results with it") {
+  for (const std::string keys : {"", ", isolate: false"}) {
+    const Scratch folder;
+    CHECK(run_program(folder, with_unit(folder, "chdir DoStep", keys)).code == 0);
+    CHECK(stepwire::table::read_csv(folder.path("out/signals.csv")).rows() == 1001);
+  }
+}
+
+TEST_CASE("processes that an isolated unit makes end with it") {
+  const Scratch folder;
+  CHECK(run_program(folder, with_unit(folder, "fork Initialize", "")).code == 0);
+  CHECK(processes_in(folder.path("")) == 0);
+}
+
 TEST_CASE("an interruption ends a run whose unit hangs, in the program with a sentence, else with its rows") {
   for (const std::string keys : {"", ", isolate: false"}) {
     const Scratch folder;
