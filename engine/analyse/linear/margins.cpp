@@ -125,7 +125,7 @@ double Margins::delay() const {
 
 namespace {
 
-/// The fastest growing mode of all states; none where each dies out or stays, to what rounding makes of it.
+/// The mode of all states that grows fastest, beyond rounding. Empty if every mode dies out or stays.
 std::optional<Complex> growing(const StateSpace& closed) {
   constexpr double rounding = 1e-8;
   std::optional<Complex> found;

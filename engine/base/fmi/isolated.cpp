@@ -62,7 +62,7 @@ void Isolated::quit() {
 
 /// The work of the process, until it is to end. It ends with the one that made it.
 void Isolated::live() {
-  // What the unit prints is no data: standard output may be a table.
+  // Prints of the unit go to the standard error, since the standard output may be a table.
   __fpurge(stdout);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);
   {

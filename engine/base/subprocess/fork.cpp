@@ -62,7 +62,7 @@ Fork::Fork(const std::function<void()>& work, std::vector<int> kept) {
   std::unique_lock lock(loader_mutex());
   id_ = ::fork();
   lock.unlock();
-  if (id_ > 0) ::setpgid(id_, id_);  // here, too: whoever comes first
+  if (id_ > 0) ::setpgid(id_, id_);  // here, too, since either may come first
   if (id_ != 0) return;
   kept.push_back(there.number());
   leave_other_process(kept);

@@ -72,7 +72,7 @@ TEST_CASE("whether factors are significant as published is told for each point")
 TEST_CASE("the other tables have the rows of all points, each with what differs between them") {
   Experiments two{experiment_of("2 N", {{"NO", 0.698}, {"H", 0.217}, {"V", 0.114}, {"HV", 0.079}}),
                   experiment_of("5 N", {{"NO", 0.3}, {"H", 0.3}, {"V", 0.3}, {"HV", 0.3}})};
-  two[0].sets.push_back({"slope", "1 N/mm"});  // one column tells the points apart
+  two[0].sets.push_back({"slope", "1 N/mm"});  // not needed beside the offset
   two[1].sets.push_back({"slope", "1 N/mm"});
   const text::TextTable anova = tables_of(two).at("anova");
   CHECK(anova.columns[0] == "offset");
