@@ -77,7 +77,7 @@ test("the front page counts the claims that the runs have judged, invariants apa
   const claims = judged.filter((claim) => !claim.invariant), held = judged.filter((claim) => claim.invariant && claim.holds);
   await page.goto(gallery.url("index.html"));
   const line = await page.locator(".summary").textContent();
-  assert.ok(line.startsWith(`${claims.filter((claim) => claim.holds).length} of ${claims.length} claims hold`), line);
+  assert.ok(line.startsWith(`${claims.filter((claim) => claim.holds).length} claims hold`), line);
   if (held.length > 0) assert.ok(line.includes(`${held.length} invariant`), line);
   assert.ok(gallery.said.trimEnd().endsWith(line), "the terminal ends with another verdict");
 }));

@@ -76,7 +76,7 @@ Html departures(const Gallery& gallery) {
     list.add(entry, items, entry.departures.size());
   }
   if (list.count() == 0) return {};
-  return folded("otherwise", "What is done otherwise", counted(list.count(), "departure", "departures"),
+  return folded("departures", "Departures from the text", counted(list.count(), "departure", "departures"),
                 list.list());
 }
 

@@ -30,7 +30,8 @@ std::string words_of(const GalleryEntry& entry) {
   std::string words = "section " + entry.section + " " + entry.folder + " " + entry.caption + " " +
                       entry.source_caption + " " + entry.source_says;
   for (const claim::Verdict& verdict : entry.verdicts)
-    if (verdict.kind == claim::Claim::Kind::statement) words += " " + verdict.that;
+    if (verdict.kind == claim::Claim::Kind::statement) words += " " + verdict.that + " " + verdict.disagrees;
+  for (const std::string& departure : entry.departures) words += " " + departure;
   return words;
 }
 
@@ -40,15 +41,17 @@ std::string traits_of(const GalleryEntry& entry) {
   if (entry.table && entry.figure) traits += " figure";
   if (tally_of(entry).known > 0) traits += " disagrees";
   if (tally_of(entry).bad()) traits += " fails";
-  if (!entry.departures.empty()) traits += " otherwise";
+  if (!entry.departures.empty()) traits += " departures";
   return traits;
 }
 
 Html card(const GalleryEntry& entry) {
   const ClaimTally tally = tally_of(entry);
   const std::string claims = tally.errors > 0 ? "did not run"
-                             : tally.all > 0  ? fmt::format("{} of {}", tally.hold, tally.all)
-                                              : "";
+                             : tally.all == 0 ? ""
+                             : tally.known == 0
+                                 ? fmt::format("{} hold", tally.hold)
+                                 : fmt::format("{} hold, {} known not to", tally.hold, tally.known);
   return html(R"(<li class="card {}" data-traits="{}" data-words="{}"><a href="{}">{}
 <span class="label">{}</span> <span class="title">{}</span> <span class="verdict">{}</span></a></li>
 )",
@@ -56,16 +59,27 @@ Html card(const GalleryEntry& entry) {
               short_name(entry), entry.label.empty() ? "" : entry.title, claims);
 }
 
-Html chapter(const GalleryEntry& entry, const Html& cards) {
+Html summary_of(const Gallery& gallery, const std::string& chapter) {
+  Html all;
+  for (const ChapterSummary& summary : gallery.summaries) {
+    if (summary.chapter != chapter) continue;
+    for (const std::string& sentence : summary.sentences) all += html("<p>{}</p>\n", sentence);
+    all = html("<div class=\"chapter-summary\">\n<h4>{}</h4>\n{}</div>\n", summary.title, all);
+  }
+  return all;
+}
+
+Html chapter(const Gallery& gallery, const GalleryEntry& entry, const Html& cards) {
   const std::string number = chapter_of(entry);
   const Html print =
       entry.print.file.empty()
           ? Html{}
           : html("\n<p class=\"soft\"><a href=\"{}\">Its pictures as PDF</a></p>", Address{entry.print.file});
   return html(
-      "<section class=\"chapter\">\n<div class=\"head\"><h3>{}</h3>{}</div>\n<ul "
+      "<section class=\"chapter\">\n<div class=\"head\"><h3>{}</h3>{}</div>\n{}<ul "
       "class=\"cards\">\n{}</ul>\n</section>\n",
-      number.empty() ? "Beside the chapters" : "Chapter " + number, print, cards);
+      number.empty() ? "Beside the chapters" : "Chapter " + number, print, summary_of(gallery, number),
+      cards);
 }
 
 Html thumbnails(const Gallery& gallery) {
@@ -76,24 +90,13 @@ Html thumbnails(const Gallery& gallery) {
     const bool last =
         i + 1 == gallery.entries.size() || chapter_of(gallery.entries[i + 1]) != chapter_of(entry);
     if (!last) continue;
-    chapters += chapter(entry, cards);
+    chapters += chapter(gallery, entry, cards);
     cards = {};
   }
   if (chapters.empty()) return {};
   return html(
       "<section id=\"figures\">\n<h2>Figures and tables</h2>\n<div id=\"search\"></div>\n{}</section>\n",
       chapters);
-}
-
-Html summaries(const Gallery& gallery) {
-  Html all;
-  for (const ChapterSummary& summary : gallery.summaries) {
-    if (std::ranges::find(gallery.entries, summary.chapter, chapter_of) == gallery.entries.end()) continue;
-    Html sentences;
-    for (const std::string& sentence : summary.sentences) sentences += html("<p>{}</p>\n", sentence);
-    all += html("<section class=\"chapter-summary\">\n<h2>{}</h2>\n{}</section>\n", summary.title, sentences);
-  }
-  return all;
 }
 
 }  // namespace
@@ -104,8 +107,7 @@ std::string gallery_front(const Gallery& gallery) {
   if (!gallery.introduction.empty()) head += html("<p class=\"lead\">{}</p>\n", gallery.introduction);
   head += html("<p class=\"summary {}\">{}</p>\n</header>\n", tally.bad() ? "bad" : "good", tally.sentence());
   const GalleryFrame frame{.page = "index.html", .title = gallery.title, .look = "front"};
-  return framed(frame,
-                html("{}{}{}{}", head, summaries(gallery), gallery_findings(gallery), thumbnails(gallery)));
+  return framed(frame, html("{}{}{}", head, gallery_findings(gallery), thumbnails(gallery)));
 }
 
 }  // namespace stepwire::gallery

@@ -13,12 +13,12 @@ const element = (name, properties = {}, ...children) => {
 
 // --- the front page: search and filters ---
 
-const filters = {disagrees: 'disagrees with the text', otherwise: 'done otherwise', fails: 'ends unexpectedly', table: 'tables'};
+const filters = {disagrees: 'disagrees with the text', departures: 'has departures', fails: 'ends unexpectedly', table: 'tables'};
 
 function addSearch(place) {
   const cards = [...document.querySelectorAll('.card')];
   const texts = new Map(cards.map(card => [card, (card.textContent + ' ' + card.dataset.words).toLowerCase()]));
-  const input = element('input', {type: 'search', id: 'find', placeholder: 'Search figures, captions, claims  ( / )'});
+  const input = element('input', {type: 'search', id: 'find', placeholder: 'Search figures, captions, claims, departures  ( / )'});
   input.setAttribute('aria-label', 'Search figures and tables');
   const count = element('output', {className: 'soft', htmlFor: 'find'});
   const present = Object.keys(filters).filter(trait => cards.some(card => card.dataset.traits.split(' ').includes(trait)));

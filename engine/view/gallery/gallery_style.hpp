@@ -38,7 +38,8 @@ code { font: .86em/1.5 var(--mono); }
 em { color: var(--soft); }
 .soft, .count { color: var(--soft); }
 .lead { max-width: 46rem; color: var(--soft); }
-.chapter-summary { max-width: 46rem; margin-top: 1.75rem; }
+.chapter-summary { max-width: 46rem; margin: 0 0 1.25rem; }
+.chapter-summary h4 { margin: 0 0 .4rem; }
 .skip { position: absolute; left: -100rem; }
 .skip:focus { left: 1rem; top: 1rem; z-index: 3; background: var(--card); padding: .5rem 1rem; }
 .summary { display: inline-block; font-weight: 600; border-left: 4px solid; padding: .4rem .9rem; background: var(--card); margin: .25rem 0 0; border-radius: 0 6px 6px 0; }

@@ -22,8 +22,8 @@ void ClaimTally::count(const claim::Verdict& verdict) {
 }
 
 std::string ClaimTally::sentence() const {
-  std::string line = fmt::format("{} of {} claims hold", hold, all);
-  if (known > 0) line += fmt::format(", {} known not to hold", known);
+  std::string line = counted(hold, "claim holds", "claims hold");
+  if (known > 0) line += fmt::format(", {} known not to", known);
   if (fail > 0) line += ", " + counted(fail, "does not hold", "do not hold");
   if (surprise > 0) line += ", " + counted(surprise, "holds after all", "hold after all");
   if (invariants > 0) line += ", " + counted(invariants, "invariant", "invariants") + " held throughout";

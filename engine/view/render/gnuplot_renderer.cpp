@@ -77,7 +77,11 @@ std::string gnuplot_script(const plot::FigureSpec& figure) {
 
 Drawing render_gnuplot(const plot::FigureSpec& figure) {
   GnuplotAnswer answer = run_gnuplot(gnuplot_script(figure));
-  return {finished_picture(std::move(answer.output), figure.title), std::move(answer.complaints)};
+  const bool has_color_scale = std::ranges::any_of(figure.panels, [](const plot::PanelSpec& panel) {
+    return std::get<plot::PlotSpec>(panel.content).color.has_value();
+  });
+  return {finished_picture(std::move(answer.output), figure.title, has_color_scale),
+          std::move(answer.complaints)};
 }
 
 }  // namespace stepwire::render

@@ -43,14 +43,15 @@ std::string picture_terminal(double width, double height) {
       width, height);
 }
 
-std::string finished_picture(std::string svg, const std::string& title) {
+std::string finished_picture(std::string svg, const std::string& title, bool has_color_scale) {
   text::replace_all(svg, "font-family=\"Helvetica\"", "font-family=\"Helvetica, Arial, sans-serif\"");
   text::replace_all(svg, "stroke=\"none\" fill=\"rgb(16,16,16)\"",
                     "stroke=\"#ffffff\" stroke-width=\"3\" style=\"paint-order:stroke\" fill=\"#101010\"");
   text::replace_all(svg, "<image ", "<image style='image-rendering:pixelated' ");
   remove_hints(svg);
   text::replace_all(svg, "<title>Gnuplot</title>",
-                    "<title>" + svg::markup_escaped(title) + "</title>" + svg::dark_style);
+                    "<title>" + svg::markup_escaped(title) + "</title>" +
+                        (has_color_scale ? svg::dimmed_style : svg::dark_style));
   return svg;
 }
 

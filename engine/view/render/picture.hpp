@@ -14,7 +14,7 @@ std::string picture_terminal(double width, double height);
 constexpr const char* rimmed_text = "#101010";
 
 /// The picture that gnuplot made, with what it does not offer: a list of fonts, crisp cells of maps, white
-/// rims of texts that lie on curves, and a title that a screen reader says.
-std::string finished_picture(std::string svg, const std::string& title);
+/// rims of texts that lie on curves, a title that a screen reader says, and a look on dark screens.
+std::string finished_picture(std::string svg, const std::string& title, bool has_color_scale);
 
 }  // namespace stepwire::render

@@ -11,11 +11,15 @@ namespace stepwire::svg {
 /// blanks.
 std::string markup_escaped(const std::string& text);
 
-/// On a dark screen a picture is dark: lightness is turned round and hues stay. Colours and their bar are
-/// turned alike. Paper, and programs that know no such rule, have it as it is.
+/// On a dark screen a picture is dark: lightness is turned round and hues stay. Paper, and programs that know
+/// no such rule, have it as it is.
 constexpr const char* dark_style =
     "<style>@media screen and (prefers-color-scheme: dark){:root{filter:invert(.9) "
     "hue-rotate(180deg)}}</style>";
+/// A picture with a scale of colours keeps them, since dark and light have a meaning there; it is dimmed
+/// alone.
+constexpr const char* dimmed_style =
+    "<style>@media screen and (prefers-color-scheme: dark){:root{filter:brightness(.85)}}</style>";
 
 /// A number of an attribute: two decimals [px], no zeros at its end.
 std::string svg_number(double value);

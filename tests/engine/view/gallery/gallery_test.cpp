@@ -48,7 +48,7 @@ TEST_CASE("the verdict counts claims, and invariants apart from them") {
                   invariant("energy", true)};
   two.verdicts = {verdict("third", false, "misprint"), verdict("fourth", true, "misprint")};
   CHECK(gallery_verdict({one, two}) ==
-        "1 of 4 claims hold, 1 known not to hold, 1 does not hold, 1 holds after all, 2 invariants held "
+        "1 claim holds, 1 known not to, 1 does not hold, 1 holds after all, 2 invariants held "
         "throughout.");
   two.verdicts.push_back(invariant("safety", false));
   CHECK_THAT(gallery_verdict({one, two}), Contains("2 invariants held throughout, 1 invariant is broken."));
@@ -72,7 +72,7 @@ TEST_CASE("the front page links first to what ends otherwise than expected") {
 TEST_CASE("a front page on which all holds says only that") {
   GalleryEntry one = entry();
   one.verdicts = {verdict("first", true)};
-  CHECK_THAT(front({one}), Contains("<p class=\"summary good\">1 of 1 claims hold.</p>"));
+  CHECK_THAT(front({one}), Contains("<p class=\"summary good\">1 claim holds.</p>"));
   CHECK_THAT(front({one}), !Contains("id=\"unexpected\""));
 }
 
@@ -97,8 +97,7 @@ TEST_CASE("no text of a diagram becomes part of a page other than as text") {
   }
 }
 
-TEST_CASE(
-    "what disagrees, what is done otherwise and what is assumed stand on the front, with their entries") {
+TEST_CASE("what disagrees, departures and what is assumed stand on the front, with their entries") {
   GalleryEntry one = entry(), two = entry("Table 3", "table3");
   one.verdicts = {verdict("first", true), verdict("second", false, "a <misprint>")};
   one.departures = {"0.35 A in place of 1 A"};
@@ -114,15 +113,17 @@ TEST_CASE(
                "href=\"fig15/index.html\">Figure 15</a>, <a href=\"table3/index.html\">Table 3</a></td>"));
 }
 
-TEST_CASE("a chapter is summed up on the front, ahead of what was found, where an entry is of it") {
+TEST_CASE("a chapter is summed up at its head, where an entry is of it") {
   GalleryEntry one = entry();
   one.section = "4.3.1";
   one.departures = {"0.35 A in place of 1 A"};
   const std::vector<ChapterSummary> summaries{{"4", "In brief", {"Walls <cost>.", "Two."}},
                                               {"5", "Not made", {"Three."}}};
   const std::string text = gallery_files({"Title", "", {one}, summaries}).at("index.html");
-  CHECK_THAT(text, Contains("<h2>In brief</h2>\n<p>Walls &lt;cost&gt;.</p>\n<p>Two.</p>"));
-  CHECK(text.find("In brief") < text.find("id=\"otherwise\""));
+  CHECK_THAT(text, Contains("<h4>In brief</h4>\n<p>Walls &lt;cost&gt;.</p>\n<p>Two.</p>"));
+  CHECK(text.find("id=\"departures\"") < text.find("<h3>Chapter 4</h3>"));
+  CHECK(text.find("<h3>Chapter 4</h3>") < text.find("In brief"));
+  CHECK(text.find("In brief") < text.find("class=\"cards\""));
   CHECK_THAT(text, !Contains("Not made"));
 }
 

@@ -77,6 +77,15 @@ TEST_CASE("texts, labels and colours never become commands, not even in titles t
   if (has_gnuplot()) CHECK_THAT(render(figure).svg, Contains("`touch no`"));
 }
 
+TEST_CASE("on a dark screen a picture with a scale of colours keeps them, and another one is turned round") {
+  if (!has_gnuplot()) return;
+  plot::PlotSpec plot{.x = {.range = {{0.0, 1.0}}}, .y = {.range = {{0.0, 1.0}}}};
+  plot.marks.push_back(plot::LineMark{{{{0.0, 1.0}, {0.0, 1.0}, {}, {}}}, {"#123456"}, 0.0, ""});
+  CHECK_THAT(render(figure_of(plot)).svg, Contains("prefers-color-scheme: dark") && Contains("invert("));
+  plot.color = {.range = {{0.0, 1.0}}};
+  CHECK_THAT(render(figure_of(plot)).svg, Contains("prefers-color-scheme: dark") && !Contains("invert("));
+}
+
 TEST_CASE("one row of cells is drawn as two halves of it, which gnuplot does not refuse") {
   const plot::ImageMark image{0.5, 0.5, 1.0, 1.0, 2, 1, {7.0, 8.0}};
   CHECK_THAT(gnuplot_script(figure_of({.marks = {image}})),
