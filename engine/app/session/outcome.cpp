@@ -6,6 +6,7 @@
 #include <chrono>
 #include <iterator>
 #include <limits>
+#include <ranges>
 
 #include "engine/app/session/cases_table.hpp"
 #include "engine/app/session/linearizing.hpp"
@@ -29,6 +30,19 @@ claim::Verdict not_judged(const claim::Claim& claim, const std::string& why) {
   return verdict;
 }
 
+/// Keeps the first values that no other point of a sweep by `together` has alike, often one.
+void keep_telling(const run::Job& job, std::vector<diagram::Setting>& settings) {
+  for (std::size_t count = 1; count < settings.size(); ++count) {
+    std::size_t alike = 0;
+    for (std::size_t point = 0; point < job.points.size(); ++point) {
+      const auto other = job.settings_of(point);
+      alike += std::ranges::equal(settings | std::views::take(count), other | std::views::take(count), {},
+                                  &diagram::Setting::value, &diagram::Setting::value);
+    }
+    if (alike == 1) return settings.resize(count);
+  }
+}
+
 /// Says which of several runs came off worst, or at which values that all cases share.
 void name_run(const LoadedModel& model, claim::Verdict& verdict) {
   const run::Job& job = model.job;
@@ -42,6 +56,7 @@ void name_run(const LoadedModel& model, claim::Verdict& verdict) {
         return axis.of_cases() && axis.parameter == setting.name;
       });
     });
+  if (sweep && sweep->together) keep_telling(job, settings);
   verdict.worst = run::settings_text(settings);
   verdict.shown += fmt::format(" ({})", verdict.worst);
 }

@@ -196,13 +196,23 @@ function innerName(element) {
   return written(element.name, [(left + right) / 2, (top + bottom) / 2], "middle");
 }
 
+/** The height that a title takes. */
+const heightOf = (title) => (title ? 28 : 0);
+
+/** The title in the middle above the parts. */
+const titled = (title, paper, parts) => (title
+  ? [group(`fill="${ink}"`, [text(paper.width / 2, heightOf(title) / 2, title, {size: 15, anchor: "middle"})]),
+    group(`transform="translate(0,${heightOf(title)})"`, parts)]
+  : parts);
+
 /** The picture of a rig as the text of an SVG file. */
 export function drawRig(rig) {
+  const above = heightOf(rig.title);
   const {paper, placed, centre, names} = arrangeRig(rig), of = (kinds) => placed.filter(({kind}) => kind in kinds);
   const length = nice.find((one) => one * paper.scale <= 90) ?? 1;
   const line = `stroke="${ink}" stroke-width="1.3" stroke-linejoin="round" stroke-linecap="round"`;
   const links = of(linear).map(({at}) => at), fromFar = of(linear).sort((a, b) => nearness(rig, a.points) - nearness(rig, b.points));
-  return page(paper, rig.title, [
+  const parts = [
     group(`fill="none" ${line}`, of(areas).map((element) => areas[element.kind](element, areaLines(element, paper)))),
     group(`fill="#fff" ${line}`, [
       ...fromFar.map((element) => linear[element.kind](element, paper, centre)),
@@ -216,5 +226,6 @@ export function drawRig(rig) {
     group(`fill="${ink}"`, [
       ...placed.filter(isInside).map(innerName), ...names.map(({name, at, anchor}) => written(name, at, anchor)),
     ]),
-  ]);
+  ];
+  return page({width: paper.width, height: paper.height + above}, rig.title, titled(rig.title, paper, parts));
 }

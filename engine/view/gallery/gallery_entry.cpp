@@ -1,5 +1,7 @@
 #include "engine/view/gallery/gallery_entry.hpp"
 
+#include <algorithm>
+
 #include "engine/view/gallery/gallery_downloads.hpp"
 #include "engine/view/gallery/gallery_html.hpp"
 #include "engine/view/gallery/gallery_picture.hpp"
@@ -94,7 +96,15 @@ Html claims(const GalleryEntry& entry) {
         "<details id=\"invariants\">\n<summary>Held throughout: {}</summary>\n<ul "
         "class=\"claims\">\n{}</ul>\n</details>\n",
         count, held);
-  return html("<section id=\"claims\">\n<h2>Claims</h2>\n{}{}</section>\n", stated, held);
+  const bool reads_pictures = std::ranges::any_of(entry.verdicts, [](const claim::Verdict& one) {
+    return one.check.find("figure.") != std::string::npos;
+  });
+  Html names;
+  if (reads_pictures)
+    names = html(
+        "<p class=\"soft\"><code>figure.2.y.3</code> is the third curve of the second picture, "
+        "<code>figure.1.2.x</code> what the second panel of the first has along x.</p>\n");
+  return html("<section id=\"claims\">\n<h2>Claims</h2>\n{}{}{}</section>\n", stated, held, names);
 }
 
 Html assumptions(const GalleryEntry& entry) {

@@ -112,7 +112,7 @@ figcaption strong { color: var(--text); font-weight: 600; }
 .beside + section { margin-top: 2rem; }
 blockquote { margin: 0; padding-left: 1rem; border-left: 3px solid var(--quote); font-family: var(--serif); font-size: 1.06rem; }
 blockquote .caption { font-style: italic; }
-.departure::before { content: "Otherwise: "; color: var(--known); font-weight: 600; }
+.departure::before { content: "Departure: "; color: var(--known); font-weight: 600; }
 .claims { list-style: none; margin: 0; padding: 0; max-width: 62rem; }
 .claims li { padding: .55rem 0; border-top: 1px solid var(--line); }
 .claims li > code, .claims li > em { display: block; color: var(--soft); }

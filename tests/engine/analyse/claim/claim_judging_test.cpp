@@ -125,6 +125,13 @@ TEST_CASE("a claim about each run shows the worst of them") {
   CHECK(verdict_of("final: rig.x, where: rig.x > 6.5 m, at_least: 9", records).value == 7.0);
 }
 
+TEST_CASE("where all runs give the same value none is the worst") {
+  const auto records = record_of({0, 1, 0, 1}, {0, 5, 1, 5}, {0, 2});
+  const Verdict verdict = verdict_of("final: rig.x, at_most: 6 m", records);
+  CHECK(verdict.shown == "5 m");
+  CHECK_FALSE(verdict.run);
+}
+
 TEST_CASE("the largest value of several runs names the run that has it, where it is the one that decides") {
   const auto records = record_of({0, 1, 0, 1, 0, 1}, {0, 5, 0, 7, -2, 6}, {0, 2, 4});
   const Verdict verdict = verdict_of("max: rig.x, at_most: 6.5 m", records);

@@ -166,6 +166,18 @@ TEST_CASE("a trial is held against the circle that is fitted to the first drawin
   }
 }
 
+TEST_CASE("the worst of runs whose values go together is named by what tells it apart") {
+  const Scratch folder;
+  folder.file(
+      "a.yaml",
+      "stepwire: 1\nstep: 1 s\nstop: 1 s\nparameters: {place: {value: here}, a: {value: 1}, b: {value: 1}}\n"
+      "sweep: {together: true, place: [here, there], a: [1, 2], b: [3, 4]}\n"
+      "blocks: {c: {block: Constant, value: $a}}\nrecord: c\n"
+      "claims: [{that: small, max: c, at_most: 1}, {that: large, max: c*(place == \"here\"), at_most: 0}]\n");
+  const Done done = run_program(folder, {"run", "a.yaml"});
+  CHECK_THAT(done.out, Contains("(place=there)") && Contains("(place=here)") && !Contains("a=2"));
+}
+
 TEST_CASE("what makes no sense of a swept study is refused in words") {
   const Scratch folder;
   const auto error_of = [&](const std::string& text, std::vector<std::string> more) {
