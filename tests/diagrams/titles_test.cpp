@@ -21,4 +21,20 @@ TEST_CASE("no title of a picture says how often a study is made, which the call 
     }
 }
 
+TEST_CASE("the page of the thesis lists each file with its title") {
+  const std::filesystem::path folder = std::filesystem::path(STEPWIRE_SOURCE_DIR) / "diagrams/thesis";
+  const std::string page = io::read_file((folder / "README.md").string());
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".yaml") continue;
+    const std::string name = entry.path().filename().string(), text = io::read_file(entry.path().string());
+    std::smatch title;
+    REQUIRE(std::regex_search(text, title, std::regex("\\ntitle: \"?([^\"\n]*)")));
+    INFO(name);
+    CHECK(page.find("[" + name + "](" + name + ") | " + title.str(1) + " |") != std::string::npos);
+    ++files;
+  }
+  CHECK(files == 52);
+}
+
 }  // namespace stepwire
