@@ -122,6 +122,7 @@ auto kinds_of(const std::string& option, const std::string& list, const std::str
 void add_kinds_options(CLI::App& verb, std::optional<session::FileKinds>& of_files,
                        render::PictureKinds& of_pictures) {
   const std::string files = session::file_kind_names(), pictures = render::picture_kind_names();
+  CLI::Option* const out = verb.get_option("--out");  // without it these would do nothing
   verb.add_option_function<std::string>(
           "--files",
           [&of_files, files](const std::string& list) {
@@ -130,6 +131,7 @@ void add_kinds_options(CLI::App& verb, std::optional<session::FileKinds>& of_fil
           fmt::format("kinds of files for the recorded signals in --out, of {}; left out: csv,mat, and h5 for "
                       "more than {:.0f} million numbers, of which no csv is written",
                       files, session::most_numbers_of_csv * 1e-6))
+      ->needs(out)
       ->option_text("KIND,...");
   verb.add_option_function<std::string>(
           "--pictures",
@@ -137,6 +139,7 @@ void add_kinds_options(CLI::App& verb, std::optional<session::FileKinds>& of_fil
             of_pictures = kinds_of("--pictures", list, pictures, render::picture_kind);
           },
           fmt::format("kinds of pictures of figures in --out, of {}; left out: svg", pictures))
+      ->needs(out)
       ->option_text("KIND,...");
 }
 

@@ -23,6 +23,17 @@ TEST_CASE("signals are written in the kinds of files that are named, with the sa
   }
 }
 
+TEST_CASE("kinds of files and pictures without a folder for them are refused") {
+  const Scratch folder;
+  folder.file("lag.yaml", lag_yaml);
+  for (const std::vector<std::string>& option :
+       {std::vector<std::string>{"--files", "h5"}, {"--pictures", "png"}}) {
+    const Done done = run_program(folder, {"run", "lag.yaml", option[0], option[1]});
+    CHECK(done.code == 2);
+    CHECK_THAT(done.err, Contains(option[0] + " requires --out"));
+  }
+}
+
 TEST_CASE("what a run of a sweep has written another diagram plays back") {
   const Scratch folder;
   folder.file("lag.yaml", lag_yaml + "sweep: {tau: {values: [50 ms, 100 ms]}}\n");
