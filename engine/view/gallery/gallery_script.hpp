@@ -18,7 +18,7 @@ const filters = {disagrees: 'disagrees with the text', departures: 'has departur
 function addSearch(place) {
   const cards = [...document.querySelectorAll('.card')];
   const texts = new Map(cards.map(card => [card, (card.textContent + ' ' + card.dataset.words).toLowerCase()]));
-  const input = element('input', {type: 'search', id: 'find', placeholder: 'Search figures, captions, claims, departures  ( / )'});
+  const input = element('input', {type: 'search', id: 'find', placeholder: 'Search figures, claims, departures  ( / )'});
   input.setAttribute('aria-label', 'Search figures and tables');
   const count = element('output', {className: 'soft', htmlFor: 'find'});
   const present = Object.keys(filters).filter(trait => cards.some(card => card.dataset.traits.split(' ').includes(trait)));
