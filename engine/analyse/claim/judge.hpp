@@ -36,7 +36,7 @@ class Judge {
   double worst_ = std::numeric_limits<double>::quiet_NaN();
   double margin_ = std::numeric_limits<double>::infinity();
   std::optional<std::size_t> worst_run_;
-  bool differs_ = false;  ///< does a run give another value than the one before?
+  bool differs_ = false;  ///< not all runs give the same value
   std::size_t runs_ = 0, rows_ = 0, selected_ = 0, undefined_ = 0;
   double magnitude_ = 0.0;       ///< of the recorded quantities of the reduced one's kind
   std::vector<double> numbers_;  ///< one of each run that counts, of a claim about several runs

@@ -21,7 +21,7 @@ struct Margins {
   double modulus = 0.0;         ///< least distance of L from -1
   double modulus_frequency = 0.0;
   std::vector<Complex> closed_poles;  ///< of the states between input and output
-  bool stable = false;                ///< is the closed loop, with all states?
+  bool stable = false;                ///< of the closed loop, with all states
   std::optional<Complex> hidden{};    ///< a mode that grows, and that input or output have no part in
 
   /// The crossing whose factor is nearest to 1, or whose angle is nearest to 0.
