@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "engine/analyse/study/side_by_side.hpp"
 #include "engine/analyse/study/study_tables.hpp"
@@ -17,8 +16,9 @@ namespace {
 class PointColumns {
  public:
   explicit PointColumns(const Experiments& experiments) : experiments_(experiments) {
-    const std::size_t axes = experiments.front().sets.size();
-    while (count_ < axes && !all_differ()) ++count_;
+    std::vector<std::vector<diagram::Setting>> points;
+    for (const Experiment& experiment : experiments) points.push_back(experiment.sets);
+    count_ = run::telling_settings(points);
   }
 
   std::vector<std::string> names() const { return texts(experiments_.front(), &diagram::Setting::name); }
@@ -39,12 +39,6 @@ class PointColumns {
   }
 
  private:
-  bool all_differ() const {
-    std::set<std::vector<std::string>> seen;
-    return std::ranges::all_of(
-        experiments_, [&](const Experiment& one) { return count_ > 0 && seen.insert(values(one)).second; });
-  }
-
   std::vector<std::string> texts(const Experiment& experiment, std::string diagram::Setting::*part) const {
     std::vector<std::string> result;
     for (std::size_t i = 0; i < count_; ++i) result.push_back(experiment.sets[i].*part);

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <iterator>
 #include <limits>
-#include <ranges>
 
 #include "engine/app/session/cases_table.hpp"
 #include "engine/app/session/linearizing.hpp"
@@ -30,17 +29,11 @@ claim::Verdict not_judged(const claim::Claim& claim, const std::string& why) {
   return verdict;
 }
 
-/// Keeps the first values that no other point of a sweep by `together` has alike, often one.
-void keep_telling(const run::Job& job, std::vector<diagram::Setting>& settings) {
-  for (std::size_t count = 1; count < settings.size(); ++count) {
-    std::size_t alike = 0;
-    for (std::size_t point = 0; point < job.points.size(); ++point) {
-      const auto other = job.settings_of(point);
-      alike += std::ranges::equal(settings | std::views::take(count), other | std::views::take(count), {},
-                                  &diagram::Setting::value, &diagram::Setting::value);
-    }
-    if (alike == 1) return settings.resize(count);
-  }
+/// The number of leading values by which the points differ, for a sweep whose axes go together.
+std::size_t telling_values(const run::Job& job) {
+  std::vector<std::vector<diagram::Setting>> points;
+  for (std::size_t point = 0; point < job.points.size(); ++point) points.push_back(job.settings_of(point));
+  return run::telling_settings(points);
 }
 
 /// Says which of several runs came off worst, or at which values that all cases share.
@@ -56,7 +49,7 @@ void name_run(const LoadedModel& model, claim::Verdict& verdict) {
         return axis.of_cases() && axis.parameter == setting.name;
       });
     });
-  if (sweep && sweep->together) keep_telling(job, settings);
+  if (sweep && sweep->together) settings.resize(telling_values(job));
   verdict.worst = run::settings_text(settings);
   verdict.shown += fmt::format(" ({})", verdict.worst);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <set>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/record/recorder.hpp"
@@ -65,6 +66,19 @@ std::string settings_text(const std::vector<diagram::Setting>& settings) {
   for (const diagram::Setting& setting : settings)
     text += fmt::format("{}{}={}", text.empty() ? "" : ", ", setting.name, setting.value);
   return text;
+}
+
+std::size_t telling_settings(const std::vector<std::vector<diagram::Setting>>& points) {
+  const std::size_t all = points.empty() ? 0 : points.front().size();
+  for (std::size_t count = 1; count < all; ++count) {
+    std::set<std::string> seen;
+    const bool differ = std::ranges::all_of(points, [&](const std::vector<diagram::Setting>& point) {
+      return seen.insert(settings_text({point.begin(), point.begin() + static_cast<std::ptrdiff_t>(count)}))
+          .second;
+    });
+    if (differ) return count;
+  }
+  return all;
 }
 
 bool has_words(const diagram::Sweep::Axis& axis) {

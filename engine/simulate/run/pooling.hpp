@@ -15,6 +15,10 @@ std::vector<std::string> words_of(const diagram::Sweep::Axis& axis);
 /// "speed=3, mass=1 kg".
 std::string settings_text(const std::vector<diagram::Setting>& settings);
 
+/// The number of leading settings by whose values all points differ; all of them where no fewer do. Each
+/// point has the same names in the same order.
+std::size_t telling_settings(const std::vector<std::vector<diagram::Setting>>& points);
+
 /// What tells apart the recordings of a job's points: its swept parameters, as columns behind the time. None
 /// without a sweep.
 class SweptColumns {
