@@ -14,6 +14,7 @@ export default defineConfig({
   server: {fs: {allow: [fileURLToPath(new URL("../../../..", import.meta.url))]}},
   build: {
     target: "es2022",
+    minify: "terser",  // 3 % smaller than with esbuild
     outDir: "dist",
     emptyOutDir: true,
     assetsInlineLimit: 0,  // data: addresses of styles and scripts are refused by the page's security policy
