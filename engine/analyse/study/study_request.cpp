@@ -33,6 +33,13 @@ void read_recorded(StudyRequest& request, yaml::Faults& faults) {
                    [&](const Trial& a, const Trial& b) { return key(a) < key(b); });
 }
 
+std::vector<std::string> set_for_each_trial(const StudyRequest& request) {
+  std::vector<std::string> own{request.subject_parameter, request.seed_parameter};
+  for (const StudyCondition& condition : request.conditions)
+    for (const diagram::Setting& setting : condition.settings) own.push_back(setting.name);
+  return own;
+}
+
 void check_sweep(const StudyRequest& request, const diagram::Diagram& diagram, yaml::Faults& faults) {
   if (!diagram.sweep || diagram.sweep->axes.empty()) return;
   if (!request.trials.empty())
@@ -42,9 +49,7 @@ void check_sweep(const StudyRequest& request, const diagram::Diagram& diagram, y
                             "analyse them with a file without it",
                             request.trials),
                 {}});
-  std::vector<std::string> own{request.subject_parameter, request.seed_parameter};
-  for (const StudyCondition& condition : request.conditions)
-    for (const diagram::Setting& setting : condition.settings) own.push_back(setting.name);
+  const std::vector<std::string> own = set_for_each_trial(request);
   for (const diagram::Sweep::Axis& axis : diagram.sweep->axes)
     if (std::find(own.begin(), own.end(), axis.parameter) != own.end())
       faults.add({diagram.place(axis.origin),

@@ -89,7 +89,11 @@ StudyRequest read_study(const yaml::Node& node, const query::SymbolTable& names,
 /// Parameter and signal of what is carried have the same unit and as many elements.
 void check_carry(const StudyRequest& request, const plan::Plan& plan, yaml::Faults& faults);
 
-/// Nothing that the study sets for each trial but what is carried can be swept; recorded trials have no sweep.
+/// Parameters that have a value of their own in each trial, whatever the file has.
+std::vector<std::string> set_for_each_trial(const StudyRequest& request);
+
+/// Nothing that the study sets for each trial but what is carried can be swept; recorded trials have no
+/// sweep.
 void check_sweep(const StudyRequest& request, const diagram::Diagram& diagram, yaml::Faults& faults);
 
 /// Reads the file of recorded trials: those of the request's task, sorted. Trials of conditions that the

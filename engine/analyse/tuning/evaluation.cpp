@@ -30,6 +30,20 @@ void judge_objective(const TuneRequest& request, std::span<const record::Recordi
     of.objective = request.over == TuneOver::worst ? worst : sum / count;
 }
 
+/// The sum of the squares of what the targets are off.
+void judge_targets(const TuneRequest& request, std::span<const record::Recording> recordings,
+                   Evaluation& of) {
+  double sum = 0.0;
+  for (const claim::Claim& target : request.targets) {
+    const double value = claim::judge(target, recordings).value;
+    of.offs.push_back((value - target.comparison.low) / target.comparison.within);
+    sum += of.offs.back() * of.offs.back();
+    if (!std::isfinite(of.offs.back()) && of.fault.empty())
+      of.fault = fmt::format("'{}' has no finite value", target.that);
+  }
+  if (of.fault.empty()) of.objective = sum;
+}
+
 }  // namespace
 
 bool Evaluation::is_feasible() const {
@@ -40,7 +54,7 @@ Evaluation evaluate(const TuneRuns& runs, const TuneRequest& request, Values val
   Evaluation of{.values = std::move(values)};
   const std::vector<record::Recording> recordings = runs.run(of.values, threads, of.fault);
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  if (!of.is_bad()) judge_objective(request, recordings, of);
+  if (!of.is_bad()) (request.targets.empty() ? judge_objective : judge_targets)(request, recordings, of);
   for (const claim::Claim& claim : request.constraints) {
     of.claims.push_back(recordings.empty() ? none : claim::judge(claim, recordings).value);
     of.margins.push_back(claim.comparison.margin(of.claims.back()));

@@ -12,6 +12,7 @@ namespace stepwire::tuning {
 struct Evaluation {
   Values values;                                                ///< of the parameters, SI
   double objective = std::numeric_limits<double>::quiet_NaN();  ///< over all runs
+  std::vector<double> offs{};     ///< of the targets: what each is off, in its deviations
   std::vector<double> claims{};   ///< the value of each claim; nan where there is none
   std::vector<double> margins{};  ///< how far each is on the right side: negative where it fails
   std::string fault{};            ///< why there is no objective; empty where there is one

@@ -7,6 +7,7 @@
 
 #include "engine/analyse/tuning/random_start.hpp"
 #include "engine/analyse/tuning/search_log.hpp"
+#include "engine/analyse/tuning/target_search.hpp"
 
 namespace stepwire::tuning {
 
@@ -98,6 +99,7 @@ class Search {
       return minimise(nlopt::LN_BOBYQA, from, request().evaluations, first_step);
     if (method == TuneMethod::subplex)
       return minimise(nlopt::LN_SBPLX, from, request().evaluations, first_step);
+    if (method == TuneMethod::least_squares) return descend_on_targets(from);
     double step = first_step;
     for (std::size_t round = 0; round < max_rounds && may_go_on(); ++round) {
       const double before = log_.merit();
@@ -106,6 +108,17 @@ class Search {
       from = log_.best_known().value_or(from);
       step = std::max(0.3 * step, 10.0 * request().tolerance);
     }
+  }
+
+  void descend_on_targets(const Shares& from) {
+    limit_ = request().evaluations;
+    converged_ = false;
+    try {
+      converged_ = search_targets([this](const Shares& at) -> const Evaluation& { return looked_at(at); },
+                                  request(), from);
+    } catch (const nlopt::forced_stop&) {  // no more evaluations, or interrupted
+    }
+    if (thrown_) std::rethrow_exception(thrown_);
   }
 
   void minimise(nlopt::algorithm algorithm, Shares from, std::size_t most, double step) {

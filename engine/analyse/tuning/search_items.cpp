@@ -14,6 +14,7 @@ template <class Stream, class One>
 void evaluation(Stream& stream, One& of) {
   plain_list(stream, of.values);
   all(stream, of.objective);
+  plain_list(stream, of.offs);
   plain_list(stream, of.claims);
   plain_list(stream, of.margins);
   all(stream, of.fault, of.worst, of.start);

@@ -15,7 +15,7 @@ namespace stepwire::tuning {
 namespace {
 
 const char* name_of(TuneMethod method) {
-  constexpr std::array names{"auto", "bobyqa", "cobyla", "isres", "subplex"};
+  constexpr std::array names{"auto", "bobyqa", "cobyla", "isres", "subplex", "least_squares"};
   return names[static_cast<std::size_t>(method)];
 }
 
@@ -58,7 +58,7 @@ class Tuning {
     result_.compiled = runs_.compiled();
     result_.runs = runs_.count();
     result_.method = name_of(request_.chosen_method());
-    result_.dimension = request_.minimise.formula->dimension;
+    result_.dimension = request_.objective_dimension();
     result_.bad = static_cast<std::size_t>(std::ranges::count_if(result_.history, &Evaluation::is_bad));
     if (best_) describe();
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
@@ -162,7 +162,17 @@ class Tuning {
     for (std::size_t i = 0; i < request_.parameters.size(); ++i)
       describe(request_.parameters[i], best.values[i]);
     describe_claims(best);
+    if (!request_.targets.empty() && !result_.interrupted) resolve(best);
     note_bad();
+  }
+
+  /// Adds singular values and intervals.
+  void resolve(const Evaluation& best) {
+    result_.resolution = resolution_of(runs_, request_, best.values, threads());
+    result_.interrupted = runs_.interrupted();
+    const Resolution& found = result_.resolution;
+    for (std::size_t i = 0; i < found.intervals.size(); ++i) result_.numbers[i].interval = found.intervals[i];
+    for (const std::string& finding : found.findings) result_.findings.push_back(finding);
   }
 
   void describe(const TuneParameter& parameter, double value) {
@@ -183,9 +193,12 @@ class Tuning {
   }
 
   void describe_claims(const Evaluation& best) {
-    if (request_.constraints.empty() || runs_.interrupted()) return;
+    if (request_.claims().empty() || runs_.interrupted()) return;
     std::string fault;
     const std::vector<record::Recording> recordings = runs_.run(best.values, threads(), fault);
+    for (std::size_t i = 0; i < request_.targets.size() && fault.empty(); ++i)
+      result_.targets.push_back({claim::judge(request_.targets[i], recordings), best.offs[i],
+                                 start_ && !start_->offs.empty() ? start_->offs[i] : best.offs[i]});
     for (std::size_t i = 0; i < request_.constraints.size(); ++i) {
       TunedClaim one{claim::judge(request_.constraints[i], recordings), best.margins[i],
                      start_ ? start_->claims[i] : best.claims[i]};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/analyse/tuning/evaluation.hpp"
+#include "engine/analyse/tuning/resolution.hpp"
 #include "engine/base/messages/items.hpp"
 
 namespace stepwire::tuning {
@@ -22,7 +23,15 @@ struct TunedNumber {
   double value = 0.0, start = 0.0, lower = 0.0, upper = 0.0;
   bool at_bound = false;
   std::optional<unit::Dimension> dimension{};
-  std::string unit{};  ///< for showing it; empty: SI
+  std::string unit{};                               ///< for showing it; empty: SI
+  std::optional<std::array<double, 2>> interval{};  ///< 95 % by the targets; empty of a free direction
+};
+
+/// A target at what was found.
+struct TunedTarget {
+  claim::Verdict verdict;
+  double off = 0.0;    ///< in its deviations
+  double start = 0.0;  ///< the same at the given start
 };
 
 /// A claim at the start and at what was found.
@@ -42,9 +51,11 @@ struct TunedStart {
 
 struct TuneResult {
   std::vector<TunedNumber> numbers;
-  double objective = 0.0;        ///< at what was found
-  double start_objective = 0.0;  ///< at the given start; nan where it cannot be run
-  std::string worst{};           ///< the run whose objective is the largest; empty of one run
+  double objective = 0.0;              ///< at what was found
+  double start_objective = 0.0;        ///< at the given start; nan where it cannot be run
+  std::string worst{};                 ///< the run whose objective is the largest; empty of one run
+  std::vector<TunedTarget> targets{};  ///< in the order of the file
+  Resolution resolution{};             ///< by these targets
   std::vector<TunedClaim> claims;
   std::vector<Evaluation> history;  ///< of all searches, in their order
   std::vector<TunedStart> starts;

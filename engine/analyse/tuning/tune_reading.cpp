@@ -30,21 +30,33 @@ TuneTable::Row minimise_row() {
 }
 
 TuneTable::Row method_row() {
-  return {"method", "of the search",
-          form::words(
-              {{"auto", "cobyla with claims, subplex where the objective jumps, else bobyqa"},
-               {"bobyqa", "for a smooth objective, without claims"},
-               {"cobyla", "for claims"},
-               {"isres", "all over the bounds, with claims or without, and from the best point on by cobyla"},
-               {"subplex", "for an objective that jumps, without claims"}}),
-          &TuneRequest::method};
+  return {
+      "method", "of the search",
+      form::words(
+          {{"auto",
+            "cobyla with claims, least_squares with targets, subplex where the objective jumps, else bobyqa"},
+           {"bobyqa", "for a smooth objective, without claims"},
+           {"cobyla", "for claims"},
+           {"isres", "all over the bounds, with claims or without, and from the best point on by cobyla"},
+           {"subplex", "for an objective that jumps, without claims"},
+           {"least_squares", "for targets, without claims"}}),
+      &TuneRequest::method};
+}
+
+TuneTable::Row toward_row() {
+  return {
+      "toward",
+      "in place of 'minimise': claims, each with 'equals' and 'within', the deviation that it may have; the "
+      "sum of the squares of what each is off, in such deviations, is made as small as can be",
+      form::list(form::section("claim"))};
 }
 
 const TuneTable& tune_table() {
   static const TuneTable table(
       "the tuning", "{parameters: {..}, minimise: ..}",
       {yaml::needed(parameters_row()),
-       yaml::needed(minimise_row()),
+       minimise_row(),
+       toward_row(),
        {"subject_to", "claims that hold at what is found, each with a value and a bound",
         form::list(form::section("claim"))},
        {"over", "what counts of the runs of a sweep: the worst of them, or their mean",
@@ -55,6 +67,11 @@ const TuneTable& tune_table() {
        {"seed", "of what is random", form::whole(0, 1'000'000'000), &TuneRequest::seed},
        {"evaluations", "of one search, at most; each makes all runs of the sweep", form::whole(1, 10'000'000),
         &TuneRequest::evaluations},
+       {"experiments", "of one evaluation of a study, in place of the study's", form::whole(1, 1'000'000),
+        &TuneRequest::experiments},
+       {"study_seed",
+        "of these experiments, in place of the study's, so that what is found is tried on other people",
+        form::whole(0, 1'000'000'000), &TuneRequest::study_seed},
        {"tolerance", "change of a parameter that no longer counts, as a share of its range",
         form::above_zero(form::computed()), &TuneRequest::tolerance}});
   return table;
@@ -88,11 +105,14 @@ query::SymbolTable names_while_tuned(const query::SymbolTable& names, const diag
 }
 
 void check_method(const yaml::Node& node, const TuneRequest& request, const TuneReading& read) {
-  const bool without = request.method == TuneMethod::bobyqa || request.method == TuneMethod::subplex;
+  const bool without = request.method != TuneMethod::automatic && request.method != TuneMethod::cobyla &&
+                       request.method != TuneMethod::isres;
   const yaml::Node* method = node.find("method");
   if (method && without && !request.constraints.empty())
     read.fault(method->mark,
                fmt::format("'{}' takes no claims; those of 'subject_to' need cobyla or isres", method->text));
+  if (method && request.method == TuneMethod::least_squares && request.targets.empty())
+    read.fault(method->mark, "'least_squares' is for 'toward'; 'minimise' has another objective");
 }
 
 /// A reduction whose value jumps as the run changes a little.
@@ -107,7 +127,23 @@ bool jumps(const claim::Claim& of) {
 TuneMethod TuneRequest::chosen_method() const {
   if (method != TuneMethod::automatic) return method;
   if (!constraints.empty()) return TuneMethod::cobyla;
+  if (!targets.empty()) return TuneMethod::least_squares;
   return std::ranges::any_of(minimise.reductions, jumps) ? TuneMethod::subplex : TuneMethod::bobyqa;
+}
+
+std::string TuneRequest::objective_text() const {
+  return targets.empty() ? minimise.text : "sum of the squares of what the targets are off";
+}
+
+std::optional<unit::Dimension> TuneRequest::objective_dimension() const {
+  return targets.empty() ? minimise.formula->dimension : unit::Dimension{};
+}
+
+std::vector<const claim::Claim*> TuneRequest::claims() const {
+  std::vector<const claim::Claim*> all;
+  for (const auto* list : {&targets, &constraints})
+    for (const claim::Claim& claim : *list) all.push_back(&claim);
+  return all;
 }
 
 const yaml::Key& tune_form() {
@@ -123,6 +159,24 @@ static void read_objective(const yaml::Node& node, const query::NamesReading& re
     request.minimise = std::move(*objective);
 }
 
+static void check_target(const claim::Claim& claim, const yaml::Node& node, const query::NamesReading& read) {
+  if (claim.comparison.kind != claim::Comparison::Kind::equals)
+    read.fault(node.mark, "is a target, which 'equals' a value 'within' the deviation that it may have");
+}
+
+/// One of 'minimise' and 'toward'.
+static void read_aim(const yaml::Node& node, const std::vector<linear::NamedAnalysis>& linear,
+                     const query::NamesReading& read, TuneRequest& request) {
+  const yaml::Node *minimise = node.find("minimise"), *toward = node.find("toward");
+  if (minimise && toward) return read.fault(toward->mark, "a tuning has 'minimise' or 'toward', not both");
+  if (minimise) return read_objective(*minimise, yaml::below<query::NamesReading>(read, "minimise"), request);
+  if (!toward) return read.fault(node.mark, "'minimise' is missing, or 'toward'");
+  const auto inner = yaml::below<query::NamesReading>(read, "toward");
+  request.targets = read_constraints(*toward, linear, inner);
+  for (std::size_t i = 0; i < request.targets.size(); ++i)
+    check_target(request.targets[i], toward->items[i], inner);
+}
+
 TuneRequest read_tune(const yaml::Node& node, const query::SymbolTable& names,
                       const diagram::Diagram& diagram, const std::vector<linear::NamedAnalysis>& linear,
                       yaml::Faults& faults) {
@@ -133,8 +187,7 @@ TuneRequest read_tune(const yaml::Node& node, const query::SymbolTable& names,
   if (!tune_table().read(node, request, read) || faults.size() != before) return request;
   const query::SymbolTable varied = names_while_tuned(names, diagram, request);
   const TuneReading inner(varied, diagram, faults);
-  if (const yaml::Node* minimise = node.find("minimise"))
-    read_objective(*minimise, yaml::below<query::NamesReading>(inner, "minimise"), request);
+  read_aim(node, linear, inner, request);
   if (const yaml::Node* claims = node.find("subject_to"))
     request.constraints =
         read_constraints(*claims, linear, yaml::below<query::NamesReading>(inner, "subject_to"));

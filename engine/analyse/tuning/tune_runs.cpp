@@ -14,18 +14,20 @@ namespace {
 
 /// All columns that the request reads.
 std::vector<std::string> columns_of(const TuneRequest& request) {
-  std::vector<std::string> all = request.minimise.columns();
-  for (const claim::Claim& claim : request.constraints) {
-    for (const query::Formula& value : claim.values)
+  std::vector<std::string> all;
+  if (request.targets.empty()) all = request.minimise.columns();
+  for (const claim::Claim* claim : request.claims()) {
+    for (const query::Formula& value : claim->values)
       all.insert(all.end(), value.columns.begin(), value.columns.end());
-    if (claim.where) all.insert(all.end(), claim.where->columns.begin(), claim.where->columns.end());
+    if (claim->where) all.insert(all.end(), claim->where->columns.begin(), claim->where->columns.end());
   }
   return all;
 }
 
 bool reads_recording(const TuneRequest& request, std::size_t recording) {
   const auto in = [&](const claim::Claim& claim) { return claim.recording == recording; };
-  return std::ranges::any_of(request.minimise.reductions, in) || std::ranges::any_of(request.constraints, in);
+  return std::ranges::any_of(request.minimise.reductions, in) ||
+         std::ranges::any_of(request.claims(), [&](const claim::Claim* claim) { return in(*claim); });
 }
 
 }  // namespace
@@ -79,7 +81,7 @@ TuneRuns::TuneRuns(TuneSource source, const run::Job& job, const TuneRequest& re
   const std::vector<std::string> columns = columns_of(request);
   for (const TuneParameter& parameter : request.parameters)
     recorded_.push_back(std::ranges::find(columns, parameter.name) != columns.end());
-  make_structures();
+  if (!source_.perform) make_structures();
   run::TogetherRuns::Members plans;
   if (source_.code) plans = compile();
   const run::LaneUse use = compiled_ ? run::LaneUse::automatic : run::LaneUse::never;
@@ -113,11 +115,11 @@ std::vector<std::string> TuneRuns::names_at(std::size_t point, const plan::Plan&
 TuneRuns::~TuneRuns() = default;
 
 std::size_t TuneRuns::count() const {
-  return std::max<std::size_t>(1, job_.points.size());
+  return source_.perform ? 1 : std::max<std::size_t>(1, job_.points.size());
 }
 
 std::string TuneRuns::label(std::size_t run) const {
-  return job_.points.empty() ? "" : run::settings_text(job_.settings_of(run));
+  return job_.points.empty() || source_.perform ? "" : run::settings_text(job_.settings_of(run));
 }
 
 TuneRuns::Structure& TuneRuns::structure_of(std::size_t point) const {
@@ -166,6 +168,7 @@ std::vector<diagram::Assignment> TuneRuns::assignments(std::size_t point, const 
 
 std::vector<record::Recording> TuneRuns::run(const Values& values, unsigned threads,
                                              std::string& fault) const {
+  if (source_.perform) return performed(values, fault);
   std::vector<Recordings> of_points(count());
   std::vector<std::string> faults(count());
   meeting_->in_parallel(count(), threads, [&](std::size_t point) {
@@ -181,6 +184,17 @@ std::vector<record::Recording> TuneRuns::run(const Values& values, unsigned thre
     for (std::size_t i = 0; i < all.size(); ++i) run::append_runs(all[i], std::move(of_points[point][i]));
   }
   return all;
+}
+
+std::vector<record::Recording> TuneRuns::performed(const Values& values, std::string& fault) const {
+  Recordings recordings;
+  try {
+    recordings = source_.perform(settings_of(request_.parameters, values), fault);
+  } catch (const yaml::Error& error) {  // refused values are as bad as a run that blows up
+    fault = error.what();
+  }
+  add_parameters(values, recordings);
+  return recordings;
 }
 
 std::vector<record::Recording> TuneRuns::run_point(std::size_t point, const Values& values,
@@ -247,7 +261,9 @@ std::vector<record::Recording> TuneRuns::take(std::size_t point, const Values& v
   Recordings recordings = recording.take();
   if (source_.add_shown) source_.add_shown(recordings);
   add_analyses(simulation, recordings);
-  add_parameters(point, values, recordings);
+  if (!job_.points.empty())
+    for (record::Recording& one : recordings) swept_.add(one, point);
+  add_parameters(values, recordings);
   return recordings;
 }
 
@@ -263,14 +279,12 @@ void TuneRuns::add_analyses(const run::Executor& simulation, Recordings& recordi
   }
 }
 
-void TuneRuns::add_parameters(std::size_t point, const Values& values, Recordings& recordings) const {
-  for (record::Recording& one : recordings) {
-    if (!job_.points.empty()) swept_.add(one, point);
+void TuneRuns::add_parameters(const Values& values, Recordings& recordings) const {
+  for (record::Recording& one : recordings)
     for (std::size_t i = 0; i < values.size(); ++i)
       if (recorded_[i])
         one.table.columns.push_back(
             {request_.parameters[i].name, "", std::vector<double>(one.table.rows(), values[i])});
-  }
 }
 
 }  // namespace stepwire::tuning

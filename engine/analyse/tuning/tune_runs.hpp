@@ -23,6 +23,10 @@ struct TuneSource {
   plan::CodeSource* code = nullptr;                                  ///< null: interpreted
   const std::atomic<bool>* interrupt = nullptr;                      ///< once true, runs end and give nothing
   std::function<void(std::vector<record::Recording>&)> add_shown{};  ///< what the file's scene makes of them
+  /// Makes the recordings with such settings in place of the runs of the file, where these are the trials of
+  /// a study; `fault` is why there are none.
+  std::function<std::vector<record::Recording>(const std::vector<diagram::Setting>&, std::string& fault)>
+      perform{};
 };
 
 /// Values of all tuned parameters, SI.
@@ -36,7 +40,7 @@ class TuneRuns {
   TuneRuns(TuneSource source, const run::Job& job, const TuneRequest& request);
   ~TuneRuns();
 
-  /// Runs of one evaluation.
+  /// Runs of one evaluation; those of a study count as one.
   std::size_t count() const;
   /// The swept values of a run: "load=2 kg"; empty for the only one.
   std::string label(std::size_t run) const;
@@ -52,6 +56,7 @@ class TuneRuns {
   struct Structure;
   using Recordings = std::vector<record::Recording>;
 
+  Recordings performed(const Values& values, std::string& fault) const;
   void make_structures();
   std::vector<std::string> names_at(std::size_t point, const plan::Plan& plan) const;
   run::TogetherRuns::Members compile();
@@ -64,7 +69,7 @@ class TuneRuns {
                   run::RunMeeting* meeting = nullptr) const;
   void go_alone(run::PendingRun& run) const;
   void add_analyses(const run::Executor& simulation, Recordings& recordings) const;
-  void add_parameters(std::size_t point, const Values& values, Recordings& recordings) const;
+  void add_parameters(const Values& values, Recordings& recordings) const;
 
   TuneSource source_;
   const run::Job& job_;

@@ -68,12 +68,12 @@ class FileRun {
  private:
   ExitCode carry_out(session::LoadedModel& model, const std::string& folder, Json& results) {
     if (call_.part) return run_share(model);
-    if (model.study) return study(model, folder, results);
     const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
     if (fitted != ExitCode::done) return fitted;
     const bool tunes = call_.requires_section == "tune";
     const ExitCode tuned = tunes ? tune(model, folder, results) : ExitCode::done;
-    return tuned == ExitCode::done ? run(model, folder, results) : tuned;
+    if (tuned != ExitCode::done) return tuned;
+    return model.study ? study(model, folder, results) : run(model, folder, results);
   }
 
   ExitCode run_share(const session::LoadedModel& model) {

@@ -19,6 +19,9 @@ Action declare_tune(CLI::App& verb) {
   verb.add_option("--evaluations", tune.evaluations, "of one search at most, in place of the file's")
       ->check(CLI::Range(1, 10'000'000));
   verb.add_option("--seed", tune.seed, "of what is random, in place of the file's");
+  verb.add_option("--repeat", tune.experiments,
+                  "experiments of one evaluation of a study, in place of the file's")
+      ->check(CLI::Range(1, 1'000'000));
   verb.add_option("--threads", tune.threads, "how many threads; all cores without it");
   return [call](const Registry& registry) { return run_models(*call, registry); };
 }

@@ -29,6 +29,31 @@ std::string objective_text(const tuning::TuneResult& result) {
   return text + "\n";
 }
 
+/// "0.312, off by -0.4 of its deviations (equals 0.311)".
+std::string target_line(const tuning::TunedTarget& target) {
+  return fmt::format("  target {}: {}, off by {} deviations ({})\n", text::visible(target.verdict.that),
+                     text::visible(target.verdict.shown), query::short_number(target.off, 2),
+                     text::visible(target.verdict.check));
+}
+
+std::string number_line(const tuning::TunedNumber& number, std::size_t width) {
+  std::string text = fmt::format("  {:<{}}  {:<22} from {}", number.name, width,
+                                 in_unit_of(number, number.value), in_unit_of(number, number.start));
+  if (number.interval)
+    text += fmt::format("; 95 %: {} to {}", in_unit_of(number, (*number.interval)[0]),
+                        in_unit_of(number, (*number.interval)[1]));
+  return text + "\n";
+}
+
+std::string singular_line(const tuning::Resolution& resolution) {
+  std::vector<std::string> values;
+  for (const double value : resolution.singular_values) values.push_back(query::short_number(value, 3));
+  if (values.empty()) return "";
+  return fmt::format(
+      "  singular values {} (deviations of the targets from bound to bound; below 1 a direction is free)\n",
+      fmt::join(values, ", "));
+}
+
 std::string claim_line(const tuning::TunedClaim& claim) {
   return fmt::format("  {} {}: {} ({})\n", claim.verdict.holds ? "ok  " : "FAIL",
                      text::visible(claim.verdict.that), text::visible(claim.verdict.shown),
@@ -60,10 +85,10 @@ std::string tune_text(const tuning::TuneResult& result) {
   if (result.history.empty()) return text;
   std::size_t width = 0;
   for (const tuning::TunedNumber& number : result.numbers) width = std::max(width, number.name.size());
-  for (const tuning::TunedNumber& number : result.numbers)
-    text += fmt::format("  {:<{}}  {:<22} from {}\n", number.name, width, in_unit_of(number, number.value),
-                        in_unit_of(number, number.start));
+  for (const tuning::TunedNumber& number : result.numbers) text += number_line(number, width);
   text += objective_text(result);
+  for (const tuning::TunedTarget& target : result.targets) text += target_line(target);
+  text += singular_line(result.resolution);
   for (const tuning::TunedClaim& claim : result.claims) text += claim_line(claim);
   for (const std::string& finding : result.findings)
     text += fmt::format("  note: {}\n", text::visible(finding));

@@ -65,16 +65,42 @@ void read_analyses(diagram::Loader& loader, LoadedModel& model, query::SymbolTab
   add_sensitivity(model, names, faults);
 }
 
+/// A study tunes by its experiments, and tunes nothing that it sets itself.
+void check_tuned_study(const LoadedModel& model, yaml::Faults& faults) {
+  const study::StudyRequest& request = *model.study;
+  if (!request.trials.empty())
+    faults.add({model.tune->place,
+                "tune",
+                fmt::format("the trials of {} were recorded as they are", request.trials),
+                {}});
+  const std::vector<std::string> own = study::set_for_each_trial(request);
+  for (const tuning::TuneParameter& parameter : model.tune->parameters)
+    if (std::ranges::find(own, parameter.name) != own.end())
+      faults.add({parameter.place,
+                  "tune.parameters." + parameter.name,
+                  "the study sets this for each trial; what all of its trials share is tuned",
+                  {}});
+  const std::size_t experiments = model.job.plan.diagram.records.size() + 1;
+  for (const claim::Claim& reduction : model.tune->minimise.reductions)
+    if (reduction.recording != experiments)
+      faults.add({model.tune->place,
+                  "tune.minimise",
+                  fmt::format(
+                      "'{}' is of each trial; a study is tuned by what comes out of its experiments, such as "
+                      "mean.{}; 'toward' takes claims on trials as well",
+                      reduction.values.front().text, request.conditions.front().feedback.name),
+                  {}});
+}
+
 /// Reads the section `tune`, after all that its claims may name.
 void add_tuning(diagram::Loader& loader, LoadedModel& model, const query::SymbolTable& names,
                 yaml::Faults& faults) {
   const yaml::Node* section = loader.document(model.file).root.find("tune");
   if (!section) return;
-  if (model.study)
-    return faults.add({{model.file, section->mark}, "tune", "a file has a study or 'tune', not both", {}});
   if (has_cases(model))
     return faults.add({{model.file, section->mark}, "tune", "has single runs; leave out 'cases'", {}});
   model.tune = tuning::read_tune(*section, names, model.job.plan.diagram, model.linear, faults);
+  if (model.study) check_tuned_study(model, faults);
 }
 
 /// Reads the scene ahead of figures and claims, which may name what it shows.

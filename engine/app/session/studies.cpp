@@ -18,49 +18,6 @@ namespace stepwire::session {
 
 namespace {
 
-/// How far the experiments are.
-class StudyProgress {
- public:
-  StudyProgress(const study::StudyRequest& request, std::size_t studies, std::size_t experiments,
-                const Monitor& monitor)
-      : monitor_(monitor),
-        trials_(experiments * studies * request.subjects.size() *
-                (request.conditions.size() + request.practice.size())),
-        experiments_(experiments) {}
-
-  void trial() {
-    const double fraction = static_cast<double>(++trials_done_) / static_cast<double>(trials_);
-    const std::size_t done = experiments_done_;
-    monitor_.show(fraction, experiments_ == 1 ? "" : fmt::format("{} of {} experiments", done, experiments_));
-  }
-  void experiment() { ++experiments_done_; }
-
- private:
-  const Monitor& monitor_;
-  std::size_t trials_, experiments_;
-  std::atomic<std::size_t> trials_done_ = 0, experiments_done_ = 0;
-};
-
-/// Those of the first seed, with the outcomes of the others; none where the user interrupted.
-study::Experiments perform_all(study::TrialRuns& runs, const LoadedModel& model,
-                               const std::vector<std::uint64_t>& seeds, KeptExperiments& kept,
-                               const Monitor& monitor) {
-  const study::StudyRequest& request = *model.study;
-  StudyProgress progress(request, study::study_count(model.job), seeds.size(), monitor);
-  study::Experiments first;
-  study::ExperimentSink sink;
-  sink.told = [&] { progress.trial(); };
-  sink.done = [&](study::Experiments experiments) {
-    kept.add(experiments);
-    progress.experiment();
-    if (experiments.front().seed == request.seed) first = std::move(experiments);
-  };
-  study::perform(runs, request, model.job, seeds, sink);
-  if (monitor.interrupted()) return {};
-  kept.complete(first);
-  return first;
-}
-
 study::Experiments make_experiments(const Registry& registry, const LoadedModel& model, const StudyCall& call,
                                     const Monitor& monitor) {
   const study::StudyRequest& request = *model.study;
@@ -71,7 +28,7 @@ study::Experiments make_experiments(const Registry& registry, const LoadedModel&
   if (call.workers) own.engine = run::ExecutionMode::interpreted;  // it runs nothing itself
   StudyParts parts(registry, model, own, seeds.size(), monitor);
   study::Experiments experiments = call.workers ? perform_by(*call.workers, parts, model, seeds, kept)
-                                                : perform_all(*parts.runs, model, seeds, kept, monitor);
+                                                : perform_here(*parts.runs, model, seeds, kept, monitor);
   study::number_plans(experiments, *parts.runs);
   parts.runs.reset();  // so that nothing is compiled any more, which may have a problem to tell
   monitor.note_interpreted(parts.code.take_problem());

@@ -26,8 +26,12 @@ struct StudyParts {
   std::optional<study::TrialRuns> runs;
 };
 
-/// The experiments of these seeds by other processes: those of the first with what came out of the others.
-/// Throws as ItemWorkers do, and Error.
+/// The experiments of these seeds: those of the first seed with the outcomes of the others; empty after an interruption. Throws Error.
+study::Experiments perform_here(study::TrialRuns& runs, const LoadedModel& model,
+                                const std::vector<std::uint64_t>& seeds, KeptExperiments& kept,
+                                const Monitor& monitor);
+
+/// The same by other processes. Throws as ItemWorkers do, and Error.
 study::Experiments perform_by(messages::ItemWorkers& workers, StudyParts& parts, const LoadedModel& model,
                               const std::vector<std::uint64_t>& seeds, KeptExperiments& kept);
 

@@ -64,7 +64,7 @@ void add_objective(const LoadedModel& model, const tuning::TuneResult& result,
   plot::PlotBuilder& plot = panels.add({.y = {.log = spans_decades(all.y)}});
   const auto& dimension = result.dimension;
   plot::name_axis(plot.spec.y,
-                  model.tune->minimise.text.size() <= 40 ? model.tune->minimise.text : "objective",
+                  model.tune->objective_text().size() <= 40 ? model.tune->objective_text() : "objective",
                   dimension && *dimension != unit::Dimension{} ? unit::si_name(*dimension) : "");
   std::vector<plot::NumberCurve> curves{std::move(all)};
   if (!better.empty())

@@ -22,7 +22,25 @@ Json tuned_json(const tuning::TunedNumber& number) {
       .set("unit", dimension_json(number.dimension))
       .set("start", number.start)
       .set("bounds", Json::list({number.lower, number.upper}))
+      .set("interval", number.interval ? Json::list({(*number.interval)[0], (*number.interval)[1]}) : Json())
       .set("at_bound", number.at_bound);
+}
+
+/// With the derivatives by the parameters, in deviations for each way from bound to bound.
+Json tuned_targets_json(const tuning::TuneResult& result) {
+  Json list = Json::list();
+  const auto& jacobian = result.resolution.jacobian;
+  for (std::size_t i = 0; i < result.targets.size(); ++i) {
+    const tuning::TunedTarget& target = result.targets[i];
+    list.push(Json::object()
+                  .set("that", target.verdict.that)
+                  .set("check", target.verdict.check)
+                  .set("value", target.verdict.value)
+                  .set("off", target.off)
+                  .set("start", target.start)
+                  .set("derivatives", i < jacobian.size() ? Json::list_of(jacobian[i]) : Json::list()));
+  }
+  return list;
 }
 
 Json tuned_claims_json(const tuning::TuneResult& result) {
@@ -61,12 +79,14 @@ json::Json tune_json(const LoadedModel& model, const tuning::TuneResult& result)
   for (const tuning::TunedNumber& number : result.numbers) numbers.push(tuned_json(number));
   return Json::object()
       .set("file", model.file)
-      .set("minimise", model.tune->minimise.text)
+      .set("minimise", model.tune->objective_text())
       .set("parameters", std::move(numbers))
       .set("objective", result.objective)
       .set("unit", dimension_json(result.dimension))
       .set("start_objective", result.start_objective)
       .set("worst", result.worst.empty() ? Json() : Json(result.worst))
+      .set("targets", tuned_targets_json(result))
+      .set("singular_values", Json::list_of(result.resolution.singular_values))
       .set("claims", tuned_claims_json(result))
       .set("starts", tuned_starts_json(result))
       .set("findings", Json::list_of(result.findings))

@@ -16,6 +16,7 @@ namespace stepwire::session {
 /// What a call sets of a tuning, in place of the file's values.
 struct TuneCall {
   std::optional<std::size_t> starts{}, evaluations{};
+  std::optional<std::size_t> experiments{};  ///< of one evaluation of a study
   std::optional<std::uint64_t> seed{};
   unsigned threads = 0;  ///< 0: all cores
   run::ExecutionMode engine = run::ExecutionMode::automatic;
