@@ -6,6 +6,7 @@ namespace stepwire {
 
 void Directionality::configure(Configure& is) {
   if (direction == Direction::motion) is.require<&Directionality::position>("direction is motion");
+  if (is.connected<&Directionality::angle>()) is.size("n", 2);
 }
 
 void Directionality::declare(Declare<Directionality>& is) {
@@ -14,7 +15,9 @@ void Directionality::declare(Declare<Directionality>& is) {
       {.doc = "Resistance directionality: the force of the device on the hand that is wanted, from the "
               "largest resistance F_max, a vector toward the authorized region, and the direction in which "
               "the hand pushes. D1 resists on each axis on which the hand pushes away from the region, with "
-              "F_max of that axis: nothing where their product is positive or 0. D2 resists against the push "
+              "F_max of that axis: nothing where their product is positive or 0. Its axes are those of the "
+              "vectors, in a plane turned by `angle`: with the angle of the position they are the radial and "
+              "the tangential axis of a polar device. D2 resists against the push "
               "with |F_max| times a gain: 1 for a push away from the region, the sine of the angle between "
               "push and F_max for one toward it, so that only the straight way back is free; both are 1 at "
               "90 degrees. Where the hand does not push (not above threshold) or F_max is 0 both give 0: "
@@ -36,6 +39,10 @@ void Directionality::declare(Declare<Directionality>& is) {
   is.input<&Directionality::force>(
       {.unit = "N", .doc = "measured force of the hand on the device; motion: not used"});
   is.input<&Directionality::position>({.unit = "m", .doc = "measured position", .optional = true});
+  is.input<&Directionality::angle>({.unit = "rad",
+                                    .doc = "D1, in a plane: by which its axes are turned from those of the "
+                                           "vectors; left out: 0. D2 has no axes",
+                                    .optional = true});
   is.output<&Directionality::y>({.unit = "N", .doc = "wanted force of the device on the hand"});
   is.output<&Directionality::gain>({.doc = "D1: 0 or 1 for each axis; D2: 0 to 1, the same for all"});
   is.state<&Directionality::behind>(

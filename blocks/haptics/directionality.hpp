@@ -10,8 +10,12 @@ namespace stepwire {
 /// The force of the device on the hand that is wanted, from the largest resistance F_max, which points to the
 /// authorized region, and from the direction d in which the hand pushes or moves:
 ///
-///     D1, for each axis: F_out = F_max where F_max d < 0, else 0
-///     D2: F_out = -|F_max| gain d/|d|, gain = sin(angle between d and F_max) up to 90 degrees, beyond it 1
+///     D1, for each axis: F_out = F_max where F_max d < 0, else 0  D2: F_out = -|F_max| gain d/|d|, gain = sin(angle between d and F_max) up to 90 degrees,
+///     beyond it 1
+///
+/// In a plane `angle` turns the axes of D1.
+///
+/// In a plane `angle` turns the axes of D1.
 struct Directionality {
   enum class Law { D1, D2 };
   enum class Direction { force, motion };
@@ -20,11 +24,13 @@ struct Directionality {
   Direction direction = Direction::force;
   double threshold = 0.0, travel = 0.3e-3;
   Input<> f_max{}, force{}, position{};
+  Input<1> angle{};
   Output<> y{}, gain{};
   DiscreteState<> behind{};     ///< a point that the position draws along, `travel` behind it
   DiscreteState<1> is_drawn{};  ///< 0 before the first tick
 
   void outputs() {
+    if (law == Law::D1 && angle.connected()) return resist_on_turned_axes();
     if (law == Law::D1) {
       gain.each([&](Index i) { return f_max[i] * toward(i) < 0.0 ? 1.0 : 0.0; });
       y.each([&](Index i) { return gain[i] * f_max[i]; });
@@ -50,14 +56,30 @@ struct Directionality {
   static void declare(Declare<Directionality>& is);
 
  private:
+  void resist_on_turned_axes() {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double most[2] = {c * f_max[0] + s * f_max[1], c * f_max[1] - s * f_max[0]};
+    const double push[2] = {pushed(c * hand(0) + s * hand(1)), pushed(c * hand(1) - s * hand(0))};
+    double out[2] = {};
+    for (Index i = 0; i < 2; ++i) {
+      gain[i] = most[i] * push[i] < 0.0 ? 1.0 : 0.0;
+      out[i] = gain[i] * most[i];
+    }
+    y[0] = c * out[0] - s * out[1];
+    y[1] = s * out[0] + c * out[1];
+  }
+
+  double hand(Index i) const { return direction == Direction::motion ? way(i) : force[i]; }
+
+  /// A component of a force counts above the threshold.
+  double pushed(double part) const {
+    return direction == Direction::motion || std::abs(part) > threshold ? part : 0.0;
+  }
+
   double way(Index i) const { return is_drawn == 0.0 ? 0.0 : position[i] - behind[i]; }
 
   /// What counts as the direction of the hand; 0 where a force is not above the threshold.
-  double toward(Index i) const {
-    if (direction == Direction::motion) return way(i);
-    if (law == Law::D1) return std::abs(force[i]) > threshold ? static_cast<double>(force[i]) : 0.0;
-    return force[i];
-  }
+  double toward(Index i) const { return law == Law::D1 ? pushed(hand(i)) : hand(i); }
 
   double length_of_direction() const {
     const double length = stepwire::length_of(f_max.size(), [&](Index i) { return toward(i); });

@@ -24,6 +24,7 @@ void CirclePlan::declare(Declare<CirclePlan>& is) {
   is.input<&CirclePlan::speed>({.unit = "m/s", .doc = "along the circle, as meant now"});
   is.input<&CirclePlan::interval>({.unit = "s", .doc = "time between two via points"});
   is.output<&CirclePlan::step>({.unit = "m", .doc = "to the next via point"});
+  is.output<&CirclePlan::righting>({.unit = "m", .doc = "the part of it that takes off the radial error"});
   is.output<&CirclePlan::outward>({.doc = "unit vector from the centre to the believed position"});
   is.output<&CirclePlan::turned>({.unit = "rad", .doc = "angle gone around the centre so far"});
   is.output<&CirclePlan::off>({.unit = "m", .doc = "believed distance from the circle, positive outside"});

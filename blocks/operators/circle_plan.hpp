@@ -15,7 +15,7 @@ struct CirclePlan {
   Input<2> position{}, pending{}, center{};
   Input<1> speed{}, interval{};
   double radius = 1.0, correction = 0.0;
-  Output<2> step{}, outward{};
+  Output<2> step{}, righting{}, outward{};
   Output<1> turned{}, off{};
   DiscreteState<2> facing{};  ///< outward at the last tick; 0 before the first
   DiscreteState<1> angle{};   ///< turned until then
@@ -49,6 +49,8 @@ struct CirclePlan {
     const double next = r - (radius - r) * std::expm1(-correction * interval);
     step[0] = next * std::cos(theta) - x;
     step[1] = next * std::sin(theta) - y;
+    righting[0] = (next - r) * std::cos(theta);
+    righting[1] = (next - r) * std::sin(theta);
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/model/block/block.hpp"
@@ -13,11 +14,13 @@ namespace stepwire {
 ///     m(s) = 10 s^3 - 15 s^4 + 6 s^5.
 ///
 /// The next via point is `step` farther than the last one, of which what is not ahead of the hand in the
-/// direction of `step` has fallen to exp(-interval/hold), and no farther from the hand than `reach`.
+/// direction of `step`, or of `correction` beside that, has fallen to exp(-interval/hold), and no farther
+/// from the hand than `reach`. A hand that is led farther than that is let go: the excess falls to
+/// exp(-t/reflex).
 struct Submovements {
-  Input<2> step{}, position{};
+  Input<2> step{}, position{}, correction{};
   Input<1> reach{};
-  double interval = 0.3, overlap = 1.5, latency = 0.0, hold = unlimited;
+  double interval = 0.3, overlap = 1.5, latency = 0.0, hold = unlimited, reflex = unlimited;
   Output<2> equilibrium{}, velocity{}, pending{};
   Output<1> begins{};
   DiscreteState<2> goal{};               ///< the last via point
@@ -38,6 +41,7 @@ struct Submovements {
 
   void update() {
     if (due()) begin();
+    if (reach.connected()) let_go();
     age = age + period;
     older_age = older_age + period;
     waited = waited + period;
@@ -63,6 +67,8 @@ struct Submovements {
         length > 0.0 ? std::max(0.0, (behind[0] * step[0] + behind[1] * step[1]) / (length * length)) : 0.0;
     double ahead[2];
     for (Index i = 0; i < 2; ++i) ahead[i] = kept * behind[i] + ((1.0 - kept) * along + 1.0) * step[i];
+    if (correction.connected())
+      keep_correction({behind[0] - along * step[0], behind[1] - along * step[1]}, kept, ahead);
     const double far = std::hypot(ahead[0], ahead[1]);
     const double share = reach.connected() && far > reach ? std::max(0.0, reach / far) : 1.0;
     for (Index i = 0; i < 2; ++i) {
@@ -72,6 +78,24 @@ struct Submovements {
     }
     age = 0.0;
     started = 1.0;
+  }
+
+  /// Keeps how far the hand is behind along a correction: a push against what does not
+  /// give way grows with each piece as long as the error is there.
+  void keep_correction(const std::array<double, 2>& beside, double kept, double* ahead) const {
+    const double square = correction[0] * correction[0] + correction[1] * correction[1];
+    const double along = beside[0] * correction[0] + beside[1] * correction[1];
+    if (!(along > 0.0 && square > 0.0)) return;
+    for (Index i = 0; i < 2; ++i) ahead[i] += (1.0 - kept) * along / square * correction[i];
+  }
+
+  void let_go() {
+    const double x = goal[0] - position[0], y = goal[1] - position[1], far = std::hypot(x, y);
+    if (!(far > reach)) return;
+    const double lost =
+        -std::expm1(-period / reflex) * (1.0 - std::max(0.0, static_cast<double>(reach)) / far);
+    goal[0] -= lost * x;
+    goal[1] -= lost * y;
   }
 };
 

@@ -35,6 +35,9 @@ void WallSense::declare(Declare<WallSense>& is) {
   is.input<&WallSense::resistance>({.unit = "N", .doc = "as felt, F"});
   is.input<&WallSense::free>({.unit = "N", .doc = "that a free motion meets, as learnt before, E"});
   is.input<&WallSense::rate>({.unit = "m/s", .doc = "at which the hand moves outward, as felt"});
+  is.input<&WallSense::held>(
+      {.doc = "1: the hand does not move, and feels no more than it pushes; left out: it moves",
+       .optional = true});
   is.output<&WallSense::outside>({.doc = "1 where a wall is felt"});
   is.output<&WallSense::side>({.doc = "1: surely outward, -1: surely inward, 0: not known"});
   is.output<&WallSense::measured>({.unit = "m", .doc = "distance outward from the middle that is expected"});

@@ -21,12 +21,14 @@ namespace stepwire {
 /// that of a free motion cannot be felt, hence E in its error e. All errors last as long as the wall is felt,
 /// so that what was felt before adds nothing to what is felt now. With side = tanh of half the logarithm of
 /// the odds and d = (F - offset)/slope the hand is at side (half + d), with the variance of the other side
-/// and of the felt force.
+/// and of the felt force. A hand that is `held` feels no more than it pushes: the wall resists F or more, and
+/// with Phi the normal distribution l = log(Phi((W(r) - F)/e)/Phi((W(-r) - F)/e)), e^2 with the doubt as
+/// above.
 struct WallSense {
   double weber = 0.1, threshold = 0.0, just = 3.0, wrong = 1.0;
   double offset = 0.0, slope = 1.0, half = 0.0;
   double entered = 1.0;
-  Input<1> resistance{}, free{}, rate{};
+  Input<1> resistance{}, free{}, rate{}, held{};
   Output<1> outside{}, side{}, measured{}, precision{};
   DiscreteState<1> first{}, way{}, since{};  ///< log(P/(1 - P)), r and t at the last tick; t is 0 inside
   Period period;
@@ -63,7 +65,15 @@ struct WallSense {
     if (since == 0.0) return as_it_began();
     const double outer = resistance - wall(moved()), inner = resistance - wall(-moved());
     const double doubt = slope * wrong * since, square = error() * error() + doubt * doubt;
+    if (held.connected() && held != 0.0)
+      return limited(first + log_probability(-outer / std::sqrt(square)) -
+                     log_probability(-inner / std::sqrt(square)));
     return limited(first + (inner * inner - outer * outer) / (2.0 * square));
+  }
+
+  /// log Phi(z), of which no less counts than what limited() leaves.
+  static double log_probability(double z) {
+    return std::log(std::max(1e-12, 0.5 * std::erfc(-z * std::sqrt(0.5))));
   }
 
   static double limited(double odds) { return std::clamp(odds, -8.0, 8.0); }

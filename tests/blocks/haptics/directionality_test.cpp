@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 
 #include "tests/support/run_text.hpp"
@@ -16,14 +17,17 @@ using Plane = std::array<double, 2>;
 /// The block at one instant, without a diagram around it.
 struct Instant {
   Plane force, f_max, out{}, gain{};
+  double angle;
 
-  Instant(Directionality::Law law, Plane force, Plane f_max, double threshold = 0.0)
-      : force(force), f_max(f_max) {
+  Instant(Directionality::Law law, Plane force, Plane f_max, double threshold = 0.0,
+          std::optional<double> axes = {})
+      : force(force), f_max(f_max), angle(axes.value_or(0.0)) {
     Directionality block;
     block.law = law;
     block.threshold = threshold;
     block.force.bind(this->force.data(), 2);
     block.f_max.bind(this->f_max.data(), 2);
+    if (axes) block.angle.bind(&angle, 1);
     block.y.bind(out.data(), 2);
     block.gain.bind(gain.data(), 2);
     block.outputs();
@@ -76,6 +80,34 @@ TEST_CASE("D1 is its law of each axis: F_max where the hand pushes against it, e
     for (std::size_t k = 0; k < 2; ++k)
       REQUIRE(is.out[k] == (std::signbit(force[k]) != std::signbit(f_max[k]) ? f_max[k] : 0.0));
   }
+}
+
+TEST_CASE("D1 on axes that are turned is D1 of vectors that are turned back, and its answer turned along") {
+  Vectors any;
+  for (int i = 0; i < trials; ++i) {
+    const Plane force = any.next(), f_max = any.next();
+    const double angle = any.angle();
+    const Instant straight(D1, turned(force, -angle), turned(f_max, -angle)),
+        on_axes(D1, force, f_max, 0.0, angle);
+    const Plane expected = turned(straight.out, angle);
+    const double margin = 1e-12 * length(f_max);
+    // Where the push is along an axis the sign of what is across it is that of the rounding.
+    const double least = std::min(std::abs(turned(force, -angle)[0]), std::abs(turned(force, -angle)[1]));
+    if (least < 1e-9 * length(force)) continue;
+    CHECK(on_axes.out[0] == Approx(expected[0]).margin(margin));
+    CHECK(on_axes.out[1] == Approx(expected[1]).margin(margin));
+  }
+}
+
+TEST_CASE("On turned axes a component counts above the threshold, and D2 has no axes") {
+  const double quarter = std::numbers::pi / 4.0;
+  // Along the axis at 45 degrees the push is 1 N, across it 0.05 N; F_max is against both.
+  const Plane force = turned({1.0, 0.05}, quarter), f_max = turned({-3.0, -4.0}, quarter);
+  const Instant above(D1, force, f_max, 0.1, quarter);
+  CHECK(turned(above.out, -quarter)[0] == Approx(-3.0));
+  CHECK(turned(above.out, -quarter)[1] == Approx(0.0).margin(1e-12));
+  const Instant with(D2, force, f_max, 0.1, quarter), without(D2, force, f_max, 0.1);
+  CHECK(with.out == without.out);
 }
 
 TEST_CASE("D2 resists the push with |F_max| and the sine of its angle, beyond 90 degrees with all of it") {

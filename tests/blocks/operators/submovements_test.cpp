@@ -80,3 +80,43 @@ record: [m.equilibrium, m.pending]
   CHECK(goal("1", 515) == Approx(7 * 3e-3 * std::exp(-11 * 0.6)));  // 11 more until 5.1 s
   CHECK(goal("2", 515) == Approx(11 * 3e-3));
 }
+
+TEST_CASE(
+    "A push against what does not give way grows as long as the correction is there, and then is given up") {
+  // A held hand goes along x; until 3.05 s an error is corrected by 1 mm along y.
+  const table::Table run = run_text(R"(
+step: 10 ms
+stop: 6 s
+blocks:
+  y: {block: Step, time: 3.05 s, before: 1 mm, after: 0 mm}
+  step: {block: Mux, u: [3 mm, y]}
+  right: {block: Mux, u: [0 mm, y]}
+  m: {block: Submovements, step: step, correction: right, position: [0 mm, 0 mm], interval: 0.3 s, overlap: 1.5, hold: 0.5 s, every: 10 ms}
+record: [m.equilibrium, m.pending]
+)");
+  const auto goal = [&](std::size_t k) {
+    return column(run, "m.equilibrium.2")[k] + column(run, "m.pending.2")[k];
+  };
+  // Eleven pieces until 3.0 s; without a correction the lead along y would end at 1 mm/(1 - exp(-0.6)) = 2.2
+  // mm.
+  CHECK(goal(304) == Approx(11e-3).epsilon(0.02));
+  // Nine more until 5.7 s, of which each leaves exp(-0.6).
+  CHECK(goal(599) == Approx(11e-3 * std::exp(-9 * 0.6)).epsilon(0.02));
+}
+
+TEST_CASE("A hand that is led beyond the reach is let go within the reflex") {
+  const table::Table run = run_text(R"(
+step: 1 ms
+stop: 0.5 s
+blocks:
+  far:  {block: Step, time: 50 ms, before: 30 mm, after: 10 mm}
+  m: {block: Submovements, step: [30 mm, 0 mm], position: [0 mm, 0 mm], reach: far, interval: 10 s, overlap: 1, reflex: 50 ms, every: 1 ms}
+record: [m.equilibrium, m.pending]
+)");
+  const auto goal = [&](std::size_t k) {
+    return column(run, "m.equilibrium.1")[k] + column(run, "m.pending.1")[k];
+  };
+  CHECK(goal(50) == Approx(30e-3));
+  for (const std::size_t k : {100u, 150u, 300u})
+    CHECK(goal(k) == Approx(10e-3 + 20e-3 * std::exp(-static_cast<double>(k - 50) / 50.0)).epsilon(0.02));
+}

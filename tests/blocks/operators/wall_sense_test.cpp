@@ -92,3 +92,25 @@ TEST_CASE("Resistance that may be that of a free motion says less of the side") 
   CHECK(side("free: 0.1 N") > side("free: 1 N") + 0.005);
   CHECK(side("free: 1 N") > side("free: 3 N") + 0.01);
 }
+
+TEST_CASE("A held hand knows that a wall resists what it pushes or more, and no more") {
+  
+  const auto side = [](const std::string& rise, const std::string& held) {
+    return column(felt("0.5 mm/s", rise, "free: 0.1 N, held: " + held), "w.side").back();
+  };
+  // Behind a push of 6 N the wall is stronger than on its boundary.
+  CHECK(side("0.5 N/s", "1") > side("0 N/s", "1"));
+  // Against a wall of 5 N a held hand pushes with 2 N, and its side stays as unknown as before.
+  const auto weak = [](const std::string& held) {
+    const table::Table run = run_text(
+        "step: 100 ms\nstop: 2 s\nblocks:\n  f: {block: Step, time: 1 s, before: 0 N, after: 2 N}\n"
+        "  w: {block: WallSense, resistance: f, free: 0.1 N, rate: 0.5 mm/s, held: " +
+        held +
+        ", weber: 0.1, threshold: 0.04 N, just: 3, wrong: 1 mm/s, offset: 5 N, slope: 1 N/mm, half: 1.5 mm, "
+        "every: 100 ms}\n"
+        "record: [w.side]\n");
+    return column(run, "w.side");
+  };
+  CHECK(weak("1").back() == Approx(weak("1")[10]).margin(0.01));
+  CHECK(std::abs(weak("0").back() - weak("0")[10]) > 0.02);
+}
