@@ -69,7 +69,8 @@ std::string settings_text(const std::vector<diagram::Setting>& settings) {
 }
 
 std::size_t telling_settings(const std::vector<std::vector<diagram::Setting>>& points) {
-  const std::size_t all = points.empty() ? 0 : points.front().size();
+  std::size_t all = points.empty() ? 0 : points.front().size();
+  for (const std::vector<diagram::Setting>& point : points) all = std::min(all, point.size());
   for (std::size_t count = 1; count < all; ++count) {
     std::set<std::string> seen;
     const bool differ = std::ranges::all_of(points, [&](const std::vector<diagram::Setting>& point) {
