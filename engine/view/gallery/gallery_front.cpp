@@ -18,7 +18,7 @@ const GalleryPicture* thumbnail_of(const GalleryEntry& entry) {
 
 /// A band shows its beginning, since the whole of it would be too small to be recognized.
 Html thumbnail(const GalleryEntry& entry) {
-  constexpr double band = 2.6;
+  constexpr double band = 3.5;
   const GalleryPicture* picture = thumbnail_of(entry);
   if (!picture) return html("<span class=\"thumb\"></span>");
   return html(
