@@ -92,7 +92,7 @@ TEST_CASE("a rose has a spoke for each row, the longest as long as its disc is w
   check_near(spokes.dy, {0.0, 4.0, 0.0});
   CHECK(spokes.value == Numbers{2.0, 8.0, 4.0});
   REQUIRE(plot.texts.size() == 2);
-  CHECK(plot.texts[0].text == "8 N");
+  CHECK(plot.texts[0].text == "edge: 8 N");
   CHECK(plot.texts[0].y == Approx(-1.0));
   CHECK(plot.texts[1].text == "D2");
   CHECK(plot.texts[1].y == Approx(7.0));
