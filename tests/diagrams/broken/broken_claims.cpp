@@ -144,7 +144,7 @@ class Check {
     for (const auto& [name, why] : broken_.unseen)
       if (name != broken::all_pictures && !names.contains(name))
         fault(fmt::format("unseen: there is no change '{}'", name));
-    const std::size_t most = std::max<std::size_t>(pictures_ / 10, 1);
+    const std::size_t most = std::max<std::size_t>(pictures_ / 10, 2);
     if (!all_unseen() && pictures_ - seen_ > most)
       fault(fmt::format("{} of {} wrong pictures break no claim, more than {}", pictures_ - seen_, pictures_,
                         most));

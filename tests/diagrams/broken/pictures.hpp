@@ -20,11 +20,16 @@ struct PictureChange {
   std::vector<ChangedSection> sections{};  ///< the first that is not refused counts
 };
 
-/// Wrong pictures of a file that was run. In each panel of rows: x and y exchanged, of all rows and of each
-/// that allows it; each row negated; each row replaced by another signal; two texts of the legend, or of
-/// points, exchanged; another region. In each table: two cells, headings or names of rows exchanged. Another
-/// signal is the next one, cyclically, of the same unit and recording among those that the file draws and
-/// records.
+/// Returns wrong pictures of a file that was run.
+///
+/// - A panel of rows: x and y exchanged, of all rows and of each that allows it.
+/// - A row: negated, and replaced by another signal.
+/// - A legend, marks, texts: two texts that follow each other exchanged.
+/// - A region: replaced by that of another block.
+/// - A table: two cells, headings or names of rows exchanged that follow each other.
+///
+/// Another signal is the next one, cyclically, of the same unit and recording among those that the file draws
+/// and records.
 std::vector<PictureChange> picture_changes(const session::LoadedModel& model,
                                            const session::Outcome& outcome);
 

@@ -16,7 +16,7 @@ Signal signal_of(const query::Formula& formula) {
   return {formula.text, formula.dimension, formula.recording};
 }
 
-/// Columns that tell rows and runs apart, and words.
+/// Returns the columns of time, swept parameters and words.
 std::set<std::string> other_columns(const session::LoadedModel& model, const record::Recording& recording) {
   std::set<std::string> names{"time"};
   if (model.job.plan.diagram.sweep)

@@ -23,7 +23,7 @@ std::vector<Signal> signals_of(const session::LoadedModel& model, const session:
 /// Those of the list that could be drawn in the place of one, the next one in the list first.
 std::vector<Signal> instead_of(const query::Formula& drawn, const std::vector<Signal>& signals);
 
-/// May the key of a panel be drawn with another signal? Not what selects and groups rows.
+/// Returns true for a key of rows that are drawn, false for one that selects or groups them.
 bool is_drawn(const std::string& channel);
 
 }  // namespace stepwire::broken
