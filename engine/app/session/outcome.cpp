@@ -147,6 +147,12 @@ void judge_claims(const LoadedModel& model, Outcome& outcome) {
   judges.judge(outcome);
 }
 
+void judge_again(const LoadedModel& model, Outcome& outcome) {
+  outcome.verdicts.clear();
+  outcome.shown.clear();
+  judge_claims(model, outcome);
+}
+
 namespace {
 
 run::RunOptions options_of(run::ExecutionMode engine, plan::CodeSource& code, const Monitor& monitor,

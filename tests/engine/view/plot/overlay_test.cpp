@@ -110,7 +110,7 @@ TEST_CASE("claims may name what lies over a panel") {
       "{" + plane + ", motion: [{x: rig.x, y: rig.v}, {x: 2*rig.x, y: rig.v}], rose: {" + rose + "}}");
   REQUIRE(read.faults.empty());
   std::string names;
-  for (const query::NamedFormula& one : drawn_quantities(read.figures))
+  for (const query::NamedFormula& one : drawn_quantities(read.figures, sample_names()))
     names += one.name + "=" + one.text + "\n";
   CHECK_THAT(names, Contains("figure.motion.x=rig.x\n") && Contains("figure.1.motion.2.x=2*rig.x\n") &&
                         Contains("figure.rose.value=push.force\n"));
