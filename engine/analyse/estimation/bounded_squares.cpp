@@ -9,7 +9,7 @@ namespace stepwire::estimation {
 
 namespace {
 
-/// The residuals as Ceres asks for them.
+/// Gives Ceres the residuals of a problem.
 class Asked : public ceres::CostFunction, public ceres::IterationCallback {
  public:
   Asked(const BoundedSquares& problem, std::size_t size) : problem_(problem), size_(size) {

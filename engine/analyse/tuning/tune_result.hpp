@@ -37,7 +37,7 @@ struct TunedClaim {
 
 /// How a search from one start went.
 struct TunedStart {
-  std::optional<double> objective{};  ///< none where no point has all claims
+  std::optional<double> objective{};  ///< empty if no point has all claims
   bool converged = false;
   std::size_t evaluations = 0;
 };

@@ -12,16 +12,25 @@ namespace stepwire::plot {
 /// Returns the quantities that the pictures of a file draw, by the names that its claims may use. A name is
 /// that of the panel, "figure.PICTURE.PANEL", and behind it one of these:
 ///
-/// - CHANNEL.NUMBER: a row.
-/// - CHANNEL.TEXT, LABEL.TEXT: a row by its text in the legend, and the channel by the label of its axis.
-/// - by.TEXT: the condition of the curve with this text in the legend, for a swept `by`.
-/// - where: the condition of the drawn rows.
-/// - motion.x, rose.2.value: a quantity of a motion or a rose.
-/// - region.OUTPUT: a recorded output of the block of the region.
-/// - boundary: the expression of the boundary, at the drawn x and y.
-/// - marks.NAME.x, texts.TEXT.y: a coordinate of a named point or a text.
-/// - ROW.HEADING: a cell of a table.
-/// - labels.TEXT: the signal with this label in a picture of the diagram.
+/// - CHANNEL.NUMBER is a row.
+///
+/// - CHANNEL.TEXT, LABEL.TEXT are a row by its text in the legend, and the channel by the label of its axis.
+///
+/// - by.TEXT is the condition of the curve with this text in the legend, for a swept `by`.
+///
+/// - where is the condition of the drawn rows.
+///
+/// - motion.x, rose.2.value is a quantity of a motion or a rose.
+///
+/// - region.OUTPUT is a recorded output of the block of the region.
+///
+/// - boundary is the expression of the boundary, at the drawn x and y.
+///
+/// - marks.NAME.x, texts.TEXT.y is a coordinate of a named point or a text.
+///
+/// - ROW.HEADING is a cell of a table.
+///
+/// - labels.TEXT is the signal with this label in a picture of the diagram.
 ///
 /// Each number counts from 1. Numbers of rows, the panel and then also the picture may be left out where they
 /// are 1: "figure.color", "figure.2.y.3". Texts are written as name_of_label() has them.

@@ -20,13 +20,10 @@ struct PictureChange {
   std::vector<ChangedSection> sections{};  ///< the first that is not refused counts
 };
 
-/// Returns wrong pictures of a file that was run.
-///
-/// - A panel of rows: x and y exchanged, of all rows and of each that allows it.
-/// - A row: negated, and replaced by another signal.
-/// - A legend, marks, texts: two texts that follow each other exchanged.
-/// - A region: replaced by that of another block.
-/// - A table: two cells, headings or names of rows exchanged that follow each other.
+/// Returns wrong pictures of a file that was run. In a panel of rows x and y are exchanged, of all rows and
+/// of each that allows it. A row is negated, and replaced by another signal. In a legend, in marks and in
+/// texts two neighbours are exchanged. A region is replaced by that of another block. In a table two
+/// neighbours are exchanged among cells, headings and names of rows.
 ///
 /// Another signal is the next one, cyclically, of the same unit and recording among those that the file draws
 /// and records.
