@@ -2,13 +2,13 @@
 
 export const widths = () => ({content: document.documentElement.scrollWidth, window: document.documentElement.clientWidth});
 
-/** Ratios of width to height. */
+/** Ratios of width to height: what fits into its box or is cut by it keeps its own. */
 export const pictures = async () => {
   const images = [...document.images];
   for (const image of images) image.loading = "eager";
   await Promise.all(images.map((image) => image.decode().catch(() => {})));
   return images.map((image) => {
-    const fitted = getComputedStyle(image).objectFit === "contain";
+    const fitted = ["contain", "cover"].includes(getComputedStyle(image).objectFit);
     const natural = image.naturalWidth / image.naturalHeight;
     return {src: image.src, natural, shown: fitted ? natural : image.clientWidth / image.clientHeight};
   });

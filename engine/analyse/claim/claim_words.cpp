@@ -104,8 +104,9 @@ std::string value_text(const Claim& claim, double exact, double magnitude) {
   const unit::Unit unit =
       claim.reduction == Reduction::fit ? unit::Unit{} : unit::parse_unit(name).value_or(unit::Unit{});
   const bool holds = claim.comparison.margin(value) >= 0.0;
+  const bool is_plain = holds && claim.comparison.kind == Comparison::Kind::equals;
   std::string text;
-  for (int digits = 4; digits <= 17; ++digits) {
+  for (int digits = 4; digits <= (is_plain ? 4 : 17); ++digits) {
     text = query::short_number(unit.from_si(value), digits);
     const double shown = unit.to_si(std::strtod(text.c_str(), nullptr));
     if (!std::isfinite(value) || (claim.comparison.margin(shown) >= 0.0) == holds) break;

@@ -17,9 +17,9 @@ std::optional<unit::Dimension> reduced_dimension(const Claim& claim);
 /// The condition of a claim as text; `time` is the time of `at` as written.
 std::string check_text(const Claim& claim, const std::string& time);
 
-/// A reduced value with its unit: in the author's unit where the claim has one, with so many digits that the
-/// number shown is on the same side of the condition. What is below the resolution of numbers of that
-/// magnitude, and of the condition, is 0.
+/// A reduced value with its unit: in the author's unit where the claim has one. The number has four digits;
+/// more where a rounded one would be on the other side of the condition, except in an `equals` that holds. A
+/// value below the resolution of numbers of that magnitude, and of the condition, is 0.
 std::string value_text(const Claim& claim, double value, double magnitude = 0.0);
 
 }  // namespace stepwire::claim

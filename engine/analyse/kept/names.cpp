@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
@@ -17,10 +18,26 @@ namespace stepwire::kept {
 
 namespace {
 
+/// Returns the numbers of an axis, ascending; an empty list where there are many or one is a formula.
+std::vector<double> few_values(const diagram::Sweep::Axis& axis) {
+  constexpr std::size_t few = 100;
+  const diagram::SweptValues& all = axis.values;
+  std::set<double> values;
+  if (all.size() > few) return {};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto quantity = all.are_numbers() ? std::optional(unit::Quantity{all.number(i), {}})
+                                            : unit::parse_quantity(all.text(i));
+    if (!quantity) return {};
+    values.insert(quantity->value);
+  }
+  return {values.begin(), values.end()};
+}
+
 void add_swept_names(const run::Job& job, query::SymbolTable& names) {
   if (job.points.empty()) return;
   for (const diagram::Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
     query::RecordedName name{axis.parameter, std::nullopt, std::nullopt};
+    name.values = few_values(axis);
     if (axis.label) name.words = run::words_of(axis);
     for (const diagram::DiagramParameter& parameter : job.plan.diagram.parameters) {
       if (parameter.name != axis.parameter) continue;

@@ -9,16 +9,6 @@
 namespace stepwire::query {
 namespace {
 
-/// A parameter as a number, with its unit where that can stand in an expression.
-std::string number_text(const KnownParameter& parameter, const SymbolTable& names) {
-  std::string number = fmt::format("{}", parameter.value);
-  if (!parameter.dimension || *parameter.dimension == unit::Dimension{}) return number;
-  std::string unit = unit::si_name(*parameter.dimension);
-  std::replace(unit.begin(), unit.end(), ' ', '.');
-  const auto known = [&](std::string_view name) { return names.find(name) != nullptr; };
-  return unit::unit_prefix(unit, known) == unit.size() ? number + " " + unit : number;
-}
-
 /// The column of words before a comparison, whose sign ends at `end`; null where it is none.
 const RecordedName* compared_column(std::string_view text, std::size_t end, const SymbolTable& names) {
   const auto last_of = [&](std::size_t behind) {
@@ -85,11 +75,22 @@ std::size_t append_parameter(std::string_view text, std::size_t begin, const Sym
   const std::string name(text.substr(begin + 1, end - begin - 1));
   const KnownParameter* const found = parameter_of(name, names);
   if (!found && !names.find(name)) throw FormulaError(unknown_parameter(name, names), begin);
-  result.append(fmt::format("({})", found ? number_text(*found, names) : name), begin);
+  result.append(fmt::format("({})", found ? number_text(found->value, found->dimension, names) : name),
+                begin);
   return end;
 }
 
 }  // namespace
+
+std::string number_text(double value, const std::optional<unit::Dimension>& dimension,
+                        const SymbolTable& names) {
+  std::string number = fmt::format("{}", value);
+  if (!dimension || *dimension == unit::Dimension{}) return number;
+  std::string unit = unit::si_name(*dimension);
+  std::replace(unit.begin(), unit.end(), ' ', '.');
+  const auto known = [&](std::string_view name) { return names.find(name) != nullptr; };
+  return unit::unit_prefix(unit, known) == unit.size() ? number + " " + unit : number;
+}
 
 std::string name_at(std::string_view text, std::size_t position) {
   std::size_t end = position;
@@ -138,7 +139,9 @@ Substituted with_parameters(const Substituted& text, const SymbolTable& names) {
       continue;
     }
     const std::string name = name_at(marked, at + 1);
-    result.append(fmt::format("({})", number_text(*parameter_of(name, names), names)), text.origin[i]);
+    const KnownParameter& parameter = *parameter_of(name, names);
+    result.append(fmt::format("({})", number_text(parameter.value, parameter.dimension, names)),
+                  text.origin[i]);
     at += name.size() + 1;
     i += name.size();
   }

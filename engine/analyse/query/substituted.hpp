@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cctype>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,10 @@ inline bool is_word(char c) {
 
 /// The name that starts at a position, dots included.
 std::string name_at(std::string_view text, std::size_t position);
+
+/// Returns a number in SI, with its unit where an expression can have that.
+std::string number_text(double value, const std::optional<unit::Dimension>& dimension,
+                        const SymbolTable& names);
 
 /// A text in which each $name and each "word" is replaced by its number and each name of something drawn by
 /// its expression, and for each character where it came from.

@@ -29,6 +29,7 @@ struct RecordedName {
       recording;         ///< which recording has it; none: each has it (time, swept parameters)
   std::string column{};  ///< its name in the table where that differs ("lag" for "lag.y"); else empty
   std::vector<std::string> words{};  ///< that its numbers 0, 1, ... stand for; empty: they are numbers
+  std::vector<double> values{};      ///< SI, of a swept parameter with few of them, ascending; else empty
 };
 
 /// A parameter of the diagram, used in figures and claims as "$name".

@@ -25,7 +25,7 @@ std::array<double, 2> interval_of(const TuneParameter& parameter, double value, 
   return ends;
 }
 
-/// Which parameters take part in a direction, in words.
+/// Names the parameters that take part in a direction.
 std::string free_direction(const Eigen::VectorXd& direction, const TuneRequest& request) {
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);
@@ -39,7 +39,7 @@ std::string free_direction(const Eigen::VectorXd& direction, const TuneRequest& 
   return fmt::format("the targets leave a direction free, by shares of the bounds: {}", text);
 }
 
-/// What follows from the Jacobian.
+/// Adds singular values, intervals and free directions.
 void decompose(const TuneRequest& request, const Values& values, Resolution& result) {
   const auto rows = static_cast<Eigen::Index>(request.targets.size());
   const auto count = static_cast<Eigen::Index>(values.size());

@@ -9,17 +9,16 @@
 
 namespace stepwire::tuning {
 
-/// How well the targets of a tuning tell its parameters. A parameter counts by its share of the way between
+/// Singular values and intervals of a tuning with targets. A parameter counts by its share of the way between
 /// its bounds, on its scale; a target by its deviations.
 struct Resolution {
-  std::vector<std::vector<double>>
-      jacobian{};  ///< of each target, by each parameter; empty where it has none
+  std::vector<std::vector<double>> jacobian{};  ///< a row for each target
   /// Of the Jacobian, the largest first. Along a direction of less than 1 the whole way from bound to bound
   /// moves the targets by less than a deviation: it is free.
   std::vector<double> singular_values{};
-  /// 95 %, of each parameter, within its bounds, SI; none where a free direction has a part of it.
+  /// 95 % of each parameter within its bounds, SI; empty of one in a free direction.
   std::vector<std::optional<std::array<double, 2>>> intervals{};
-  std::vector<std::string> findings{};  ///< which parameters each free direction moves
+  std::vector<std::string> findings{};  ///< the parameters of each free direction
 };
 
 /// From differences over a tenth of the bounds on each side of the values, or as far as they reach.

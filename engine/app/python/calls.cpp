@@ -192,8 +192,8 @@ void add_calls(_object* module) {
            })
       .def("tune", [](const Shared& of, const std::string& engine, std::optional<std::size_t> starts,
                       std::optional<std::size_t> evaluations, std::optional<std::uint64_t> seed,
-                      unsigned threads, const py::object& progress) {
-        session::TuneCall call{starts, evaluations, seed, threads, mode_of(engine)};
+                      std::optional<std::size_t> repeat, unsigned threads, const py::object& progress) {
+        session::TuneCall call{starts, evaluations, repeat, seed, threads, mode_of(engine)};
         return tune_call(of, call, progress.ptr());
       });
 }

@@ -129,7 +129,7 @@ void read_all_figures(const diagram::Diagram& diagram, LoadedModel& model, const
 /// Claims and invariants may name what the figures draw and the scene shows.
 void read_all_claims(const diagram::Diagram& diagram, LoadedModel& model, query::SymbolTable& names,
                      yaml::Faults& faults) {
-  std::ranges::move(plot::drawn_quantities(model.figures), std::back_inserter(names.drawn));
+  std::ranges::move(plot::drawn_quantities(model.figures, names), std::back_inserter(names.drawn));
   if (model.scene) std::ranges::move(plot::shown_quantities(*model.scene), std::back_inserter(names.drawn));
   const auto read = [&](const yaml::Node& section, claim::Claim::Kind kind) {
     if (section.kind == yaml::Node::Kind::empty) return;
@@ -153,6 +153,7 @@ LoadedModel load_model(diagram::Loader& loader, const std::string& file, const L
   model.registry = &loader.registry();
   model.blocksets = loader.registry().blocksets();
   model.job = run::make_job(loader, file, options.settings, options.stop, options.of_points, options.threads);
+  if (options.figure) model.job.plan.diagram.figure = *options.figure;
   query::SymbolTable names = kept::names_of(model.job);
   yaml::Faults faults;
   const diagram::Diagram& diagram = model.job.plan.diagram;

@@ -28,7 +28,8 @@ struct LoadOptions {
   unsigned threads = 0;  ///< that look at the points of a sweep; 0: all cores
   yaml::DocumentLimits limits;
   study::StudyWords study{};
-  diagram::DocumentReader reader{};  ///< where the texts of files are; without it files are read
+  std::optional<yaml::Node> figure{};  ///< in the place of the file's section
+  diagram::DocumentReader reader{};    ///< where the texts of files are; without it files are read
 };
 
 /// A diagram file with all that could be found wrong before its first step looked at.
@@ -46,7 +47,7 @@ struct LoadedModel {
   std::shared_ptr<const run::RunNumbers> kept{};  ///< what the sweep keeps of each run; null: its rows
   std::optional<sensitivity::Request> sensitivity{};
   std::vector<linear::NamedAnalysis> linear{};  ///< that figures and claims read behind the recordings
-  std::optional<linear::TrimRequest> trim{};   ///< the operating point that is looked for
+  std::optional<linear::TrimRequest> trim{};    ///< the operating point that is looked for
   std::optional<tuning::TuneRequest> tune{};    ///< what `tune` minimises; no run hangs on it
   const Registry* registry = nullptr;           ///< by which it was loaded
   std::vector<std::string> blocksets{};         ///< folders of the blocks from outside that were known

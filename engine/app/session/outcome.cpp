@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <iterator>
 #include <limits>
 
+#include "engine/analyse/query/number.hpp"
 #include "engine/app/session/cases_table.hpp"
 #include "engine/app/session/linearizing.hpp"
 #include "engine/app/session/sweep_sections.hpp"
@@ -36,6 +38,26 @@ std::size_t telling_values(const run::Job& job) {
   return run::telling_settings(points);
 }
 
+/// A number with a point as four digits; other words as they are.
+std::string short_value(const std::string& value) {
+  const std::size_t end = std::min(value.find(' '), value.size());
+  double number = 0.0;
+  const auto [rest, error] = std::from_chars(value.data(), value.data() + end, number);
+  const bool is_number = error == std::errc{} && rest == value.data() + end;
+  if (!is_number || value.find('.') >= end) return value;
+  return query::short_number(number) + value.substr(end);
+}
+
+/// Settings for people: the first four, with short numbers. The file claims.json has all of them, with every
+/// digit.
+std::string short_text(std::vector<diagram::Setting> settings) {
+  constexpr std::size_t most = 4;
+  const bool is_long = settings.size() > most;
+  if (is_long) settings.resize(most);
+  for (diagram::Setting& setting : settings) setting.value = short_value(setting.value);
+  return run::settings_text(settings) + (is_long ? ", ..." : "");
+}
+
 /// Says which of several runs came off worst, or at which values that all cases share.
 void name_run(const LoadedModel& model, claim::Verdict& verdict) {
   const run::Job& job = model.job;
@@ -51,7 +73,7 @@ void name_run(const LoadedModel& model, claim::Verdict& verdict) {
     });
   if (sweep && sweep->together) settings.resize(telling_values(job));
   verdict.worst = run::settings_text(settings);
-  verdict.shown += fmt::format(" ({})", verdict.worst);
+  verdict.shown += fmt::format(" ({})", short_text(settings));
 }
 
 /// A table by cases stands in the place of kept rows.
@@ -123,6 +145,12 @@ void judge_claims(const LoadedModel& model, Outcome& outcome) {
     judges.add(outcome.recordings());
   }
   judges.judge(outcome);
+}
+
+void judge_again(const LoadedModel& model, Outcome& outcome) {
+  outcome.verdicts.clear();
+  outcome.shown.clear();
+  judge_claims(model, outcome);
 }
 
 namespace {

@@ -51,6 +51,9 @@ class RunJudges {
 /// Judges all claims on what was recorded; those about a run that ended early do not hold.
 void judge_claims(const LoadedModel& model, Outcome& outcome);
 
+/// Judges the claims of the model, which may have been loaded with other figures, on the rows of an outcome.
+void judge_again(const LoadedModel& model, Outcome& outcome);
+
 /// Runs and judges. Claims about a run that ended early are not judged and do not hold.
 Outcome run_model(const LoadedModel& model, const run::RunOptions& options);
 /// The same, watched, on so many threads (0: all cores); `code` compiles what the engine does not interpret.

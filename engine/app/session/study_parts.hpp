@@ -26,7 +26,8 @@ struct StudyParts {
   std::optional<study::TrialRuns> runs;
 };
 
-/// The experiments of these seeds: those of the first seed with the outcomes of the others; empty after an interruption. Throws Error.
+/// The experiments of these seeds: those of the first seed with the outcomes of the others; empty after an
+/// interruption. Throws Error.
 study::Experiments perform_here(study::TrialRuns& runs, const LoadedModel& model,
                                 const std::vector<std::uint64_t>& seeds, KeptExperiments& kept,
                                 const Monitor& monitor);

@@ -18,11 +18,10 @@ class TunedStudy {
   TunedStudy(const Registry& registry, const LoadedModel& model, const tuning::TuneRequest& request,
              const TuneCall& call, const Monitor& monitor);
 
-  /// What claims read of the experiments with these values; nothing where the user interrupted or no
-  /// experiment came out, which `fault` then says. One call after the other, from any thread. Throws Error
-  /// where the diagram refuses the values.
+  /// The recordings of the experiments with these values; empty after an interruption, which `fault` then
+  /// names. One call after the other, from any thread. Throws Error where the diagram refuses the values.
   std::vector<record::Recording> run(const std::vector<diagram::Setting>& values, std::string& fault);
-  /// Why something was interpreted; empty where nothing was.
+  /// The reason why something was interpreted, if any was.
   std::string take_problem() { return parts_->code.take_problem(); }
 
  private:

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "engine/app/thesis/thesis_data.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/view/gallery/gallery_picture.hpp"
 
@@ -110,6 +111,7 @@ void add_pictures(const session::LoadedModel& model, const std::vector<std::stri
 }
 
 void add_downloads(const std::string& out, gallery::GalleryEntry& entry) {
+  pack_data((fs::path(out) / entry.folder).string());
   std::error_code error;
   for (const auto& file : fs::directory_iterator(fs::path(out) / entry.folder, error))
     if (file.is_regular_file(error))

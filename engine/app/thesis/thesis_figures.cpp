@@ -14,6 +14,7 @@
 #include "engine/app/session/run_files.hpp"
 #include "engine/app/session/studies.hpp"
 #include "engine/app/thesis/thesis_contents.hpp"
+#include "engine/app/thesis/thesis_data.hpp"
 #include "engine/app/thesis/thesis_entry.hpp"
 #include "engine/app/thesis/thesis_print.hpp"
 #include "engine/base/hash/hash.hpp"
@@ -207,6 +208,7 @@ std::vector<gallery::GalleryEntry> make_thesis(const ThesisCall& call, const Reg
   const io::OwnedFolder folder(call.out, [&] { return kept_files(call); });
   maker.run();
   std::vector<gallery::GalleryEntry> entries = maker.entries(contents);
+  share_data(call.out, entries);
   if (!monitor.interrupted()) print_chapters(call.out, entries);
   write_gallery(call.out, contents, entries);
   return entries;

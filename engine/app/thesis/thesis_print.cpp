@@ -12,6 +12,9 @@
 #include "engine/base/io/file.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/subprocess/process.hpp"
+#include "engine/base/subprocess/scratch_folder.hpp"
+#include "engine/view/gallery/gallery_print.hpp"
+#include "engine/view/render/pdf_outline.hpp"
 
 namespace stepwire::thesis {
 
@@ -19,31 +22,40 @@ namespace {
 
 constexpr const char* printer = "rsvg-convert";
 
-std::string printed(const std::string& program, const std::vector<std::string>& files) {
+/// Returns pages, as SVG, in one PDF.
+std::string printed(const std::string& program, const std::vector<std::string>& pages) {
   hash::Hash hash;
   hash.add(printer);
-  for (const std::string& file : files) hash.add(io::read_file(file));
+  for (const std::string& page : pages) hash.add(page);
   const io::Cache cache;
   const std::string name = hash.text() + ".pdf";
   if (std::optional<std::string> text = cache.find(name)) return *std::move(text);
-  subprocess::ProcessCall call{.command = {program, "--format=pdf"}};
-  call.command.insert(call.command.end(), files.begin(), files.end());
+  const subprocess::ScratchFolder folder;
+  // A PDF names the time at which it was made, unless this does.
+  subprocess::ProcessCall call{.command = {"env", "SOURCE_DATE_EPOCH=0", program, "--format=pdf"}};
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    call.command.push_back(folder.path() + "/" + io::numbered("page", i, ".svg"));
+    io::write_file(call.command.back(), pages[i]);
+  }
   const subprocess::ProcessResult answer = subprocess::run_helper(printer, call);
   cache.keep(name, answer.output);
   return answer.output;
 }
 
-/// The entries of one chapter, and their pictures.
+/// The entries of one chapter, and the pages of their pictures.
 struct Chapter {
   std::string file;
   std::vector<gallery::GalleryEntry*> entries;
-  std::vector<std::string> pictures;
+  std::vector<std::string> pages;  ///< as SVG
+  std::vector<render::Bookmark> bookmarks;
 
   void add(const std::string& out, gallery::GalleryEntry& entry) {
-    entry.print = {file, pictures.size() + 1};
+    entry.print = {file, pages.size() + 1};
     entries.push_back(&entry);
+    bookmarks.push_back({gallery::printed_name(entry), entry.print.page});
     for (const gallery::GalleryPicture& picture : entry.pictures)
-      pictures.push_back(fmt::format("{}/{}/{}", out, entry.folder, picture.file));
+      pages.push_back(gallery::printed_page(
+          entry, picture, io::read_file(fmt::format("{}/{}/{}", out, entry.folder, picture.file))));
   }
 
   void leave_out(const std::string& note) {
@@ -58,7 +70,7 @@ struct Chapter {
       return leave_out(fmt::format(
           "There is no PDF, since {} is not installed; on Debian it is the package librsvg2-bin.", printer));
     try {
-      io::write_file(out + "/" + file, printed(program, pictures));
+      io::write_file(out + "/" + file, render::with_outline(printed(program, pages), bookmarks));
     } catch (const std::exception& error) {  // also where an interruption has ended the printer
       leave_out(fmt::format("There is no PDF: {}", error.what()));
     }

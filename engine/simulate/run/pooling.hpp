@@ -15,8 +15,8 @@ std::vector<std::string> words_of(const diagram::Sweep::Axis& axis);
 /// "speed=3, mass=1 kg".
 std::string settings_text(const std::vector<diagram::Setting>& settings);
 
-/// The number of leading settings by whose values all points differ; as many as the shortest point has where no
-/// fewer do: trials of a study have more or fewer settings by their condition.
+/// The number of leading settings by whose values all points differ; as many as the shortest point has where
+/// no fewer do: trials of a study have more or fewer settings by their condition.
 std::size_t telling_settings(const std::vector<std::vector<diagram::Setting>>& points);
 
 /// What tells apart the recordings of a job's points: its swept parameters, as columns behind the time. None

@@ -19,6 +19,9 @@ function constantNode(wire, nodes) {
   return {node: id, port: "y"};
 }
 
+/** True for an opened part in which a signal carries this name, so that its open end needs none. */
+const isNamedWithin = ({graph}, mark) => Boolean(mark) && Boolean(graph?.nodes.some(({outputs}) => outputs.some((port) => port.mark === mark)));
+
 /** All nodes and wires that are laid out for a graph; the graph itself stays as it is. */
 export function nodesAndWires(whole, isRoot) {
   const graph = grouped(whole);
@@ -35,8 +38,11 @@ export function nodesAndWires(whole, isRoot) {
     to: end(wire.to, "output"),
   }));
   const fed = new Set(wires.map(({from}) => `${from.node} ${from.port}`));
-  for (const {id, outputs} of nodes)
-    for (const port of outputs) port.isOpen = Boolean(port.recorded) && !fed.has(`${id} ${port.port}`);
+  for (const node of nodes)
+    for (const port of node.outputs) {
+      port.isOpen = Boolean(port.recorded) && !fed.has(`${node.id} ${port.port}`);
+      if (port.isOpen && isNamedWithin(node, port.mark)) delete port.mark;
+    }
   const byId = new Map(nodes.map((node) => [node.id, node]));
   for (const {from, unit} of wires)
     if (unit) byId.get(from.node).outputs.find((port) => port.port === from.port).unit = unit;

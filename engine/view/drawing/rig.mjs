@@ -107,7 +107,7 @@ function obstaclesOf(placed, page, centre) {
     }
     if (element.kind in linear) return [{segment: element.at, half: halves[element.kind] ?? 9}, ...(extents[element.kind]?.(element, centre) ?? [])];
     if (element.kind === "box") return [hull(element.at)];
-    if (element.kind === "force" || element.kind === "motion") return [{segment: arrowEnds(element, page), half: element.kind === "motion" ? 26 : 6}];
+    if (element.kind === "force" || element.kind === "motion") return [{segment: arrowEnds(element, page), half: 6}];
     if (element.kind in areas) return areaLines(element, page).flatMap(segments);
     return element.at.flatMap((point) => extents[element.kind]?.(point, element, page) ?? []);
   }));

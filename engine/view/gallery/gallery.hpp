@@ -27,10 +27,12 @@ struct GalleryPicture {
   bool dark = false;                 ///< it suits dark pages
 };
 
-/// A file that a reader may take along, in the folder of its entry.
+/// A file that a reader may take along, in the folder of its entry or of another one that has the same file.
 struct GalleryDownload {
   std::string file;
   std::uintmax_t bytes = 0;
+  std::string folder{};  ///< of the entry that keeps the file; empty: of the entry itself
+  std::string label{};   ///< of the entry that keeps the file
 };
 
 /// A file with pictures of several entries, a page each, and which page is the first of this entry.

@@ -8,10 +8,14 @@
 namespace stepwire::gallery {
 namespace {
 
-/// Files with one ending, and what they are.
+/// Files with one ending, also behind it packed by gzip, and a name for them.
 struct DownloadKind {
   const char* ending;
   const char* name;
+
+  bool has(const std::string& file) const {
+    return file.ends_with(ending) || file.ends_with(std::string(ending) + ".gz");
+  }
 };
 
 constexpr std::array<DownloadKind, 5> download_kinds{{{".svg", "Pictures, SVG"},
@@ -31,12 +35,17 @@ Html download(const std::string& page, const std::string& path, std::uintmax_t b
               std::filesystem::path(path).filename().string(), size_text(bytes));
 }
 
+/// A file that another entry keeps is named with that entry.
+Html download(const GalleryEntry& entry, const GalleryDownload& file) {
+  if (file.folder.empty()) return download(page_of(entry), entry.folder + "/" + file.file, file.bytes);
+  return html("{}<span class=\"soft\">, the same as of {}</span>",
+              download(page_of(entry), file.folder + "/" + file.file, file.bytes), file.label);
+}
+
 Html downloads_of_kind(const GalleryEntry& entry, const DownloadKind& kind) {
   Html links;
   for (const GalleryDownload& file : entry.downloads)
-    if (std::filesystem::path(file.file).extension() == kind.ending)
-      links += html("{}{}", html(links.empty() ? "" : "<br>"),
-                    download(page_of(entry), entry.folder + "/" + file.file, file.bytes));
+    if (kind.has(file.file)) links += html("{}{}", html(links.empty() ? "" : "<br>"), download(entry, file));
   return links.empty() ? links : html("<dt>{}</dt>\n<dd>{}</dd>\n", kind.name, links);
 }
 

@@ -16,13 +16,17 @@ const GalleryPicture* thumbnail_of(const GalleryEntry& entry) {
   return entry.pictures.empty() ? nullptr : &entry.pictures.front();
 }
 
+/// A band shows its beginning, since the whole of it would be too small to be recognized.
 Html thumbnail(const GalleryEntry& entry) {
+  constexpr double band = 3.5;
   const GalleryPicture* picture = thumbnail_of(entry);
   if (!picture) return html("<span class=\"thumb\"></span>");
   return html(
-      "<span class=\"thumb{}\"><img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"\" loading=\"lazy\"></span>",
-      picture->dark ? "" : " plain", Address{entry.folder + "/" + picture->file},
-      static_cast<std::size_t>(picture->width), static_cast<std::size_t>(picture->height));
+      "<span class=\"thumb{}{}\"><img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"\" "
+      "loading=\"lazy\"></span>",
+      picture->dark ? "" : " plain", picture->width > band * picture->height ? " wide" : "",
+      Address{entry.folder + "/" + picture->file}, static_cast<std::size_t>(picture->width),
+      static_cast<std::size_t>(picture->height));
 }
 
 /// What a search finds beside what the card shows.
@@ -71,10 +75,10 @@ Html summary_of(const Gallery& gallery, const std::string& chapter) {
 
 Html chapter(const Gallery& gallery, const GalleryEntry& entry, const Html& cards) {
   const std::string number = chapter_of(entry);
-  const Html print =
-      entry.print.file.empty()
-          ? Html{}
-          : html("\n<p class=\"soft\"><a href=\"{}\">Its pictures as PDF</a></p>", Address{entry.print.file});
+  const Html print = entry.print.file.empty()
+                         ? Html{}
+                         : html("\n<p class=\"soft\"><a href=\"{}\">Its figures with captions as PDF</a></p>",
+                                Address{entry.print.file});
   return html(
       "<section class=\"chapter\">\n<div class=\"head\"><h3>{}</h3>{}</div>\n{}<ul "
       "class=\"cards\">\n{}</ul>\n</section>\n",

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "engine/base/json/json.hpp"
+#include "engine/base/mat/deflate.hpp"
+#include "engine/base/text/base64.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 #include "engine/view/svg/svg.hpp"
 
@@ -131,7 +133,7 @@ void read_picture(GalleryPicture& picture, const std::string& svg) {
 std::string picture_script(const std::map<std::string, std::string>& pictures) {
   json::Json texts = json::Json::object();
   for (const auto& [name, svg] : pictures) texts.set(name, svg);
-  return "stepwirePictures(" + texts.text(-1) + ");\n";
+  return "stepwirePictures(\"" + text::base64(mat::gzip_packed(texts.text(-1))) + "\");\n";
 }
 
 Html pictures_of(const GalleryEntry& entry, bool own) {

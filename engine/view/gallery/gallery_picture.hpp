@@ -17,7 +17,7 @@ std::string described(const plot::Figure& figure);
 void read_picture(GalleryPicture& picture, const std::string& svg);
 
 /// Texts of pictures by their names, as a script: a page that was opened as a file may read them in no other
-/// way.
+/// way. They are JSON, packed by gzip, in base64.
 std::string picture_script(const std::map<std::string, std::string>& pictures);
 
 /// The pictures of an entry that the source has, or in a section of their own those that it has not.

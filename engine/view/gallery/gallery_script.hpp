@@ -98,7 +98,11 @@ function addPanning(figure) {
 // --- pictures as PNG, made here ---
 
 let texts = null;
-window.stepwirePictures = all => { texts = all; };  // pictures.js calls it
+// pictures.js calls it with JSON, packed by gzip, in base64
+window.stepwirePictures = packed => {
+  const bytes = Uint8Array.from(atob(packed), letter => letter.charCodeAt(0));
+  texts = new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).json();
+};
 
 function loadTexts() {
   if (texts) return Promise.resolve(texts);

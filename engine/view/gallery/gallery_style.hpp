@@ -78,6 +78,7 @@ details[open] > summary { margin-bottom: .6rem; }
 .card a:hover .title { text-decoration: underline; }
 .thumb { display: block; aspect-ratio: 4 / 3; margin-bottom: .6rem; }
 .thumb img { display: block; width: 100%; height: 100%; object-fit: contain; border-radius: 4px; }
+.thumb.wide img { object-fit: cover; object-position: left; }
 .card .label { font-weight: 650; }
 .card .verdict { display: block; font-size: .88rem; font-weight: 600; margin-top: .2rem; }
 .search { display: flex; flex-wrap: wrap; gap: .6rem; align-items: center; margin: 0 0 1rem; }
@@ -139,7 +140,12 @@ blockquote .caption { font-style: italic; }
 @media print {
   body { background: #fff; }
   .bar, .search, .tools, .enlarge, .reduce { display: none !important; }
-  .place-of-picture, .card, .claims li { break-inside: avoid; }
+  #downloads, #diagram { display: none; }
+  .place-of-picture, .picture, .card, .claims li, .departure, tr { break-inside: avoid; }
+  .frame { border: 0; padding: 0; }
+  .frame img { max-height: 20cm; width: auto; }
+  figcaption, h1, h2, h3 { break-after: avoid; } figcaption { break-before: avoid; break-after: auto; }
+  .cards { grid-template-columns: repeat(3, 1fr); }
 }
 )css";
 

@@ -69,8 +69,8 @@ struct Panel {
   std::string title{};
   AxisOptions x{}, y{}, z{}, color{};
   std::vector<query::Formula>
-      boundaries{};                ///< of the plane's x and y in SI; a curve is drawn where one is zero
-  std::vector<Outline> regions{};  ///< in SI: shaded in the plane, and their lines drawn
+      boundaries{};  ///< of the plane's x and y in SI; a curve is drawn where one is zero
+  std::vector<query::NamedOutline> regions{};  ///< in SI: shaded in the plane, and their lines drawn
   bool dashed_regions = false;
   std::vector<MarkedPoint> marks{};  ///< drawn on top of everything, with their names
   std::vector<MarkedPoint> texts{};  ///< written about their points
@@ -81,9 +81,10 @@ struct Panel {
   std::optional<query::Formula> where{};
   std::vector<std::size_t> recordings{};  ///< for each y, or one
   bool equal = false;
-  bool final_rows = false;  ///< only the last row of each run
-  PanelContent content{};   ///< of a plot that has no axes of its own
-  bool reads_rows = true;   ///< of what was recorded
+  bool final_rows = false;                   ///< only the last row of each run
+  PanelContent content{};                    ///< of a plot that has no axes of its own
+  bool reads_rows = true;                    ///< of what was recorded
+  std::vector<query::NamedFormula> shown{};  ///< in it, by names below that of the panel
 
   // Options of single kinds; without a value it is as the kind has it.
   std::optional<double> bins{}, cells{}, gap{}, scale{}, elevation{}, azimuth{};

@@ -91,6 +91,7 @@ class PanelReader {
     reading("").check(node_, plot_form(*panel_.kind, true));
     panel_.content = panel_.kind->read(node_, names_, faults_);
     panel_.reads_rows = !panel_.kind->reads_rows || panel_.kind->reads_rows(node_);
+    if (panel_.kind->shown) panel_.shown = panel_.kind->shown(node_, names_);
     yaml::Faults told;  // by the plot already
     if (const yaml::Node* where = node_.find("where"))
       panel_.where = query::read_formula(*where, names_, "figure.where", told);

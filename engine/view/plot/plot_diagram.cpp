@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "engine/view/drawing/graph_faults.hpp"
+#include "engine/view/plot/drawn.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 
 namespace stepwire::plot {
@@ -95,6 +96,16 @@ PanelContent read_diagram(const yaml::Node& node, const query::SymbolTable& name
   return [graph](std::span<const record::Recording>) { return DrawnGraph{DrawnGraph::Kind::diagram, graph}; };
 }
 
+/// Labelled signals by their labels: "labels.F_d".
+std::vector<query::NamedFormula> labelled_signals(const yaml::Node& node, const query::SymbolTable&) {
+  std::vector<query::NamedFormula> signals;
+  const yaml::Node* labels = node.find("labels");
+  for (std::size_t i = 0; labels && i < labels->entries.size(); ++i)
+    signals.push_back(
+        {"labels." + name_of_label(labels->entries[i].value.text, i + 1), labels->entries[i].key});
+  return signals;
+}
+
 }  // namespace
 
 PlotKind diagram_plot() {
@@ -104,6 +115,7 @@ PlotKind diagram_plot() {
   for (const DrawingRow& row : drawing_rows()) kind.options.push_back({row.name, row.doc, row});
   kind.plane = false;
   kind.read = read_diagram;
+  kind.shown = labelled_signals;
   kind.reads_rows = [](const yaml::Node&) { return false; };
   return kind;
 }

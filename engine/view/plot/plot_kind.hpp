@@ -65,6 +65,9 @@ struct PlotKind {
                        yaml::Faults& faults) = nullptr;
   /// Does one that is read so show what was recorded? Null: it does.
   bool (*reads_rows)(const yaml::Node& node) = nullptr;
+  /// The quantities that one that is read so shows, by names below that of its panel; null: none.
+  std::vector<query::NamedFormula> (*shown)(const yaml::Node& node,
+                                            const query::SymbolTable& names) = nullptr;
   bool last_rows = false;  ///< reads the last row of each run alone, whatever the file has
 
   /// The channel of this name, or nullptr.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/analyse/query/number.hpp"
+#include "engine/view/plot/drawn.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 #include "engine/view/plot/table_rows.hpp"
 
@@ -46,6 +47,23 @@ PanelContent read_table_plot(const yaml::Node& node, const query::SymbolTable& n
   };
 }
 
+/// Each cell by the name of its row and its heading, "thesis.compressed_length"; by their numbers where these
+/// have no letters.
+std::vector<query::NamedFormula> cells_of(const yaml::Node& node, const query::SymbolTable& names) {
+  std::vector<query::NamedFormula> cells;
+  if (!node.find("rows") || !node.find("headings")) return cells;
+  yaml::Faults told;  // as the content was read
+  const TableRows table = read_table_rows(node, names, told);
+  for (std::size_t row = 0; row < table.lines.size(); ++row)
+    for (std::size_t column = 1; column <= table.lines[row].cells.size(); ++column) {
+      const std::string heading = column < table.columns.size() ? table.columns[column] : "";
+      cells.push_back({fmt::format("{}.{}", name_of_label(table.lines[row].name, row + 1),
+                                   name_of_label(heading, column)),
+                       table.lines[row].cells[column - 1].formula.text});
+    }
+  return cells;
+}
+
 }  // namespace
 
 PlotKind table_plot() {
@@ -66,6 +84,7 @@ PlotKind table_plot() {
   }
   kind.plane = false;
   kind.read = read_table_plot;
+  kind.shown = cells_of;
   kind.reads_rows = [](const yaml::Node& node) { return node.find("of") == nullptr; };
   return kind;
 }

@@ -103,7 +103,7 @@ geometry::Curve within(geometry::Curve polygon, const PlotBuilder& plot) {
 }  // namespace
 
 void cover_regions(const Panel& panel, PlotBuilder& plot) {
-  for (const Outline& outline : panel.regions)
+  for (const auto& [name, outline] : panel.regions)
     for (const Outline::Line& line : outline.lines)
       if (!outline.space && !line.endless) plot.cover({curve_of(panel, outline, line)});
 }
@@ -111,7 +111,7 @@ void cover_regions(const Panel& panel, PlotBuilder& plot) {
 void draw_regions(const Panel& panel, PlotBuilder& plot) {
   const std::vector<double> dash =
       panel.dashed_regions ? std::vector<double>{2.5, 4.0} : std::vector<double>{};
-  for (const Outline& outline : panel.regions) {
+  for (const auto& [name, outline] : panel.regions) {
     const std::vector<geometry::Curve> curves = curves_of(panel, outline, plot);
     if (!curves.empty())
       plot.add(LineMark{outline.space ? space_rows(curves) : plane_rows(curves), {"#111111", 1.6, dash}});

@@ -7,10 +7,10 @@
 namespace stepwire::plot {
 namespace {
 
-const Outline* find_outline(const yaml::Node& node, const query::NamesReading& read) {
+const query::NamedOutline* find_outline(const yaml::Node& node, const query::NamesReading& read) {
   std::vector<std::string> names;
   for (const query::NamedOutline& named : read.names.outlines) {
-    if (node.is_scalar() && named.name == node.text) return &named.outline;
+    if (node.is_scalar() && named.name == node.text) return &named;
     names.push_back(named.name);
   }
   const yaml::Message choice =
@@ -23,13 +23,14 @@ const Outline* find_outline(const yaml::Node& node, const query::NamesReading& r
 
 void read_regions(const yaml::Node& node, Panel& panel, const query::NamesReading& read) {
   for (const yaml::Node& item : node.as_list()) {
-    const Outline* outline = find_outline(item, read);
-    if (!outline) continue;
-    if (outline->space == panel.kind->plane)
-      read.fault(item.mark, fmt::format("'{}' lies in {}, and a plot '{}' shows {}", item.text,
-                                        outline->space ? "space" : "the plane", panel.kind->name,
-                                        outline->space ? "the plane" : "space"));
-    panel.regions.push_back(*outline);
+    const query::NamedOutline* found = find_outline(item, read);
+    if (!found) continue;
+    const bool space = found->outline.space;
+    if (space == panel.kind->plane)
+      read.fault(item.mark,
+                 fmt::format("'{}' lies in {}, and a plot '{}' shows {}", item.text,
+                             space ? "space" : "the plane", panel.kind->name, space ? "the plane" : "space"));
+    panel.regions.push_back(*found);
   }
 }
 

@@ -82,7 +82,7 @@ TextMark name_of(const DrawnRose& one, const std::string& text, double side) {
 
 void write_names(const DrawnRose& one, double full, PlotBuilder& plot) {
   const std::string unit = query::printed_unit(one.rose.value.unit_text);
-  plot.spec.texts.push_back(name_of(one, query::short_number(full, 3) + " " + unit, -1.0));
+  plot.spec.texts.push_back(name_of(one, "edge: " + query::short_number(full, 3) + " " + unit, -1.0));
   if (!one.rose.name.empty()) plot.spec.texts.push_back(name_of(one, one.rose.name, 1.0));
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/view/render/subscripts.hpp"
 #include "engine/view/svg/svg.hpp"
 
 namespace stepwire::render {
@@ -49,6 +50,7 @@ std::string finished_picture(std::string svg, const std::string& title, bool has
                     "stroke=\"#ffffff\" stroke-width=\"3\" style=\"paint-order:stroke\" fill=\"#101010\"");
   text::replace_all(svg, "<image ", "<image style='image-rendering:pixelated' ");
   remove_hints(svg);
+  set_subscripts(svg);
   text::replace_all(svg, "<title>Gnuplot</title>",
                     "<title>" + svg::markup_escaped(title) + "</title>" +
                         (has_color_scale ? svg::dimmed_style : svg::dark_style));

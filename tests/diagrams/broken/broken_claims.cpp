@@ -5,19 +5,16 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "blocks/register.hpp"
-#include "engine/app/session/fitting.hpp"
-#include "engine/app/session/studies.hpp"
-#include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/yaml/error.hpp"
-#include "engine/simulate/codegen/generated_code.hpp"
-#include "engine/simulate/run/code_trial.hpp"
 #include "tests/diagrams/broken/changes.hpp"
+#include "tests/diagrams/broken/pictures.hpp"
+#include "tests/diagrams/broken/runner.hpp"
 
 using namespace stepwire;
 namespace fs = std::filesystem;
@@ -60,50 +57,6 @@ class Copy {
   fs::path folder_;
 };
 
-/// Runs, fits and makes studies as the gallery does.
-class Runner {
- public:
-  std::vector<claim::Verdict> verdicts(const std::string& file,
-                                       const std::vector<diagram::Setting>& settings) {
-    session::LoadOptions options;
-    options.settings = settings;
-    session::LoadedModel model = session::load_model(registry_, file, options);
-    const auto& sweep = model.job.plan.diagram.sweep;
-    takes_long_ = model.study || model.fit || (sweep && sweep->design);
-    if (model.study) {
-      const auto experiments = studies_.experiments(registry_, model, {}, {});
-      return session::study_outcome(model, *experiments).verdicts;
-    }
-    if (model.fit) {
-      const estimation::FitResult fit = session::fit_model(registry_, model, {}, {});
-      model = session::load_model(registry_, file, session::with_fitted(options, fit));
-    }
-    parameters_ = model.job.plan.diagram.parameters;
-    swept_.clear();
-    if (model.job.plan.diagram.sweep)
-      for (const diagram::Sweep::Axis& axis : model.job.plan.diagram.sweep->axes)
-        swept_.insert(axis.parameter);
-    run::RunOptions run;
-    run.engine = run::ExecutionMode::automatic;
-    run.code = &code_;
-    const session::Outcome outcome = session::run_model(model, run);
-    if (!outcome.result.faults.empty()) throw yaml::Error(outcome.result.faults.front().fault);
-    return outcome.verdicts;
-  }
-
-  bool takes_long() const { return takes_long_; }
-  const std::vector<diagram::DiagramParameter>& parameters() const { return parameters_; }
-  bool sweeps(const std::string& parameter) const { return swept_.contains(parameter); }
-
- private:
-  const Registry registry_ = blocks();
-  codegen::GeneratedCode code_{run::code_trial()};
-  session::Studies studies_;
-  bool takes_long_ = false;
-  std::vector<diagram::DiagramParameter> parameters_;
-  std::set<std::string> swept_;
-};
-
 bool is_statement(const claim::Verdict& verdict) {
   return verdict.kind == claim::Claim::Kind::statement;
 }
@@ -121,7 +74,8 @@ std::string doubled(const diagram::DiagramParameter& parameter) {
 /// One diagram with its changes; prints what is not as it should be.
 class Check {
  public:
-  Check(Runner& runner, const std::string& file) : runner_(runner), broken_(broken::read_broken(file)) {
+  Check(broken::Runner& runner, const std::string& file)
+      : runner_(runner), broken_(broken::read_broken(file)) {
     const std::string stem = fs::path(file).stem().string() + "-";
     for (const char* folder : {"thesis", "examples"})
       for (const auto& entry : fs::directory_iterator(copy_.file(folder)))
@@ -132,9 +86,14 @@ class Check {
     copy_.replace(copy_.file(name_), broken_.always);
   }
 
-  /// The number of faults found.
-  int run() {
+  /// The number of faults found; with wrong pictures alone of these.
+  int run(bool pictures_only) {
     as_it_is();
+    change_pictures();
+    if (pictures_only) {
+      fmt::print("{}: {} wrong pictures, {} of them seen\n", name_, pictures_, seen_);
+      return faults_;
+    }
     for (const broken::Change& change : broken_.changes) {
       try {
         try_change(change);
@@ -144,9 +103,12 @@ class Check {
     }
     for (const std::string& claim : unbroken_) fault(fmt::format("no change breaks the claim '{}'", claim));
     if (!runner_.takes_long()) double_parameters();
-    fmt::print("{}: {} claims, {} changes, {} parameters doubled, {} of them without effect: {}\n", name_,
-               claims_, broken_.changes.size(), doubled_, broken_.unmoved.size(),
-               faults_ == 0 ? "ok" : fmt::format("{} faults", faults_));
+    fmt::print(
+        "{}: {} claims, {} changes, {} parameters doubled, {} of them without effect, {} wrong pictures, {} "
+        "of "
+        "them seen: {}\n",
+        name_, claims_, broken_.changes.size(), doubled_, broken_.unmoved.size(), pictures_, seen_,
+        faults_ == 0 ? "ok" : fmt::format("{} faults", faults_));
     return faults_;
   }
 
@@ -164,10 +126,65 @@ class Check {
       ++claims_;
       if (verdict.disagrees.empty()) unbroken_.insert(verdict.that);
     }
-    parameters_ = runner_.parameters();
+    parameters_ = runner_.model().job.plan.diagram.parameters;
     std::erase_if(parameters_, [&](const diagram::DiagramParameter& one) {
       return runner_.sweeps(one.name) || one.name.find('.') != std::string::npos;  // that of a part
     });
+  }
+
+  /// Draws each wrong picture of the run that was made.
+  void change_pictures() {
+    std::set<std::string> names;
+    for (const broken::PictureChange& change : broken::picture_changes(runner_.model(), runner_.outcome()))
+      if (const auto drawn = try_picture(change)) {
+        names.insert(change.what);
+        ++pictures_;
+        judge_picture(change, *drawn);
+      }
+    for (const auto& [name, why] : broken_.unseen)
+      if (name != broken::all_pictures && !names.contains(name))
+        fault(fmt::format("unseen: there is no change '{}'", name));
+    const std::size_t most = std::max<std::size_t>(pictures_ / 10, 2);
+    if (!all_unseen() && pictures_ - seen_ > most)
+      fault(fmt::format("{} of {} wrong pictures break no claim, more than {}", pictures_ - seen_, pictures_,
+                        most));
+  }
+
+  bool all_unseen() const { return broken::Broken::lists(broken_.unseen, broken::all_pictures); }
+
+  struct DrawnChange {
+    const broken::ChangedSection& section;
+    bool breaks;
+  };
+
+  /// Returns nullopt where the file refuses it, or the picture is as it was.
+  std::optional<DrawnChange> try_picture(const broken::PictureChange& change) {
+    for (const broken::ChangedSection& section : change.sections) try {
+        bool breaks = false;
+        for (const claim::Verdict& verdict : runner_.verdicts_with(section.figure)) {
+          breaks = breaks || verdict.fails();
+          if (is_statement(verdict) && !verdict.holds) unbroken_.erase(verdict.that);
+        }
+        if (!breaks && same_picture(change, section)) continue;
+        return DrawnChange{section, breaks};
+      } catch (const yaml::Error&) {
+      }
+    return std::nullopt;
+  }
+
+  bool same_picture(const broken::PictureChange& change, const broken::ChangedSection& section) {
+    return runner_.picture_with(section.figure, change.picture) ==
+           runner_.picture_with(runner_.model().job.plan.diagram.figure, change.picture);
+  }
+
+  void judge_picture(const broken::PictureChange& change, const DrawnChange& drawn) {
+    const bool listed = broken::Broken::lists(broken_.unseen, change.what);
+    const std::string with = drawn.section.with.empty() ? "" : fmt::format(" by {}", drawn.section.with);
+    if (drawn.breaks) ++seen_;
+    if (!drawn.breaks && !listed && !all_unseen())
+      fault(fmt::format("{}{} breaks no claim", change.what, with));
+    if (drawn.breaks && listed)
+      fault(fmt::format("{}{} breaks a claim; take it out of 'unseen'", change.what, with));
   }
 
   void try_change(const broken::Change& change) {
@@ -207,9 +224,7 @@ class Check {
       const std::string value = doubled(parameter);
       if (value.empty()) continue;
       ++doubled_;
-      const bool listed = std::ranges::any_of(broken_.unmoved, [&](const auto& one) {
-        return one.first == parameter.name && !one.second.empty();
-      });
+      const bool listed = broken::Broken::lists(broken_.unmoved, parameter.name);
       const bool breaks = breaks_a_claim({parameter.name, value});
       if (!breaks && !listed) fault(fmt::format("doubling '{}' breaks no claim", parameter.name));
       if (breaks && listed)
@@ -230,24 +245,25 @@ class Check {
     }
   }
 
-  Runner& runner_;
+  broken::Runner& runner_;
   broken::Broken broken_;
   Copy copy_;
   std::string name_;  // with its folder
   std::vector<diagram::DiagramParameter> parameters_;
   std::set<std::string> unbroken_;
-  std::size_t claims_ = 0, doubled_ = 0;
+  std::size_t claims_ = 0, doubled_ = 0, pictures_ = 0, seen_ = 0;
   int faults_ = 0;
 };
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  Runner runner;
+  broken::Runner runner;
   int faults = 0;
-  for (int i = 1; i < count; ++i) {
+  const bool pictures_only = count > 1 && std::string(arguments[1]) == "--pictures";
+  for (int i = pictures_only ? 2 : 1; i < count; ++i) {
     try {
-      faults += Check(runner, arguments[i]).run();
+      faults += Check(runner, arguments[i]).run(pictures_only);
     } catch (const std::exception& error) {
       fmt::print("{}: {}\n", arguments[i], error.what());
       ++faults;

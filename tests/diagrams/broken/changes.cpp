@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -39,6 +40,11 @@ Change read_change(const yaml::Node& node) {
 
 }  // namespace
 
+bool Broken::lists(const Texts& listed, const std::string& name) {
+  return std::ranges::any_of(listed,
+                             [&](const auto& one) { return one.first == name && !one.second.empty(); });
+}
+
 Broken read_broken(const std::string& file) {
   const yaml::Document document = yaml::parse_document(io::read_file(file), file);
   Broken broken;
@@ -46,6 +52,7 @@ Broken read_broken(const std::string& file) {
   if (const yaml::Node* changes = document.root.find("changes"))
     for (const yaml::Node& item : changes->items) broken.changes.push_back(read_change(item));
   broken.unmoved = pairs_of(document.root.find("unmoved"));
+  broken.unseen = pairs_of(document.root.find("unseen"));
   return broken;
 }
 

@@ -24,7 +24,14 @@ struct Broken {
   Texts always;  ///< replaced in the diagram before all else
   std::vector<Change> changes;
   Texts unmoved;
+  Texts unseen;
+
+  /// Returns true where the name is listed with a reason.
+  static bool lists(const Texts& listed, const std::string& name);
 };
+
+/// The name under `unseen` for all wrong pictures of a file.
+inline constexpr const char* all_pictures = "all";
 
 /// Throws Error where it is no YAML, runtime_error where it says something else.
 Broken read_broken(const std::string& file);

@@ -182,12 +182,13 @@ class Model:
         return Fit(model._file.fit(_engine(engine), starts, seed, threads, progress), model)
 
     def tune(self, section: Mapping[str, Any] | None = None, *, engine: str = "auto", starts: int | None = None,
-             evaluations: int | None = None, seed: int | None = None, threads: int = 0,
+             evaluations: int | None = None, seed: int | None = None, repeat: int | None = None, threads: int = 0,
              progress: Callable[[float, str], Any] | None = None) -> Tuning:
         """Finds the parameters that make the objective of the section `tune` small while its claims hold; the
-        section is that of the file, or a dictionary of the same keys."""
+        section is that of the file, or a dictionary of the same keys. `repeat` counts the experiments of one
+        evaluation of a study."""
         model = self if section is None else self._again({}, None, {"tune": tree_of(section, "tune")})
-        return Tuning(model._file.tune(_engine(engine), starts, evaluations, seed, threads, progress), model)
+        return Tuning(model._file.tune(_engine(engine), starts, evaluations, seed, repeat, threads, progress), model)
 
     def study(self, *, engine: str = "auto", threads: int = 0, observers: Sequence[Any] = (),
               progress: Callable[[float, str], Any] | None = None, check: bool = True) -> Study:

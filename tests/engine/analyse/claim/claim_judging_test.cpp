@@ -160,6 +160,11 @@ TEST_CASE("a value just beyond its limit is not rounded onto it") {
   CHECK(verdict.shown == "2.0000001 mm");
 }
 
+TEST_CASE("a value that equals the wanted one closely is shown with four digits") {
+  const auto records = record_of({0}, {0.195727157});
+  CHECK(verdict_of("max: rig.x, equals: 195.727157 mm, within: 1e-9 m", records).shown == "195.7 mm");
+}
+
 TEST_CASE("a claim without rows fails and says why") {
   const auto records = record_of({0, 1}, {2, 3});
   const Verdict none = verdict_of("max: rig.x, where: rig.x > 5 m, at_most: 100", records);

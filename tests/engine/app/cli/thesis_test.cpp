@@ -80,6 +80,8 @@ TEST_CASE("what is printed of a chapter has a page for each picture of its entri
   CHECK(pictures >= 3);
   CHECK(std::distance(std::sregex_iterator(pdf.begin(), pdf.end(), leaf), std::sregex_iterator()) ==
         static_cast<std::ptrdiff_t>(pictures));
+  CHECK_THAT(pdf,
+             Contains("/Type /Outlines") && Contains("/Title <FEFF004600690067007500720065002000310035"));
 }
 
 TEST_CASE("tables stand where the thesis has them, between its figures") {

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "engine/base/mat/deflate.hpp"
+#include "engine/base/text/base64.hpp"
 #include "tests/engine/view/plot/samples.hpp"
 
 namespace stepwire::gallery {
@@ -37,9 +39,12 @@ TEST_CASE("size, title and ground are read from the text of a picture") {
   CHECK(picture.alt == "A < B &amp; C: a table");
 }
 
-TEST_CASE("a script has the texts of pictures as they are") {
+TEST_CASE("a script has the texts of pictures, packed by gzip, in base64") {
+  // Base64 and gzip have tests of their own, the latter by zlib's inflate.
   CHECK(picture_script({{"a.svg", "<svg>\n\"\\</svg>"}}) ==
-        "stepwirePictures({\"a.svg\":\"<svg>\\n\\\"\\\\</svg>\"});\n");
+        "stepwirePictures(\"" + text::base64(mat::gzip_packed("{\"a.svg\":\"<svg>\\n\\\"\\\\</svg>\"}")) +
+            "\");\n");
+  CHECK(picture_script({{"a.svg", std::string(100000, 'a')}}).size() < 1000);
 }
 
 }  // namespace stepwire::gallery

@@ -198,6 +198,20 @@ TEST_CASE(
              Contains("<a href=\"../../fig15/index.html\">Figure 15</a>"));
 }
 
+TEST_CASE("a file that another entry keeps is linked there, and packed files are named by their kind") {
+  GalleryEntry one = entry(), two = entry("Figure 16", "fig16");
+  one.downloads = {{"signals.csv.gz", 1234567}};
+  two.downloads = {{"signals.csv.gz", 1234567, "fig15", "Figure 15"}, {"figure.json", 300000}};
+  const auto files = gallery_files({"Title", "", {one, two}});
+  CHECK_THAT(files.at("fig15/index.html"),
+             Contains("<a href=\"signals.csv.gz\" download>signals.csv.gz</a>"));
+  CHECK_THAT(
+      files.at("fig16/index.html"),
+      Contains("<a href=\"../fig15/signals.csv.gz\" download>signals.csv.gz</a> <span class=\"soft\">1.2 "
+               "MB</span><span class=\"soft\">, the same as of Figure 15</span>") &&
+          Contains("<dt>Of the run</dt>"));
+}
+
 TEST_CASE("an entry names its pages of what is printed for its chapter") {
   GalleryEntry one = entry(), two = entry("Figure 16", "fig16");
   one.section = two.section = "2.5";
@@ -207,7 +221,8 @@ TEST_CASE("an entry names its pages of what is printed for its chapter") {
   one.print = {"chapter-2.pdf", 1};
   two.print = {"chapter-2.pdf", 2};
   const auto files = gallery_files({"Title", "", {one, two}});
-  CHECK_THAT(files.at("index.html"), Contains("<a href=\"chapter-2.pdf\">Its pictures as PDF</a>"));
+  CHECK_THAT(files.at("index.html"),
+             Contains("<a href=\"chapter-2.pdf\">Its figures with captions as PDF</a>"));
   CHECK_THAT(
       files.at("fig15/index.html"),
       Contains("<a href=\"../chapter-2.pdf#page=1\">chapter-2.pdf</a> <span class=\"soft\">page 1</span>"));

@@ -13,7 +13,7 @@ claim::Verdict verdict_on(const std::string& figures, const std::string& claim) 
   INFO(read.faults);
   REQUIRE(read.faults.empty());
   query::SymbolTable names = sample_names();
-  names.drawn = drawn_quantities(read.figures);
+  names.drawn = drawn_quantities(read.figures, sample_names());
   const yaml::Document document = yaml::parse_document("- {that: it, " + claim + "}", "d.yaml");
   yaml::Faults faults;
   const auto claims = claim::read_claims(document.root, claim::Claim::Kind::statement, names, faults);
@@ -54,7 +54,7 @@ TEST_CASE("The condition under which a row is drawn selects rows of a claim") {
 TEST_CASE("The unit of what is drawn is that of its expression") {
   const ReadFigures read = figures_of(two_pictures);
   query::SymbolTable names = sample_names();
-  names.drawn = drawn_quantities(read.figures);
+  names.drawn = drawn_quantities(read.figures, sample_names());
   yaml::Faults faults;
   const yaml::Document document =
       yaml::parse_document("- {that: it, max: figure.color, equals: 8 mm}", "d.yaml");
@@ -67,7 +67,7 @@ TEST_CASE("The unit of what is drawn is that of its expression") {
 TEST_CASE("A name that no picture draws is refused with its neighbours") {
   const ReadFigures read = figures_of(two_pictures);
   query::SymbolTable names = sample_names();
-  names.drawn = drawn_quantities(read.figures);
+  names.drawn = drawn_quantities(read.figures, sample_names());
   yaml::Faults faults;
   const yaml::Document document =
       yaml::parse_document("- {that: it, max: figure.colour, at_most: 8 N}", "d.yaml");

@@ -92,7 +92,7 @@ TEST_CASE("a rose has a spoke for each row, the longest as long as its disc is w
   check_near(spokes.dy, {0.0, 4.0, 0.0});
   CHECK(spokes.value == Numbers{2.0, 8.0, 4.0});
   REQUIRE(plot.texts.size() == 2);
-  CHECK(plot.texts[0].text == "8 N");
+  CHECK(plot.texts[0].text == "edge: 8 N");
   CHECK(plot.texts[0].y == Approx(-1.0));
   CHECK(plot.texts[1].text == "D2");
   CHECK(plot.texts[1].y == Approx(7.0));
@@ -110,7 +110,7 @@ TEST_CASE("claims may name what lies over a panel") {
       "{" + plane + ", motion: [{x: rig.x, y: rig.v}, {x: 2*rig.x, y: rig.v}], rose: {" + rose + "}}");
   REQUIRE(read.faults.empty());
   std::string names;
-  for (const query::NamedFormula& one : drawn_quantities(read.figures))
+  for (const query::NamedFormula& one : drawn_quantities(read.figures, sample_names()))
     names += one.name + "=" + one.text + "\n";
   CHECK_THAT(names, Contains("figure.motion.x=rig.x\n") && Contains("figure.1.motion.2.x=2*rig.x\n") &&
                         Contains("figure.rose.value=push.force\n"));

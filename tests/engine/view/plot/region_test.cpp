@@ -72,7 +72,7 @@ TEST_CASE("an outline has no more points than can be seen") {
   for (int i = 0; i <= points; ++i)
     circle.points.push_back({4e-3 * std::cos(turn * i / points), 4e-3 * std::sin(turn * i / points), 0.0});
   Panel panel = panel_of("{" + plane + "}");
-  panel.regions = {{false, {circle}}};
+  panel.regions = {{"disc", {false, {circle}}}};
   const auto rows = mark<LineMark>(drawn(panel, wide, wide), 2).curves.at(0).x.size();
   // A chord of a circle of radius 4 stays within 10 * 2.5e-4 of it for 2 acos(1 - 2.5e-3/4): 89 chords at
   // least.

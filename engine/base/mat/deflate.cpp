@@ -1,0 +1,54 @@
+#include "engine/base/mat/deflate.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <new>
+
+namespace stepwire::mat {
+namespace {
+
+constexpr int largest_window = 15, with_gzip_header = 16, usual_memory = 8;
+constexpr std::size_t max_at_once = 1 << 30;
+
+/// Feeds the stream with all bytes and appends its output to `packed`.
+void deflate_all(z_stream& stream, std::string_view bytes, std::string& packed) {
+  std::string space(1 << 16, '\0');
+  int state = Z_OK;
+  while (state != Z_STREAM_END) {
+    if (stream.avail_in == 0) {
+      const std::size_t count = std::min(bytes.size(), max_at_once);
+      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));  // zlib only reads it
+      stream.avail_in = static_cast<uInt>(count);
+      bytes.remove_prefix(count);
+    }
+    stream.next_out = reinterpret_cast<Bytef*>(space.data());
+    stream.avail_out = static_cast<uInt>(space.size());
+    state = ::deflate(&stream, bytes.empty() ? Z_FINISH : Z_NO_FLUSH);
+    packed.append(space, 0, space.size() - stream.avail_out);
+  }
+}
+
+std::string packed_in(std::string_view bytes, int window) {
+  z_stream stream{};
+  if (::deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, window, usual_memory, Z_DEFAULT_STRATEGY) !=
+      Z_OK)
+    throw std::bad_alloc();
+  std::string packed;
+  deflate_all(stream, bytes, packed);
+  ::deflateEnd(&stream);
+  return packed;
+}
+
+}  // namespace
+
+std::string zlib_packed(std::string_view bytes) {
+  return packed_in(bytes, largest_window);
+}
+
+std::string gzip_packed(std::string_view bytes) {
+  return packed_in(bytes, largest_window + with_gzip_header);
+}
+
+}  // namespace stepwire::mat
