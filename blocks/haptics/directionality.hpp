@@ -10,10 +10,8 @@ namespace stepwire {
 /// The force of the device on the hand that is wanted, from the largest resistance F_max, which points to the
 /// authorized region, and from the direction d in which the hand pushes or moves:
 ///
-///     D1, for each axis: F_out = F_max where F_max d < 0, else 0  D2: F_out = -|F_max| gain d/|d|, gain = sin(angle between d and F_max) up to 90 degrees,
-///     beyond it 1
-///
-/// In a plane `angle` turns the axes of D1.
+///     D1, for each axis: F_out = F_max where F_max d < 0, else 0
+///     D2: F_out = -|F_max| gain d/|d|, gain = sin(angle between d and F_max) up to 90 degrees, beyond it 1
 ///
 /// In a plane `angle` turns the axes of D1.
 struct Directionality {
