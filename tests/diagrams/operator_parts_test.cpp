@@ -90,3 +90,20 @@ TEST_CASE("Resistance has no effect while the hand is inside of the corridor") {
   CHECK(column(without, "task.position.1") == column(with, "task.position.1"));
   CHECK(column(without, "task.position.2") == column(with, "task.position.2"));
 }
+
+TEST_CASE("Calibrated people and maps have the numbers that the page of chapter 4 prints, in both tasks") {
+  const std::string of_person = "spread: 0.686, median_precision: 3.09, offset: 8 N";
+  const table::Table circles = circle("law: D1, calibrated: 1"),
+                     by_hand = circle("law: D1, half_width: 0.869 mm, median_aspect: 0.182, " + of_person);
+  CHECK(column(circles, "task.position.1") == column(by_hand, "task.position.1"));
+  CHECK(column(circles, "task.position.1") != column(circle("law: D1"), "task.position.1"));
+  const auto back = [](const std::string& keys) {
+    return column(
+        run_text("step: 0.125 ms\nstop: 1.2 s\nsolver: bogacki_shampine\nblocks:\n  task: {diagram: "
+                 "../diagrams/parts/return-task.yaml, subject: 5, law: D1, " +
+                 keys + "}\nrecord: {every: 10 ms, signals: [task.position]}\n"),
+        "task.position.1");
+  };
+  CHECK(back("calibrated: 1") == back(of_person));
+  CHECK(back("calibrated: 1") != back("calibrated: 0"));
+}
