@@ -19,7 +19,8 @@ class Runner {
   /// The verdicts of a file. Throws yaml::Error where it cannot be loaded, or a run ends by a fault.
   std::vector<claim::Verdict> verdicts(const std::string& file,
                                        const std::vector<diagram::Setting>& settings);
-  /// The verdicts on the same rows with another section `figure`; a claim that cannot be read with it fails.
+  /// The verdicts of the claims that read pictures, on the same rows with another section `figure`; a claim
+  /// that cannot be read with it fails.
   /// Throws yaml::Error where the section is refused.
   std::vector<claim::Verdict> verdicts_with(const yaml::Node& figure);
   /// A picture of that section as a text; by its index.
