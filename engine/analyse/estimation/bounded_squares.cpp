@@ -43,8 +43,8 @@ ceres::Solver::Options options_of(const BoundedSquares& problem) {
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
-  options.initial_trust_region_radius = 1.0;                  // halves the first step, which scatter misleads
-  options.line_search_interpolation_type = ceres::QUADRATIC;  // asks for no derivatives along a line
+  options.initial_trust_region_radius = 1.0;                  // a smaller first step, since scatter misleads
+  options.line_search_interpolation_type = ceres::QUADRATIC;  // no derivatives along a line
   options.parameter_tolerance = options.function_tolerance = problem.tolerance;
   options.max_num_iterations = static_cast<int>(std::min<std::size_t>(problem.iterations, 1'000'000));
   return options;
