@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "engine/simulate/codegen/generated_code.hpp"
@@ -116,9 +117,20 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work
     });
 }
 
+/// The code of a job; its file's name where it cannot be generated.
+std::string code_of(const run::Job& job) try {
+  return codegen::library_source(codegen::make_program(job.plan));
+} catch (const yaml::Error&) {
+  return job.plan.diagram.file;
+}
+
+/// Every diagram, one of those that have the same code and as many points.
 std::vector<run::Job> all_jobs() {
   std::vector<run::Job> jobs;
-  for_every_job([&](run::Job job) { jobs.push_back(std::move(job)); });
+  std::set<std::pair<std::string, std::size_t>> known;
+  for_every_job([&](run::Job job) {
+    if (known.emplace(code_of(job), job.points.size()).second) jobs.push_back(std::move(job));
+  });
   return jobs;
 }
 
