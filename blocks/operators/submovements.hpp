@@ -91,9 +91,9 @@ struct Submovements {
 
   void let_go() {
     const double x = goal[0] - position[0], y = goal[1] - position[1], far = std::hypot(x, y);
-    if (!(far > reach)) return;
-    const double lost =
-        -std::expm1(-period / reflex) * (1.0 - std::max(0.0, static_cast<double>(reach)) / far);
+    const double most = std::max(0.0, static_cast<double>(reach));
+    if (!(far > most)) return;
+    const double lost = -std::expm1(-period / reflex) * (1.0 - most / far);
     goal[0] -= lost * x;
     goal[1] -= lost * y;
   }

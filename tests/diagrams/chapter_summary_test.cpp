@@ -121,4 +121,14 @@ TEST_CASE("the sentences have the numbers of the experiments that are kept, and 
     }
 }
 
+TEST_CASE("the screen and the guiding path lower the error in every edition") {
+  for (const double point : {1.0, 2.0, 3.0})
+    CHECK(Experiments("task-1.csv", point).larger("NO", "V") >= 15.0);
+  for (const double point : {1.0, 2.0, 3.0, 4.0}) {
+    const Experiments returns("task-2.csv", point);
+    CHECK(returns.larger("V", "V_gp") >= 15.0);
+    CHECK(returns.larger("HV", "HV_gp") >= 15.0);
+  }
+}
+
 }  // namespace stepwire

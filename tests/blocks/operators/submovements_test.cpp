@@ -19,6 +19,11 @@ table::Table moved(const std::string& step, const std::string& position, const s
                   "}\nrecord: [m.equilibrium, m.velocity, m.pending, m.begins]\n");
 }
 
+/// The last via point along an axis.
+double goal(const table::Table& run, const std::string& axis, std::size_t k) {
+  return column(run, "m.equilibrium." + axis)[k] + column(run, "m.pending." + axis)[k];
+}
+
 }  // namespace
 
 TEST_CASE("A piece goes to its via point in minimum jerk, and the next adds to it") {
@@ -73,12 +78,9 @@ blocks:
   m: {block: Submovements, step: step, position: [0 mm, 0 mm], interval: 0.3 s, overlap: 1.5, hold: 0.5 s, every: 10 ms}
 record: [m.equilibrium, m.pending]
 )");
-  const auto goal = [&](const std::string& axis, std::size_t k) {
-    return column(run, "m.equilibrium." + axis)[k] + column(run, "m.pending." + axis)[k];
-  };
-  CHECK(goal("1", 205) == Approx(7 * 3e-3));                        // pieces at 0, 0.3, ... 1.8 s
-  CHECK(goal("1", 515) == Approx(7 * 3e-3 * std::exp(-11 * 0.6)));  // 11 more until 5.1 s
-  CHECK(goal("2", 515) == Approx(11 * 3e-3));
+  CHECK(goal(run, "1", 205) == Approx(7 * 3e-3));                        // pieces at 0, 0.3, ... 1.8 s
+  CHECK(goal(run, "1", 515) == Approx(7 * 3e-3 * std::exp(-11 * 0.6)));  // 11 more until 5.1 s
+  CHECK(goal(run, "2", 515) == Approx(11 * 3e-3));
 }
 
 TEST_CASE(
@@ -94,14 +96,11 @@ blocks:
   m: {block: Submovements, step: step, correction: right, position: [0 mm, 0 mm], interval: 0.3 s, overlap: 1.5, hold: 0.5 s, every: 10 ms}
 record: [m.equilibrium, m.pending]
 )");
-  const auto goal = [&](std::size_t k) {
-    return column(run, "m.equilibrium.2")[k] + column(run, "m.pending.2")[k];
-  };
   // Eleven pieces until 3.0 s; without a correction the lead along y would end at 1 mm/(1 - exp(-0.6)) = 2.2
   // mm.
-  CHECK(goal(304) == Approx(11e-3).epsilon(0.02));
+  CHECK(goal(run, "2", 304) == Approx(11e-3).epsilon(0.02));
   // Nine more until 5.7 s, of which each leaves exp(-0.6).
-  CHECK(goal(599) == Approx(11e-3 * std::exp(-9 * 0.6)).epsilon(0.02));
+  CHECK(goal(run, "2", 599) == Approx(11e-3 * std::exp(-9 * 0.6)).epsilon(0.02));
 }
 
 TEST_CASE("A hand that is led beyond the reach is let go within the reflex") {
@@ -113,10 +112,13 @@ blocks:
   m: {block: Submovements, step: [30 mm, 0 mm], position: [0 mm, 0 mm], reach: far, interval: 10 s, overlap: 1, reflex: 50 ms, every: 1 ms}
 record: [m.equilibrium, m.pending]
 )");
-  const auto goal = [&](std::size_t k) {
-    return column(run, "m.equilibrium.1")[k] + column(run, "m.pending.1")[k];
-  };
-  CHECK(goal(50) == Approx(30e-3));
+  CHECK(goal(run, "1", 50) == Approx(30e-3));
   for (const std::size_t k : {100u, 150u, 300u})
-    CHECK(goal(k) == Approx(10e-3 + 20e-3 * std::exp(-static_cast<double>(k - 50) / 50.0)).epsilon(0.02));
+    CHECK(goal(run, "1", k) ==
+          Approx(10e-3 + 20e-3 * std::exp(-static_cast<double>(k - 50) / 50.0)).epsilon(0.02));
+}
+
+TEST_CASE("A hand without any reach that is where it is led stays a number") {
+  const table::Table run = moved("[0 mm, 0 mm]", "[0 mm, 0 mm]", ", reach: -1 mm, reflex: 50 ms", "2 s");
+  CHECK(column(run, "m.equilibrium.1").back() == 0.0);
 }
