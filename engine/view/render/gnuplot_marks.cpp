@@ -163,7 +163,10 @@ void GnuplotMarks::operator()(const plot::VectorsMark& mark) {
 
 void GnuplotMarks::operator()(const plot::SurfaceMark& mark) {
   const auto pieces = columns_of(mark.lines);
-  commands_ += "set pm3d depthorder corners2color mean\n";
+  // gnuplot sorts surfaces by depth after all else; lines that take part in hidden3d come after them, and
+  // with them the frame and the grid, unless these are behind.
+  commands_ +=
+      "set pm3d depthorder corners2color mean\nset hidden3d front\nset border behind\nset grid behind\n";
   plot(fmt::format("{} using {} with pm3d", data(pieces, "\n"), using_all(pieces)));
 }
 

@@ -54,6 +54,23 @@ TEST_CASE("a mark that is put together by hand is drawn with its numbers, colour
                  Contains("set xrange [0:1]\nset xtics 0.5\n"));
 }
 
+TEST_CASE("a line in space is drawn over a surface") {
+  if (!has_gnuplot()) return;
+  const std::vector<double> ends{0.0, 1.0};
+  const plot::SurfaceMark surface{
+      {{ends, {0.0, 0.0}, ends, {1.0, 2.0}}, {ends, {1.0, 1.0}, ends, {3.0, 4.0}}}};
+  const plot::LineMark line{{{ends, {0.5, 0.5}, ends, {}}}, {"#123456"}};
+  plot::PlotSpec plot{.z = plot::PlotAxis{.range = {{0.0, 1.0}}},
+                      .view = plot::SpaceView{60.0, 30.0},
+                      .marks = {surface, line}};
+  plot.x.range = plot.y.range = {{0.0, 1.0}};
+  const std::string svg = render(figure_of(std::move(plot))).svg;
+  const std::size_t piece = svg.find("<polygon"), drawn = svg.find("rgb( 18,  52,  86)");
+  REQUIRE(piece != std::string::npos);
+  REQUIRE(drawn != std::string::npos);
+  CHECK(piece < drawn);
+}
+
 TEST_CASE("texts, labels and colours never become commands, not even in titles that are too wide") {
   const std::string bad =
       "a long title `touch no` that breaks in two \"lines\" 'here' and \\there, $(touch no) or not at all";
