@@ -32,6 +32,8 @@ namespace stepwire::plot {
 ///
 /// - labels.TEXT is the signal with this label in a picture of the diagram.
 ///
+/// - elements.NAME.x, elements.NAME.2.y, elements.NAME.direction.x is a coordinate of an element of a rig.
+///
 /// Each number counts from 1. Numbers of rows, the panel and then also the picture may be left out where they
 /// are 1: "figure.color", "figure.2.y.3". Texts are written as name_of_label() has them.
 std::vector<query::NamedFormula> drawn_quantities(const std::vector<Figure>& figures,

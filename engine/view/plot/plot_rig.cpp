@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "engine/analyse/query/run_rows.hpp"
+#include "engine/analyse/query/substituted.hpp"
+#include "engine/view/plot/drawn.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 #include "engine/view/plot/rig.hpp"
 
@@ -74,6 +76,40 @@ PanelContent read_mechanism(const yaml::Node& node, const query::SymbolTable& na
   };
 }
 
+constexpr const char* axes[] = {"x", "y", "z"};
+
+std::string text_of(const std::variant<double, query::Formula>& coordinate, const query::SymbolTable& names) {
+  const auto* formula = std::get_if<query::Formula>(&coordinate);
+  return formula ? formula->text
+                 : query::number_text(std::get<double>(coordinate), unit::Dimension{{1}}, names);
+}
+
+/// Adds the points of an element and its direction: "elements.F_e.x", of its second point "elements.F_e.2.x",
+/// "elements.F_e.direction.x".
+void add_element(const RigElement& element, const std::string& name, const query::SymbolTable& names,
+                 std::vector<query::NamedFormula>& shown) {
+  for (std::size_t point = 0; point < element.points.size(); ++point)
+    for (std::size_t i = 0; i < element.points[point].size(); ++i) {
+      const std::string text = text_of(element.points[point][i], names);
+      shown.push_back({fmt::format("{}.{}.{}", name, point + 1, axes[i]), text});
+      if (point == 0) shown.push_back({fmt::format("{}.{}", name, axes[i]), text});
+    }
+  for (std::size_t i = 0; i < element.direction.size(); ++i)
+    shown.push_back({fmt::format("{}.direction.{}", name, axes[i]),
+                     query::number_text(element.direction[i], std::nullopt, names)});
+}
+
+/// Elements that have names, by these; faults are those of read_mechanism().
+std::vector<query::NamedFormula> named_elements(const yaml::Node& node, const query::SymbolTable& names) {
+  yaml::Faults faults;
+  const Rig rig = read_rig(node, names, faults);
+  std::vector<query::NamedFormula> shown;
+  for (std::size_t i = 0; faults.empty() && i < rig.elements.size(); ++i)
+    if (const RigElement& element = rig.elements[i]; !element.name.empty())
+      add_element(element, "elements." + name_of_label(element.name, i + 1), names, shown);
+  return shown;
+}
+
 }  // namespace
 
 PlotKind rig_plot() {
@@ -83,6 +119,7 @@ PlotKind rig_plot() {
   for (const yaml::Key& key : rig_form().of) kind.options.push_back(described_key(key));
   kind.plane = false;
   kind.read = read_mechanism;
+  kind.shown = named_elements;
   return kind;
 }
 

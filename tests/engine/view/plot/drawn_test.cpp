@@ -73,6 +73,15 @@ TEST_CASE("claims may name the cells of a table, and the labelled signals of a p
   CHECK(text_of(drawn, "figure.2.labels.F_d") == "push.force");
 }
 
+TEST_CASE("claims may name the points and the direction of an element of a rig") {
+  const auto drawn = drawn_in(
+      "{plot: rig, points: {pin: [rig.x, 2 mm]}, elements: ["
+      "{damper: [[-10 mm, 0 mm], pin], name: left damper}, {force: pin, direction: [1, 0], name: F_e}]}");
+  CHECK(text_of(drawn, "figure.elements.left_damper.x") == "-10 mm");
+  CHECK(text_of(drawn, "figure.1.elements.left_damper.2.x") == "rig.x");
+  CHECK(text_of(drawn, "figure.elements.F_e.direction.x") == "1");
+}
+
 TEST_CASE("claims may name where the objects of a scene are") {
   const std::vector<query::NamedFormula> shown = shown_quantities(scene_of(all_objects));
   CHECK(text_of(shown, "scene.ball.x") == "pen.1");
