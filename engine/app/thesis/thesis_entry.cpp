@@ -10,6 +10,7 @@
 #include "engine/app/thesis/thesis_data.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/view/gallery/gallery_picture.hpp"
+#include "engine/view/plot/plot_kind.hpp"
 
 namespace stepwire::thesis {
 
@@ -44,6 +45,7 @@ gallery::GalleryPicture picture_of(const plot::Figure& figure) {
   picture.caption = figure.caption;
   picture.alt = gallery::described(figure);
   picture.own = figure.own;
+  picture.dense = figure.panels.size() == 1 && figure.panels.front().kind->name == "diagram";
   return picture;
 }
 

@@ -25,6 +25,7 @@ struct GalleryPicture {
   double width = 0.0, height = 0.0;  ///< at which it was drawn [px]
   bool own = false;                  ///< the source has no such picture
   bool dark = false;                 ///< it suits dark pages
+  bool dense = false;                ///< too small to be read on a card, which shows a part of it
 };
 
 /// A file that a reader may take along, in the folder of its entry or of another one that has the same file.

@@ -16,17 +16,22 @@ const GalleryPicture* thumbnail_of(const GalleryEntry& entry) {
   return entry.pictures.empty() ? nullptr : &entry.pictures.front();
 }
 
-/// A band shows its beginning, since the whole of it would be too small to be recognized.
-Html thumbnail(const GalleryEntry& entry) {
+/// The part of a picture that a card shows: of a band its beginning, of a block diagram its upper left part.
+/// The whole of either would be too small to be recognized.
+const char* part_of(const GalleryPicture& picture) {
   constexpr double band = 3.5;
+  if (picture.width > band * picture.height) return " wide";
+  return picture.dense ? " dense" : "";
+}
+
+Html thumbnail(const GalleryEntry& entry) {
   const GalleryPicture* picture = thumbnail_of(entry);
   if (!picture) return html("<span class=\"thumb\"></span>");
   return html(
       "<span class=\"thumb{}{}\"><img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"\" "
       "loading=\"lazy\"></span>",
-      picture->dark ? "" : " plain", picture->width > band * picture->height ? " wide" : "",
-      Address{entry.folder + "/" + picture->file}, static_cast<std::size_t>(picture->width),
-      static_cast<std::size_t>(picture->height));
+      picture->dark ? "" : " plain", part_of(*picture), Address{entry.folder + "/" + picture->file},
+      static_cast<std::size_t>(picture->width), static_cast<std::size_t>(picture->height));
 }
 
 /// What a search finds beside what the card shows.

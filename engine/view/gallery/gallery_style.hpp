@@ -79,6 +79,8 @@ details[open] > summary { margin-bottom: .6rem; }
 .thumb { display: block; aspect-ratio: 4 / 3; margin-bottom: .6rem; }
 .thumb img { display: block; width: 100%; height: 100%; object-fit: contain; border-radius: 4px; }
 .thumb.wide img { object-fit: cover; object-position: left; }
+.thumb.dense { overflow: hidden; }
+.thumb.dense img { width: 220%; height: 220%; object-fit: cover; object-position: left top; }
 .card .label { font-weight: 650; }
 .card .verdict { display: block; font-size: .88rem; font-weight: 600; margin-top: .2rem; }
 .search { display: flex; flex-wrap: wrap; gap: .6rem; align-items: center; margin: 0 0 1rem; }

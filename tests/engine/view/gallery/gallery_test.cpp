@@ -140,6 +140,8 @@ TEST_CASE("thumbnails stand under their chapters, and show what the source has")
   const std::string of_second = text.substr(second, fourth - second);
   CHECK_THAT(of_second, Contains("<img src=\"fig15/theirs.svg\" width=\"700\" height=\"350\""));
   CHECK_THAT(of_second, !Contains("own.svg") && !Contains("table3/"));
+  one.pictures[1].dense = true;
+  CHECK_THAT(front({one, two}), Contains("<span class=\"thumb dense\">"));
   CHECK_THAT(text.substr(fourth), Contains("href=\"table3/index.html\""));
 }
 
