@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "engine/view/render/gnuplot_text.hpp"
@@ -97,6 +98,11 @@ void GnuplotMarks::plot(const std::string& item, const std::string& legend, cons
 void GnuplotMarks::operator()(const plot::LineMark& mark) {
   const auto pieces = columns_of(mark.curves);
   if (pieces.empty()) return;
+  // gnuplot draws surfaces after all else, but lines that take part in hidden3d after them. The frame and the
+  // grid take part, too, unless they are behind.
+  const auto is_line = [](const plot::MarkRows& rows) { return rows.x.size() > 1; };
+  if (has_surface_ && std::ranges::any_of(mark.curves, is_line))
+    commands_ += "set hidden3d front\nset border behind\nset grid behind\n";
   const std::string with =
       mark.dots > 0.0 ? fmt::format("linespoints pt 7 ps {:.6g}", point_size(mark.dots)) : "lines";
   plot(fmt::format("{} using {} with {} {}", data(pieces), using_all(pieces), with, words_of(mark.line)),
@@ -163,10 +169,8 @@ void GnuplotMarks::operator()(const plot::VectorsMark& mark) {
 
 void GnuplotMarks::operator()(const plot::SurfaceMark& mark) {
   const auto pieces = columns_of(mark.lines);
-  // gnuplot sorts surfaces by depth after all else; lines that take part in hidden3d come after them, and
-  // with them the frame and the grid, unless these are behind.
-  commands_ +=
-      "set pm3d depthorder corners2color mean\nset hidden3d front\nset border behind\nset grid behind\n";
+  commands_ += "set pm3d depthorder corners2color mean\n";
+  has_surface_ = true;
   plot(fmt::format("{} using {} with pm3d", data(pieces, "\n"), using_all(pieces)));
 }
 

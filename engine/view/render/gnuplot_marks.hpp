@@ -37,6 +37,7 @@ class GnuplotMarks {
   std::string panel_, commands_;
   std::vector<std::string> items_;
   std::size_t blocks_ = 0;
+  bool has_surface_ = false;  ///< one was drawn before
 };
 
 /// Size of gnuplot's points for a diameter [px] in pictures with its font of 13 pixels.
