@@ -1,4 +1,5 @@
 // Tunings toward values, whose answers are closed forms.
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -62,6 +63,20 @@ TEST_CASE("A direction that no target tells is free, and its numbers have no int
   CHECK_FALSE(result.numbers[1].interval);
   REQUIRE_FALSE(result.findings.empty());
   CHECK_THAT(result.findings.front(), Catch::Contains("0.71 a") && Catch::Contains("-0.71 "));
+}
+
+TEST_CASE("An interruption keeps the best point toward targets so far, and no resolution") {
+  std::atomic<bool> interrupt = false;
+  int calls = 0;
+  const TuneOptions options{.threads = 1, .progress = [&](double, const std::string&) {
+                              if (++calls == 4) interrupt = true;
+                            }};
+  const TuneResult result =
+      tune_text(with_targets(std::string(sum) + difference), nullptr, options, &interrupt);
+  CHECK(result.interrupted);
+  CHECK(result.history.size() == 4);
+  CHECK(result.objective <= result.start_objective);
+  CHECK(result.resolution.singular_values.empty());
 }
 
 TEST_CASE("A tuning has an objective or targets, each of which equals a value within a deviation") {
