@@ -6,58 +6,67 @@
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/mat/deflate.hpp"
-#include "engine/base/mat/mat_file.hpp"
+#include "engine/base/parallel/parallel.hpp"
 
 namespace stepwire::thesis {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// From these sizes on data files are shared, and CSV files packed: smaller ones open at once in any program
-/// [bytes].
+/// From these sizes on CSV files are shared, and packed: smaller ones open at once in any program [bytes].
 constexpr std::uintmax_t shared_from = 50'000, packed_from = 500'000;
 
-void pack_file(const fs::path& path) {
-  const std::string place = path.string();
-  if (path.extension() == ".mat") return io::write_file(place, mat::packed_mat(io::read_file(place)));
-  if (path.extension() != ".csv" || fs::file_size(path) < packed_from) return;
-  io::write_file(place + ".gz", mat::gzip_packed(io::read_file(place)));
-  fs::remove(path);
-}
+/// A CSV file and the downloads that name it; the first of them is of the entry that keeps the file.
+struct DataFile {
+  fs::path path;
+  const gallery::GalleryEntry* keeper;
+  std::vector<gallery::GalleryDownload*> downloads;
+};
 
 bool is_shared(const gallery::GalleryDownload& file) {
-  const bool is_data =
-      file.file.ends_with(".mat") || file.file.ends_with(".csv") || file.file.ends_with(".gz");
-  return is_data && file.bytes >= shared_from;
+  return file.file.ends_with(".csv") && file.bytes >= shared_from;
 }
 
-/// The entry that keeps a file.
-struct Keeper {
-  std::string folder, label;
-};
+/// Removes files that an earlier entry has as well.
+std::vector<DataFile> different_files(const std::string& out, std::vector<gallery::GalleryEntry>& entries) {
+  std::vector<DataFile> files;
+  std::map<std::string, std::size_t> known;
+  for (gallery::GalleryEntry& entry : entries)
+    for (gallery::GalleryDownload& download : entry.downloads) {
+      if (!is_shared(download)) continue;
+      const fs::path path = fs::path(out) / entry.folder / download.file;
+      const std::string content = download.file + " " + hash::hash_of(io::read_file(path.string()));
+      const auto [place, is_first] = known.try_emplace(content, files.size());
+      if (is_first)
+        files.push_back({path, &entry, {}});
+      else
+        fs::remove(path);
+      files[place->second].downloads.push_back(&download);
+    }
+  return files;
+}
+
+void pack(DataFile& file) {
+  if (file.downloads.front()->bytes < packed_from) return;
+  const std::string packed = mat::gzip_packed(io::read_file(file.path.string()));
+  io::write_file(file.path.string() + ".gz", packed);
+  fs::remove(file.path);
+  for (gallery::GalleryDownload* download : file.downloads) {
+    download->file += ".gz";
+    download->bytes = packed.size();
+  }
+}
 
 }  // namespace
 
-void pack_data(const std::string& folder) {
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (const auto& file : fs::directory_iterator(folder, error))
-    if (file.is_regular_file(error)) files.push_back(file.path());
-  for (const fs::path& file : files) pack_file(file);
-}
-
-void share_data(const std::string& out, std::vector<gallery::GalleryEntry>& entries) {
-  std::map<std::string, Keeper> keepers;
-  for (gallery::GalleryEntry& entry : entries)
-    for (gallery::GalleryDownload& file : entry.downloads) {
-      if (!is_shared(file)) continue;
-      const fs::path path = fs::path(out) / entry.folder / file.file;
-      const std::string content = file.file + " " + hash::hash_of(io::read_file(path.string()));
-      const auto [keeper, is_first] = keepers.try_emplace(content, Keeper{entry.folder, entry.label});
-      if (is_first) continue;
-      file.folder = keeper->second.folder;
-      file.label = keeper->second.label;
-      fs::remove(path);
+void pack_data(const std::string& out, std::vector<gallery::GalleryEntry>& entries) {
+  std::vector<DataFile> files = different_files(out, entries);
+  parallel::in_parallel(files.size(), 0, [&](std::size_t i) { pack(files[i]); });
+  for (DataFile& file : files)
+    for (gallery::GalleryDownload* download : file.downloads) {
+      if (download == file.downloads.front()) continue;
+      download->folder = file.keeper->folder;
+      download->label = file.keeper->label;
     }
 }
 

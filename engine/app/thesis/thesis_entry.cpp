@@ -113,7 +113,6 @@ void add_pictures(const session::LoadedModel& model, const std::vector<std::stri
 }
 
 void add_downloads(const std::string& out, gallery::GalleryEntry& entry) {
-  pack_data((fs::path(out) / entry.folder).string());
   std::error_code error;
   for (const auto& file : fs::directory_iterator(fs::path(out) / entry.folder, error))
     if (file.is_regular_file(error))

@@ -21,7 +21,7 @@ gallery::GallerySource source_of(const std::string& file, const std::string& roo
 void add_pictures(const session::LoadedModel& model, const std::vector<std::string>& files,
                   const std::string& out, gallery::GalleryEntry& entry);
 
-/// Packs the data in the folder of an entry, and adds every file there that a reader may take along.
+/// Adds every file in the folder of an entry, which a reader may take along.
 void add_downloads(const std::string& out, gallery::GalleryEntry& entry);
 
 }  // namespace stepwire::thesis

@@ -131,7 +131,8 @@ class Maker {
     session::Outcome outcome = model.study ? study(model, folder) : run(model, folder);
     if (!outcome.result.interrupted) {
       entry.verdicts = outcome.verdicts;
-      std::vector<std::string> pictures = session::write_outputs(folder, model, outcome);
+      std::vector<std::string> pictures =
+          session::write_outputs(folder, model, outcome, {session::FileKind::csv});
       pictures.insert(pictures.end(), fitted.begin(), fitted.end());
       add_pictures(model, pictures, call_.out, entry);
       add_downloads(call_.out, entry);
@@ -208,7 +209,7 @@ std::vector<gallery::GalleryEntry> make_thesis(const ThesisCall& call, const Reg
   const io::OwnedFolder folder(call.out, [&] { return kept_files(call); });
   maker.run();
   std::vector<gallery::GalleryEntry> entries = maker.entries(contents);
-  share_data(call.out, entries);
+  pack_data(call.out, entries);
   if (!monitor.interrupted()) print_chapters(call.out, entries);
   write_gallery(call.out, contents, entries);
   return entries;

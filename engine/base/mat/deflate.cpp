@@ -10,6 +10,8 @@ namespace stepwire::mat {
 namespace {
 
 constexpr int largest_window = 15, with_gzip_header = 16, usual_memory = 8;
+constexpr int level =
+    4;  ///< tables of numbers are 2 to 4 % larger than by the usual 6, in a third of the time
 constexpr std::size_t max_at_once = 1 << 30;
 
 /// Feeds the stream with all bytes and appends its output to `packed`.
@@ -30,25 +32,17 @@ void deflate_all(z_stream& stream, std::string_view bytes, std::string& packed) 
   }
 }
 
-std::string packed_in(std::string_view bytes, int window) {
+}  // namespace
+
+std::string gzip_packed(std::string_view bytes) {
   z_stream stream{};
-  if (::deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, window, usual_memory, Z_DEFAULT_STRATEGY) !=
-      Z_OK)
+  if (::deflateInit2(&stream, level, Z_DEFLATED, largest_window + with_gzip_header, usual_memory,
+                     Z_DEFAULT_STRATEGY) != Z_OK)
     throw std::bad_alloc();
   std::string packed;
   deflate_all(stream, bytes, packed);
   ::deflateEnd(&stream);
   return packed;
-}
-
-}  // namespace
-
-std::string zlib_packed(std::string_view bytes) {
-  return packed_in(bytes, largest_window);
-}
-
-std::string gzip_packed(std::string_view bytes) {
-  return packed_in(bytes, largest_window + with_gzip_header);
 }
 
 }  // namespace stepwire::mat

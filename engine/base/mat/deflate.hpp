@@ -5,9 +5,6 @@
 
 namespace stepwire::mat {
 
-/// Returns the bytes packed by zlib, as a MAT file of level 5 has them.
-std::string zlib_packed(std::string_view bytes);
-
 /// Returns the bytes packed as a file of gzip, which names neither a time nor a file.
 std::string gzip_packed(std::string_view bytes);
 

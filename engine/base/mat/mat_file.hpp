@@ -21,10 +21,6 @@ inline constexpr std::size_t max_bytes_of_level_5 = 0x7FFF'FFFF;  ///< of a vari
 void write_mat(const std::string& path, const table::Table& table,
                std::size_t max_bytes = max_bytes_of_level_5);
 
-/// Returns the bytes of a MAT file of level 5 that write_mat() has made, with each variable packed by zlib;
-/// MATLAB reads both alike. A file of another level is returned as it is.
-std::string packed_mat(const std::string& file);
-
 /// A matrix, column by column as Eigen has it, or a list of texts.
 struct NamedMatrix {
   std::string name;
