@@ -15,7 +15,8 @@ void Derivative::declare(Declare<Derivative>& is) {
            "Filtered derivative, s / (tau s + 1): tau dx/dt = u - x, y = (u - x) / tau. Gain and phase are "
            "those of a derivative up to about 1 / (2 pi tau) Hz. An explicit solver needs a step below 2 tau "
            "(euler) or 2.7 tau (rk4).",
-       .symbol = {.text = "s / {tau} s + 1"}});
+       .symbol = {.text = "s / {tau} s + 1"},
+       .smooth = true});
   is.parameter<&Derivative::tau>({.unit = "s", .doc = "time constant of the filter", .above = 0.0});
   is.parameter<&Derivative::settled>(
       {.doc = "start as if the input had always had its first value, so that y starts at 0; otherwise the "

@@ -13,12 +13,15 @@ struct Derivative : Resettable {
   State<> x{};
   DiscreteState<1> begun{};
 
-  void outputs() {
+  void outputs() { follow(x); }
+  void outputs_at_instant() {
     const bool now = resetting();
     if (settled && (now || begun == 0.0)) {
       y = 0.0;
+    } else if (now) {
+      follow(Targets{*this});
     } else {
-      for (Index i = 0; i < y.size(); ++i) y[i] = (u[i] - (now ? target(i) : x[i])) / tau[i];
+      follow(x);
     }
   }
 
@@ -42,6 +45,12 @@ struct Derivative : Resettable {
   void configure(Configure& is);
   void start() { home = x; }
   static void declare(Declare<Derivative>& is);
+
+ private:
+  template <class States>
+  void follow(const States& states) {
+    for (Index i = 0; i < y.size(); ++i) y[i] = (u[i] - states[i]) / tau[i];
+  }
 };
 
 }  // namespace stepwire

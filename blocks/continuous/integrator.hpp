@@ -18,6 +18,9 @@ struct Integrator : Resettable {
   DiscreteState<> stop{};  // 1 at the upper and -1 at the lower limit at the last tick, 0 between
 
   void outputs() {
+    for (Index i = 0; i < y.size(); ++i) y[i] = limit(x[i], i);
+  }
+  void outputs_at_instant() {
     const bool now = resetting();
     for (Index i = 0; i < y.size(); ++i) y[i] = limit(now ? target(i) : x[i], i);
   }

@@ -6,7 +6,8 @@ namespace stepwire {
 
 void Lag::declare(Declare<Lag>& is) {
   is.block("Lag", {.doc = "First-order lag: tau dx/dt = gain u - x, y = x.",
-                   .symbol = {.text = "{gain} / {tau} s + 1"}});
+                   .symbol = {.text = "{gain} / {tau} s + 1"},
+                   .smooth = true});
   is.parameter<&Lag::tau>({.unit = "s", .doc = "time constant", .above = 0.0});
   is.parameter<&Lag::gain>({.unit = "'k", .doc = "static gain"});
   is.input<&Lag::u>({.unit = "'u", .doc = "signal to smooth", .feedthrough = false});

@@ -14,7 +14,8 @@ struct Lag : Resettable {
   PerElement decay = 1.0;  // 1 / tau: every stage of every step waits for its slope, and a division is slow
 
   /// Runs only where something resets, as update() does.
-  void outputs() {
+  void outputs() { y = x; }
+  void outputs_at_instant() {
     const bool now = resetting();
     for (Index i = 0; i < y.size(); ++i) y[i] = now ? target(i) : x[i];
   }

@@ -12,7 +12,8 @@ void LuenbergerObserver::declare(Declare<LuenbergerObserver>& is) {
            {.doc = "Estimates the states of a linear system with a constant gain: dx/dt = A x + B u + L (y - "
                    "C x - D u). Its numbers are SI of what is wired; units are not checked through it.",
             .source = "D. G. Luenberger, IEEE Trans. Automatic Control 16 (1971) 596",
-            .symbol = {.text = "observer"}});
+            .symbol = {.text = "observer"},
+            .smooth = true});
   is.parameter<&Block::A>({.unit = "*", .shape = "n x n", .doc = "system matrix", .required = true});
   is.parameter<&Block::B>({.unit = "*", .shape = "n x m", .doc = "input matrix; needed where u is wired"});
   is.parameter<&Block::C>({.unit = "*", .shape = "p x n", .doc = "output matrix", .required = true});

@@ -15,7 +15,8 @@ struct LuenbergerObserver : Resettable {
   bool direct = false;
 
   /// Runs only where something resets, as update() does.
-  void outputs() {
+  void outputs() { estimate = x; }
+  void outputs_at_instant() {
     if (resetting()) {
       estimate = Targets{*this};
     } else {

@@ -41,7 +41,8 @@ void PID::declare(Declare<PID>& is) {
                    "`actual` is wired, what the actuator really does, the integral part follows it: di/dt = "
                    "ki e + (actual - y) / tracking. By hand y is `manual`, and the integral part takes what "
                    "makes the controller go on from there without a bump.",
-            .source = "Åström, Hägglund, Advanced PID Control, 2006, sections 3.3 to 3.5"});
+            .source = "Åström, Hägglund, Advanced PID Control, 2006, sections 3.3 to 3.5",
+            .smooth = true});
   declare_parameters(is);
   is.input<&PID::u>({.unit = "'u", .doc = "error, reference minus measurement"});
   is.input<&PID::reference>({.unit = "'u", .doc = "needed only for weights other than 1", .optional = true});
@@ -55,6 +56,7 @@ void PID::declare(Declare<PID>& is) {
   is.output<&PID::y>({.unit = "'k 'u", .doc = "command"});
   is.state<&PID::integral>({.unit = "'k 'u", .doc = "integral part"});
   is.state<&PID::filter>({.unit = "'u", .doc = "what the derivative part sees, filtered", .settable = false});
+  is.state<&PID::hand>({.shape = "1", .doc = "1 while the command is given by hand", .settable = false});
   declare_reset(is, "'k 'u", "the integral part");
   is.crossing<&PID::automatic>("the controller takes over, or the hand", "1");
   is.derived<&PID::plain, From::no_number>();

@@ -19,11 +19,15 @@ struct PID : Resettable {
   Input<1> automatic{};
   Output<> y{};
   State<> integral{}, filter{};
+  DiscreteState<1> hand{};  // 1 while the command is given by hand, as it was at the last instant
 
   bool plain = true;  // does nothing but u and reference act?
 
   void outputs() {
-    y.each([&](Index i) { return by_hand() ? limited(manual[i], i) : limited(wanted(i), i); });
+    y.each([&](Index i) { return limited(hand > 0.0 ? manual[i] : wanted(i, here(i)), i); });
+  }
+  void outputs_at_instant() {
+    y.each([&](Index i) { return limited(by_hand() ? manual[i] : wanted(i, put_back(i)), i); });
   }
 
   void derivatives() {
@@ -33,8 +37,8 @@ struct PID : Resettable {
       return;
     }
     for (Index i = 0; i < integral.size(); ++i) {
-      integral.derivative[i] = by_hand() ? 0.0 : integral_rate(i);
-      filter.derivative[i] = kd[i] == 0.0 ? 0.0 : slope(i);
+      integral.derivative[i] = hand > 0.0 ? 0.0 : integral_rate(i);
+      filter.derivative[i] = kd[i] == 0.0 ? 0.0 : slope(i, here(i));
     }
   }
 
@@ -55,35 +59,41 @@ struct PID : Resettable {
   static void declare(Declare<PID>& is);
 
  private:
+  /// Its states.
+  struct Parts {
+    double integral, filter;
+  };
+
   bool by_hand() const { return !plain && manual.connected() && !(automatic > 0.0); }
-  bool put_back() const { return !plain && resetting(); }
-  double integral_part(Index i) const { return put_back() ? target(i) : integral[i]; }
-  double filtered(Index i) const { return put_back() ? 0.0 : filter[i]; }
+  Parts here(Index i) const { return {integral[i], filter[i]}; }
+  /// As a reset leaves them, where there is one at this instant.
+  Parts put_back(Index i) const { return !plain && resetting() ? Parts{target(i), 0.0} : here(i); }
   /// The error with only a share of the reference in it.
   double weighted(const PerElement& weight, Index i) const {
     return reference.connected() ? u[i] - (1.0 - weight[i]) * reference[i] : u[i];
   }
-  double slope(Index i) const { return (weighted(weight_d, i) - filtered(i)) / tau[i]; }
-  double wanted(Index i) const {
-    const double sum = kp[i] * weighted(weight_p, i) + integral_part(i);
-    return kd[i] == 0.0 ? sum : sum + kd[i] * slope(i);
+  double slope(Index i, const Parts& parts) const { return (weighted(weight_d, i) - parts.filter) / tau[i]; }
+  double wanted(Index i, const Parts& parts) const {
+    const double sum = kp[i] * weighted(weight_p, i) + parts.integral;
+    return kd[i] == 0.0 ? sum : sum + kd[i] * slope(i, parts);
   }
   double limited(double number, Index i) const { return std::clamp(number, lower[i], upper[i]); }
 
   /// A reset; and by hand the integral part takes whatever gives the same command once the controller acts.
   STEPWIRE_RARE void take_over() {
+    hand = by_hand() ? 1.0 : 0.0;
     for (Index i = 0; i < integral.size(); ++i) {
-      const double part = integral_part(i), past = filtered(i);
-      const double next = by_hand() ? limited(manual[i], i) - (wanted(i) - part) : part;
-      integral[i] = next;
-      filter[i] = past;
+      const Parts parts = put_back(i);
+      const double others = wanted(i, parts) - parts.integral;
+      integral[i] = hand > 0.0 ? limited(manual[i], i) - others : parts.integral;
+      filter[i] = parts.filter;
     }
     remember_reset();
   }
 
   double integral_rate(Index i) const {
     double rate = ki[i] * u[i];
-    const double want = wanted(i), give = limited(want, i);
+    const double want = wanted(i, here(i)), give = limited(want, i);
     if (anti_windup == AntiWindup::clamping && (want - give) * rate > 0.0) rate = 0.0;
     if (anti_windup == AntiWindup::back_calculation) rate += (give - want) / tracking[i];
     if (actual.connected()) rate += (actual[i] - give) / tracking[i];

@@ -12,7 +12,8 @@ void QuaternionIntegrator::declare(Declare<QuaternionIntegrator>& is) {
               "turned frame (as a gyroscope measures it), or w q / 2 in the fixed one. Each tick its length "
               "is made 1 again. Left out, `initial` is [1, 0, 0, 0]: not turned.",
        .source = "e.g. Diebel, Representing Attitude, Stanford University, 2006",
-       .symbol = {.text = "∫ ½ q ω"}});
+       .symbol = {.text = "∫ ½ q ω"},
+       .smooth = true});
   is.parameter<&Block::frame>({.doc = "in which the velocity is given", .words = {"turned", "fixed"}});
   is.input<&Block::rate>({.unit = "rad/s", .doc = "angular velocity", .feedthrough = false});
   is.output<&Block::y>({.doc = "the attitude, a quaternion of length 1"});

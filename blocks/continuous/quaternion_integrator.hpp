@@ -15,15 +15,13 @@ struct QuaternionIntegrator : Resettable {
   Output<4> y{};
   State<4> x{};
 
-  void outputs() {
-    const bool now = resetting();
-    SumOfSquares squares;
-    for (Index i = 0; i < 4; ++i) {
-      y[i] = now ? target(i) : x[i];
-      squares.add(y[i]);
+  void outputs() { show(x); }
+  void outputs_at_instant() {
+    if (resetting()) {
+      show(Targets{*this});
+    } else {
+      show(x);
     }
-    const double length = squares.root();
-    for (Index i = 0; i < 4; ++i) y[i] /= length;
   }
 
   void derivatives() {
@@ -50,6 +48,18 @@ struct QuaternionIntegrator : Resettable {
     home = x;
   }
   static void declare(Declare<QuaternionIntegrator>& is);
+
+ private:
+  template <class States>
+  void show(const States& states) {
+    SumOfSquares squares;
+    for (Index i = 0; i < 4; ++i) {
+      y[i] = states[i];
+      squares.add(y[i]);
+    }
+    const double length = squares.root();
+    for (Index i = 0; i < 4; ++i) y[i] /= length;
+  }
 };
 
 }  // namespace stepwire

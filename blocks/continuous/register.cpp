@@ -8,6 +8,7 @@
 #include "blocks/continuous/quaternion_integrator.hpp"
 #include "blocks/continuous/state_space.hpp"
 #include "blocks/continuous/transfer_function.hpp"
+#include "blocks/continuous/transport_delay.hpp"
 
 namespace stepwire {
 
@@ -18,6 +19,7 @@ void register_continuous(Registry& registry) {
   registry.add<PID>("continuous");
   registry.add<StateSpace>("continuous");
   registry.add<TransferFunction>("continuous");
+  registry.add<TransportDelay>("continuous");
   registry.add<LuenbergerObserver>("continuous");
   registry.add<QuaternionIntegrator>("continuous");
 }

@@ -8,7 +8,8 @@ void StateSpace::declare(Declare<StateSpace>& is) {
   is.block("StateSpace",
            {.doc = "Linear system with several inputs and outputs: dx/dt = A x + B u, y = C x + D u. Its "
                    "numbers are SI of what is wired; units are not checked through it.",
-            .symbol = {.text = "ẋ = Ax + Bu\ny = Cx + Du"}});
+            .symbol = {.text = "ẋ = Ax + Bu\ny = Cx + Du"},
+            .smooth = true});
   is.parameter<&StateSpace::A>({.unit = "*", .shape = "n x n", .doc = "system matrix", .required = true});
   is.parameter<&StateSpace::B>({.unit = "*", .shape = "n x m", .doc = "input matrix", .required = true});
   is.parameter<&StateSpace::C>({.unit = "*", .shape = "p x n", .doc = "output matrix", .required = true});

@@ -13,14 +13,13 @@ struct StateSpace : Resettable {
 
   bool direct = false;
 
-  void outputs() {
-    y = 0.0;
+  void outputs() { show(x); }
+  void outputs_at_instant() {
     if (resetting()) {
-      add(C, Targets{*this}, y);
+      show(Targets{*this});
     } else {
-      add(C, x, y);
+      show(x);
     }
-    if (direct) add(D, u, y);
   }
 
   void derivatives() {
@@ -41,6 +40,12 @@ struct StateSpace : Resettable {
   static void declare(Declare<StateSpace>& is);
 
  private:
+  template <class States>
+  void show(const States& states) {
+    y = 0.0;
+    add(C, states, y);
+    if (direct) add(D, u, y);
+  }
   /// to += matrix from, column by column as the matrix lies in memory, without a temporary.
   template <class From, class To>
   static void add(const Matrix& matrix, const From& from, To& to) {

@@ -12,7 +12,8 @@ void TransferFunction::declare(Declare<TransferFunction>& is) {
                    "Units are "
                    "not checked through it.",
             .source = "controllable canonical form, e.g. Ogata, Modern Control Engineering, section 9-2",
-            .symbol = {.text = "{numerator:s|num(s)} / {denominator:s|den(s)}"}});
+            .symbol = {.text = "{numerator:s|num(s)} / {denominator:s|den(s)}"},
+            .smooth = true});
   is.parameter<&TransferFunction::numerator>({.unit = "*", .doc = "coefficients, highest power of s first"});
   is.parameter<&TransferFunction::denominator>(
       {.unit = "*", .doc = "coefficients, highest power of s first"});

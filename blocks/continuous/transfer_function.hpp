@@ -14,7 +14,8 @@ struct TransferFunction : Resettable {
 
   Rational form;
 
-  void outputs() { y = resetting() ? form.output(u, Targets{*this}) : form.output(u, x); }
+  void outputs() { y = form.output(u, x); }
+  void outputs_at_instant() { y = resetting() ? form.output(u, Targets{*this}) : form.output(u, x); }
 
   void derivatives() {
     if (held()) {

@@ -1,7 +1,10 @@
+// More than 300 lines with its header: both interfaces of a unit share how it is asked and kept.
 #include "blocks/cosimulation/fmu.hpp"
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
+#include <numeric>
 
 #include "blocks/cosimulation/fmu_setup.hpp"
 #include "engine/model/block/declare.hpp"
@@ -83,6 +86,9 @@ void ContinuousFmu::start() {
   if (!unit.works()) return;
   std::copy_n(unit.exchange().states(), unit_states.size(), unit_states.data());
   unit_event = unit.exchange().next;
+  unit.acted_at = -1.0;
+  unit.acted_on.assign(std::accumulate(unit.input_sizes().begin(), unit.input_sizes().end(), std::size_t{0}),
+                       0.0);
 }
 
 bool ContinuousFmu::at_present(fmi::Operation operation) const {
@@ -118,12 +124,26 @@ void ContinuousFmu::update() {
   settle();
 }
 
+/// Once for the inputs that it has at an instant.
+void ContinuousFmu::update_at_event() {
+  if (!unit.works()) return;
+  hand_over();
+  const double* const inputs = unit.exchange().inputs();
+  if (unit.acted_at == t && std::equal(unit.acted_on.begin(), unit.acted_on.end(), inputs)) return;
+  unit.acted_at = t;
+  std::copy_n(inputs, unit.acted_on.size(), unit.acted_on.begin());
+  update();
+}
+
 void ContinuousFmu::crossings(Crossings& zero) const {
   const bool known = at_present(fmi::Operation::crossings);
   const std::size_t count = unit.indicator_count();
   for (std::size_t i = 0; i < count; ++i) zero.add(known ? unit.exchange().indicators()[i] : 1.0);
-  constexpr double far = 1e9;  // an event that never comes is as good as one in 30 years
-  zero.add(known ? std::min(unit.exchange().next - t, far) : 1.0);
+}
+
+double ContinuousFmu::next_edge() const {
+  const double next = unit_event;
+  return next > t ? next : std::numeric_limits<double>::infinity();
 }
 
 void SteppedFmu::configure(Configure& is) {

@@ -20,9 +20,9 @@ struct Fmu {
   Interface interface = Interface::automatic;
   Tree parameters{};
   bool isolate = true;
-  std::vector<Input<>> inputs{};    ///< as many as are bound
+  std::vector<Input<>> inputs{};  ///< as many as are bound
   std::vector<Output<>> results{};
-  DiscreteState<> unit_state{};    ///< bytes of the unit's state, as numbers; one where it cannot be saved
+  DiscreteState<> unit_state{};   ///< bytes of the unit's state, as numbers; one where it cannot be saved
   DiscreteState<1> unit_moves{};  ///< how often the unit has moved on
   Diagnostic unit_failed{}, unit_over{};
   Time t{};
@@ -67,7 +67,9 @@ struct ContinuousFmu : Fmu {
   void outputs();
   void derivatives();
   void update();
+  void update_at_event();
   void crossings(Crossings& zero) const;
+  double next_edge() const;
   void start();
   void configure(Configure& is);
   static void declare(Declare<ContinuousFmu>& is);

@@ -42,9 +42,9 @@ std::vector<fmi::Assignment> assignments_of(const Fmu& block, const fmi::Descrip
 
 void configure_unit(Fmu& block, Configure& is, fmi::Mode mode) {
   try {
-    fmi::Setup setup{fmi::open_package(block.file.string()), mode,
-                     is.name().empty() ? "unit" : is.name()};
+    fmi::Setup setup{fmi::open_package(block.file.string()), mode, is.name().empty() ? "unit" : is.name()};
     setup.assignments = assignments_of(block, setup.package->description(), is);
+    if (setup.package->description().smooth) is.smooth();
     block.unit.prepare(std::move(setup), block.isolate);
   } catch (const fmi::UnitError& error) {
     is.refuse<&Fmu::file>(error.what());

@@ -131,7 +131,7 @@ BlockType type_of(const fmi::Description& description, fmi::Mode mode) {
     add_ports<ContinuousFmu>(type, description);
     set_shape(type, "unit_states", description.state_count);
     type.timing = Timing::continuous;
-    CrossingSpec crossing{"an event of the unit", std::to_string(description.indicator_count + 1), {}};
+    CrossingSpec crossing{"an event of the unit", std::to_string(description.indicator_count), {}};
     for (const InputSpec& input : type.inputs) crossing.inputs.push_back(input.name);
     type.crossings.push_back(std::move(crossing));
   }

@@ -12,7 +12,8 @@ namespace stepwire {
 class RunningUnit {
  public:
   RunningUnit() = default;
-  RunningUnit(const RunningUnit& other) : setup_(other.setup_), isolated_(other.isolated_), kept_(other.kept_), sizes_(other.sizes_) {}
+  RunningUnit(const RunningUnit& other)
+      : setup_(other.setup_), isolated_(other.isolated_), kept_(other.kept_), sizes_(other.sizes_) {}
   RunningUnit& operator=(const RunningUnit&) = delete;
 
   /// Says what is run, and tries it: throws fmi::UnitError where it does not start.
@@ -37,6 +38,8 @@ class RunningUnit {
 
   long moves = 1;                 ///< since the start, from 1: a guard that resets states writes 0
   std::vector<double> last_kept;  ///< its state after the last of them
+  double acted_at = -1.0;         ///< time of its last event [s], and
+  std::vector<double> acted_on;   ///< its inputs then
 
  private:
   fmi::Setup setup_;

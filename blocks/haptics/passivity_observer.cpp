@@ -16,7 +16,8 @@ void PassivityObserver::declare(Declare<PassivityObserver>& is) {
               "that a change of the current does on an MR damper (`switching_work`). Force and velocity are "
               "those along which energy goes in, of any number of axes, with torques and angular velocities "
               "alike. It integrates as the solver does, or sums what is sampled.",
-       .source = "B. Hannaford and J.-H. Ryu, IEEE Trans. Robotics and Automation 18 (2002) 1"});
+       .source = "B. Hannaford and J.-H. Ryu, IEEE Trans. Robotics and Automation 18 (2002) 1",
+       .smooth = true});
   is.parameter<&PassivityObserver::judge>({.doc = "what must not be", .words = {"net", "fall"}});
   is.parameter<&PassivityObserver::budget>(
       {.unit = "J", .doc = "energy that may come out all the same", .at_least = 0.0});

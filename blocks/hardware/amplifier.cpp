@@ -14,7 +14,8 @@ void Amplifier::declare(Declare<Amplifier>& is) {
            {.doc = "A power amplifier in current mode, with a current limit and the lag of its current loop: "
                    "tau di/dt = wanted - i, wanted = gain u within the limits, and 0 while it is inhibited. "
                    "An explicit solver needs steps of at most 2 tau.",
-            .source = "thesis 3.3"});
+            .source = "thesis 3.3",
+            .smooth = true});
   is.parameter<&Amplifier::gain>({.unit = "A/'u", .doc = "current per command; 1 where the command is in A"});
   is.parameter<&Amplifier::lower>({.unit = "A", .doc = "lowest current; none where left out"});
   is.parameter<&Amplifier::upper>({.unit = "A", .doc = "highest current; none where left out"});

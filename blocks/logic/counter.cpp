@@ -11,7 +11,8 @@ void Counter::declare(Declare<Counter>& is) {
               "same tick; without an input it counts its ticks, the first one aside. A count beyond `upper` "
               "or `lower` is held there, or goes on at the other end (wrap): {lower: 0, upper: 9, beyond: "
               "wrap} has ten values. While `down` is true it counts downwards.",
-       .symbol = {.curve = "M-1 -.8H-.5V-.3H0V.2H.5V.7H1"}});
+       .symbol = {.curve = "M-1 -.8H-.5V-.3H0V.2H.5V.7H1"},
+       .at_events = true});
   is.parameter<&Counter::count_at>(
       {.doc =
            "what counts: the input becomes true (rising), false (falling), either, or each tick at which it "
@@ -34,6 +35,7 @@ void Counter::declare(Declare<Counter>& is) {
 
 void Counter::configure(Configure& is) {
   configure_reset(*this, is);
+  if (!is.connected<&Counter::u>()) is.keep_to_ticks();
   if (lower > upper) is.refuse<&Counter::lower>("lies above `upper`");
   if (beyond == Beyond::wrap && !(lower > -unlimited && upper < unlimited))
     is.refuse<&Counter::beyond>("'wrap' needs both `lower` and `upper`");

@@ -11,14 +11,21 @@ struct EdgeDetect {
   Edge edge = Edge::rising;
   Input<> u{};
   Output<> y{};
-  DiscreteState<> side{};  // -1 false, 1 true, 0 none seen yet
+  DiscreteState<> side{};   // -1 false, 1 true, 0 none seen yet
+  DiscreteState<> found{};  // 1 from an edge between two ticks up to the tick that shows it
 
   void outputs() {
-    for (Index i = 0; i < y.size(); ++i) y[i] = detected(i) ? 1.0 : 0.0;
+    for (Index i = 0; i < y.size(); ++i) y[i] = found[i] > 0.0 || detected(i) ? 1.0 : 0.0;
   }
 
   void update() {
-    for (Index i = 0; i < side.size(); ++i) side[i] = u[i] > 0.0 ? 1.0 : -1.0;
+    remember();
+    found = 0.0;
+  }
+  void update_at_event() {
+    for (Index i = 0; i < found.size(); ++i)
+      if (detected(i)) found[i] = 1.0;
+    remember();
   }
 
   void crossings(Crossings& zero) const {
@@ -28,6 +35,9 @@ struct EdgeDetect {
   static void declare(Declare<EdgeDetect>& is);
 
  private:
+  void remember() {
+    for (Index i = 0; i < side.size(); ++i) side[i] = u[i] > 0.0 ? 1.0 : -1.0;
+  }
   bool detected(Index i) const {
     const bool high = u[i] > 0.0;
     const bool rose = side[i] < 0.0 && high, fell = side[i] > 0.0 && !high;

@@ -9,7 +9,8 @@ void Latch::declare(Declare<Latch>& is) {
       "Latch",
       {.doc = "Flip-flop: 1 from the tick at which `set` is true until the one at which `reset` is. True is "
               "above 0. The output shows the change at the same tick. `initial` is what it was before the "
-              "first tick."});
+              "first tick.",
+       .at_events = true});
   is.parameter<&Latch::priority>({.doc = "which one counts while both are true", .words = {"reset", "set"}});
   is.input<&Latch::set>({.unit = "*", .doc = "makes it 1"});
   is.input<&Latch::reset>({.unit = "*", .doc = "makes it 0"});

@@ -6,7 +6,8 @@ namespace stepwire {
 
 void Abs::declare(Declare<Abs>& is) {
   is.block("Abs", {.doc = "The size of each element: y = |u|. For the length of a vector see Norm.",
-                   .symbol = {.text = "|u|"}});
+                   .symbol = {.text = "|u|"},
+                   .smooth = true});
   is.input<&Abs::u>({.unit = "'u", .doc = "signal"});
   is.output<&Abs::y>({.unit = "'u", .doc = "its size"});
 }

@@ -15,7 +15,8 @@ void Dot::declare(Declare<Dot>& is) {
       "Dot",
       {.doc = "The scalar product of two vectors: y = sum u1_k u2_k, e.g. power from force and velocity. An "
               "input of one element counts for every element of the other.",
-       .symbol = {.text = "u · v"}});
+       .symbol = {.text = "u · v"},
+       .smooth = true});
   is.input<&Dot::u>({.unit = "'u", .doc = "two vectors", .multiply_units = true});
   is.output<&Dot::y>({.unit = "'u", .doc = "their product, one number"});
 }

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "engine/base/expression/expression_function.hpp"
+#include "engine/base/expression/margin.hpp"
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
@@ -43,15 +44,22 @@ class InputNames {
   Index inputs_;
 };
 
-Function read_formula(const ExpressionBlock& block, Index inputs, const Configure& is) {
+void read_formula(ExpressionBlock& block, Index inputs, Configure& is) {
   const InputNames names(block.variables, inputs);
-  try {
-    expression::Expression expression(block.expression,
-                                      [&](std::string_view name) { return names(name) >= 0; });
+  const auto function = [&](const expression::Expression& of) {
     std::vector<std::size_t> places;
-    for (const std::string& name : expression.variables())
-      places.push_back(static_cast<std::size_t>(names(name)));
-    return expression::function_of(std::move(expression), std::move(places));
+    for (const std::string& name : of.variables()) places.push_back(static_cast<std::size_t>(names(name)));
+    return expression::function_of(of, places);
+  };
+  try {
+    const expression::Expression formula(block.expression,
+                                         [&](std::string_view name) { return names(name) >= 0; });
+    const expression::Branches branches = expression::branches_of(formula);
+    block.formula = function(formula);
+    if (branches.truth) is.steady();
+    for (std::size_t i = 0; i < std::min(branches.margins.size(), block.margins.size()); ++i)
+      block.margins[i] = function(branches.margins[i]);
+    if (branches.margins.empty()) is.skip_crossings();
   } catch (const expression::ExpressionError& error) {
     is.refuse<&ExpressionBlock::expression>(fmt::format(
         "'{}', character {}: {}; it may use {}, and for the time the output of a Clock among them",
@@ -70,18 +78,29 @@ void ExpressionBlock::configure(Configure& is) {
   if (!variables.empty() && static_cast<Index>(variables.size()) != inputs)
     is.refuse<&ExpressionBlock::variables>(
         fmt::format("there are {} names for {} inputs; each needs one", variables.size(), inputs));
-  formula = read_formula(*this, inputs, is);
+  read_formula(*this, inputs, is);
 }
 
-void ExpressionBlock::declare(Declare<ExpressionBlock>& is) {
+namespace {
+
+void declare_block(Declare<ExpressionBlock>& is) {
   is.block(
       "Expression",
       {.doc = "A formula over its inputs, element by element. u1 is the first of the list u, u2 the second, "
               "and u is "
               "another name for u1. Numbers of the formula may carry units (`u1 > 4 mm`); its value is taken "
               "as SI. "
-              "For the time feed the output of a Clock. Blocks of their own are faster and check units.",
+              "For the time feed the output of a Clock. Blocks of their own are faster and check units. With "
+              "`events: locate` "
+              "its first four conditions are located, and a formula that is one condition keeps its value in "
+              "between.",
        .symbol = {.text = "{expression|f(u)}"}});
+}
+
+}  // namespace
+
+void ExpressionBlock::declare(Declare<ExpressionBlock>& is) {
+  declare_block(is);
   is.parameter<&ExpressionBlock::expression>(
       {.doc = "+ - * / ^ ( ), comparisons, && || !, cond ? a : b; sin cos tan asin acos atan atan2 sinh cosh "
               "tanh exp log "
@@ -93,7 +112,10 @@ void ExpressionBlock::declare(Declare<ExpressionBlock>& is) {
   is.input<&ExpressionBlock::u>(
       {.unit = "*", .doc = "signals; one element counts for every element of the others"});
   is.output<&ExpressionBlock::y>({.unit = "*", .doc = "the value"});
+  for (const char* which : {"first", "second", "third", "fourth"})
+    is.crossing<&ExpressionBlock::u>(fmt::format("the {} condition of the formula changes", which));
   is.derived<&ExpressionBlock::formula>();
+  is.derived<&ExpressionBlock::margins>();
 }
 
 }  // namespace stepwire

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,23 +13,32 @@ namespace stepwire {
 /// A formula over its inputs, element by element: y = expression(u1, u2, ...).
 struct ExpressionBlock {
   static constexpr Index max_inputs = 64;
+  static constexpr std::size_t max_conditions = 4;  ///< that are located; further ones act at ticks
 
   Text expression = Text::literal<"u1">();
   std::vector<std::string> variables{};
   Inputs u{};
   Output<> y{};
-  Function formula{};  ///< of one element of each input
+  Function formula{};                              ///< of one element of each input
+  std::array<Function, max_conditions> margins{};  ///< of the same: each passes 0 where a condition changes
 
   void outputs() {
-    double values[max_inputs];
-    for (Index k = 0; k < y.size(); ++k) {
-      for (Index i = 0; i < u.count(); ++i) values[i] = u[i][k];
-      y[k] = formula(values);
-    }
+    for (Index k = 0; k < y.size(); ++k) y[k] = value_of(formula, k);
+  }
+  void crossings(Crossings& zero) const {
+    for (const Function& margin : margins)
+      for (Index k = 0; k < y.size(); ++k) zero.add(value_of(margin, k));
   }
 
   void configure(Configure& is);
   static void declare(Declare<ExpressionBlock>& is);
+
+ private:
+  double value_of(const Function& function, Index k) const {
+    double values[max_inputs];
+    for (Index i = 0; i < u.count(); ++i) values[i] = u[i][k];
+    return function(values);
+  }
 };
 
 }  // namespace stepwire

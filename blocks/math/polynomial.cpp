@@ -20,7 +20,8 @@ void Polynomial::declare(Declare<Polynomial>& is) {
   is.block("Polynomial",
            {.doc = "A polynomial of each element: coefficients [a, b, c] give y = a u^2 + b u + c. "
                    "Everything is in SI; the coefficients carry the units that this asks for.",
-            .symbol = {.text = "P(u)"}});
+            .symbol = {.text = "P(u)"},
+            .smooth = true});
   is.parameter<&Polynomial::coefficients>({.unit = "*", .doc = "highest power first, as in MATLAB"});
   is.parameter<&Polynomial::hold>(
       {.unit = "'u",

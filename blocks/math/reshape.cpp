@@ -7,7 +7,8 @@ namespace stepwire {
 void Reshape::declare(Declare<Reshape>& is) {
   is.block("Reshape", {.doc = "The same numbers in another shape: a vector as a matrix, or a matrix as "
                               "another one. Numbers of a matrix are counted column by column.",
-                       .symbol = {.text = "{rows} x {columns}"}});
+                       .symbol = {.text = "{rows} x {columns}"},
+                       .smooth = true});
   is.parameter<&Reshape::rows>(
       {.doc = "rows of the result", .at_least = 1, .at_most = 1000, .required = true, .structural = true});
   is.parameter<&Reshape::columns>(

@@ -14,7 +14,8 @@ void Rotate3D::declare(Declare<Rotate3D>& is) {
            "in the fixed one; with `inverse` it is the other way. Axis and quaternion may have any length "
            "but 0.",
        .source = "e.g. Diebel, Representing Attitude, Stanford University, 2006",
-       .symbol = {.text = "R u"}});
+       .symbol = {.text = "R u"},
+       .smooth = true});
   is.parameter<&Rotate3D::order>(
       {.doc = "axes of the angles, one after the other",
        .words = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx", "xyx", "xzx", "yxy", "yzy", "zxz", "zyz"}});

@@ -10,7 +10,8 @@ void RotationMatrix::declare(Declare<RotationMatrix>& is) {
       {.doc = "The 3 x 3 matrix R of a turn, by one of three, as Rotate3D has them: `angles` in an `order` "
               "(zyx: R = Rz(a1) Ry(a2) Rx(a3)), `axis` and `angle`, or `quaternion` [w, x, y, z].",
        .source = "e.g. Diebel, Representing Attitude, Stanford University, 2006",
-       .symbol = {.text = "R"}});
+       .symbol = {.text = "R"},
+       .smooth = true});
   is.parameter<&RotationMatrix::order>(
       {.doc = "axes of the angles, one after the other",
        .words = {"xyz", "xzy", "yxz", "yzx", "zxy", "zyx", "xyx", "xzx", "yxy", "yzy", "zxz", "zyz"}});

@@ -24,7 +24,8 @@ void Slice::configure(Configure& is) {
 void Slice::declare(Declare<Slice>& is) {
   is.block("Slice", {.doc = "Chosen rows and columns of a matrix, in a chosen order. One element needs no "
                             "block: R.2.3 names it.",
-                     .symbol = {.text = "u{rows|}"}});
+                     .symbol = {.text = "u{rows|}"},
+                     .smooth = true});
   is.parameter<&Slice::rows>({.doc = "rows, the first being 1, e.g. [3, 1]",
                               .at_least = 1.0,
                               .at_most = 1e6,

@@ -27,7 +27,8 @@ void Sum::declare(Declare<Sum>& is) {
       {.doc = "Adds and subtracts signals element by element. An input of one element counts for every "
               "element of the others. One input alone is passed on, or negated by the sign -; the elements "
               "of a vector are added by MatrixGain with [[1, 1, 1]].",
-       .symbol = {.outline = Symbol::Outline::circle, .signs = "signs"}});
+       .symbol = {.outline = Symbol::Outline::circle, .signs = "signs"},
+       .smooth = true});
   is.parameter<&Sum::signs>({.doc = "a + or - for each input, quoted: \"+-\"; left out: all are added"});
   is.input<&Sum::u>({.unit = "'u", .doc = "signals, all of one unit"});
   is.output<&Sum::y>({.unit = "'u", .doc = "the sum"});

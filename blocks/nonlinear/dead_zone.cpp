@@ -15,7 +15,8 @@ void DeadZone::declare(Declare<DeadZone>& is) {
       "DeadZone",
       {.doc = "Zero while lower <= u <= upper; u - upper above the zone, u - lower below it. An end of the "
               "zone is a number or a signal.",
-       .symbol = {.curve = "M-1 -.9L-.4 0H.4L1 .9", .axes = true}});
+       .symbol = {.curve = "M-1 -.9L-.4 0H.4L1 .9", .axes = true},
+       .smooth = true});
   is.parameter<&DeadZone::lower>({.unit = "'u", .doc = "lower end of the zone"});
   is.parameter<&DeadZone::upper>({.unit = "'u", .doc = "upper end of the zone"});
   is.input<&DeadZone::u>({.unit = "'u", .doc = "signal"});

@@ -14,7 +14,8 @@ void Saturation::declare(Declare<Saturation>& is) {
   is.block("Saturation",
            {.doc = "The input within limits: y = min(max(u, lower), upper). A limit is a number or a "
                    "signal; where signals cross, the upper limit holds.",
-            .symbol = {.curve = "M-1 -.7H-.5L.5 .7H1", .axes = true}});
+            .symbol = {.curve = "M-1 -.7H-.5L.5 .7H1", .axes = true},
+            .smooth = true});
   is.parameter<&Saturation::lower>({.unit = "'u", .doc = "lowest output; none where left out"});
   is.parameter<&Saturation::upper>({.unit = "'u", .doc = "highest output; none where left out"});
   is.input<&Saturation::u>({.unit = "'u", .doc = "signal to limit"});

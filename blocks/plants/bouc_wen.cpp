@@ -11,7 +11,8 @@ void BoucWen::declare(Declare<BoucWen>& is) {
               "In a steady motion z settles at (A / (beta + gamma))^(1/n); the initial slope dz/dx is A. "
               "Parameters are taken as they are: with beta < |gamma| or A <= 0 the element gives out energy. "
               "MRDamper and RotaryMRDamper are whole dampers that refuse this.",
-       .source = "R. Bouc 1967, Y.-K. Wen 1976; thesis eq. 2"});
+       .source = "R. Bouc 1967, Y.-K. Wen 1976; thesis eq. 2",
+       .smooth = true});
   is.parameter<&BoucWen::A>({.unit = "'A", .doc = "initial slope dz/dx"});
   is.parameter<&BoucWen::beta>({.unit = "*",
                                 .doc = "factor of |v| |z|^(n-1) z; its unit is A's over that of z^n (1/m "

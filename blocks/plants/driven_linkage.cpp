@@ -31,7 +31,8 @@ void DrivenLinkage::declare(Declare<DrivenLinkage>& is) {
               "(inverse dynamics). With a StraightMotion this is a kinematic pusher, which moves the pin "
               "at constant speed whatever resists.",
        .source = "as Linkage",
-       .timing = Timing::continuous});
+       .timing = Timing::continuous,
+       .smooth = true});
   declare_linkage(is, false);
   is.input<&DrivenLinkage::position>({.unit = "m", .shape = "d", .doc = "of the pin"});
   is.input<&DrivenLinkage::velocity>(

@@ -45,7 +45,8 @@ void Linkage::declare(Declare<Linkage>& is) {
               "torques about the "
               "anchors. DrivenLinkage is the "
               "same mechanism along a given motion.",
-       .source = "Lagrange's equations of the kinetic energy; thesis 2.4, 2.5"});
+       .source = "Lagrange's equations of the kinetic energy; thesis 2.4, 2.5",
+       .smooth = true});
   declare_linkage(is, true);
   is.input<&Linkage::force>({.unit = "N",
                              .doc = "force along each link; positive lengthens it (a damper gives minus its "

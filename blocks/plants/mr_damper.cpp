@@ -16,7 +16,8 @@ void MRDamper::declare(Declare<MRDamper>& is) {
            "alpha: {value: [72.8, -42.88, 14.83, 0.29], unit: N/mm}, c: {value: [...], unit: N s/mm}; the "
            "powers of the ampere are understood. Left out, a parameter is that of the RD-1097-01. "
            "Refused is what is no damper: A <= 0, |gamma| > beta, alpha or c negative within current_range.",
-       .source = "thesis eq. 1, 2, 4-6; B. F. Spencer et al. 1997"});
+       .source = "thesis eq. 1, 2, 4-6; B. F. Spencer et al. 1997",
+       .smooth = true});
   declare_mr_damper(is, {.displacement = "m",
                          .velocity = "m/s",
                          .resistance = "N",

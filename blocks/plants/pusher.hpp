@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/math/instant.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -21,7 +22,7 @@ struct Pusher {
     const double t = std::max(time - begin, 0.0);
     const Index last = points.rows() - 2;
     Index k = 0;
-    while (k < last && t >= number(k + 1, starts)) ++k;
+    while (k < last && reached(time, begin + number(k + 1, starts))) ++k;
     const Instant now = instant(k, t - number(k, starts));
     distance = number(k, before) + now.way;
     leg = static_cast<double>(k + 1);
@@ -29,6 +30,13 @@ struct Pusher {
     position.each([&](Index i) { return points(k, i) + now.way / length * run(k, i); });
     velocity.each([&](Index i) { return now.speed / length * run(k, i); });
     acceleration.each([&](Index i) { return now.rise / length * run(k, i); });
+  }
+
+  double next_edge() const {
+    for (Index k = 0; k + 1 < points.rows(); ++k)
+      for (const double after : {0.0, number(k, rising), up_to_brake(k), up_to_brake(k) + number(k, rising)})
+        if (const double edge = begin + number(k, starts) + after; !reached(time, edge)) return edge;
+    return std::numeric_limits<double>::infinity();
   }
 
   void configure(Configure& is);
@@ -47,13 +55,18 @@ struct Pusher {
   double number(Index leg, LegNumber which) const { return legs[leg * leg_size + which]; }
   double run(Index leg, Index i) const { return points(leg + 1, i) - points(leg, i); }
 
+  /// Time from the start of a leg to its braking.
+  double up_to_brake(Index leg) const { return number(leg, rising) + number(leg, cruising); }
+
   Instant instant(Index leg, double t) const {
-    const double up = number(leg, rising), even = number(leg, cruising), top = highest_acceleration * up;
-    if (time < begin) return {0.0, 0.0, 0.0};
-    if (t < up) return {0.5 * highest_acceleration * t * t, highest_acceleration * t, highest_acceleration};
-    if (t < up + even) return {top * (t - 0.5 * up), top, 0.0};
-    const double left = 2.0 * up + even - t;
-    if (left <= 0.0) return {number(leg, way), 0.0, 0.0};
+    const double up = number(leg, rising), top = highest_acceleration * up,
+                 start = begin + number(leg, starts);
+    if (!reached(time, begin)) return {0.0, 0.0, 0.0};
+    if (!reached(time, start + up))
+      return {0.5 * highest_acceleration * t * t, highest_acceleration * t, highest_acceleration};
+    if (!reached(time, start + up_to_brake(leg))) return {top * (t - 0.5 * up), top, 0.0};
+    const double left = up_to_brake(leg) + up - t;
+    if (left <= 0.0 || reached(time, start + up_to_brake(leg) + up)) return {number(leg, way), 0.0, 0.0};
     return {number(leg, way) - 0.5 * highest_acceleration * left * left, highest_acceleration * left,
             -highest_acceleration};
   }

@@ -16,7 +16,8 @@ void RotaryMRDamper::declare(Declare<RotaryMRDamper>& is) {
            "Assumed, since the thesis does not say: its torque is in lbf in; below 0.50 A, the lowest "
            "current tested, its polynomials are used as they are (0.24 N m at 0 A). "
            "Refused is what is no damper: A <= 0, |gamma| > beta, alpha or c negative within current_range.",
-       .source = "thesis eq. 8-10"});
+       .source = "thesis eq. 8-10",
+       .smooth = true});
   declare_mr_damper(is, {.displacement = "rad",
                          .velocity = "rad/s",
                          .resistance = "N m",

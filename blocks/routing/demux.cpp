@@ -34,7 +34,8 @@ void Demux::declare(Declare<Demux>& is) {
       "Demux",
       {.doc = "Takes a vector apart: y1 has the first sizes[1] elements of u, y2 the next sizes[2], up to "
               "y8. Outputs beyond the list are empty. Single elements in any order: Select.",
-       .symbol = {.outline = Symbol::Outline::bar}});
+       .symbol = {.outline = Symbol::Outline::bar},
+       .smooth = true});
   is.parameter<&Demux::sizes>({.doc = "elements of each piece, e.g. [1, 1, 2]; together as many as u has",
                                .at_least = 1.0,
                                .at_most = 1e6,

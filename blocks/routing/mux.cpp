@@ -9,7 +9,8 @@ void Mux::declare(Declare<Mux>& is) {
       "Mux",
       {.doc = "Puts numbers and vectors into one vector, one behind the other: y = [u1, u2, ...]. They must "
               "have one unit, as every vector has.",
-       .symbol = {.outline = Symbol::Outline::bar}});
+       .symbol = {.outline = Symbol::Outline::bar},
+       .smooth = true});
   is.input<&Mux::u>({.unit = "'u", .shape = "+n", .doc = "pieces, in the order of the vector"});
   is.output<&Mux::y>({.unit = "'u", .shape = "n", .doc = "the vector"});
 }

@@ -22,7 +22,8 @@ void Select::declare(Declare<Select>& is) {
       "Select",
       {.doc = "Chosen elements of a vector in a chosen order: y = [u[i], u[j], ...]. An element may come "
               "more than once.",
-       .symbol = {.text = "u{indices|[i]}"}});
+       .symbol = {.text = "u{indices|[i]}"},
+       .smooth = true});
   is.parameter<&Select::indices>({.doc = "which elements, the first of u being 1, e.g. [3, 1]",
                                   .at_least = 1.0,
                                   .at_most = 1e6,

@@ -19,7 +19,8 @@ void Chirp::declare(Declare<Chirp>& is) {
               "is the integral of the frequency. From target_time on the frequency stays.",
        .symbol = {.curve =
                       "M-1 0C-.8 1.2 -.6 1.2 -.4 0C-.27 -1.2 -.13 -1.2 0 0C.1 1.2 .2 1.2 .3 0C.37 -1.2 .44 "
-                      "-1.2 .5 0C.56 1.2 .62 1.2 .67 0C.72 -1.2 .77 -1.2 .82 0C.88 1.2 .94 1.2 1 0"}});
+                      "-1.2 .5 0C.56 1.2 .62 1.2 .67 0C.72 -1.2 .77 -1.2 .82 0C.88 1.2 .94 1.2 1 0"},
+       .smooth = true});
   is.parameter<&Chirp::amplitude>({.unit = "'u", .doc = "half of the distance between the peaks"});
   is.parameter<&Chirp::frequency>({.unit = "Hz", .doc = "frequency at t = 0", .at_least = 0.0});
   is.parameter<&Chirp::target_frequency>({.unit = "Hz", .doc = "frequency at target_time", .at_least = 0.0});

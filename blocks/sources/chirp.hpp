@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/math/instant.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -20,6 +21,9 @@ struct Chirp {
   Time t{};
 
   void outputs() { y = amplitude * std::sin(2.0 * std::numbers::pi * cycles(t) + phase) + bias; }
+
+  /// The frequency is steady from there.
+  double next_edge() const { return first_ahead(t, target_time); }
 
   /// Integral of the frequency from 0 to `time`.
   double cycles(double time) const {

@@ -57,13 +57,17 @@ void FromFile::configure(Configure& is) {
   require_start(*this, is);
   if (!periodic) require_inside(*this, is);
   if (periodic || after_end == AfterEnd::hold) is.skip_update();
+  if (interpolation == Interpolation::hold) return;
+  is.smooth();
+  is.skip_instants();
 }
 
 void FromFile::declare(Declare<FromFile>& is) {
   is.block(
       "FromFile",
       {.doc =
-           "Plays back columns of a data file (CSV with a header line, MAT, HDF5, or MCAP): y at t is the record at t + "
+           "Plays back columns of a data file (CSV with a header line, MAT, HDF5, or MCAP): y at t is the "
+           "record at t + "
            "start. "
            "Numbers become SI by their column's unit. A column without a unit is in SI; where its name ends "
            "in "
@@ -75,9 +79,10 @@ void FromFile::declare(Declare<FromFile>& is) {
        .symbol = {.text = "{file|record}"}});
   is.parameter<&FromFile::file>(
       {.doc = "path of a .csv, .mat, .h5 or .mcap file, beside the diagram or data/...", .required = true});
-  is.parameter<&FromFile::column>(
-      {.doc = "name of the column, or a list of names for a vector; in an HDF5 or MCAP file of several runs with "
-              "its group or channel, as `run-1/cart.position`", .required = true});
+  is.parameter<&FromFile::column>({.doc = "name of the column, or a list of names for a vector; in an HDF5 "
+                                          "or MCAP file of several runs with "
+                                          "its group or channel, as `run-1/cart.position`",
+                                   .required = true});
   is.parameter<&FromFile::unit>(
       {.doc = "of the columns: one for all or one for each; left out: as the header says "
               "(`x [mm]`), SI where it says nothing"});

@@ -34,12 +34,25 @@ struct FromFile {
   BandLimited smooth;   ///< of the columns, where band-limited
   double offset = 0.0;  ///< instant of the record that is time 0 of the run [s]
 
-  void outputs() {
+  void outputs() { play(-samples.slack()); }
+  /// Rows and ticks are both rounded: a held row begins at a tick rather than just behind it, and the end of
+  /// the step before does not see it.
+  void outputs_at_instant() { play(samples.slack()); }
+  double next_edge() const {
+    if (interpolation == Interpolation::band_limited) return open;
+    const double at = place(t + offset + samples.slack());
+    const Index row = samples.row_at(at), last = samples.rows() - 1;
+    const double begun = t + offset - (at - samples.slack());  // of the periods before
+    if (at < samples.begin()) return samples.begin() - offset;
+    if (row < last) return begun + samples.time[row + 1] - offset;
+    return after_end == AfterEnd::repeat ? begun + samples.begin() + samples.period() - offset : open;
+  }
+  void play(double slack) {
     if (interpolation == Interpolation::band_limited) {
       const double turns = (t + offset - samples.begin()) / samples.period();
       for (Index k = 0; k < y.size(); ++k) y[k] = smooth(k, turns);
     } else if (interpolation == Interpolation::hold) {
-      const Index row = samples.row_at(place(t + offset + samples.slack()));
+      const Index row = samples.row_at(place(t + offset + slack));
       for (Index k = 0; k < y.size(); ++k) y[k] = samples.value(k, row);
     } else {
       straight(place(t + offset));

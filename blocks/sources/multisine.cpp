@@ -103,7 +103,8 @@ void Multisine::declare(Declare<Multisine>& is) {
               "The frequencies are the multiples of 1/period from lowest to highest, or `frequencies`.",
        .source = "Schroeder: Synthesis of low-peak-factor signals, IEEE Trans. Inf. Theory 16, 1970, eq. 11",
        .symbol = {.curve = "M-1 0C-.85 .9 -.75 .9 -.65 .2C-.55 -.3 -.45 -.3 -.35 .3C-.25 1.2 -.15 .6 0 0C.15 "
-                           "-.6 .25 -1.2 .35 -.3C.45 .3 .55 .3 .65 -.2C.75 -.9 .85 -.9 1 0"}});
+                           "-.6 .25 -1.2 .35 -.3C.45 .3 .55 .3 .65 -.2C.75 -.9 .85 -.9 1 0"},
+       .smooth = true});
   is.parameter<&Multisine::period>({.unit = "s", .doc = "after which the signal repeats", .above = 0.0});
   is.parameter<&Multisine::lowest>({.unit = "Hz", .doc = "no line lies below", .at_least = 0.0});
   is.parameter<&Multisine::highest>({.unit = "Hz", .doc = "no line lies above", .above = 0.0});

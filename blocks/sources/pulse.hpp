@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "blocks/sources/instant.hpp"
+#include "engine/base/math/instant.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -18,16 +18,27 @@ struct Pulse {
     y.each([&](Index k) { return bias[k] + (high(k) ? amplitude[k] : 0.0); });
   }
 
-  /// Edges are compared as instants of the run, since that is where their rounding is known.
-  bool high(Index k) const {
-    const double first = delay[k], length = period[k];
-    if (!reached(t, first)) return false;
-    double begin = first + length * std::floor((t - first) / length);
-    if (reached(t, begin + length)) begin += length;
-    return !reached(t, begin + width[k] * length);
+  double next_edge() const {
+    double next = edge_of(0);
+    for (Index k = 1; k < y.size(); ++k) next = std::min(next, edge_of(k));
+    return next;
   }
 
+  bool high(Index k) const { return reached(t, delay[k]) && !reached(t, begin(k) + width[k] * period[k]); }
+
   static void declare(Declare<Pulse>& is);
+
+ private:
+  /// Of the present period. Edges are compared as instants of the run, since that is where their rounding is
+  /// known.
+  double begin(Index k) const {
+    const double begin = delay[k] + period[k] * std::floor((t - delay[k]) / period[k]);
+    return reached(t, begin + period[k]) ? begin + period[k] : begin;
+  }
+  double edge_of(Index k) const {
+    if (!reached(t, delay[k])) return delay[k];
+    return first_ahead(t, begin(k) + width[k] * period[k], begin(k) + period[k]);
+  }
 };
 
 }  // namespace stepwire

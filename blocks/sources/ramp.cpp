@@ -6,7 +6,8 @@ namespace stepwire {
 
 void Ramp::declare(Declare<Ramp>& is) {
   is.block("Ramp", {.doc = "Grows steadily from one instant on: y = initial + slope max(0, t - start).",
-                    .symbol = {.curve = "M-1 -.7H-.4L1 .8"}});
+                    .symbol = {.curve = "M-1 -.7H-.4L1 .8"},
+                    .smooth = true});
   is.parameter<&Ramp::slope>({.unit = "'u/s", .doc = "growth per second; may be negative"});
   is.parameter<&Ramp::start_>({.unit = "s", .doc = "instant from which it grows"});
   is.parameter<&Ramp::initial>({.unit = "'u", .doc = "value until then"});

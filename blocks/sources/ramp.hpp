@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/math/instant.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -14,6 +15,12 @@ struct Ramp {
 
   void outputs() {
     y.each([&](Index i) { return initial[i] + slope[i] * std::max(t - start_[i], 0.0); });
+  }
+
+  double next_edge() const {
+    double next = first_ahead(t, start_[0]);
+    for (Index i = 1; i < y.size(); ++i) next = std::min(next, first_ahead(t, start_[i]));
+    return next;
   }
 
   static void declare(Declare<Ramp>& is);

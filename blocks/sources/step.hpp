@@ -1,6 +1,6 @@
 #pragma once
 
-#include "blocks/sources/instant.hpp"
+#include "engine/base/math/instant.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire {
@@ -13,6 +13,12 @@ struct Step {
 
   void outputs() {
     y.each([&](Index k) { return reached(t, time[k]) ? after[k] : before[k]; });
+  }
+
+  double next_edge() const {
+    double next = first_ahead(t, time[0]);
+    for (Index k = 1; k < y.size(); ++k) next = std::min(next, first_ahead(t, time[k]));
+    return next;
   }
 
   static void declare(Declare<Step>& is);

@@ -7,6 +7,7 @@
 namespace stepwire {
 
 void StraightMotion::configure(Configure& is) {
+  if (rise > 0.0) is.smooth();
   if (!(length() > 0.0))
     is.refuse<&StraightMotion::direction>("has no length; one element must not be 0, e.g. [0, 1]");
   if (from.size() != direction.size())

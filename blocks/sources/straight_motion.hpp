@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/math/instant.hpp"
 #include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/block/block.hpp"
 
@@ -34,6 +35,8 @@ struct StraightMotion {
     velocity.each([&](Index i) { return v * turned(i, by); });
     acceleration.each([&](Index i) { return a * turned(i, by); });
   }
+
+  double next_edge() const { return first_ahead(time, start_, start_ + rise); }
 
   void configure(Configure& is);
   static void declare(Declare<StraightMotion>& is);

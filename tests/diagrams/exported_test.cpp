@@ -56,7 +56,11 @@ plan::Plan importing(const run::Job& job, const Exported& made, const char* inte
   const diagram::Diagram& own = job.plan.diagram;
   std::string text = fmt::format("stepwire: 1\ntitle: an exported unit\nstep: {} s\nstop: {} s\n", own.step,
                                  own.step * static_cast<double>(ticks));
-  if (!own.solver.empty()) text += "solver: " + own.solver + "\n";
+  if (const auto& control = own.error_control)
+    text += fmt::format("solver: {{name: {}, relative: {:.17g}, absolute: {:.17g}, max_steps: {}}}\n",
+                        own.solver, control->relative, control->absolute, control->max_steps);
+  else if (!own.solver.empty())
+    text += "solver: " + own.solver + "\n";
   if (own.events.locate) text += "events: locate\n";
   text += fmt::format("blocks:\n  unit: {{block: Fmu, file: {}, interface: {}}}\n", made.file, interface);
   static const Registry registry = blocks();

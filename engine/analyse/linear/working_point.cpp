@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/analyse/linear/junction.hpp"
+#include "engine/analyse/linear/run_up_to.hpp"
 
 namespace stepwire::linear {
 
@@ -23,6 +24,7 @@ WorkingPoint::WorkingPoint(const PreparedDiagram& diagram, const Request& reques
     : diagram_(diagram),
       paths_(find_paths(diagram.plan, diagram.input_blocks, diagram.output_blocks, diagram.cut)),
       sampled_(paths_.sampled()) {
+  require_linear(diagram.plan);
   if (request.whole) {
     paths_.from_inputs.assign(diagram.plan.blocks.size(), 1);
     paths_.to_outputs = paths_.from_inputs;
@@ -45,24 +47,8 @@ double WorkingPoint::time() const {
 }
 
 void WorkingPoint::run_to(double time, const Request& request) {
-  const plan::Plan& plan = diagram_.plan;
   const yaml::Place place = request.from.empty() ? yaml::Place{} : request.from.front().place;
-  if (!(time >= 0.0 && time <= plan.diagram.stop))
-    throw yaml::Error(yaml::Fault{
-        place,
-        "at",
-        yaml::fault_text("{} s is not within the run; it goes from 0 to {} s", time, plan.diagram.stop),
-        {}});
-  run_ = std::make_unique<run::Executor>(plan);
-  const auto wanted = static_cast<std::int64_t>(std::llround(time / plan.diagram.step));
-  const std::int64_t end = (wanted + base_ticks_ - 1) / base_ticks_ * base_ticks_;
-  while (run_->tick() < end) {
-    run_->evaluate();
-    if (run_->healthy()) run_->advance();
-    if (run_->healthy()) continue;
-    if (const auto fault = run_->fault()) throw yaml::Error(fault->fault);
-    break;
-  }
+  run_ = run_up_to(diagram_.plan, time, base_ticks_, place);
   point_ = run_->workspace();
 }
 

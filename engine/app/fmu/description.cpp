@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "engine/app/fmu/units.hpp"
+#include "engine/base/fmi/description.hpp"
 
 namespace stepwire::fmu {
 
@@ -31,14 +32,7 @@ class Writer {
       : about_(about), variables_(variables), third_(about.version == 3) {}
 
   Element root() const {
-    Element root{"fmiModelDescription"};
-    root.set("fmiVersion", third_ ? "3.0" : "2.0")
-        .set("modelName", about_.name)
-        .set(third_ ? "instantiationToken" : "guid", about_.token)
-        .set("description", about_.title)
-        .set("generationTool", about_.made_by)
-        .set("variableNamingConvention", structured(variables_) ? "structured" : "flat");
-    if (!third_) root.set("numberOfEventIndicators", std::to_string(about_.exchange ? about_.crossings : 0));
+    Element root = head();
     if (about_.exchange) root.add(interface("ModelExchange"));
     root.add(interface("CoSimulation"));
     root.add_filled(unit_definitions(variables_));
@@ -51,13 +45,33 @@ class Writer {
         .set("startTime", 0.0)
         .set("stopTime", about_.stop)
         .set("stepSize", about_.step);
+    if (!third_) add_annotation(root, "VendorAnnotations", "Tool", "name");
     Element& list = root.add({"ModelVariables"});
     for (std::size_t i = 0; i < variables_.size(); ++i) list.add(variable(i));
     root.add(third_ ? structure_of_3() : structure_of_2());
+    if (third_) add_annotation(root, "Annotations", "Annotation", "type");
     return root;
   }
 
  private:
+  Element head() const {
+    Element root{"fmiModelDescription"};
+    root.set("fmiVersion", third_ ? "3.0" : "2.0")
+        .set("modelName", about_.name)
+        .set(third_ ? "instantiationToken" : "guid", about_.token)
+        .set("description", about_.title)
+        .set("generationTool", about_.made_by)
+        .set("variableNamingConvention", structured(variables_) ? "structured" : "flat");
+    if (!third_) root.set("numberOfEventIndicators", std::to_string(about_.exchange ? about_.crossings : 0));
+    return root;
+  }
+
+  /// Adds a mark that our own import reads.
+  void add_annotation(Element& root, const char* list, const char* item, const char* key) const {
+    if (about_.exchange && about_.smooth)
+      root.add({list}).add({item}).set(key, fmi::own_annotation).add({fmi::smooth_element});
+  }
+
   Element interface(const char* kind) const {
     Element element{kind};
     element.set("modelIdentifier", about_.identifier);

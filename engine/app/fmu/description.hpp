@@ -18,6 +18,7 @@ struct UnitAbout {
   double step = 0.0, stop = 0.0;
   bool exchange = false;
   std::size_t crossings = 0;
+  bool smooth = false;  ///< no source in it may jump
 };
 
 /// modelDescription.xml of FMI 3 or FMI 2; the variables are those of that version.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <new>
 #include <type_traits>
 
@@ -148,10 +149,12 @@ class DiagramUnit final : public ExportedUnit {
     moving_.phase = Phase::at_event;
     return Status::ok;
   }
-  Status update(bool& terminates) override {
+  Status update(bool& terminates, double& next) override {
     if (!allows(0u | Phase::at_event, "a call for discrete states")) return Status::error;
     moving_.evaluate();
     terminates = moving_.diagram.stops();
+    next = std::numeric_limits<double>::infinity();
+    if constexpr (requires(Diagram & d) { d.next_edge(); }) next = moving_.diagram.next_edge();
     return Status::ok;
   }
   Status leave_event() override {

@@ -55,7 +55,8 @@ struct References {
   std::size_t count;
 };
 
-/// One instance of a unit, for the functions of both versions of FMI. Each call says what is wrong in a message.
+/// One instance of a unit, for the functions of both versions of FMI. Each call says what is wrong in a
+/// message.
 class ExportedUnit {
  public:
   using Log = void (*)(void* caller, Status status, const char* message);
@@ -75,7 +76,8 @@ class ExportedUnit {
   virtual Status reset() = 0;
   virtual Status get(References references, double* values, std::size_t numbers) = 0;
   virtual Status set(References references, const double* values, std::size_t numbers) = 0;
-  virtual Status derivative(References unknowns, References knowns, const double* seed, double* sensitivity) = 0;
+  virtual Status derivative(References unknowns, References knowns, const double* seed,
+                            double* sensitivity) = 0;
   /// Numbers of these variables together; -1 where one is none.
   virtual std::ptrdiff_t numbers_of(References references) const = 0;
 
@@ -88,7 +90,8 @@ class ExportedUnit {
   virtual Status get_crossings(double* numbers, std::size_t count) = 0;
   virtual Status complete_step(bool& terminates) = 0;
   virtual Status enter_event() = 0;
-  virtual Status update(bool& terminates) = 0;
+  /// `next` becomes the time of the next event that is known beforehand, infinite where there is none [s].
+  virtual Status update(bool& terminates, double& next) = 0;
   virtual Status leave_event() = 0;
 
   virtual std::size_t state_bytes() const = 0;
@@ -118,13 +121,20 @@ class ExportedUnit {
  private:
   const char* phase_words() const {
     switch (phase()) {
-      case Phase::made: return "is not initialized yet";
-      case Phase::initializing: return "is being initialized";
-      case Phase::at_event: return "stands in event mode";
-      case Phase::continuous: return "stands in continuous-time mode";
-      case Phase::stepping: return "stands in step mode";
-      case Phase::ended: return "is terminated";
-      default: return "has failed";
+      case Phase::made:
+        return "is not initialized yet";
+      case Phase::initializing:
+        return "is being initialized";
+      case Phase::at_event:
+        return "stands in event mode";
+      case Phase::continuous:
+        return "stands in continuous-time mode";
+      case Phase::stepping:
+        return "stands in step mode";
+      case Phase::ended:
+        return "is terminated";
+      default:
+        return "has failed";
     }
   }
 

@@ -2,6 +2,7 @@
 
 // The functions of FMI 2 of an exported unit, for its one source that includes this.
 
+#include <cmath>
 #include <memory>
 #include <new>
 #include <string>
@@ -40,9 +41,9 @@ fmi2Status with_unit_of_2(fmi2Component instance, const Work& work) {
 
 inline fmi2Component make_of_2(fmi2String name, bool exchange, fmi2String token,
                                const fmi2CallbackFunctions* functions) {
-  std::unique_ptr<InstanceOf2> own(new (std::nothrow) InstanceOf2{
-      name ? name : "", functions ? functions->logger : nullptr,
-      functions ? functions->componentEnvironment : nullptr});
+  std::unique_ptr<InstanceOf2> own(new (std::nothrow)
+                                       InstanceOf2{name ? name : "", functions ? functions->logger : nullptr,
+                                                   functions ? functions->componentEnvironment : nullptr});
   if (!own) return nullptr;
   const char* why_not = is_token(token) ? nullptr : "the GUID is not that of this unit";
   return make_unit(own->unit, own.get(), InstanceOf2::say, exchange, why_not) ? nullptr : own.release();
@@ -51,7 +52,7 @@ inline fmi2Component make_of_2(fmi2String name, bool exchange, fmi2String token,
 /// For values of a type that no variable has.
 inline fmi2Status none_of_2(fmi2Component instance, size_t count, const char* type) {
   return with_unit_of_2(instance,
-                         [&](ExportedUnit& unit) { return refuse_values(unit, count, type, "Real"); });
+                        [&](ExportedUnit& unit) { return refuse_values(unit, count, type, "Real"); });
 }
 
 inline fmi2Status refuse_of_2(fmi2Component instance, const char* what) {
@@ -82,95 +83,95 @@ void fmi2FreeInstance(fmi2Component unit) {
 }
 
 // The arguments of the calls below, in the names that they have there: what each does with its unit.
-#define STEPWIRE_DOES(...) \
-  { return unit_functions::with_unit_of_2(unit, [&](unit_functions::ExportedUnit& own) { return __VA_ARGS__; }); }
+#define STEPWIRE_DOES(...)                                                                                 \
+  {                                                                                                        \
+    return unit_functions::with_unit_of_2(unit,                                                            \
+                                          [&](unit_functions::ExportedUnit& own) { return __VA_ARGS__; }); \
+  }
 
 // What is set up is what initialization begins with.
-fmi2Status fmi2SetupExperiment(fmi2Component unit, fmi2Boolean, fmi2Real, fmi2Real start, fmi2Boolean, fmi2Real)
-  STEPWIRE_DOES(own.allows(0u | unit_functions::Phase::made, "SetupExperiment")
-                    ? (unit_functions::instance_of_2(unit).end.last = start, unit_functions::Status::ok)
-                    : unit_functions::Status::error)
-fmi2Status fmi2EnterInitializationMode(fmi2Component unit)
-  STEPWIRE_DOES(own.enter_initialization(unit_functions::instance_of_2(unit).end.last))
-fmi2Status fmi2ExitInitializationMode(fmi2Component unit) STEPWIRE_DOES(own.leave_initialization())
-fmi2Status fmi2Terminate(fmi2Component unit) STEPWIRE_DOES(own.terminate())
-fmi2Status fmi2Reset(fmi2Component unit)
-  STEPWIRE_DOES(unit_functions::instance_of_2(unit).end = {}, own.reset())
+fmi2Status fmi2SetupExperiment(fmi2Component unit, fmi2Boolean, fmi2Real, fmi2Real start, fmi2Boolean,
+                               fmi2Real)
+    STEPWIRE_DOES(own.allows(0u | unit_functions::Phase::made, "SetupExperiment")
+                      ? (unit_functions::instance_of_2(unit).end.last = start, unit_functions::Status::ok)
+                      : unit_functions::Status::error) fmi2Status
+    fmi2EnterInitializationMode(fmi2Component unit)
+        STEPWIRE_DOES(own.enter_initialization(unit_functions::instance_of_2(unit).end.last)) fmi2Status
+    fmi2ExitInitializationMode(fmi2Component unit) STEPWIRE_DOES(own.leave_initialization()) fmi2Status
+    fmi2Terminate(fmi2Component unit) STEPWIRE_DOES(own.terminate()) fmi2Status fmi2Reset(fmi2Component unit)
+        STEPWIRE_DOES(unit_functions::instance_of_2(unit).end = {}, own.reset())
 
-fmi2Status fmi2GetReal(fmi2Component unit, const fmi2ValueReference references[], size_t count, fmi2Real values[])
-  STEPWIRE_DOES(own.get({references, count}, values, count))
-fmi2Status fmi2SetReal(fmi2Component unit, const fmi2ValueReference references[], size_t count,
-                       const fmi2Real values[])
-  STEPWIRE_DOES(own.set({references, count}, values, count))
-
-#define STEPWIRE_NONE_OF(Type)                                                                              \
-  fmi2Status fmi2Get##Type(fmi2Component unit, const fmi2ValueReference[], size_t count, fmi2##Type[]) {   \
-    return unit_functions::none_of_2(unit, count, #Type);                                                   \
-  }                                                                                                         \
-  fmi2Status fmi2Set##Type(fmi2Component unit, const fmi2ValueReference[], size_t count, const fmi2##Type[]) { \
-    return unit_functions::none_of_2(unit, count, #Type);                                                   \
+            fmi2Status
+    fmi2GetReal(fmi2Component unit, const fmi2ValueReference references[], size_t count, fmi2Real values[])
+        STEPWIRE_DOES(own.get({references, count}, values, count)) fmi2Status
+    fmi2SetReal(fmi2Component unit, const fmi2ValueReference references[], size_t count,
+                const fmi2Real values[]) STEPWIRE_DOES(own.set({references, count}, values, count))
+#define STEPWIRE_NONE_OF(Type)                                                                           \
+  fmi2Status fmi2Get##Type(fmi2Component unit, const fmi2ValueReference[], size_t count, fmi2##Type[]) { \
+    return unit_functions::none_of_2(unit, count, #Type);                                                \
+  }                                                                                                      \
+  fmi2Status fmi2Set##Type(fmi2Component unit, const fmi2ValueReference[], size_t count,                 \
+                           const fmi2##Type[]) {                                                         \
+    return unit_functions::none_of_2(unit, count, #Type);                                                \
   }
-STEPWIRE_NONE_OF(Integer)
-STEPWIRE_NONE_OF(Boolean)
-STEPWIRE_NONE_OF(String)
+        STEPWIRE_NONE_OF(Integer) STEPWIRE_NONE_OF(Boolean) STEPWIRE_NONE_OF(String)
 #undef STEPWIRE_NONE_OF
 
-fmi2Status fmi2GetDirectionalDerivative(fmi2Component unit, const fmi2ValueReference unknowns[],
-                                        size_t unknown_count, const fmi2ValueReference knowns[],
-                                        size_t known_count, const fmi2Real seed[], fmi2Real sensitivity[])
-  STEPWIRE_DOES(own.derivative({unknowns, unknown_count}, {knowns, known_count}, seed, sensitivity))
+            fmi2Status
+    fmi2GetDirectionalDerivative(fmi2Component unit, const fmi2ValueReference unknowns[],
+                                 size_t unknown_count, const fmi2ValueReference knowns[], size_t known_count,
+                                 const fmi2Real seed[], fmi2Real sensitivity[])
+        STEPWIRE_DOES(own.derivative({unknowns, unknown_count}, {knowns, known_count}, seed, sensitivity))
 
-fmi2Status fmi2GetFMUstate(fmi2Component unit, fmi2FMUstate* state)
-  STEPWIRE_DOES(unit_functions::save_state(own, state))
-fmi2Status fmi2SetFMUstate(fmi2Component unit, fmi2FMUstate state)
-  STEPWIRE_DOES(unit_functions::load_state(own, state))
-fmi2Status fmi2FreeFMUstate(fmi2Component unit, fmi2FMUstate* state) {
+            fmi2Status fmi2GetFMUstate(fmi2Component unit, fmi2FMUstate* state)
+                STEPWIRE_DOES(unit_functions::save_state(own, state)) fmi2Status
+    fmi2SetFMUstate(fmi2Component unit, fmi2FMUstate state)
+        STEPWIRE_DOES(unit_functions::load_state(own, state)) fmi2Status
+    fmi2FreeFMUstate(fmi2Component unit, fmi2FMUstate* state) {
   if (!unit) return fmi2Error;
   unit_functions::free_state(state);
   return fmi2OK;
 }
 fmi2Status fmi2SerializedFMUstateSize(fmi2Component unit, fmi2FMUstate, size_t* size)
-  STEPWIRE_DOES(*size = own.state_bytes(), unit_functions::Status::ok)
-fmi2Status fmi2SerializeFMUstate(fmi2Component unit, fmi2FMUstate state, fmi2Byte bytes[], size_t size)
-  STEPWIRE_DOES(unit_functions::write_state(own, state, bytes, size))
-fmi2Status fmi2DeSerializeFMUstate(fmi2Component unit, const fmi2Byte bytes[], size_t size, fmi2FMUstate* state)
-  STEPWIRE_DOES(unit_functions::read_state(own, bytes, size, state))
+    STEPWIRE_DOES(*size = own.state_bytes(), unit_functions::Status::ok) fmi2Status
+    fmi2SerializeFMUstate(fmi2Component unit, fmi2FMUstate state, fmi2Byte bytes[], size_t size)
+        STEPWIRE_DOES(unit_functions::write_state(own, state, bytes, size)) fmi2Status
+    fmi2DeSerializeFMUstate(fmi2Component unit, const fmi2Byte bytes[], size_t size, fmi2FMUstate* state)
+        STEPWIRE_DOES(unit_functions::read_state(own, bytes, size, state))
 
-fmi2Status fmi2SetTime(fmi2Component unit, fmi2Real time) STEPWIRE_DOES(own.set_time(time))
-fmi2Status fmi2SetContinuousStates(fmi2Component unit, const fmi2Real states[], size_t count)
-  STEPWIRE_DOES(own.set_states(states, count))
-fmi2Status fmi2GetContinuousStates(fmi2Component unit, fmi2Real states[], size_t count)
-  STEPWIRE_DOES(own.get_states(states, count))
-fmi2Status fmi2GetDerivatives(fmi2Component unit, fmi2Real derivatives[], size_t count)
-  STEPWIRE_DOES(own.get_slopes(derivatives, count))
-fmi2Status fmi2GetEventIndicators(fmi2Component unit, fmi2Real indicators[], size_t count)
-  STEPWIRE_DOES(own.get_crossings(indicators, count))
-fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component unit, fmi2Real nominals[], size_t count)
-  STEPWIRE_DOES([&] {
-    for (size_t i = 0; i < count; ++i) nominals[i] = 1.0;
-    return unit_functions::Status::ok;
-  }())
-fmi2Status fmi2CompletedIntegratorStep(fmi2Component unit, fmi2Boolean, fmi2Boolean* enter_event,
-                                       fmi2Boolean* terminate)
-  STEPWIRE_DOES([&] {
-    bool terminates = false;
-    const unit_functions::Status status = own.complete_step(terminates);
-    *enter_event = fmi2False;
-    *terminate = terminates ? fmi2True : fmi2False;
-    return status;
-  }())
-fmi2Status fmi2EnterEventMode(fmi2Component unit) STEPWIRE_DOES(own.enter_event())
-fmi2Status fmi2NewDiscreteStates(fmi2Component unit, fmi2EventInfo* info)
-  STEPWIRE_DOES([&] {
-    bool terminates = false;
-    const unit_functions::Status status = own.update(terminates);
-    *info = {fmi2False, terminates ? fmi2True : fmi2False, fmi2False, fmi2False, fmi2False, 0.0};
-    return status;
-  }())
-fmi2Status fmi2EnterContinuousTimeMode(fmi2Component unit) STEPWIRE_DOES(own.leave_event())
+            fmi2Status fmi2SetTime(fmi2Component unit, fmi2Real time)
+                STEPWIRE_DOES(own.set_time(time)) fmi2Status
+    fmi2SetContinuousStates(fmi2Component unit, const fmi2Real states[], size_t count)
+        STEPWIRE_DOES(own.set_states(states, count)) fmi2Status
+    fmi2GetContinuousStates(fmi2Component unit, fmi2Real states[], size_t count)
+        STEPWIRE_DOES(own.get_states(states, count)) fmi2Status
+    fmi2GetDerivatives(fmi2Component unit, fmi2Real derivatives[], size_t count)
+        STEPWIRE_DOES(own.get_slopes(derivatives, count)) fmi2Status
+    fmi2GetEventIndicators(fmi2Component unit, fmi2Real indicators[], size_t count)
+        STEPWIRE_DOES(own.get_crossings(indicators, count)) fmi2Status
+    fmi2GetNominalsOfContinuousStates(fmi2Component unit, fmi2Real nominals[], size_t count)
+        STEPWIRE_DOES([&] {
+          for (size_t i = 0; i < count; ++i) nominals[i] = 1.0;
+          return unit_functions::Status::ok;
+        }()) fmi2Status fmi2CompletedIntegratorStep(fmi2Component unit, fmi2Boolean, fmi2Boolean* enter_event,
+                                                    fmi2Boolean* terminate) STEPWIRE_DOES([&] {
+          bool terminates = false;
+          const unit_functions::Status status = own.complete_step(terminates);
+          *enter_event = fmi2False;
+          *terminate = terminates ? fmi2True : fmi2False;
+          return status;
+        }()) fmi2Status fmi2EnterEventMode(fmi2Component unit) STEPWIRE_DOES(own.enter_event()) fmi2Status
+    fmi2NewDiscreteStates(fmi2Component unit, fmi2EventInfo* info) STEPWIRE_DOES([&] {
+      bool terminates = false;
+      double next = 0.0;
+      const unit_functions::Status status = own.update(terminates, next);
+      *info = {fmi2False, terminates ? fmi2True : fmi2False,          fmi2False,
+               fmi2False, std::isfinite(next) ? fmi2True : fmi2False, next};
+      return status;
+    }()) fmi2Status fmi2EnterContinuousTimeMode(fmi2Component unit) STEPWIRE_DOES(own.leave_event())
 
-fmi2Status fmi2SetRealInputDerivatives(fmi2Component unit, const fmi2ValueReference[], size_t,
-                                       const fmi2Integer[], const fmi2Real[]) {
+        fmi2Status fmi2SetRealInputDerivatives(fmi2Component unit, const fmi2ValueReference[], size_t,
+                                               const fmi2Integer[], const fmi2Real[]) {
   return unit_functions::refuse_of_2(unit, "interpolation of inputs");
 }
 fmi2Status fmi2GetRealOutputDerivatives(fmi2Component unit, const fmi2ValueReference[], size_t,
@@ -182,14 +183,13 @@ fmi2Status fmi2CancelStep(fmi2Component unit) {
 }
 
 // A step that the diagram's end has cut short is discarded; what was reached can be seen.
-fmi2Status fmi2DoStep(fmi2Component unit, fmi2Real time, fmi2Real length, fmi2Boolean)
-  STEPWIRE_DOES([&] {
-    unit_functions::StepEnd& end = unit_functions::instance_of_2(unit).end;
-    const unit_functions::Status status = own.step(time, length, end);
-    return status == unit_functions::Status::ok && !end.whole ? unit_functions::Status::discard : status;
-  }())
+fmi2Status fmi2DoStep(fmi2Component unit, fmi2Real time, fmi2Real length, fmi2Boolean) STEPWIRE_DOES([&] {
+  unit_functions::StepEnd& end = unit_functions::instance_of_2(unit).end;
+  const unit_functions::Status status = own.step(time, length, end);
+  return status == unit_functions::Status::ok && !end.whole ? unit_functions::Status::discard : status;
+}())
 
-fmi2Status fmi2GetStatus(fmi2Component unit, const fmi2StatusKind, fmi2Status* value) {
+    fmi2Status fmi2GetStatus(fmi2Component unit, const fmi2StatusKind, fmi2Status* value) {
   if (value) *value = fmi2OK;
   return unit ? fmi2OK : fmi2Error;
 }

@@ -78,17 +78,11 @@ void add_pictures(Files& files, const ExportOptions& options) {
 UnitExport export_unit(const plan::Plan& plan, const codegen::Tuning& tuning, const ExportOptions& options,
                        const codegen::Compiler& compiler) {
   UnitExport made{{}, codegen::why_ticks_only(plan)};
-  UnitAbout about{options.version,
-                  options.name,
-                  codegen::cpp_identifier(options.name),
-                  plan.diagram.title,
-                  options.made_by,
-                  "{0000000000000000}",
-                  "fmi-unit.cpp",
-                  plan.diagram.step,
-                  static_cast<double>(plan.steps) * plan.diagram.step,
-                  made.no_exchange.empty(),
-                  plan.crossing_count};
+  UnitAbout about{
+      options.version,          options.name,        codegen::cpp_identifier(options.name),
+      plan.diagram.title,       options.made_by,     "{0000000000000000}",
+      "fmi-unit.cpp",           plan.diagram.step,   static_cast<double>(plan.steps) * plan.diagram.step,
+      made.no_exchange.empty(), plan.crossing_count, !plan.jumps};
   std::vector<Variable> variables = variables_of(plan, tuning, about.exchange);
   if (options.version == 2) variables = scalars_of(variables);
   about.token = token_of(unit_sources(plan, tuning, about, variables, made.no_exchange),

@@ -26,7 +26,8 @@ yaml::Key whole_head() {
     if (row.name != "solver") continue;
     std::vector<yaml::Key::Word> solvers;
     for (const solve::SolverKind& kind : solve::solver_kinds()) solvers.push_back({kind.name, kind.doc});
-    row = yaml::key(row.name, row.doc, yaml::form::words(std::move(solvers)));
+    row = yaml::key(row.name, row.doc,
+                    yaml::form::either({yaml::form::words(std::move(solvers)), row.of.back()}));
   }
   return head;
 }

@@ -113,7 +113,8 @@ Json diagnostics_json(const Outcome& outcome) {
   return diagnostics;
 }
 
-/// How many runs of a sweep or a study were stepped together, and why some or all were not; null for a single one.
+/// How many runs of a sweep or a study were stepped together, and why some or all were not; null for a single
+/// one.
 Json lanes_json(const run::Job& job, const run::RunResult& result) {
   if (job.points.empty()) return nullptr;
   const Json why = result.lanes.why_not.empty() ? Json(nullptr) : Json(result.lanes.why_not);
@@ -134,13 +135,26 @@ Json algebraic_loops_json(const std::vector<run::LoopCost>& loops) {
   return list;
 }
 
+/// Null without control of the error.
+static Json steps_json(const diagram::Diagram& diagram, const run::StepCount& steps) {
+  if (!diagram.error_control) return {};
+  return Json::object()
+      .set("relative", diagram.error_control->relative)
+      .set("absolute", diagram.error_control->absolute)
+      .set("accepted", steps.accepted)
+      .set("rejected", steps.rejected)
+      .set("largest_error", steps.largest_error)
+      .set("stiff", diagram.solver == "auto" ? Json(steps.stiff) : Json());
+}
+
 /// Null where none are looked for.
 static Json events_json(const diagram::Diagram& diagram, const run::EventCount& events) {
   if (!diagram.events.locate) return {};
   return Json::object().set("located", events.located).set("most_in_a_step", events.most_in_a_step);
 }
 
-Json run_json(const LoadedModel& model, const Outcome& outcome) {
+/// The head of the file as it was run.
+static Json head_json(const LoadedModel& model) {
   const diagram::Diagram& diagram = model.job.plan.diagram;
   return Json::object()
       .set("file", model.file)
@@ -149,9 +163,15 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
       .set("parameters", parameters_json(diagram))
       .set("step", diagram.step)
       .set("stop", diagram.stop)
-      .set("solver", diagram.solver.empty() ? Json() : Json(diagram.solver))
+      .set("solver", diagram.solver.empty() ? Json() : Json(diagram.solver));
+}
+
+Json run_json(const LoadedModel& model, const Outcome& outcome) {
+  const diagram::Diagram& diagram = model.job.plan.diagram;
+  return head_json(model)
       .set("sweep", sweep_json(model.job))
-      .set("keep", kept_word(model)).set("kept", kept_texts(model))
+      .set("keep", kept_word(model))
+      .set("kept", kept_texts(model))
       .set("runs", model.job.points.empty() ? std::size_t{1} : model.job.points.size())
       .set("ticks", outcome.result.ticks)
       .set("compiled_ticks", outcome.result.compiled_ticks)
@@ -159,6 +179,7 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
       .set("blocks", diagram.blocks.size())
       .set("block_folders", Json::list_of(model.blocksets))
       .set("algebraic_loops", algebraic_loops_json(outcome.result.loops))
+      .set("solver_steps", steps_json(diagram, outcome.result.steps))
       .set("events", events_json(diagram, outcome.result.events))
       .set("notices", diagnostics_json(outcome))
       .set("faults", fault_texts(outcome))

@@ -16,8 +16,7 @@ Interface read_interface(const pugi::xml_node& node, int version) {
   read.identifier = node.attribute("modelIdentifier").value();
   const bool two = version == 2;
   const bool saves = node.attribute(two ? "canGetAndSetFMUstate" : "canGetAndSetFMUState").as_bool();
-  read.keeps_state =
-      saves && node.attribute(two ? "canSerializeFMUstate" : "canSerializeFMUState").as_bool();
+  read.keeps_state = saves && node.attribute(two ? "canSerializeFMUstate" : "canSerializeFMUState").as_bool();
   read.only_once = node.attribute("canBeInstantiatedOnlyOncePerProcess").as_bool();
   read.needs_tool = node.attribute("needsExecutionTool").as_bool();
   return read;
@@ -32,8 +31,8 @@ int read_version(const pugi::xml_node& root) {
   const std::string version = root.attribute("fmiVersion").value();
   if (version == "2.0") return 2;
   if (version == "3.0" || version.starts_with("3.0.")) return 3;
-  throw UnitError(fmt::format("its modelDescription.xml has fmiVersion \"{}\"; versions 2.0 and 3.0 are read",
-                              version));
+  throw UnitError(
+      fmt::format("its modelDescription.xml has fmiVersion \"{}\"; versions 2.0 and 3.0 are read", version));
 }
 
 }  // namespace
@@ -66,6 +65,10 @@ Description read_description(const std::string& xml) {
       throw UnitError(fmt::format("its modelIdentifier '{}' is no name of C", one->identifier));
   if (read.co_simulation.identifier.empty() && read.model_exchange.identifier.empty())
     throw UnitError("it has neither CoSimulation nor ModelExchange; scheduled execution is not run");
+  const pugi::xml_node own =
+      read.version == 2 ? root.child("VendorAnnotations").find_child_by_attribute("name", own_annotation)
+                        : root.child("Annotations").find_child_by_attribute("type", own_annotation);
+  read.smooth = !own.child(smooth_element).empty();
   read_variables(root, read);
   return read;
 }

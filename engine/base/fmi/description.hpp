@@ -35,10 +35,10 @@ struct Variable {
   std::uint32_t reference = 0;
   Type type = Type::float64;
   Causality causality = Causality::local;
-  bool discrete = false;     ///< changes at events alone
+  bool discrete = false;  ///< changes at events alone
   bool constant = false;
   bool starts_exact = false;  ///< may its value be set before the start?
-  std::string unit = "*";    ///< in SI; "*" where the unit says none
+  std::string unit = "*";     ///< in SI; "*" where the unit says none
   double factor = 1.0, offset = 0.0;
   std::optional<double> at_least, at_most;  ///< SI
   std::size_t size = 1;
@@ -52,6 +52,9 @@ struct Interface {
   bool needs_tool = false;
 };
 
+/// The annotation of our own units of which no output jumps by the time alone.
+constexpr char own_annotation[] = "stepwire", smooth_element[] = "smooth";
+
 /// What modelDescription.xml says of a unit.
 struct Description {
   int version = 3;  ///< of FMI
@@ -61,6 +64,7 @@ struct Description {
   std::vector<std::uint32_t> states, derivatives;  ///< references of those that are continuous
   std::size_t state_count = 0;                     ///< in numbers
   std::size_t indicator_count = 0;
+  bool smooth = false;  ///< with our own annotation: outputs jump only where inputs do
   std::unordered_map<std::uint32_t, std::size_t> places;  ///< of the first variable with each reference
   /// References of variables that outputs depend on; std::nullopt if an output has no list of them.
   std::optional<std::unordered_set<std::uint32_t>> feeding;

@@ -37,6 +37,7 @@ struct BlockType {
                        ///< is none of ours; empty if there is none
   std::string declared_at;    ///< "blocks/math/gain.cpp:12"
   std::string not_real_time;  ///< why its steps are not fit for a real-time loop; empty: they are
+  std::string not_linear;     ///< why linear analyses refuse it; empty: they do not
   std::string not_generated;  ///< why no code can be made of it, where that is no lack of a header
 
   std::vector<ParameterSpec> parameters;
@@ -45,16 +46,26 @@ struct BlockType {
   std::vector<StateSpec> states;
   std::vector<DiagnosticSpec> diagnostics;
   std::vector<CrossingSpec> crossings;
-  bool steady = false;  ///< are its outputs constant between crossings?
-  bool torn = false;    ///< are algebraic loops through it solved for its outputs?
+  bool steady = false;     ///< are its outputs constant between crossings?
+  bool at_events = false;  ///< acts at located events though it crosses nothing
+  bool smooth = false;     ///< outputs jump only where inputs do
+  bool torn = false;       ///< are algebraic loops through it solved for its outputs?
   std::vector<PresetSpec> presets;
   std::vector<MemberSpec> members;  ///< that a run reads and never changes
   std::vector<ClockSpec> clocks;
   std::vector<SizeSpec> sizes;
 
   Kernels run_outputs, run_derivatives, run_update;
+  /// In the place of run_outputs at ticks and events, before update(); empty where nothing is different
+  /// there.
+  Kernels run_outputs_at_instant;
+  /// Replaces run_update at located events; empty where both are the same.
+  Kernels run_update_at_event;
   /// Writes the numbers of all crossings; null where there are none.
   void (*run_crossings)(const void* block, double* numbers) = nullptr;
+  /// Time of the next jump or bend of an output after the present time, by the time alone [s]; infinite
+  /// without one. Null for a block that declares no edges.
+  double (*run_next_edge)(const void* block) = nullptr;
   void (*configure)(void* block, Configure& is) = nullptr;
   void (*prepare)(void* block) = nullptr;
   void (*start)(void* block) = nullptr;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -31,6 +32,7 @@ struct Configuration {
   /// State and input, where one is the other's derivative; both empty where there are none.
   std::pair<std::string, std::string> slope_source;
   bool skips_outputs = false, skips_update = false, skips_crossings = false;
+  bool skips_instants = false, steady = false, smooth = false, keeps_to_ticks = false;
 
   bool operator==(const Configuration&) const = default;
 };
@@ -41,11 +43,12 @@ struct Configuration {
 class Configure {
  public:
   Configure(std::set<std::string> connected, double period, std::map<std::string, Eigen::Index> counts = {},
-            std::string name = "")
+            std::string name = "", std::map<std::string, double> constants = {})
       : connected_(std::move(connected)),
         period_(period),
         counts_(std::move(counts)),
-        name_(std::move(name)) {}
+        name_(std::move(name)),
+        constants_(std::move(constants)) {}
 
   /// The block's name in the diagram, "rig.wheel"; for messages alone.
   const std::string& name() const { return name_; }
@@ -60,6 +63,12 @@ class Configure {
   Eigen::Index count() const {
     const auto found = counts_.find(std::string(member_name<input>()));
     return found == counts_.end() ? 0 : found->second;
+  }
+  /// The number that stands in the place of a wire; empty for a wire, and for several numbers.
+  template <auto input>
+  std::optional<double> constant() const {
+    const auto found = constants_.find(std::string(member_name<input>()));
+    return found == constants_.end() ? std::nullopt : std::optional(found->second);
   }
   /// Time between two updates of this block [s].
   double period() const { return period_; }
@@ -89,6 +98,15 @@ class Configure {
   void skip_update() { answers_.skips_update = true; }
   /// This instance crosses nothing.
   void skip_crossings() { answers_.skips_crossings = true; }
+  /// The outputs of this instance are the same at an instant as in the solver's stages.
+  void skip_instants() { answers_.skips_instants = true; }
+  /// This instance acts at ticks alone, where others of its kind act at events, too.
+  void keep_to_ticks() { answers_.keeps_to_ticks = true; }
+  /// The outputs of this instance are constant between its crossings.
+  void steady() { answers_.steady = true; }
+  /// The outputs of this instance jump only where its inputs do; BlockOptions::smooth is the same for all
+  /// instances.
+  void smooth() { answers_.smooth = true; }
   /// The slope of this state is this input as it stands, and derivatives() does nothing else: where the plan
   /// lets the input's source write into the slope's place, nothing needs to be called.
   template <auto state, auto input>
@@ -112,6 +130,7 @@ class Configure {
   double period_;
   std::map<std::string, Eigen::Index> counts_;
   std::string name_;
+  std::map<std::string, double> constants_;
   Configuration answers_;
 };
 

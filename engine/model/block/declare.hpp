@@ -8,6 +8,7 @@
 #include "engine/model/block/block.hpp"
 #include "engine/model/block/block_type.hpp"
 #include "engine/model/block/declare_options.hpp"
+#include "engine/model/block/find_functions.hpp"
 #include "engine/model/block/kernels.hpp"
 #include "engine/model/block/literal.hpp"
 #include "engine/model/block/member_name.hpp"
@@ -55,7 +56,7 @@ class Declare {
     type_.construct = detail::construct<Block>;
     type_.copy = detail::copy<Block>;
     type_.destroy = [](void* block) { detail::Called<Block>(block)->~Block(); };
-    find_phases();
+    detail::find_functions<Block>(type_);
   }
 
   void block(std::string name, BlockOptions options,
@@ -68,8 +69,11 @@ class Declare {
     type_.doc = std::move(options.doc);
     type_.source = std::move(options.source);
     type_.not_real_time = std::move(options.not_real_time);
+    type_.not_linear = std::move(options.not_linear);
     type_.symbol = std::move(options.symbol);
     type_.steady = options.steady;
+    type_.at_events = options.at_events;
+    type_.smooth = options.smooth;
     type_.torn = options.torn;
     if (options.timing != Timing::inherited) type_.timing = options.timing;
   }
@@ -218,8 +222,7 @@ class Declare {
   /// reads these alone.
   template <auto... inputs>
   void crossing(std::string doc, std::string shape = "n") {
-    type_.crossings.push_back(
-        {std::move(doc), std::move(shape), {std::string(member_name<inputs>())...}});
+    type_.crossings.push_back({std::move(doc), std::move(shape), {std::string(member_name<inputs>())...}});
   }
 
   /// Gives the block the time, or the time between its updates.
@@ -255,30 +258,6 @@ class Declare {
   template <auto member>
   static auto& of(void* block) {
     return static_cast<Block*>(block)->*member;
-  }
-
-  void find_phases() {
-    if constexpr (requires(Block b) { b.outputs(); })
-      type_.run_outputs = detail::kernels_of<Block, &Block::outputs>();
-    if constexpr (requires(Block b) { b.derivatives(); })
-      type_.run_derivatives = detail::kernels_of<Block, &Block::derivatives>();
-    if constexpr (requires(Block b) { b.update(); })
-      type_.run_update = detail::kernels_of<Block, &Block::update>();
-    if constexpr (requires(const Block b, Crossings& zero) { b.crossings(zero); })
-      type_.run_crossings = [](const void* block, double* numbers) {
-        Crossings zero(numbers);
-        detail::Called<const Block>(block)->crossings(zero);
-      };
-    if constexpr (requires(Block b, Configure & is) { b.configure(is); })
-      type_.configure = [](void* block, Configure& is) { detail::Called<Block>(block)->configure(is); };
-    if constexpr (requires(Block b) { b.prepare(); })
-      type_.prepare = [](void* block) { detail::Called<Block>(block)->prepare(); };
-    if constexpr (requires(const Block b, Outline& lines) { b.outline(lines); })
-      type_.outline = [](const void* block, Outline& lines) {
-        detail::Called<const Block>(block)->outline(lines);
-      };
-    if constexpr (requires(Block b) { b.start(); })
-      type_.start = [](void* block) { detail::Called<Block>(block)->start(); };
   }
 
   BlockType type_;

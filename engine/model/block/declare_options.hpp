@@ -17,9 +17,16 @@ struct BlockOptions {
   /// Why a real-time loop refuses the block: "reads a file at every step". Left out where no step allocates,
   /// locks, calls the system, or takes a time that nothing bounds.
   std::string not_real_time = "";
+  /// Why linear analyses refuse the block: what it does is no linear system of its states around a point.
+  std::string not_linear = "";
   Symbol symbol{};
   /// Are the outputs constant between crossings?
   bool steady = false;
+  /// Lets a block that remembers act at located events, too, without `every`. It must not count
+  /// on its period.
+  bool at_events = false;
+  /// Promises that outputs jump only where an input or a reset does, never by the time alone.
+  bool smooth = false;
   /// Are algebraic loops through it solved for its outputs? They begin with what start() leaves there.
   bool torn = false;
   /// The header that declares the struct, from the folder of the source that declares the block; needed where

@@ -88,6 +88,14 @@ template <>
 struct Literal<Function> {
   static std::string text(const Function& value, LiteralWriter& writer);
 };
+template <class T, std::size_t size>
+struct Literal<std::array<T, size>> {
+  static std::string text(const std::array<T, size>& value, LiteralWriter& writer) {
+    std::string list;
+    for (const T& element : value) list += (list.empty() ? "{" : ", ") + Literal<T>::text(element, writer);
+    return list + "}";
+  }
+};
 template <>
 struct Literal<Rational> {
   static std::string text(const Rational& value, LiteralWriter& writer);

@@ -182,6 +182,15 @@ struct AlgebraicLoops {
 struct Events {
   bool locate = false;             ///< else blocks find them at the next tick
   std::int64_t max_per_step = 50;  ///< beyond, the run ends
+  std::int64_t rounds = 100;       ///< at one instant; likewise
+  std::int64_t looks = 4;          ///< within a step for what crosses twice
+};
+
+/// How far the steps of a solver may err that chooses their length: a state by relative |x| + absolute.
+struct ErrorControl {
+  double relative = 1e-6;
+  double absolute = 1e-9;           ///< in the state's own SI unit
+  std::int64_t max_steps = 100000;  ///< between two instants; beyond, the run ends
 };
 
 /// What of the thesis a diagram shows.
@@ -201,7 +210,8 @@ struct Diagram {
   Origin step_origin, stop_origin;
   std::string solver;  ///< empty if the file names none
   Origin solver_origin;
-  double tolerance = 1.0;  ///< largest error of a step of an implicit solver, in sizes of its state
+  std::optional<ErrorControl> error_control;  ///< empty for a solver that takes the steps of the file
+  double tolerance = 0.1;  ///< largest error of a step of an implicit solver, in sizes of its state
   AlgebraicLoops algebraic_loops;
   Events events;
   ThesisReference thesis;

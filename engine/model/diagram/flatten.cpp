@@ -63,12 +63,23 @@ class Flattener {
       add_key(root, "title", written_text(diagram_.title));
     add_key(root, "step", written_numbers(one(diagram_.step), time));
     add_key(root, "stop", written_numbers(one(diagram_.stop), time));
-    if (!diagram_.solver.empty()) add_key(root, "solver", written_text(diagram_.solver));
+    if (!diagram_.solver.empty()) add_key(root, "solver", solver());
     if (diagram_.tolerance != Diagram{}.tolerance)
       add_key(root, "tolerance", written_numbers(one(diagram_.tolerance), std::nullopt));
     if (diagram_.algebraic_loops.solve) add_key(root, "algebraic_loops", algebraic_loops());
     if (diagram_.events.locate) add_key(root, "events", events());
     if (diagram_.stop_when) add_key(root, "stop_when", stop_condition(*diagram_.stop_when));
+  }
+
+  yaml::Node solver() const {
+    if (!diagram_.error_control) return written_text(diagram_.solver);
+    const ErrorControl& control = *diagram_.error_control;
+    yaml::Node keys;
+    add_key(keys, "name", written_text(diagram_.solver));
+    add_key(keys, "relative", written_numbers(one(control.relative), std::nullopt));
+    add_key(keys, "absolute", written_numbers(one(control.absolute), std::nullopt));
+    add_key(keys, "max_steps", written_text(std::to_string(control.max_steps)));
+    return keys;
   }
 
   yaml::Node algebraic_loops() const {
@@ -82,9 +93,15 @@ class Flattener {
   }
 
   yaml::Node events() const {
-    if (diagram_.events.max_per_step == Events{}.max_per_step) return written_text("locate");
+    const Events& events = diagram_.events;
+    const Events usual;
+    if (events.max_per_step == usual.max_per_step && events.rounds == usual.rounds &&
+        events.looks == usual.looks)
+      return written_text("locate");
     yaml::Node keys;
-    add_key(keys, "max_per_step", written_text(std::to_string(diagram_.events.max_per_step)));
+    add_key(keys, "max_per_step", written_text(std::to_string(events.max_per_step)));
+    add_key(keys, "rounds", written_text(std::to_string(events.rounds)));
+    add_key(keys, "looks", written_text(std::to_string(events.looks)));
     return keys;
   }
 

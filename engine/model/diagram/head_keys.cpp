@@ -54,11 +54,7 @@ std::vector<HeadRow> run_rows() {
       time_row("step", "time between ticks: 1 ms", &Diagram::step, &Diagram::step_origin),
       time_row("stop", "end of the run, a whole multiple of the step: 5 s", &Diagram::stop,
                &Diagram::stop_origin),
-      {"solver", "how continuous states go from tick to tick; none where there are none", form::text(),
-       [](Diagram& diagram, const yaml::Node& node, const HeadReading& read) {
-         read.take(node, {}, diagram.solver);
-         diagram.solver_origin = read.origin;
-       }},
+      solver_row(),
       {"tolerance", "error of a step, in sizes of its state, beyond which rosenbrock and sdirk end the run",
        form::above_zero(form::number()), &Diagram::tolerance},
       loops_row(),

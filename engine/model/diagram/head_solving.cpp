@@ -39,12 +39,56 @@ void read_loops(Diagram& diagram, const yaml::Node& node, const HeadReading& rea
   diagram.algebraic_loops.solve = loops_table().read(node, diagram.algebraic_loops, read);
 }
 
+/// Keys of a map at `solver`.
+struct ControlledSolver {
+  std::string name;
+  double relative = ErrorControl{}.relative, absolute = ErrorControl{}.absolute;
+  std::int64_t max_steps = ErrorControl{}.max_steps;
+};
+
+using SolverTable = yaml::KeyTable<ControlledSolver, HeadReading>;
+
+const SolverTable& solver_table() {
+  static const yaml::Key above_zero = form::above_zero(form::number());
+  static const SolverTable table(
+      "solver", "{name: dormand_prince, relative: 1e-6}",
+      {yaml::needed(SolverTable::Row{"name", "auto, or the name of a solver that estimates its error",
+                                     form::text(), &ControlledSolver::name}),
+       {"relative", "error of a step that is allowed, in parts of each state", above_zero,
+        &ControlledSolver::relative},
+       {"absolute", "the same where a state is near 0, in its own SI unit", above_zero,
+        &ControlledSolver::absolute},
+       {"max_steps", "steps between two instants beyond which the run ends", form::whole(1),
+        &ControlledSolver::max_steps}});
+  return table;
+}
+
+void read_solver(Diagram& diagram, const yaml::Node& node, const HeadReading& read) {
+  diagram.solver_origin = read.origin;
+  diagram.error_control.reset();
+  if (node.is_scalar()) {
+    read.take(node, {}, diagram.solver);
+    if (diagram.solver == "auto" || diagram.solver == "rodas")
+      diagram.error_control.emplace();  // always control it
+    return;
+  }
+  ControlledSolver solver;
+  if (!solver_table().read(node, solver, read)) return;
+  diagram.solver = solver.name;
+  diagram.error_control = ErrorControl{solver.relative, solver.absolute, solver.max_steps};
+}
+
 using EventsTable = yaml::KeyTable<Events, HeadReading>;
 
 const EventsTable& events_table() {
-  static const EventsTable table("events", "{max_per_step: 20}",
-                                 {{"max_per_step", "events in one step beyond which the run ends",
-                                   form::whole(1), &Events::max_per_step}});
+  static const EventsTable table(
+      "events", "{max_per_step: 20}",
+      {{"max_per_step", "events in one step beyond which the run ends", form::whole(1),
+        &Events::max_per_step},
+       {"rounds", "how often blocks may change each other at one instant before the run ends", form::whole(1),
+        &Events::rounds},
+       {"looks", "how often a step is looked into for what crosses twice in it", form::whole(0),
+        &Events::looks}});
   return table;
 }
 
@@ -70,6 +114,15 @@ HeadRow loops_row() {
                         "what becomes of outputs that depend on themselves at the same instant: solve, "
                         "or how: {tolerance: 1e-12}",
                         loops_form(), read_loops});
+}
+
+HeadRow solver_row() {
+  static const yaml::Key form = form::either({form::text(), solver_table().form});
+  return {
+      "solver",
+      "how continuous states go from tick to tick; none where there are none. A name, or with control of the "
+      "error: {name: dormand_prince, relative: 1e-6, absolute: 1e-9}",
+      form, read_solver};
 }
 
 HeadRow events_row() {

@@ -4,7 +4,8 @@
 
 namespace stepwire::diagram {
 
-/// The rows `algebraic_loops` and `events` of the head.
+/// The rows `solver`, `algebraic_loops` and `events` of the head.
+yaml::KeyRow<Diagram, HeadReading> solver_row();
 yaml::KeyRow<Diagram, HeadReading> loops_row();
 yaml::KeyRow<Diagram, HeadReading> events_row();
 

@@ -37,6 +37,13 @@ bool is_one_number(const Value& value, Eigen::Index size) {
   return std::ranges::all_of(*numbers, [&](double number) { return number == (*numbers)[0]; });
 }
 
+/// Whether a block that says this fits into a plan that was made for the other. What is smooth now does so in
+/// a plan that reckons with jumps, too.
+bool fits(Configuration made, const Configuration& planned) {
+  if (made.smooth) made.smooth = planned.smooth;
+  return made == planned;
+}
+
 /// Gathers the change, block by block.
 class Changing {
  public:
@@ -133,7 +140,7 @@ class Changing {
   void rebuild(std::size_t block, AnyBlock written) {
     const PlannedBlock& planned = plan_.blocks[block];
     AnyBlock made = written;
-    if (planned.configuration && configure(plan_, block, made.get(), faults_) != *planned.configuration)
+    if (planned.configuration && !fits(configure(plan_, block, made.get(), faults_), *planned.configuration))
       refuse_structure(block, "configure", "sizes, units or what depends on what become others");
     if (!faults_.empty()) return;
     fit_sizes(block, made);

@@ -18,12 +18,18 @@ Configure what_is_known(const Plan& plan, std::size_t index) {
   const diagram::DiagramBlock& block = plan.diagram.blocks[index];
   std::set<std::string> connected;
   std::map<std::string, Eigen::Index> counts;
+  std::map<std::string, double> constants;
   for (std::size_t input = 0; input < block.inputs.size(); ++input) {
     const InputSpec& spec = block.type().inputs[input];
     if (!block.inputs[input].empty()) connected.insert(spec.name);
+    if (block.inputs[input].size() == 1)
+      if (const diagram::Source& source = block.inputs[input].front();
+          source.block < 0 && source.constant.size() == 1)
+        constants[spec.name] = source.constant[0];
     if (spec.list) counts[spec.name] = static_cast<Eigen::Index>(block.inputs[input].size());
   }
-  return Configure(std::move(connected), period_of(plan, index), std::move(counts), block.name);
+  return Configure(std::move(connected), period_of(plan, index), std::move(counts), block.name,
+                   std::move(constants));
 }
 
 yaml::Fault fault_of(const Plan& plan, std::size_t index, const ParameterRefused& refused) {
@@ -72,6 +78,7 @@ void configure_blocks(Draft& draft) {
     const BlockType& type = block.type();
     Draft::Block& made = draft.blocks[i];
     made.computes = bool(type.run_outputs);
+    made.differs_at_instants = bool(type.run_outputs_at_instant);
     made.updates = bool(type.run_update);
     if (type.configure || type.prepare) planned.written = block.block;
     if (!type.configure) continue;
@@ -83,6 +90,7 @@ void configure_blocks(Draft& draft) {
       if (const auto parsed = unit::parse_unit(unit))
         block.known_units.emplace_back(variable, parsed->dimension);
     made.computes = made.computes && !made.says.skips_outputs;
+    made.differs_at_instants = made.differs_at_instants && !made.says.skips_instants;
     made.updates = made.updates && !made.says.skips_update;
     planned.configuration = std::make_shared<const Configuration>(made.says);
   }

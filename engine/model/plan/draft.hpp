@@ -26,8 +26,9 @@ struct CallOrder {
 /// A plan while it is made: the plan itself and what is known of each block in between.
 struct Draft {
   struct Block {
-    Configuration says;     ///< what configure() answered
-    bool computes = false;  ///< has outputs() to call
+    Configuration says;                ///< what configure() answered
+    bool computes = false;             ///< has outputs() to call
+    bool differs_at_instants = false;  ///< and another function for ticks and events
     bool updates = false;
     bool in_stages = false;      ///< do derivatives depend on its outputs?
     bool timed = false;          ///< do its outputs follow from the time and constants alone?
@@ -52,6 +53,10 @@ struct Draft {
   const BlockType& type(std::size_t block) const { return plan.diagram.blocks[block].type(); }
   /// Does this output change at once when this input does?
   bool depends(std::size_t block, std::size_t input, std::size_t output) const;
+  /// Tells whether its outputs are constant between events, with these located.
+  bool is_steady(std::size_t block) const {
+    return plan.diagram.events.locate && (type(block).steady || blocks[block].says.steady);
+  }
   /// Is this output a state, without computation?
   bool is_state(std::size_t block, std::size_t output) const;
 };

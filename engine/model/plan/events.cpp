@@ -17,6 +17,9 @@ class EventPlan {
   void run() {
     for (std::size_t b = 0; b < draft_.blocks.size(); ++b)
       if (crosses(b)) add_crossings(b);
+    for (std::size_t b = 0; b < draft_.blocks.size(); ++b)
+      if (draft_.type(b).run_next_edge && rate(b).kind == Rate::Kind::continuous)
+        draft_.plan.edges.push_back(b);
     add_stop();
     while (!open_.empty()) {
       const std::size_t block = open_.back();
@@ -28,7 +31,8 @@ class EventPlan {
       guards_act = guards_act || (is_guard(b) && follows(b));
     for (std::size_t b = 0; b < draft_.blocks.size(); ++b) {
       Draft::Block& block = draft_.blocks[b];
-      const bool changes = crosses(b) || draft_.type(b).has_continuous_state() || is_triggered(b);
+      const bool changes = crosses(b) || draft_.type(b).has_continuous_state() || is_triggered(b) ||
+                           (draft_.type(b).at_events && !block.says.keeps_to_ticks);
       block.at_events = follows(b) && (block.in_stages || changes || !has_memory(b));
       block.before_guards = guards_act && block.at_events && !is_guard(b);
       block.updates_at_events = block.at_events && changes;
@@ -83,7 +87,7 @@ class EventPlan {
     const auto index = static_cast<std::size_t>(source);
     Draft::Block& block = draft_.blocks[index];
     if (block.for_crossings || !block.computes || block.timed || rate(index).kind != Rate::Kind::continuous ||
-        draft_.type(index).steady)
+        draft_.is_steady(index))
       return;
     block.for_crossings = true;
     open_.push_back(index);
@@ -153,7 +157,7 @@ class AheadBlocks {
 void find_events(Draft& draft, const CallOrder& order) {
   if (!draft.diagram().events.locate) return;
   EventPlan(draft).run();
-  AheadBlocks(draft, order).run();
+  if (!draft.plan.jumps) AheadBlocks(draft, order).run();
 }
 
 }  // namespace stepwire::plan

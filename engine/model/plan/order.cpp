@@ -120,7 +120,7 @@ class Order {
       if (draft_.blocks[block].in_stages || draft_.plan.blocks[block].rate.kind != Rate::Kind::continuous)
         return;
       // Between events it is constant; what it would be beyond the next one must not count.
-      if (draft_.type(block).steady && draft_.diagram().events.locate) return;
+      if (draft_.is_steady(block)) return;
       draft_.blocks[block].in_stages = true;
       stack.push_back(block);
     };

@@ -87,7 +87,7 @@ struct Layout {
   static constexpr std::size_t time = 0;
   static constexpr std::size_t timed = 1;  ///< for which time Plan::timed was computed last
   static constexpr std::size_t first = 2;  ///< of what blocks have
-  static constexpr std::size_t report_count = 3, loop_count = 7, event_count = 6;
+  static constexpr std::size_t report_count = 10, loop_count = 7, event_count = 6;
   static constexpr double never = -1.0;  ///< stands at `timed` before the start
   std::size_t signals = first;
   std::size_t states = first;
@@ -148,7 +148,14 @@ struct Plan {
   /// The loops in one of the tables above.
   const std::vector<LoopCall>& loops_of(const std::vector<KernelCall>& table) const;
 
+  /// True where a source may jump: the solver must not see the tick at the end of its step then.
+  bool jumps = false;
+  /// Tells whether steps are split at events.
+  bool splits_steps() const { return crossing_count > 0 || !edges.empty(); }
+
   // Where events are located; empty otherwise.
+  std::vector<std::size_t>
+      edges;  ///< sources that declare when they jump or bend, by their index in Plan::blocks
   std::vector<CrossingCall> crossings;
   std::size_t crossing_count = 0;
   std::optional<std::size_t> stop_crossing;  ///< which of the numbers is that of `stop_when`

@@ -83,6 +83,7 @@ struct OutputTable {
   std::vector<KernelCall>& calls;
   std::vector<LoopCall>& loops;
   bool (*has)(const Draft::Block& block);  ///< does it call this block, which is neither constant nor timed?
+  bool at_instants = false;                ///< is it called at ticks and events, rather than between them?
   std::size_t closed = 0;                  ///< calls that no block may join
 
   void close() { closed = calls.size(); }
@@ -117,7 +118,10 @@ class OutputTables {
       if (table.has(draft_.blocks[block])) append(table, block);
   }
   void append(OutputTable& table, std::size_t block) {
-    plan::append(table.calls, draft_, block, draft_.type(block).run_outputs, table.closed);
+    const BlockType& type = draft_.type(block);
+    const bool at_instant = table.at_instants && draft_.blocks[block].differs_at_instants;
+    plan::append(table.calls, draft_, block, at_instant ? type.run_outputs_at_instant : type.run_outputs,
+                 table.closed);
   }
 
   /// The calls since the loop began are its own.
@@ -149,14 +153,14 @@ class OutputTables {
   Plan& plan_ = draft_.plan;
   OutputTable tables_[10] = {{plan_.once, plan_.once_loops, never},
                              {plan_.timed, plan_.timed_loops, never},
-                             {plan_.outputs, plan_.output_loops, always},
+                             {plan_.outputs, plan_.output_loops, always, true},
                              {plan_.stage, plan_.stage_loops, in_stages},
                              {plan_.ahead, plan_.ahead_loops, ahead},
-                             {plan_.rest, plan_.rest_loops, has_ahead() ? not_ahead : never},
+                             {plan_.rest, plan_.rest_loops, has_ahead() ? not_ahead : never, true},
                              {plan_.crossing_outputs, plan_.crossing_loops, for_crossings},
                              {plan_.crossing_starts, plan_.crossing_start_loops, starts_crossings},
-                             {plan_.event_outputs, plan_.event_loops, at_events},
-                             {plan_.event_befores, plan_.event_before_loops, before_guards}};
+                             {plan_.event_outputs, plan_.event_loops, at_events, true},
+                             {plan_.event_befores, plan_.event_before_loops, before_guards, true}};
   OutputTable &once_ = tables_[0], &timed_ = tables_[1];
 };
 
@@ -170,7 +174,9 @@ void append_updates(Draft& draft, std::size_t block) {
   if (!draft.blocks[block].updates) return;
   const BlockType& type = draft.type(block);
   append(draft.plan.updates, draft, block, type.run_update);
-  if (draft.blocks[block].updates_at_events) append(draft.plan.event_updates, draft, block, type.run_update);
+  if (draft.blocks[block].updates_at_events)
+    append(draft.plan.event_updates, draft, block,
+           type.run_update_at_event ? type.run_update_at_event : type.run_update);
   draft.plan.updates_continuous = draft.plan.updates_continuous || type.has_continuous_state();
 }
 

@@ -33,10 +33,9 @@ class TimedBlocks {
   }
 
   bool may_be_timed(std::size_t block) const {
-    return draft_.blocks[block].computes && draft_.type(block).states.empty() &&
-           draft_.diagram().blocks[block].guard < 0 &&
-           draft_.plan.blocks[block].rate.kind == Rate::Kind::continuous &&
-           !(draft_.type(block).steady && draft_.diagram().events.locate);
+    return draft_.blocks[block].computes && !draft_.blocks[block].differs_at_instants &&
+           draft_.type(block).states.empty() && draft_.diagram().blocks[block].guard < 0 &&
+           draft_.plan.blocks[block].rate.kind == Rate::Kind::continuous && !draft_.is_steady(block);
   }
 
   bool is_timed(const diagram::Source& source) const {
@@ -60,8 +59,60 @@ class TimedBlocks {
 
 }  // namespace
 
+namespace {
+
+/// Finds whether an output may jump by the time alone: a block that has a clock may, and one that reads only
+/// such blocks and constants, unless it is smooth.
+class Jumps {
+ public:
+  explicit Jumps(const Draft& draft) : draft_(draft), follows_time_(draft.blocks.size(), false) {}
+
+  bool run() {
+    while (find_more()) continue;
+    for (std::size_t b = 0; b < follows_time_.size(); ++b)
+      if (follows_time_[b] && !is_smooth(b)) return true;
+    return false;
+  }
+
+ private:
+  bool is_smooth(std::size_t block) const {
+    return draft_.type(block).smooth || draft_.blocks[block].says.smooth;
+  }
+
+  bool find_more() {
+    bool found = false;
+    for (std::size_t b = 0; b < follows_time_.size(); ++b)
+      if (!follows_time_[b] && follows_time(b)) found = follows_time_[b] = true;
+    return found;
+  }
+
+  bool follows_time(std::size_t block) const {
+    const Rate::Kind kind = draft_.plan.blocks[block].rate.kind;
+    if (kind != Rate::Kind::continuous || !draft_.blocks[block].computes) return false;
+    const auto& clocks = draft_.type(block).clocks;
+    // Smooth blocks with inputs have a clock for their diagnostics.
+    bool time =
+        std::ranges::any_of(clocks, [](const ClockSpec& clock) { return clock.bind_time != nullptr; });
+    if (time && !is_smooth(block)) return true;
+    for (const auto& sources : draft_.plan.diagram.blocks[block].inputs)
+      for (const diagram::Source& source : sources) {
+        if (source.block < 0) continue;
+        const auto from = static_cast<std::size_t>(source.block);
+        if (!follows_time_[from] && draft_.plan.blocks[from].rate.kind != Rate::Kind::constant) return false;
+        time = time || follows_time_[from];
+      }
+    return time;
+  }
+
+  const Draft& draft_;
+  std::vector<bool> follows_time_;
+};
+
+}  // namespace
+
 void find_timed(Draft& draft) {
   TimedBlocks(draft).run();
+  draft.plan.jumps = !draft.diagram().solver.empty() && Jumps(draft).run();
 }
 
 }  // namespace stepwire::plan

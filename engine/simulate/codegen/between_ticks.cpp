@@ -14,13 +14,13 @@ bool runs(const plan::KernelCall& call, const plan::PlannedBlock& block) {
   return call.first <= block.memory && block.memory < call.end;
 }
 
-/// Does a block act at ticks for no other reason than that the inputs of the diagram are read there, or only look?
+/// Does a block act at ticks for no other reason than that the inputs of the diagram are read there, or only
+/// look?
 bool has_ticks_of_inputs(const plan::Plan& plan, std::size_t b) {
   const diagram::DiagramBlock& block = plan.diagram.blocks[b];
   const BlockType& type = block.type();
   if (plan.blocks[b].rate.ticks != 1 || block.every || !type.states.empty()) return false;
-  return type.timing == Timing::inherited || type.outputs.empty() ||
-         &type == &diagram::external_input_type();
+  return type.timing == Timing::inherited || type.outputs.empty() || &type == &diagram::external_input_type();
 }
 
 /// The first block whose update changes a state; null where updates only look.
@@ -72,8 +72,12 @@ std::string between_ticks_members(const plan::Plan& plan) {
                 "  /// Numbers that change their sign at events, after evaluate_at().\n"
                 "  static constexpr int crossing_count = {};\n  void crossings(double* numbers);\n",
                 plan.crossing_count);
+  const std::string edges =
+      plan.edges.empty()
+          ? ""
+          : "  /// When a source jumps or bends next [s], after evaluate_at().\n  double next_edge();\n";
   return fmt::format(members_form, plan.layout.states, plan.layout.derivatives, plan.layout.state_count,
-                     crossings);
+                     crossings + edges);
 }
 
 std::string evaluate_here_text(const plan::Plan& plan) {
@@ -86,12 +90,16 @@ std::string between_ticks_definitions(const plan::Plan& plan, const std::string&
       plan.crossing_count == 0
           ? ""
           : fmt::format("void Diagram::crossings(double* z) {{\n  look(w_, {}, 0, z);\n}}\n\n", numbers);
+  const std::string edges =
+      plan.edges.empty()
+          ? ""
+          : fmt::format("double Diagram::next_edge() {{\n  return ::next_edge(w_, {}, 0);\n}}\n\n", numbers);
   return fmt::format(
              "void Diagram::evaluate_at(double time) {{\n{1}  w_[{2}] = time;\n  evaluate_here(w_, "
              "{0});\n{3}}}\n\n"
              "void Diagram::complete_step() {{\n  ::update(w_, {0}, 0);\n}}\n\n",
              numbers, before, plan::Layout::time, after) +
-         crossings;
+         crossings + edges;
 }
 
 }  // namespace stepwire::codegen

@@ -163,10 +163,11 @@ std::string fault_text(const plan::Plan& plan) {
                             plan.blocks[b].diagnostics[n].offset,
                             cpp_string(comment_of(plan, b) + ": " + block.type().diagnostics[n].doc));
   }
-  if (plan.crossing_count > 0)
-    text += fmt::format("  if (w_[{}] != 0.0) return \"too many events in a step\";\n",
+  if (plan.splits_steps())
+    text += fmt::format("  if (w_[{}] != 0.0) return \"events of a step come to no end\";\n",
                         plan.layout.events + solve::EventReport::end);
-  if (plan.layout.state_count > 0 && solve::find_implicit(plan.diagram.solver))
+  if (plan.layout.state_count > 0 &&
+      solve::find_called(plan.diagram.solver, plan.diagram.error_control.has_value()))
     text += fmt::format("  if (w_[{}] != 0.0) return \"the step is too large for the solver\";\n",
                         plan.layout.report);
   return text;
@@ -262,11 +263,11 @@ std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, con
              "[[gnu::flatten]] void Diagram::advance() {{\n  ::advance(w_, {1}, tick);\n  ++tick;\n}}\n\n",
              tuned.check, tuned.numbers, copies(groups.inputs, true), copies(groups.inputs, false),
              copies(groups.outputs, true), copies(groups.recorded, true)) +
-         save_definitions(plan, tuned) +
-         states_definitions(plan, groups.states) + unsolved_text(plan) +
-         (between_ticks ? between_ticks_definitions(plan, tuned.numbers, tuned.check + copies(groups.inputs, false),
-                                                    copies(groups.outputs, true) + copies(groups.recorded, true))
-                        : "") +
+         save_definitions(plan, tuned) + states_definitions(plan, groups.states) + unsolved_text(plan) +
+         (between_ticks
+              ? between_ticks_definitions(plan, tuned.numbers, tuned.check + copies(groups.inputs, false),
+                                          copies(groups.outputs, true) + copies(groups.recorded, true))
+              : "") +
          fmt::format(
              "bool Diagram::finite() const {{\n"
              "  std::uint64_t bits = 0;  // a product with 0 is 0 for what is finite and nan for the rest\n"

@@ -9,26 +9,36 @@
 #include "engine/simulate/codegen/guard_text.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
 #include "engine/simulate/solve/event_locator.hpp"
+#include "engine/simulate/solve/step_report.hpp"
 
 namespace stepwire::codegen {
 
 namespace {
 
-/// Of the states, the crossings, the place of the report, the most events; the solver's step, what follows
-/// the time, the rounds at an event, the slopes, what comes before guards, what they keep, whether the run
-/// ends, the place and the size of the solver's report.
+/// Holes, in their order. Of the task: states, crossings, the first signal, count of numbers, the report,
+/// whether sources jump, most events, most rounds. Then: the solver's step, what follows the time, the
+/// solver's report and its size, the slopes, calls before guards, what guards keep, the condition of an end,
+/// and the task's looks.
 constexpr char locate_form[] =
-    "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, scratch}};\n"
-    "  const auto go = [&]([[maybe_unused]] double now, [[maybe_unused]] double end, "
-    "[[maybe_unused]] double step) {{\n{4}  }};\n"
-    "  const auto begin = [&] {{\n    for (int i = 0; i < {12}; ++i) w[{11} + i] = 0.0;\n{5}{7}    "
-    "follow_crossings(w, numbers, tick);\n  }};\n"
-    "  const auto follow = [&] {{\n{5}    follow_crossings(w, numbers, tick);\n  }};\n"
-    "  const auto look_here = [&](double* z) {{ look(w, numbers, tick, z); }};\n"
-    "  const auto act = [&] {{\n{5}{8}{9}    for (int round = 0; round < {6}; ++round) {{\n"
-    "      event_outputs(w, numbers, tick);\n      event_updates(w, numbers, tick);\n{9}    }}\n"
-    "{7}    follow_crossings(w, numbers, tick);\n    return {10};\n  }};\n"
-    "  solve::EventLocator(task, w, go, begin, follow, look_here, act)\n"
+    "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, {4}, {5}, {6}, "
+    "{7}, {16}, scratch}};\n"
+    "  struct Between {{\n    double* w;\n    [[maybe_unused]] const double* numbers;\n    std::int64_t "
+    "tick;\n"
+    "    void advance([[maybe_unused]] double now, [[maybe_unused]] double end, "
+    "[[maybe_unused]] double step) const {{\n{8}    }}\n"
+    "    void begin() const {{\n    for (int i = 0; i < {11}; ++i) w[{10} + i] = 0.0;\n{9}    settle();\n    "
+    "}}\n"
+    "    void follow() const {{\n{9}    follow_crossings(w, numbers, tick);\n    }}\n"
+    "    void crossings(double* z) const {{ look(w, numbers, tick, z); }}\n"
+    "    double edge() const {{ return next_edge(w, numbers, tick); }}\n"
+    "    void before() const {{\n{9}{13}{14}    }}\n"
+    "    void round() const {{\n    event_outputs(w, numbers, tick);\n    event_updates(w, numbers, "
+    "tick);\n{14}    }}\n"
+    "    bool after() const {{\n    settle();\n    return {15};\n    }}\n"
+    "    void settle() const {{\n{12}    follow_crossings(w, numbers, tick);\n    }}\n"
+    "  }};\n"
+    "  const Between between{{w, numbers, tick}};\n"
+    "  solve::EventLocator(task, w, between)\n"
     "      .advance(static_cast<double>(tick) * step, static_cast<double>(tick + 1) * step, step);\n";
 
 constexpr char in_place[] = "slopes_in_place(w, numbers)";
@@ -37,6 +47,11 @@ expression::VariableText stop_variables(const plan::Plan& plan) {
   return [&plan](std::size_t i) {
     return fmt::format("w[{}]", plan.offset(plan.diagram.stop_when->variables[i]));
   };
+}
+
+/// Signals and states.
+std::size_t numbers_at_events(const plan::Plan& plan) {
+  return plan.layout.diagnostics - plan.layout.signals;
 }
 
 std::string follow_time_text(const plan::Plan& plan) {
@@ -62,42 +77,65 @@ std::string look_text(const plan::Plan& plan, const Statements& statements, cons
   return text;
 }
 
+std::string edge_text(const plan::Plan& plan, const Statements& statements, const Places& places) {
+  std::string text = "  double edge = std::numeric_limits<double>::infinity();\n";
+  for (const std::size_t block : plan.edges) text += statements.call(block, Phase::next_edge, places);
+  return text + "  return edge;\n";
+}
+
 std::string locate_text(const plan::Plan& plan, const PlaceNames& names) {
   const plan::Layout& layout = plan.layout;
+  const diagram::Events& events = plan.diagram.events;
   const bool guards = !plan.event_befores.empty();
   const bool moves = layout.state_count > 0;
   return fmt::format(
-      locate_form, layout.state_count, plan.crossing_count, layout.events, plan.diagram.events.max_per_step,
-      moves ? solver_text(plan, {false, false, in_place}) : "", follow_time_text(plan),
-      solve::EventTask::rounds, moves ? fmt::format("    {};\n", in_place) : "",
+      locate_form, layout.state_count, plan.crossing_count, layout.signals, numbers_at_events(plan),
+      layout.events, plan.jumps, events.max_per_step, events.rounds,
+      moves ? solver_text(plan, {false, false, in_place}) : "", follow_time_text(plan), layout.report,
+      solve::StepReport::count, moves ? fmt::format("    {};\n", in_place) : "",
       guards ? "    event_befores(w, numbers, tick);\n" : "", guards ? keep_text(names, plan) : "",
       plan.stop_crossing ? plan.diagram.stop_when->expression.cpp_condition(stop_variables(plan)) : "false",
-      layout.report, plan::Layout::report_count);
+      events.looks);
 }
 
 std::string before_step_text(const plan::Plan& plan) {
   const std::size_t states = plan.layout.state_count;
-  std::string text = fmt::format("  double before[{0}], after[{0}], origin[{1}];\n", plan.crossing_count,
-                                 std::max<std::size_t>(1, states));
+  std::string text =
+      fmt::format("  double before[{0}], after[{0}], origin[{1}];\n",
+                  std::max<std::size_t>(1, plan.crossing_count), std::max<std::size_t>(1, states));
   if (plan.updates_continuous) text += "  crossing_starts(w, numbers, tick);\n";
   text += "  look(w, numbers, tick, before);\n";
+  if (!plan.edges.empty())
+    text +=
+        "  const bool has_edge = next_edge(w, numbers, tick) < solve::left_of(static_cast<double>(tick + 1) "
+        "* step, step);\n";
   return text + fmt::format("  for (int i = 0; i < {}; ++i) origin[i] = w[states + i];\n", states);
 }
 
 // What locate() is given is copied there: numbers whose address is known elsewhere are in no register.
 std::string after_step_text(const plan::Plan& plan) {
   const std::size_t states = plan.layout.state_count, crossings = plan.crossing_count;
-  return "  w[at::time] = static_cast<double>(tick + 1) * step;\n" + follow_time_text(plan) +
+  const std::size_t past = plan.layout.events + solve::EventReport::count;
+  std::string reasons = plan.edges.empty() ? "" : "has_edge || ";
+  if (plan.diagram.events.looks > 0)
+    reasons = fmt::format("solve::may_cross_twice(before, after, w + {}, {}, {}) || ", past, crossings,
+                          plan.loops.empty()) +
+              reasons;
+  return fmt::format("  w[at::time] = {};\n", end_of_step_text(plan)) + follow_time_text(plan) +
          fmt::format(
              "  crossing_ends(w, numbers, tick);\n  look(w, numbers, tick, after);\n  w[{0}] = 1.0;\n"
-             "  if (solve::sign_changes(before, after, {1})) [[unlikely]] {{\n    double scratch[{2}];\n"
+             "  if ({5}solve::sign_changes(before, after, {1})) [[unlikely]] {{\n    double scratch[{2}];\n"
              "    for (int i = 0; i < {3}; ++i) scratch[i] = origin[i];\n"
              "    for (int i = 0; i < {1}; ++i) scratch[{4} + i] = before[i];\n"
-             "    for (int i = 0; i < {1}; ++i) scratch[{5} + i] = after[i];\n"
-             "    locate(w, numbers, tick, scratch);\n  }}\n",
+             "    locate(w, numbers, tick, scratch);\n    w[{6}] = solve::look_closer;\n  }}\n",
              plan.layout.events + solve::EventReport::ahead, crossings,
-             solve::EventTask::scratch_size(states, crossings), states, solve::EventTask::before(states),
-             solve::EventTask::after(states, crossings));
+             solve::EventTask::scratch_size(states, crossings, numbers_at_events(plan)), states,
+             solve::EventTask::before(states), reasons, past);
+}
+
+std::string end_of_step_text(const plan::Plan& plan) {
+  constexpr char next[] = "static_cast<double>(tick + 1) * step";
+  return plan.jumps ? fmt::format("solve::left_of({}, step)", next) : next;
 }
 
 }  // namespace stepwire::codegen

@@ -167,9 +167,11 @@ std::vector<std::string> headers_of(const plan::Plan& plan) {
     if (!header.empty()) headers.insert(header);
     if (is_of_others(header)) headers.insert("engine/base/math/floating_point.hpp");
   }
-  if (const auto method = solve::find_implicit(plan.diagram.solver)) headers.insert(method->header);
+  if (const auto method = solve::find_called(plan.diagram.solver, plan.diagram.error_control.has_value()))
+    headers.insert(method->headers.begin(), method->headers.end());
   if (!plan.loops.empty()) headers.insert("engine/simulate/solve/loop_solver.hpp");
-  if (plan.crossing_count > 0) headers.insert("engine/simulate/solve/event_locator.hpp");
+  if (plan.splits_steps()) headers.insert("engine/simulate/solve/event_locator.hpp");
+  if (plan.jumps) headers.insert("engine/simulate/solve/left_of.hpp");
   if (plan.diagram.stop_when) headers.insert(language_header);
   headers.insert("engine/model/block/block.hpp");
   return {headers.begin(), headers.end()};

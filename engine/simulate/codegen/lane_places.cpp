@@ -88,7 +88,8 @@ std::string why_not_in_lanes(const plan::Plan& plan) {
   if (!plan.guards.empty()) return "blocks of it run on condition";
   if (!plan.loops.empty()) return "it has algebraic loops";
   if (plan.crossing_count > 0) return "its events are located";
-  if (solve::find_implicit(plan.diagram.solver)) return "its solver is implicit";
+  if (solve::find_called(plan.diagram.solver, plan.diagram.error_control.has_value()))
+    return plan.diagram.error_control ? "its solver chooses its steps" : "its solver is implicit";
   return "";
 }
 

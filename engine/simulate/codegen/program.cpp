@@ -39,7 +39,8 @@ class Maker {
         literals_(in_lanes() ? "numbers.lane(l)" : "numbers"),
         statements_(plan, names_, variable, lanes_, literals_),
         small_(count_of(plan.stage) + count_of(plan.derivatives) <= max_inlined &&
-               !solve::find_implicit(plan.diagram.solver) && plan.loops.empty()),
+               !solve::find_called(plan.diagram.solver, plan.diagram.error_control.has_value()) &&
+               plan.loops.empty()),
         functions_(small_) {}
 
   void add_steps() {
@@ -48,7 +49,7 @@ class Maker {
     add_outputs();
     add_updates();
     if (plan_.layout.state_count > 0) add_slopes();
-    if (plan_.crossing_count > 0) add_events();
+    if (plan_.splits_steps()) add_events();
     add_advance();
   }
 
@@ -136,7 +137,7 @@ class Maker {
       code.push_back({fmt::format("  if (w[{}] == 0.0) ahead({});\n", ahead_place(), state_arguments)});
       append(code, outputs_of(plan_.rest));
     }
-    if (plan_.crossing_count > 0) code.push_back({fmt::format("  w[{}] = 0.0;\n", ahead_place())});
+    if (plan_.splits_steps()) code.push_back({fmt::format("  w[{}] = 0.0;\n", ahead_place())});
     functions_.add("evaluate", state_parameters(), state_arguments, code);
   }
 
@@ -199,22 +200,20 @@ class Maker {
   }
 
   void add_advance() {
-    const bool moves = plan_.layout.state_count > 0, crosses = plan_.crossing_count > 0;
+    const bool moves = plan_.layout.state_count > 0, splits = plan_.splits_steps();
     std::string body = stop_guard() + "  update(w, numbers, tick);\n";
     if (moves) {
-      body +=
-          "  const double now = static_cast<double>(tick) * step;\n"
-          "  const double end = static_cast<double>(tick + 1) * step;\n";
-      body += keep_text(names_, plan_);
+      body += "  const double now = static_cast<double>(tick) * step;\n";
+      body += "  const double end = " + end_of_step_text(plan_) + ";\n" + keep_text(names_, plan_);
       if (plan_.updates_continuous) {
         const std::vector<Code> stage =
             calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_workspace());
         body += with_conditions(stage, 0, stage.size());
       }
     }
-    if (crosses) body += before_step_text(plan_);
+    if (splits) body += before_step_text(plan_);
     if (moves) body += solver_text(plan_, {.small = small_, .lanes = lanes_});
-    if (crosses) body += after_step_text(plan_);
+    if (splits) body += after_step_text(plan_);
     functions_.add_text(
         fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters(), body));
   }
@@ -231,18 +230,19 @@ class Maker {
     if (!plan_.event_befores.empty()) add("event_befores", outputs_of(plan_.event_befores));
     add("event_outputs", outputs_of(plan_.event_outputs));
     add("event_updates", calls_of(plan_, statements_, plan_.event_updates, Phase::update, at_tick()));
-    const char* const rarely = "[[gnu::noinline, gnu::cold]] inline void";
-    functions_.add_text(fmt::format("{} look({}, double* z) {{\n{}}}\n\n", functions_.attribute() + " void",
-                                    state_parameters(), look_text(plan_, statements_, at_tick())));
+    const std::string often = functions_.attribute(), rarely = "[[gnu::noinline, gnu::cold]] inline";
+    const auto add_text = [&](const std::string& head, const std::string& parameters,
+                              const std::string& body) {
+      functions_.add_text(fmt::format("{}({}) {{\n{}}}\n\n", head, parameters, body));
+    };
+    const std::string at_state = state_parameters();
+    add_text(often + " void look", at_state + ", double* z", look_text(plan_, statements_, at_tick()));
+    add_text(often + " double next_edge", at_state, edge_text(plan_, statements_, at_tick()));
     if (plan_.layout.state_count > 0)
-      functions_.add_text(
-          fmt::format("{} slopes_in_place(double* w, [[maybe_unused]] const double* numbers) {{\n"
-                      "  slopes(w, numbers, w, w + first_derivative);\n}}\n\n",
-                      rarely));
-    functions_.add_text(fmt::format("{} follow_crossings({}) {{\n  crossing_ends({});\n}}\n\n", rarely,
-                                    state_parameters(), state_arguments));
-    functions_.add_text(fmt::format("{} locate({}, double* scratch) {{\n{}}}\n\n", rarely, state_parameters(),
-                                    locate_text(plan_, names_)));
+      add_text(rarely + " void slopes_in_place", "double* w, [[maybe_unused]] const double* numbers",
+               "  slopes(w, numbers, w, w + first_derivative);\n");
+    add_text(rarely + " void follow_crossings", at_state, "  crossing_ends(" + state_arguments + ");\n");
+    add_text(rarely + " void locate", at_state + ", double* scratch", locate_text(plan_, names_));
   }
 
   static void append(std::vector<Code>& to, std::vector<Code> more) {

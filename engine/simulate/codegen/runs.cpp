@@ -205,11 +205,12 @@ std::vector<Code> calls_between(const plan::Plan& plan, const Statements& statem
   std::vector<Code> code;
   for (const plan::KernelCall& batch : batches) {
     std::vector<std::size_t> blocks;
-    const std::size_t bytes = plan.diagram.blocks[at_memory.at(batch.first)].type().bytes;
-    for (std::size_t i = 0; i < batch.count; ++i) blocks.push_back(at_memory.at(batch.first + i * bytes));
+    const BlockType& type = plan.diagram.blocks[at_memory.at(batch.first)].type();
+    for (std::size_t i = 0; i < batch.count; ++i)
+      blocks.push_back(at_memory.at(batch.first + i * type.bytes));
     const Code when{"", plan.periods[static_cast<std::size_t>(batch.period)],
                     active_text(names, batch.active)};
-    BatchCode(plan, statements, blocks, phase, places, when).append_to(code);
+    BatchCode(plan, statements, blocks, phase_of(type, batch.run, phase), places, when).append_to(code);
     if (batch.guard >= 0)
       code.back().text = guard_call(names, plan, static_cast<std::size_t>(batch.guard), code.back().text);
   }

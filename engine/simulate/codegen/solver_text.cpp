@@ -121,23 +121,32 @@ class ExplicitText {
   std::vector<plan::ActivePiece> pieces_;  ///< what is off does not move
 };
 
-std::string implicit_text(const solve::ImplicitMethod& method, const plan::Plan& plan, const StepForm& form) {
+/// An argument of a method: the control of the error and its numbers, or the place for a fault of a step.
+std::string task_text(const plan::Plan& plan) {
+  const std::size_t report = plan.layout.report;
+  if (const auto& control = plan.diagram.error_control)
+    return fmt::format("{{{}, {}, {}}}, w + {}", number_text(control->relative),
+                       number_text(control->absolute), control->max_steps, report);
+  return fmt::format("{{w + {}, {}}}", report, number_text(plan.diagram.tolerance));
+}
+
+std::string called_text(const solve::CalledMethod& method, const plan::Plan& plan, const StepForm& form) {
   return fmt::format(
-      "  [[maybe_unused]] double* const s = w;\n  double* const dot = w + first_derivative;\n{5}"
-      "  {0}<{1}> method({1});\n"
-      "  method.advance(w + states, dot, w + at::time, now, end, step, {{w + {2}, {3}}}, [&] {{{4} {6}; "
-      "}});\n",
-      method.type, plan.layout.state_count, plan.layout.report, number_text(plan.diagram.tolerance),
-      plan.timed.empty() ? "" : " follow_time(w, numbers);",
-      form.begins ? "  derivatives(w, numbers, dot);\n" : "", form.slopes);
+      "  [[maybe_unused]] double* const s = w;\n  double* const dot = w + first_derivative;\n{0}"
+      "  {1} method({2});\n"
+      "  method.advance(w + states, dot, w + at::time, now, end, step, {3}, [&] {{{4} {5}; }});\n",
+      form.begins ? "  derivatives(w, numbers, dot);\n" : "",
+      fmt::format(fmt::runtime(method.type), plan.layout.state_count), plan.layout.state_count,
+      task_text(plan), plan.timed.empty() ? "" : " follow_time(w, numbers);", form.slopes);
 }
 
 }  // namespace
 
 std::string solver_text(const plan::Plan& plan, const StepForm& form) {
-  if (const auto tableau = solve::find_tableau(plan.diagram.solver))
-    return ExplicitText(solve::stages_of(*tableau), plan, form).text();
-  return implicit_text(*solve::find_implicit(plan.diagram.solver), plan, form);
+  const std::string& name = plan.diagram.solver;
+  if (const auto method = solve::find_called(name, plan.diagram.error_control.has_value()))
+    return called_text(*method, plan, form);
+  return ExplicitText(solve::stages_of(*solve::find_tableau(name)), plan, form).text();
 }
 
 }  // namespace stepwire::codegen

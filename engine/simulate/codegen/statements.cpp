@@ -8,16 +8,27 @@
 
 namespace stepwire::codegen {
 
+Phase phase_of(const BlockType& type, Kernel kernel, Phase otherwise) {
+  if (type.run_outputs_at_instant.contains(kernel)) return Phase::outputs_at_instant;
+  return type.run_update_at_event.contains(kernel) ? Phase::update_at_event : otherwise;
+}
+
 const char* function_of(Phase phase) {
   switch (phase) {
     case Phase::outputs:
       return "outputs";
+    case Phase::outputs_at_instant:
+      return "outputs_at_instant";
     case Phase::derivatives:
       return "derivatives";
     case Phase::update:
       return "update";
+    case Phase::update_at_event:
+      return "update_at_event";
     case Phase::crossings:
       return "crossings";
+    case Phase::next_edge:
+      return "next_edge";
     default:
       return "start";
   }
@@ -154,8 +165,9 @@ void Statements::bind_rest(std::size_t block, const Places& places, Pieces& piec
 
 std::string Statements::call_text(std::size_t block, Phase phase, const std::string& fixed,
                                   const std::string& rest) const {
-  std::string call =
-      fmt::format("    b.{}({});\n", function_of(phase), phase == Phase::crossings ? "zero" : "");
+  std::string call = phase == Phase::next_edge ? "    edge = std::min(edge, b.next_edge());\n"
+                                               : fmt::format("    b.{}({});\n", function_of(phase),
+                                                             phase == Phase::crossings ? "zero" : "");
   if (is_of_others(plan_.diagram.blocks[block].type().header))
     call = "    const FloatingPointState kept;\n" + call;
   const std::string made = fmt::format("    {} b;\n", struct_of(plan_, block)) + fixed;

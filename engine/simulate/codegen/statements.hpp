@@ -21,7 +21,16 @@ struct Places {
 };
 
 /// A function of a block that a plan calls.
-enum class Phase { outputs, derivatives, update, start, crossings };
+enum class Phase {
+  outputs,
+  outputs_at_instant,
+  derivatives,
+  update,
+  update_at_event,
+  start,
+  crossings,
+  next_edge  ///< which lowers a number called `edge`
+};
 
 /// Writes calls of blocks as C++: each block is an object of its own, set up and called on the spot, which
 /// the compiler sees through.
@@ -70,6 +79,8 @@ class Statements {
   std::vector<std::vector<Member>> members_;  ///< of each block
 };
 
+/// The phase that a kernel runs, which may differ from `otherwise` at instants.
+Phase phase_of(const BlockType& type, Kernel kernel, Phase otherwise);
 /// "outputs", as the function is called.
 const char* function_of(Phase phase);
 /// "Gain"

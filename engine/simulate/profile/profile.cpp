@@ -7,6 +7,8 @@
 
 #include "engine/simulate/profile/call_times.hpp"
 #include "engine/simulate/run/drive.hpp"
+#include "engine/simulate/run/solver_of.hpp"
+#include "engine/simulate/run/whole_step.hpp"
 
 namespace stepwire::profile {
 
@@ -79,8 +81,7 @@ class Profiler {
         equations_(plan.layout.state_count),
         tables_{CallTimes(plan, plan.timed), CallTimes(plan, plan.outputs), CallTimes(plan, plan.stage),
                 CallTimes(plan, plan.derivatives), CallTimes(plan, plan.updates)} {
-    if (!plan.diagram.solver.empty() && plan.layout.state_count > 0)
-      solver_ = solve::make_solver(plan.diagram.solver, plan.layout.state_count);
+    if (!plan.diagram.solver.empty() && plan.layout.state_count > 0) solver_ = run::solver_of(plan);
     recording_.resize(recorders().size());
   }
 
@@ -140,22 +141,18 @@ class Profiler {
   void sample_solver() {
     if (!solver_) return;
     equations_.take(simulation_.values(), plan_.layout);
-    solving_ +=
-        stopwatch_.repeated(aim, [&] { solver_->advance(equations_, step_from(simulation_.tick())); });
+    solving_ += stopwatch_.repeated(
+        aim, [&] { solver_->advance(equations_, run::whole_step(plan_, simulation_.tick())); });
   }
 
   /// In how many of the first ticks a period is due.
   static std::int64_t due(std::int64_t ticks, std::int64_t period) { return (ticks + period - 1) / period; }
 
-  solve::TimeStep step_from(std::int64_t tick) const {
-    return {plan_.time_of(tick), plan_.time_of(tick + 1), plan_.diagram.step};
-  }
-
   /// Counts the evaluations of the equations in one step of the solver besides that at its start, and the
   /// times that are new up to the next tick, that included.
   void count_evaluations() {
     equations_.start(0.0);
-    if (solver_) solver_->advance(equations_, step_from(0));
+    if (solver_) solver_->advance(equations_, run::whole_step(plan_, 0));
     *equations_.time = plan_.time_of(1);
     equations_.follow_time();
   }

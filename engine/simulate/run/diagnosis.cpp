@@ -27,21 +27,46 @@ RunFault make_fault(const plan::Plan& plan, std::size_t block, const std::string
 
 }  // namespace
 
+StepCount Executor::step_count() const {
+  if (!plan_.diagram.error_control) return {};
+  const double* report = values() + plan_.layout.report;
+  return {static_cast<std::int64_t>(report[solve::ControlReport::steps]),
+          static_cast<std::int64_t>(report[solve::ControlReport::rejected]),
+          report[solve::ControlReport::largest], report[solve::ControlReport::stiff] != 0.0};
+}
+
+namespace {
+
+/// Of a step to the tick at `end`, in which the run stands at `now`.
+std::string text_of_step(const diagram::Diagram& diagram, const double* report, double now, double end) {
+  if (report[0] == solve::StepReport::unsolved)
+    return fmt::format(
+        "the solver finds no solution for the step to {:.12g} s, where Newton's method still changes this "
+        "state by "
+        "{:.2g} of its size; the run ends here. A smaller step, or a law without jumps, helps",
+        end, report[1]);
+  if (report[0] == solve::StepReport::too_many_steps)
+    return fmt::format(
+        "the solver does not come from {:.12g} s to the tick at {:.12g} s within 'max_steps', or within "
+        "steps that the "
+        "time can tell apart: the error of this state is {:.2g} of what is allowed; the run ends here. A "
+        "stiff solver "
+        "(rodas, auto), a larger 'relative' or 'absolute', or a law without jumps helps",
+        now, end, report[1]);
+  return fmt::format(
+      "the step to {:.12g} s errs by {:.2g} of the size of this state, and 'tolerance' is {:g}; the run ends "
+      "here. A "
+      "smaller step{} helps",
+      end, report[1], diagram.tolerance,
+      diagram.solver == "sdirk" ? " or solver: auto" : ", solver: sdirk or solver: auto");
+}
+
+}  // namespace
+
 std::optional<RunFault> Executor::wrong_step() const {
   const double* report = values() + plan_.layout.report;
   if (report[0] == solve::StepReport::fine) return std::nullopt;
-  const std::string message =
-      report[0] == solve::StepReport::unsolved
-          ? fmt::format(
-                "the solver finds no solution for the step to {:.12g} s, where Newton's method still "
-                "changes this state by {:.2g} of its size; the run ends here. A smaller step, or a "
-                "law without jumps, helps",
-                time(), report[1])
-          : fmt::format(
-                "the step to {:.12g} s errs by {:.2g} of the size of this state, and 'tolerance' is "
-                "{:g}; the run ends here. A smaller step{} helps",
-                time(), report[1], plan_.diagram.tolerance,
-                plan_.diagram.solver == "sdirk" ? "" : " or solver: sdirk");
+  const std::string message = text_of_step(plan_.diagram, report, values()[plan::Layout::time], time());
   const std::size_t place = plan_.layout.states + static_cast<std::size_t>(report[2]);
   for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
     const auto& slots = plan_.blocks[b].states;
@@ -95,7 +120,7 @@ std::optional<RunFault> Executor::fault() const {
   }
   if (!loops_solved())
     if (auto unsolved = unsolved_loop()) return unsolved;
-  if (auto many = too_many_events()) return many;
+  if (auto fault = event_fault()) return fault;
   if (auto wrong = wrong_step()) return wrong;
   return not_finite();
 }

@@ -9,25 +9,14 @@
 
 #include "engine/model/plan/active_pieces.hpp"
 #include "engine/model/signal/diagnostic.hpp"
+#include "engine/simulate/run/solver_of.hpp"
+#include "engine/simulate/run/whole_step.hpp"
 
 namespace stepwire::run {
 
 namespace {
 
 constexpr std::align_val_t block_alignment{64};
-
-std::unique_ptr<solve::Solver> solver_of(const plan::Plan& plan) {
-  const diagram::Diagram& diagram = plan.diagram;
-  if (diagram.solver.empty()) return nullptr;
-  auto solver = solve::make_solver(diagram.solver, plan.layout.state_count);
-  if (solver) return plan.layout.state_count > 0 ? std::move(solver) : nullptr;
-  std::vector<std::string> names;
-  for (const solve::SolverKind& kind : solve::solver_kinds()) names.push_back(kind.name);
-  throw yaml::Error(diagram.fault(
-      diagram.solver_origin, "solver",
-      fmt::format("there is no solver '{}'", diagram.solver) +
-          yaml::did_you_mean(diagram.solver, names, fmt::format("Known are: {}", fmt::join(names, ", ")))));
-}
 
 /// One number for all elements, or one for each.
 void write(const plan::SignalSlot& slot, const Eigen::VectorXd& value, double* values) {
@@ -117,7 +106,8 @@ Executor::Executor(const plan::Plan& plan)
       event_befores_(plan, plan.event_befores, blocks_.get()),
       event_outputs_(plan, plan.event_outputs, blocks_.get()),
       event_updates_(plan, plan.event_updates, blocks_.get()),
-      event_scratch_(solve::EventTask::scratch_size(plan.layout.state_count, plan.crossing_count)) {
+      event_scratch_(solve::EventTask::scratch_size(plan.layout.state_count, plan.crossing_count,
+                                                    plan.layout.diagnostics - plan.layout.signals)) {
   workspace_.values.assign(plan.layout.size, 0.0);
   constants_ = plan.constants;
   due_.assign(plan.periods.size(), 1);
@@ -261,7 +251,7 @@ void Executor::advance() {
 void Executor::look_at_step() {
   if (!ending_diagnostics_.empty() && diagnostic_ends_run()) healthy_ = false;
   if (workspace_.values[plan_.layout.report] != solve::StepReport::fine || !loops_solved()) healthy_ = false;
-  if (plan_.crossing_count > 0 && workspace_.values[plan_.layout.events + solve::EventReport::end] != 0.0)
+  if (plan_.splits_steps() && workspace_.values[plan_.layout.events + solve::EventReport::end] != 0.0)
     healthy_ = false;
 }
 
@@ -269,10 +259,10 @@ void Executor::take_step() {
   run_due(updates_);
   if (guards_ && solver_) guards_->keep();
   if (plan_.updates_continuous) run(stage_);
-  if (plan_.crossing_count > 0) return take_located_step();
+  if (plan_.splits_steps()) return take_located_step();
   if (!solver_) return;
   run(derivatives_);
-  step_states({plan_.time_of(workspace_.tick), plan_.time_of(workspace_.tick + 1), plan_.diagram.step});
+  step_states(whole_step(plan_, workspace_.tick));
 }
 
 std::vector<Executor::Piece> Executor::pieces_of(std::size_t first, std::size_t end) const {

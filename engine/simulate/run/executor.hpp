@@ -16,6 +16,7 @@
 #include "engine/simulate/run/loop_cost.hpp"
 #include "engine/simulate/run/run_fault.hpp"
 #include "engine/simulate/run/schedule_probe.hpp"
+#include "engine/simulate/run/step_count.hpp"
 #include "engine/simulate/run/stop_condition.hpp"
 #include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/loop_solver.hpp"
@@ -84,6 +85,8 @@ class Executor {
   /// May the run go on? False after a value that is not finite, a step that the solver finds wrong or a
   /// diagnostic that ends the run.
   bool healthy() const { return healthy_; }
+  /// Tells whether `stop_when` has ended the run at an event, between two ticks.
+  bool has_stopped() const;
   bool finished() const { return workspace_.tick >= plan_.steps; }
   std::int64_t tick() const { return workspace_.tick; }
   double time() const {
@@ -105,6 +108,8 @@ class Executor {
   void go_on_unsolved() { goes_on_unsolved_ = true; }
   /// What the loops of the plan have cost up to now.
   std::vector<LoopCost> loop_costs() const;
+  /// How the solver has chosen its steps up to now, where it does.
+  StepCount step_count() const;
   /// Which events have been located up to now.
   EventCount event_count() const;
 
@@ -122,6 +127,7 @@ class Executor {
 
  private:
   class Equations;
+  struct BetweenTicks;
 
   void apply(plan::PlanChange& change);
   void replace(plan::RebuiltBlock& rebuilt);
@@ -187,22 +193,21 @@ class Executor {
   void run_guarded(const Table& table, std::size_t first, std::size_t end);
   /// The solver's step, and the same from event to event where something has crossed.
   void take_located_step();
-  void locate_events(const solve::TimeStep& step);
+  void locate_events();
+  /// When a source jumps or bends next [s].
+  double next_edge() const;
   solve::EventTask event_task();
   void find_looks();
+  void add_look(const plan::CrossingCall& call, const std::vector<bool>& stands);
   void look_for_crossings(double* numbers) const;
   static void look(const std::vector<CrossingLook>& looks, double* numbers);
   void look_at_start();
   std::vector<bool> standing_numbers() const;
   /// Computes what crossings depend on.
   void follow_crossings();
-  /// Does the run end there?
-  bool act_at_event();
   bool is_ahead() const;
   void forget_ahead();
-  /// Has the run ended at an event, between two ticks?
-  bool has_stopped() const;
-  std::optional<RunFault> too_many_events() const;
+  std::optional<RunFault> event_fault() const;
   void find_due();
   void take_step();
   void step_states(const solve::TimeStep& step);
@@ -235,6 +240,12 @@ class Executor {
   /// Those that only solver and time change are as they were at the end of the step before, unless something
   /// else has changed the states.
   std::vector<CrossingLook> looks_, changing_looks_;
+  /// A source that declares its edges.
+  struct Edge {
+    double (*next)(const void* block);
+    const void* block;
+  };
+  std::vector<Edge> edges_;
   bool stop_changes_ = false;  ///< is the number of `stop_when` one of these?
   /// The numbers of crossings at the start and at the end of a step, and the states at that of the last one.
   std::vector<double> before_, after_, end_states_;

@@ -37,7 +37,8 @@ double free_memory() {
   if (limit > 0.0) available = std::min(available, limit - number_in("/sys/fs/cgroup/memory.current"));
   struct rlimit data {};  // as 'ulimit -d' sets it
   if (::getrlimit(RLIMIT_DATA, &data) != 0 || data.rlim_cur == RLIM_INFINITY) return available;
-  return std::min(available, static_cast<double>(data.rlim_cur) - 1024.0 * number_in("/proc/self/status", "VmData:"));
+  return std::min(available,
+                  static_cast<double>(data.rlim_cur) - 1024.0 * number_in("/proc/self/status", "VmData:"));
 }
 
 std::string gigabytes(double bytes) {
@@ -60,7 +61,8 @@ struct Extent {
   double rows = 0.0, numbers = 0.0;
 
   std::optional<std::string> lack() const {
-    return run::lack(bytes_of_number * numbers, fmt::format("{:.3g} rows with {:.3g} numbers", rows, numbers));
+    return run::lack(bytes_of_number * numbers,
+                     fmt::format("{:.3g} rows with {:.3g} numbers", rows, numbers));
   }
 };
 
@@ -139,10 +141,10 @@ double most_numbers(const Job& job) {
 }
 
 void require_solver_memory(const plan::Plan& plan) {
-  if (!solve::find_implicit(plan.diagram.solver)) return;
+  if (!solve::find_called(plan.diagram.solver, plan.diagram.error_control.has_value())) return;
   const double states = static_cast<double>(plan.layout.state_count);
   if (const auto lack =
-          run::lack(2.0 * sizeof(double) * states * states, fmt::format("the matrices of {} states", states)))
+          run::lack(4.0 * sizeof(double) * states * states, fmt::format("the matrices of {} states", states)))
     refuse(plan.diagram, plan.diagram.solver_origin, "solver", *lack, "an explicit solver needs none");
 }
 

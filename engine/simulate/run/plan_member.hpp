@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/model/diagram/load.hpp"
 #include "engine/model/diagram/variation.hpp"
 #include "engine/simulate/run/executor.hpp"
 

@@ -16,6 +16,7 @@ RunEnd end_of(const Executor& simulation) {
   if (auto fault = simulation.fault()) end.faults.push_back(std::move(*fault));
   end.diagnostics = simulation.diagnostics();
   end.loops = simulation.loop_costs();
+  end.steps = simulation.step_count();
   end.events = simulation.event_count();
   end.ticks = simulation.tick();
   return end;

@@ -36,6 +36,7 @@ struct RunEnd {
   std::vector<RunFault> faults;  ///< at most one for each run
   std::vector<RaisedDiagnostic> diagnostics;
   std::vector<LoopCost> loops;  ///< algebraic loops that were solved, in all runs together
+  StepCount steps;              ///< of a solver that chooses them, in all runs together
   EventCount events;            ///< that were located, in all runs together
   bool interrupted = false;
   bool stopped = false;             ///< by an observer, at least one run
@@ -94,8 +95,8 @@ struct Job {
 /// What some or all points of a sweep set beside their own values, in the order of the sweep.
 using PointSettings = std::vector<std::vector<diagram::Setting>>;
 
-/// Loads and plans a file and all points of its sweep, these on so many threads (0: all cores). `stop` replaces
-/// the file's stop time. Throws Error.
+/// Loads and plans a file and all points of its sweep, these on so many threads (0: all cores). `stop`
+/// replaces the file's stop time. Throws Error.
 Job make_job(diagram::Loader& loader, const std::string& path,
              const std::vector<diagram::Setting>& settings = {}, std::optional<std::string> stop = {},
              const PointSettings& of_points = {}, unsigned threads = 0);

@@ -91,7 +91,7 @@ void add_points(Job& job, const PointSettings& of_points, unsigned threads) {
 /// may be meant for another one.
 void refuse_idle_tolerance(const yaml::Document& document, const std::vector<diagram::Setting>& settings,
                            const diagram::Diagram& diagram) {
-  if (solve::find_implicit(diagram.solver)) return;
+  if (!diagram.error_control && solve::find_called(diagram.solver, false)) return;
   const auto setting = [&](const std::string& name) {
     return std::ranges::find(settings, name, &diagram::Setting::name);
   };

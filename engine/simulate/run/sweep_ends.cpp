@@ -32,6 +32,7 @@ void SweepEnds::add(std::size_t point, RunEnd end) {
   all_.lane_ticks += end.lane_ticks;
   add_loops(all_.loops, end.loops);
   all_.events += end.events;
+  all_.steps += end.steps;
 }
 
 RunEnd SweepEnds::take() {

@@ -6,119 +6,151 @@
 #include <cstdint>
 #include <limits>
 
+#include "engine/simulate/solve/crossing_signs.hpp"
+#include "engine/simulate/solve/ever_faster.hpp"
+#include "engine/simulate/solve/left_of.hpp"
+
 namespace stepwire::solve {
 
 /// What is known of located events in a run: numbers of the workspace, in this order.
 struct EventReport {
-  static constexpr std::size_t events = 0;   ///< all together
+  static constexpr std::size_t events = 0;   ///< crossings all together
   static constexpr std::size_t most = 1;     ///< in one step
-  static constexpr std::size_t end = 2;      ///< 1 once there were too many in a step
-  static constexpr std::size_t number = 3;   ///< which crossing was the last one then
+  static constexpr std::size_t end = 2;      ///< why the run ends there, else 0
+  static constexpr std::size_t number = 3;   ///< which crossing was the last one then, or which place changes
   static constexpr std::size_t ahead = 4;    ///< 1 where outputs of the next tick are computed
   static constexpr std::size_t stopped = 5;  ///< 1 once the run has ended at one
   static constexpr std::size_t count = 6;
+
+  /// Values of `end`.
+  static constexpr double too_many = 1.0, ever_faster = 2.0, unsettled = 3.0;
 };
 
-inline int sign_of(double number) {
-  return (number > 0.0) - (number < 0.0);
-}
-
-/// Has a number another sign? 0 is a sign of its own. Every step waits for it: no branch for each number.
-inline bool sign_changes(const double* before, const double* after, std::size_t count) {
-  bool changes = false;
-  for (std::size_t i = 0; i < count; ++i)
-    changes |= ((before[i] > 0.0) != (after[i] > 0.0)) | ((before[i] < 0.0) != (after[i] < 0.0));
-  return changes;
-}
-
 /// A step that is split at events. Offsets are places in the workspace. The scratch memory begins with the
-/// states at the start of the step; the crossings there, and at its end, lie at `before` and `after`.
+/// states at the start of the step; the crossings there lie at `before`.
 struct EventTask {
   std::size_t time, states, derivatives, state_count;
   std::size_t crossing_count;
-  std::size_t report;         ///< where an EventReport lies
-  std::int64_t max_per_step;  ///< beyond, the step is given up
-  double* scratch;            ///< scratch_size() numbers
+  std::size_t first, numbers;  ///< signals and states, also discrete ones
+  std::size_t report;          ///< where an EventReport lies
+  bool jumps;                  ///< a source may jump: the end of a step is seen just before it
+  std::int64_t max_per_step;   ///< beyond, the step is given up
+  std::int64_t rounds;         ///< beyond, an instant is
+  std::int64_t looks;          ///< between two events, for what crosses twice
+  double* scratch;             ///< scratch_size() numbers
 
-  /// Outputs and updates at an event: what is reset may end its own cause.
-  static constexpr int rounds = 2;
-  static constexpr std::size_t scratch_size(std::size_t states, std::size_t crossings) {
-    return 2 * states + 4 * crossings;
+  static constexpr std::size_t scratch_size(std::size_t states, std::size_t crossings, std::size_t numbers) {
+    return 3 * states + 10 * crossings + numbers;  // as EventLocator lays it out
   }
   static constexpr std::size_t before(std::size_t states) { return 2 * states; }
-  static constexpr std::size_t after(std::size_t states, std::size_t crossings) {
-    return 2 * states + crossings;
-  }
 };
 
-/// Goes again over a step in which something has crossed, from crossing to crossing. A crossing is an instant
-/// at which a number changes its sign, where 0 is a sign of its own; it is closed in between two times, each
-/// the end of a step of the solver from the last event on, by the secant method of Dowell and Jarratt 1971
-/// (Illinois, BIT 11) with halvings, to 1e-12 of the step or the last bit. The step goes on from the later
-/// one.
+/// Goes again over a step, from event to event. An event is an edge that a source has declared, or a
+/// crossing: an instant at which a number changes its sign. 0 is a sign of its own. A crossing is closed in
+/// between two times, each the end of a step of the solver from the last event on. The secant method of
+/// Dowell and Jarratt 1971 (Illinois, BIT 11) with halvings finds it to 1e-12 of the step or the last bit.
+/// The later time is the event.
 ///
-/// step(from, to, length) takes the states of the workspace, whose slopes are there, to another time;
-/// follow() computes what crossings depend on at its time and states, and look(numbers) the crossings; act()
-/// computes all outputs that follow at every instant, updates what does, computes the slopes and what
-/// follow() does, and says whether the run ends there; begin() computes what stages do, the slopes and what
-/// follow() does.
-template <class Step, class Begin, class Follow, class Look, class Act>
+/// A `Run` has these functions: advance(from, to, length) takes the states of the workspace, with their
+/// slopes, to another time; follow() computes all that crossings depend on at its time and states;
+/// crossings(numbers) computes these; edge() gives the time of the next edge of a source; begin()
+/// computes stage outputs, slopes and follow(). At an event before() computes what guards find, round()
+/// computes outputs and updates, and after() does the same as begin() and tells whether the run ends there.
+template <class Run>
 class EventLocator {
  public:
-  EventLocator(const EventTask& task, double* values, const Step& step, const Begin& begin,
-               const Follow& follow, const Look& look, const Act& act)
+  EventLocator(const EventTask& task, double* values, const Run& run)
       : task_(task),
         values_(values),
-        step_(step),
-        begin_(begin),
-        follow_(follow),
-        look_(look),
-        act_(act),
+        run_(run),
         x_(task.scratch),
         slopes_(x_ + task.state_count),
         start_(task.scratch + EventTask::before(task.state_count)),
-        high_(task.scratch + EventTask::after(task.state_count, task.crossing_count)),
+        high_(start_ + task.crossing_count),
         low_(high_ + task.crossing_count),
-        trial_(low_ + task.crossing_count) {}
+        trial_(low_ + task.crossing_count),
+        ever_faster_(trial_ + task.crossing_count, task.crossing_count),
+        end_(trial_ + 7 * task.crossing_count),
+        kept_(end_ + task.state_count) {}
 
   /// Goes from `start` on to `end`, `length` behind it.
   void advance(double start, double end, double length) {
-    double from = start, left = length;
-    std::int64_t events = 0;
-    begin_again(start);
+    length_ = length;
+    ever_faster_.begin(task_.crossing_count);
+    std::copy_n(x_, task_.state_count, values_ + task_.states);
+    values_[task_.time] = start;
+    run_.begin();
     keep();
-    for (bool at_end = false; true; at_end = true) {
-      const double at = locate(from, end, 1e-12 * length, at_end);
-      if (at == end) break;
-      if (events++ == task_.max_per_step) {
-        give_up();
-        break;
-      }
-      values_[task_.time] = at;
-      if (act_()) {
-        values_[task_.report + EventReport::stopped] = 1.0;
-        break;
-      }
-      look_(start_);
-      from = at;
-      left = end - at;
-      keep();
-      go(from, end, left, high_);
-      if (!sign_changes(start_, high_, task_.crossing_count)) break;
-    }
-    report(static_cast<double>(events));
+    std::int64_t crossed = 0;
+    double at = start;
+    while (at < end && go_on(at, start, end, crossed)) continue;
+    if (at == end) values_[task_.time] = end;
+    double* report = values_ + task_.report;
+    report[EventReport::events] += static_cast<double>(crossed);
+    report[EventReport::most] = std::max(report[EventReport::most], static_cast<double>(crossed));
   }
 
  private:
-  void report(double events) {
-    double* report = values_ + task_.report;
-    report[EventReport::events] += events;
-    report[EventReport::most] = std::max(report[EventReport::most], events);
+  /// Goes from `at` to the next event, or to the end. False where the run ends there.
+  bool go_on(double& at, double start, double end, std::int64_t& crossed) {
+    const double from = at, edge = run_.edge();
+    const bool at_edge = edge > from && edge < left_of(end, length_);
+    at = at_edge ? edge : end;
+    length_of_ = from == start && !at_edge ? length_ : at - from;
+    go_back();
+    go(from, at, length_of_, high_);
+    const bool crosses = sign_changes(start_, high_, task_.crossing_count) || crosses_twice(from, at);
+    if (crosses) at = locate(from, at, 1e-12 * length_);
+    if (at == end) return true;
+    values_[task_.time] = at;
+    if (crosses && !may_cross(crossed++, at)) return false;
+    return act() && (!crosses || turn_back(at, end));
   }
-  void begin_again(double start) {
-    std::copy_n(x_, task_.state_count, values_ + task_.states);
-    values_[task_.time] = start;
-    begin_();
+
+  /// Looks for crossings before `at`, the present time, where none differs at both ends. A parabola for each
+  /// state finds one, a step of the solver proves it, and `at` moves there.
+  bool crosses_twice(double from, double& at) {
+    double* const states = values_ + task_.states;
+    std::copy_n(states, task_.state_count, end_);
+    const double length = at - from;
+    for (std::int64_t look = 1; look <= task_.looks; ++look) {
+      const double part = static_cast<double>(look) / static_cast<double>(task_.looks + 1);
+      for (std::size_t i = 0; i < task_.state_count; ++i) {
+        const double straight = length * slopes_[i];
+        states[i] = x_[i] + part * (straight + part * (end_[i] - x_[i] - straight));
+      }
+      values_[task_.time] = from + part * length;
+      run_.follow();
+      run_.crossings(trial_);
+      if (!sign_changes(start_, trial_, task_.crossing_count)) continue;
+      go_back();
+      go(from, from + part * length, part * length, high_);
+      if (!sign_changes(start_, high_, task_.crossing_count)) continue;
+      at = from + part * length;
+      return true;
+    }
+    std::copy_n(end_, task_.state_count, states);
+    arrive(at, length_of_, high_);
+    return false;
+  }
+
+  /// Rounding may leave a number on the wrong side that has been turned back at an event: a ball that
+  /// bounces. The run goes on a little later where it is on the right side. False where the run ends there.
+  bool turn_back(double& at, double end) {
+    const auto is_beyond = [&](std::size_t i) {
+      return sign_of(low_[i]) != sign_of(high_[i]) && sign_of(start_[i]) == sign_of(high_[i]);
+    };
+    bool beyond = false, turned = false;
+    for (std::size_t i = 0; i < task_.crossing_count; ++i) beyond = beyond || is_beyond(i);
+    const double little = std::min(1e-9 * length_, 0.5 * (end - at));
+    if (!beyond || at + little == at) return true;
+    go(at, at + little, little, trial_);
+    for (std::size_t i = 0; i < task_.crossing_count; ++i)
+      turned = turned || (is_beyond(i) && sign_of(trial_[i]) == sign_of(low_[i]));
+    if (!turned) return true;
+    at += little;
+    values_[task_.time] = at;
+    return act();
   }
 
   void keep() {
@@ -126,20 +158,66 @@ class EventLocator {
     std::copy_n(values_ + task_.derivatives, task_.state_count, slopes_);
   }
 
-  /// Takes the states from those kept, and says what crosses there.
+  /// Does all that happens at the present instant. False where the run ends there.
+  bool act() {
+    run_.before();
+    const double* const place = values_ + task_.first;
+    for (std::int64_t round = 0; true; ++round) {
+      std::copy_n(place, task_.numbers, kept_);
+      run_.round();
+      const std::size_t same =
+          static_cast<std::size_t>(std::mismatch(place, place + task_.numbers, kept_, is_same).first - place);
+      if (same == task_.numbers) break;
+      if (round == task_.rounds) {
+        give_up(EventReport::unsettled, static_cast<double>(task_.first + same));
+        return false;
+      }
+    }
+    if (run_.after()) {
+      values_[task_.report + EventReport::stopped] = 1.0;
+      return false;
+    }
+    run_.crossings(start_);
+    keep();
+    return true;
+  }
+  static bool is_same(double a, double b) { return a == b || (a != a && b != b); }
+
+  /// Looks at a crossing that has been located.
+  bool may_cross(std::int64_t crossed, double at) {
+    for (std::size_t i = 0; i < task_.crossing_count; ++i) {
+      if (sign_of(high_[i]) == sign_of(start_[i])) continue;
+      const bool ends = ever_faster_.add(i, high_[i] > start_[i], at, length_);
+      if (!ends && crossed < task_.max_per_step) continue;
+      give_up(ends ? EventReport::ever_faster : EventReport::too_many, static_cast<double>(i));
+      return false;
+    }
+    return true;
+  }
+
+  void give_up(double why, double number) {
+    values_[task_.report + EventReport::end] = why;
+    values_[task_.report + EventReport::number] = number;
+  }
+
+  /// Takes the states on, and computes the crossings there.
   void go(double from, double to, double length, double* numbers) {
-    step_(from, to, length);
-    values_[task_.time] = to;
-    follow_();
-    look_(numbers);
+    run_.advance(from, task_.jumps ? left_of(to, length) : to, length);
+    arrive(to, length, numbers);
+  }
+  void arrive(double to, double length, double* numbers) {
+    values_[task_.time] = task_.jumps ? left_of(to, length) : to;
+    run_.follow();
+    run_.crossings(numbers);
   }
   void go_back() {
     std::copy_n(x_, task_.state_count, values_ + task_.states);
     std::copy_n(slopes_, task_.state_count, values_ + task_.derivatives);
   }
 
-  /// The first time found behind a crossing, with the states there. `at_high`: are they those of the end?
-  double locate(double from, double end, double width, bool at_high) {
+  /// The first time found behind a crossing, with the states there.
+  double locate(double from, double end, double width) {
+    bool at_high = true;
     double low = from, high = end, low_scale = 1.0, high_scale = 1.0;
     std::copy_n(start_, task_.crossing_count, low_);
     for (int k = 0; high - low > width && std::nextafter(low, high) < high; ++k) {
@@ -179,22 +257,15 @@ class EventLocator {
     return std::clamp(at, std::nextafter(low, high), std::nextafter(high, low));
   }
 
-  void give_up() {
-    values_[task_.report + EventReport::end] = 1.0;
-    for (std::size_t i = task_.crossing_count; i-- > 0;)
-      if (sign_of(high_[i]) != sign_of(start_[i]))
-        values_[task_.report + EventReport::number] = static_cast<double>(i);
-  }
-
   const EventTask& task_;
   double* values_;
-  const Step& step_;
-  const Begin& begin_;
-  const Follow& follow_;
-  const Look& look_;
-  const Act& act_;
+  const Run& run_;
   double *x_, *slopes_;                    ///< behind the last event
   double *start_, *high_, *low_, *trial_;  ///< crossings there, on both sides of a crossing, and between
+  EverFaster ever_faster_;
+  double* end_;                            ///< states at the end of a stretch
+  double* kept_;                           ///< signals and states before a round
+  double length_ = 0.0, length_of_ = 0.0;  ///< of the step, and of the stretch up to the next event
 };
 
 }  // namespace stepwire::solve

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/simulate/solve/error_control.hpp"
 #include "engine/simulate/solve/rosenbrock.hpp"
 #include "engine/simulate/solve/sdirk.hpp"
 #include "engine/simulate/solve/solver.hpp"
@@ -19,6 +20,25 @@ class ImplicitSolver : public Solver {
 
  private:
   Method method_;
+};
+
+/// One that chooses the length of its steps.
+template <template <int> class Method>
+class ControlledSolver : public Solver {
+ public:
+  ControlledSolver(std::size_t states, const ErrorControl& control)
+      : method_(static_cast<Eigen::Index>(states)), control_(control), own_(ControlReport::count) {}
+  void advance(System& system, const TimeStep& step) override {
+    double* const numbers = system.report.numbers ? system.report.numbers : own_.data();
+    method_.advance(system.x, system.dot, system.time, step.start, step.end, step.length, control_, numbers,
+                    [&] { system.evaluate(); });
+  }
+  const double* start() const override { return method_.start(); }
+
+ private:
+  Controlled<Method> method_;
+  ErrorControl control_;
+  std::vector<double> own_;  ///< where a system has no place for a report
 };
 
 }  // namespace stepwire::solve

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/simulate/solve/forward_differences.hpp"
+#include "engine/simulate/solve/step_check.hpp"
 #include "engine/simulate/solve/step_report.hpp"
 
 namespace stepwire::solve {
@@ -16,8 +17,10 @@ namespace stepwire::solve {
 /// bit.
 template <int max_states = Eigen::Dynamic>
 class Rosenbrock {
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_states, 1>;
+
  public:
-  explicit Rosenbrock(Eigen::Index states) : factors_(states) {
+  explicit Rosenbrock(Eigen::Index states) : factors_(states), check_(states) {
     for (Vector* vector : {&start_, &slope0_, &slope_time_, &k1_, &k2_, &right_, &half_, &next_, &error_})
       vector->setZero(states);
     jacobian_.setZero(states, states);
@@ -45,13 +48,26 @@ class Rosenbrock {
     half_ = dot - k1_;
     k2_ = factors_.solve(half_);
     x = start_ + step * (k2_ + k1_);
-    if (report) check(x, dot, now, end, step, report, evaluate);
+    if (report) check(x, dot, now, time, end, step, report, evaluate);
   }
+  /// A step with its error, for a controller.
+  template <class X, class Dot, class Evaluate>
+  bool attempt(X& x, Dot& dot, double* now, double time, double end, double step, double*,
+               const Evaluate& evaluate) {
+    advance(x.data(), dot.data(), now, time, end, step, {}, evaluate);
+    estimate(x, dot, now, end, step, evaluate);
+    return error_.allFinite();
+  }
+  const Vector& error() const { return error_; }
+  bool ends_with_slope() const { return true; }
+  static constexpr double first_order = 3.0;
+  /// Of the last attempt, for the length of the next step.
+  double order() const { return 3.0; }
+
   /// The states at the start of the last step.
   const double* start() const { return start_.data(); }
 
  private:
-  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_states, 1>;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_states, max_states>;
 
   static inline const double d = 1.0 / (2.0 + std::sqrt(2.0));
@@ -72,10 +88,9 @@ class Rosenbrock {
       slope_time_.setZero();
   }
 
-  /// The error that the paper estimates, from the slope at the end.
+  /// The error as the paper estimates it, from the slope at the end.
   template <class X, class Dot, class Evaluate>
-  void check(X& x, const Dot& dot, double* now, double end, double step, const StepReport& report,
-             const Evaluate& evaluate) {
+  void estimate(X& x, const Dot& dot, double* now, double end, double step, const Evaluate& evaluate) {
     next_ = x;
     *now = end;
     evaluate();
@@ -83,31 +98,25 @@ class Rosenbrock {
     right_ = dot - e32 * (k2_ - half_) - 2.0 * (k1_ - slope0_) + (step * d) * slope_time_;
     error_ = factors_.solve(right_);
     error_ = (step / 6.0) * (error_ - k1_ - 2.0 * k2_);
-    right_.setZero();
-    if (!(worst().size > report.tolerance)) return;
-    // An input may jump within the step and move what was at rest: how far it does counts as the size of a
-    // state.
-    x = start_;
-    evaluate();
-    slope0_ = dot;
-    right_ = factors_.solve(slope0_);
-    right_ *= step / d;
-    x = next_;
-    if (const WorstError found = worst(); found.size > report.tolerance)
-      report.write(StepReport::inaccurate, found.size, found.state);
   }
 
-  /// right_ is how far states would go.
-  WorstError worst() const {
-    WorstError found;
+  template <class X, class Dot, class Evaluate>
+  void check(X& x, const Dot& dot, double* now, double time, double end, double step,
+             const StepReport& report, const Evaluate& evaluate) {
+    estimate(x, dot, now, end, step, evaluate);
+    WorstError own;
     for (Eigen::Index i = 0; i < start_.size(); ++i)
-      found.add(error_[i], std::max({std::abs(start_[i]), std::abs(next_[i]), std::abs(right_[i])}), i);
-    return found;
+      own.add(error_[i], std::max(std::abs(start_[i]), std::abs(next_[i])), i);
+    if (!(own.size > report.tolerance)) return;
+    const WorstError found =
+        check_.error(x, const_cast<double*>(dot.data()), start_, now, time, end, step, evaluate);
+    if (found.size > report.tolerance) report.write(StepReport::inaccurate, found.size, found.state);
   }
 
   Vector start_, slope0_, slope_time_, k1_, k2_, right_, half_, next_, error_;
   Matrix jacobian_;
   Eigen::PartialPivLU<Matrix> factors_;
+  StepCheck<max_states> check_;
 };
 
 }  // namespace stepwire::solve

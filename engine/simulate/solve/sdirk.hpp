@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/simulate/solve/forward_differences.hpp"
+#include "engine/simulate/solve/step_check.hpp"
 #include "engine/simulate/solve/step_report.hpp"
 
 namespace stepwire::solve {
@@ -17,8 +18,10 @@ namespace stepwire::solve {
 /// allocated; the results are the same to the last bit.
 template <int max_states = Eigen::Dynamic>
 class Sdirk {
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_states, 1>;
+
  public:
-  explicit Sdirk(Eigen::Index states) : factors_(states) {
+  explicit Sdirk(Eigen::Index states) : factors_(states), check_(states) {
     for (Vector* vector : {&start_, &base_, &slope_, &point_, &right_, &change_}) vector->setZero(states);
     for (Vector& stage : stages_) stage.setZero(states);
     jacobian_.setZero(states, states);
@@ -32,26 +35,28 @@ class Sdirk {
                const StepReport& report, const Evaluate& evaluate) {
     Eigen::Map<Vector> x(x_place, start_.size());
     const Eigen::Map<const Vector> dot(dot_place, start_.size());
-    start_ = x;
-    *now = time;
-    slope_ = dot;
-    renew(x, dot, step, evaluate);
-    const double times[] = {time + gamma * step, time + middle * step, end};
-    for (int stage = 0; stage < 3; ++stage) {
-      base_ = start_;
-      for (int before = 0; before < stage; ++before) base_ += a[stage][before] * stages_[before];
-      *now = times[stage];
-      if (!solve(x, dot, step, evaluate)) return fail(x, report);
-      stages_[stage] = (x - base_) / gamma;
-    }
-    if (report) check(x, report);
+    if (!take(x, dot, now, time, end, step, evaluate)) return fail(x, report);
+    if (report) check(x, dot, now, time, end, step, report, evaluate);
   }
+
+  /// A step with its error, for a controller.
+  template <class X, class Dot, class Evaluate>
+  bool attempt(X& x, Dot& dot, double* now, double time, double end, double step, double*,
+               const Evaluate& evaluate) {
+    if (!take(x, dot, now, time, end, step, evaluate)) return false;
+    estimate();
+    return change_.allFinite();
+  }
+  const Vector& error() const { return change_; }
+  bool ends_with_slope() const { return false; }
+  static constexpr double first_order = 3.0;
+  /// Of the last attempt, for the length of the next step.
+  double order() const { return 3.0; }
 
   /// The states at the start of the last step.
   const double* start() const { return start_.data(); }
 
  private:
-  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_states, 1>;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_states, max_states>;
 
   static constexpr int max_corrections = 40;  // of a stage
@@ -67,6 +72,25 @@ class Sdirk {
   static constexpr double a[3][2] = {{0.0, 0.0}, {(1.0 - gamma) / 2.0, 0.0}, {b1, b2}};
   /// Weights of order 2 on the first two stages, for the error.
   static constexpr double second = (0.5 - gamma) / (middle - gamma);
+
+  /// The stages; false where one is not solved.
+  template <class X, class Dot, class Evaluate>
+  bool take(X& x, const Dot& dot, double* now, double time, double end, double step,
+            const Evaluate& evaluate) {
+    start_ = x;
+    *now = time;
+    slope_ = dot;
+    renew(x, dot, step, evaluate);
+    const double times[] = {time + gamma * step, time + middle * step, end};
+    for (int stage = 0; stage < 3; ++stage) {
+      base_ = start_;
+      for (int before = 0; before < stage; ++before) base_ += a[stage][before] * stages_[before];
+      *now = times[stage];
+      if (!solve(x, dot, step, evaluate)) return false;
+      stages_[stage] = (x - base_) / gamma;
+    }
+    return true;
+  }
 
   /// A new matrix at x, where the slope is slope_.
   template <class X, class Dot, class Evaluate>
@@ -126,25 +150,31 @@ class Sdirk {
     report.write(StepReport::unsolved, worst.size, worst.state);
   }
 
-  /// The difference to the weights of order 2; solved once more, as what is infinitely fast is no error. How
-  /// far the slope of a stage would move a state that was at rest counts as its size.
-  template <class X>
-  void check(const X& x, const StepReport& report) {
+  /// The difference to the weights of order 2 on the right, and solved once more, as what is infinitely fast
+  /// is no error of the next step.
+  void estimate() {
     right_ = (1.0 - second - b1) * stages_[0] + (second - b2) * stages_[1] - gamma * stages_[2];
     change_ = factors_.solve(right_);
-    WorstError worst;
+  }
+
+  template <class X, class Dot, class Evaluate>
+  void check(X& x, const Dot& dot, double* now, double time, double end, double step,
+             const StepReport& report, const Evaluate& evaluate) {
+    estimate();
+    WorstError own;
     for (Eigen::Index i = 0; i < start_.size(); ++i)
-      worst.add(change_[i],
-                std::max({std::abs(start_[i]), std::abs(x[i]), std::abs(stages_[0][i]) / gamma,
-                          std::abs(stages_[1][i]) / gamma, std::abs(stages_[2][i]) / gamma}),
-                i);
-    if (worst.size > report.tolerance) report.write(StepReport::inaccurate, worst.size, worst.state);
+      own.add(right_[i], std::max(std::abs(start_[i]), std::abs(x[i])), i);
+    if (!(own.size > report.tolerance)) return;
+    const WorstError found =
+        check_.error(x, const_cast<double*>(dot.data()), start_, now, time, end, step, evaluate);
+    if (found.size > report.tolerance) report.write(StepReport::inaccurate, found.size, found.state);
   }
 
   Vector start_, base_, slope_, point_, right_, change_;
   Vector stages_[3];  ///< slope of each, times the step
   Matrix jacobian_;
   Eigen::PartialPivLU<Matrix> factors_;
+  StepCheck<max_states> check_;
 };
 
 }  // namespace stepwire::solve

@@ -1,5 +1,6 @@
 #include "engine/simulate/solve/solver.hpp"
 
+#include "engine/simulate/solve/automatic.hpp"
 #include "engine/simulate/solve/explicit_solver.hpp"
 #include "engine/simulate/solve/implicit_solver.hpp"
 
@@ -8,12 +9,15 @@ namespace stepwire::solve {
 namespace {
 
 using MakeSolver = std::unique_ptr<Solver> (*)(std::size_t states);
+using MakeControlled = std::unique_ptr<Solver> (*)(std::size_t states, const ErrorControl& control);
 
 struct Entry {
   SolverKind kind;
-  Tableau (*tableau)();       ///< null for a method that is not explicit
-  ImplicitMethod method{};    ///< of one that is implicit
-  MakeSolver make = nullptr;  ///< likewise
+  Tableau (*tableau)() = nullptr;            ///< null for a method that is not explicit
+  CalledMethod method{};                     ///< of one that is implicit
+  MakeSolver make = nullptr;                 ///< likewise
+  CalledMethod controlled{};                 ///< of one that controls its error
+  MakeControlled make_controlled = nullptr;  ///< likewise
 };
 
 template <class Method>
@@ -21,21 +25,63 @@ std::unique_ptr<Solver> make_implicit(std::size_t states) {
   return std::make_unique<ImplicitSolver<Method>>(states);
 }
 
+template <template <int> class Method>
+std::unique_ptr<Solver> make_controlled(std::size_t states, const ErrorControl& control) {
+  return std::make_unique<ControlledSolver<Method>>(states, control);
+}
+
+const std::string folder = "engine/simulate/solve/";
+
+CalledMethod controlled(const std::string& method, const std::string& header) {
+  return {"solve::Controlled<solve::" + method + ", {}>", {folder + "error_control.hpp", folder + header}};
+}
+CalledMethod called(const std::string& method, const std::string& header) {
+  return {"solve::" + method + "<{}>", {folder + header}};
+}
+
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> table = {
       {{"euler", "explicit Euler", 1}, euler_tableau},
       {{"heun", "Heun's method", 2}, heun_tableau},
-      {{"bogacki_shampine", "third-order method of Bogacki and Shampine", 3}, bogacki_shampine_tableau},
+      {{"bogacki_shampine", "third-order method of Bogacki and Shampine", 3, true},
+       bogacki_shampine_tableau,
+       {},
+       nullptr,
+       controlled("BogackiShampine", "explicit_pair.hpp"),
+       make_controlled<BogackiShampine>},
       {{"rk4", "the classical Runge-Kutta method", 4}, rk4_tableau},
-      {{"dormand_prince", "fifth-order method of Dormand and Prince", 5}, dormand_prince_tableau},
-      {{"rosenbrock", "linearly implicit, for stiff plants", 2},
+      {{"dormand_prince", "fifth-order method of Dormand and Prince", 5, true},
+       dormand_prince_tableau,
+       {},
        nullptr,
-       {"solve::Rosenbrock", "engine/simulate/solve/rosenbrock.hpp"},
-       make_implicit<Rosenbrock<>>},
-      {{"sdirk", "Alexander's implicit method with Newton's, for stiff plants far from linear", 3},
+       controlled("DormandPrince", "explicit_pair.hpp"),
+       make_controlled<DormandPrince>},
+      {{"rosenbrock", "linearly implicit, for stiff plants", 2, true},
        nullptr,
-       {"solve::Sdirk", "engine/simulate/solve/sdirk.hpp"},
-       make_implicit<Sdirk<>>}};
+       called("Rosenbrock", "rosenbrock.hpp"),
+       make_implicit<Rosenbrock<>>,
+       controlled("Rosenbrock", "rosenbrock.hpp"),
+       make_controlled<Rosenbrock>},
+      {{"sdirk", "Alexander's implicit method with Newton's, for stiff plants far from linear", 3, true},
+       nullptr,
+       called("Sdirk", "sdirk.hpp"),
+       make_implicit<Sdirk<>>,
+       controlled("Sdirk", "sdirk.hpp"),
+       make_controlled<Sdirk>},
+      {{"rodas", "linearly implicit of fourth order, for stiff plants, with control of the error", 4, true,
+        false},
+       nullptr,
+       {},
+       nullptr,
+       controlled("Rodas", "rodas.hpp"),
+       make_controlled<Rodas>},
+      {{"auto", "dormand_prince, and rodas once that turns out stiff, with control of the error", 5, true,
+        false},
+       nullptr,
+       {},
+       nullptr,
+       controlled("Automatic", "automatic.hpp"),
+       make_controlled<Automatic>}};
   return table;
 }
 
@@ -56,11 +102,13 @@ const std::vector<SolverKind>& solver_kinds() {
   return kinds;
 }
 
-std::unique_ptr<Solver> make_solver(const std::string& name, std::size_t states) {
+std::unique_ptr<Solver> make_solver(const std::string& name, std::size_t states,
+                                    const std::optional<ErrorControl>& control) {
   const Entry* entry = find_entry(name);
   if (!entry) return nullptr;
+  if (control) return entry->make_controlled ? entry->make_controlled(states, *control) : nullptr;
   if (entry->make) return entry->make(states);
-  return std::make_unique<ExplicitSolver>(entry->tableau(), states);
+  return entry->tableau ? std::make_unique<ExplicitSolver>(entry->tableau(), states) : nullptr;
 }
 
 bool evaluates_ticks_only(const std::string& name) {
@@ -68,9 +116,11 @@ bool evaluates_ticks_only(const std::string& name) {
   return tableau && tableau->c.empty();
 }
 
-std::optional<ImplicitMethod> find_implicit(const std::string& name) {
+std::optional<CalledMethod> find_called(const std::string& name, bool controlled) {
   const Entry* entry = find_entry(name);
-  return entry && entry->make ? std::optional(entry->method) : std::nullopt;
+  if (!entry) return std::nullopt;
+  if (controlled) return entry->make_controlled ? std::optional(entry->controlled) : std::nullopt;
+  return entry->make ? std::optional(entry->method) : std::nullopt;
 }
 
 std::optional<Tableau> find_tableau(const std::string& name) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/simulate/solve/error_control.hpp"
 #include "engine/simulate/solve/step_report.hpp"
 #include "engine/simulate/solve/tableau.hpp"
 
@@ -54,25 +55,30 @@ class Solver {
 struct SolverKind {
   std::string name, doc;
   int order;
+  bool controls = false;  ///< may it choose the length of its steps?
+  bool fixed = true;      ///< may it take the steps of the file as they are?
 };
 
 /// The solvers that a diagram file may name: euler, heun, bogacki_shampine, rk4, dormand_prince, rosenbrock,
-/// sdirk.
+/// sdirk, and, with control of the error, rodas and auto.
 const std::vector<SolverKind>& solver_kinds();
 
 /// The numbers of an explicit solver; nothing for one that is not explicit, or not known.
 std::optional<Tableau> find_tableau(const std::string& name);
 
-/// How code calls an implicit solver; nothing for one that is explicit, or not known.
-struct ImplicitMethod {
-  std::string type, header;  ///< Rosenbrock<states>, and what declares it
+/// How code calls a solver whose stages it does not write out: one that is implicit, or controls its error.
+struct CalledMethod {
+  std::string type;  ///< "solve::Rosenbrock<{}>", with the states in the hole
+  std::vector<std::string> headers;
 };
-std::optional<ImplicitMethod> find_implicit(const std::string& name);
+/// Nothing for one that is written out, or not known.
+std::optional<CalledMethod> find_called(const std::string& name, bool controlled);
 
 /// Does the solver look at the system at ticks alone, never between them?
 bool evaluates_ticks_only(const std::string& name);
 
-/// Null for a name that is not known.
-std::unique_ptr<Solver> make_solver(const std::string& name, std::size_t states);
+/// Null for a name that is not known, or does not go with control of the error, or without.
+std::unique_ptr<Solver> make_solver(const std::string& name, std::size_t states,
+                                    const std::optional<ErrorControl>& control = {});
 
 }  // namespace stepwire::solve

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "blocks/sources/instant.hpp"
+#include "engine/base/math/instant.hpp"
 #include "tests/support/run_text.hpp"
 
 using namespace stepwire;

@@ -27,10 +27,10 @@ TEST_CASE("a value out of its range is refused at the value") {
 }
 
 TEST_CASE("a key that a block has not is refused at the key, with the nearest and all that it has") {
-  CHECK(faults_with_lag("  lag:       {block: Lag, u: error,  tua: 0.5 s}") ==
-        std::vector<std::string>{
-            "lag_step.yaml:11:38: lag: Lag has no 'tua'; did you mean 'tau'? It has: tau, "
-            "gain, trigger, u, reset, value, initial, enable"});
+  CHECK(
+      faults_with_lag("  lag:       {block: Lag, u: error,  tua: 0.5 s}") ==
+      std::vector<std::string>{"lag_step.yaml:11:38: lag: Lag has no 'tua'; did you mean 'tau'? It has: tau, "
+                               "gain, trigger, u, reset, value, initial, enable"});
 }
 
 TEST_CASE("a block of no known kind is the only fault, whatever is wired to it") {
@@ -110,7 +110,7 @@ TEST_CASE("what is for people is a text, and a name names one thing") {
     return refused[0];
   };
   CHECK(fault("title: [a]\n" + block) == "test.yaml:1:8: title: a text is wanted here");
-  CHECK(fault("solver: {a: b}\n" + block) == "test.yaml:1:9: solver: a text is wanted here");
+  CHECK(fault("solver: {a: b}\n" + block).starts_with("test.yaml:1:10: solver: solver has no 'a'"));
   CHECK(fault("thesis: 15\n" + block) ==
         "test.yaml:1:9: thesis: the thesis is a map: {figure: 15, section: 2.5.1}");
   CHECK(fault("blocks: {c: {block: [Constant]}}\n") == "test.yaml:1:21: c: 'block:' names one type, as Gain");

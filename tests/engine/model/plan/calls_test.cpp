@@ -26,7 +26,7 @@ struct Counter {
              : &calls == &followed_calls ? "Followed"
              : &calls == &aside_calls    ? "Aside"
                                          : "Once",
-             {.doc = "a test"});
+             {.doc = "a test", .smooth = true});
     is.template input<&Counter::u>({.unit = "*", .doc = "signal"});
     is.template output<&Counter::y>({.unit = "*", .doc = "the same"});
   }

@@ -1,0 +1,71 @@
+#include "blocks/continuous/transport_delay.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/model/block/declare.hpp"
+
+namespace stepwire {
+
+void TransportDelay::declare(Declare<TransportDelay>& is) {
+  is.block(
+      "TransportDelay",
+      {.doc =
+           "Delay of a continuous signal by any time of a step or more: y(t) = u(t - delay), and `initial` "
+           "until "
+           "then. Between two instants the past is a polynomial through the samples around, of degree 4 "
+           "where "
+           "there are so many, which does not reach across jumps and corners. For a signal that is sampled "
+           "take `between: hold`, or Delay. Its output does not depend on its input at the same instant. "
+           "Linear analyses refuse it.",
+       .source = "A. Harten, B. Engquist, S. Osher, S. R. Chakravarthy 1987, J. Comput. Phys. 71",
+       .timing = Timing::continuous,
+       .not_linear = "a delay has no states of a finite number",
+       .symbol = {.text = "e^-sT"},
+       .at_events = true});
+  is.parameter<&TransportDelay::longest>({.unit = "s",
+                                          .doc = "highest delay where it is a signal: as much is kept",
+                                          .above = 0.0,
+                                          .structural = true});
+  is.parameter<&TransportDelay::initial>({.unit = "'u", .doc = "output before the first sample arrives"});
+  is.parameter<&TransportDelay::between>(
+      {.doc = "what the input was between two instants", .words = {"smooth", "linear", "hold"}});
+  is.input<&TransportDelay::u>({.unit = "'u", .doc = "signal to delay", .feedthrough = false});
+  is.input<&TransportDelay::delay>(
+      {.unit = "s",
+       .doc = "by how much, a number or a signal: a step at least; beyond `longest` the run ends"});
+  is.output<&TransportDelay::y>({.unit = "'u", .doc = "the input, `delay` ago"});
+  is.state<&TransportDelay::times>(
+      {.unit = "s", .shape = "k", .doc = "times of the samples", .settable = false});
+  is.state<&TransportDelay::samples>(
+      {.unit = "'u", .shape = "k x n", .doc = "samples on their way", .settable = false});
+  is.state<&TransportDelay::edges>(
+      {.shape = "k", .doc = "1 at samples at which the input jumps", .settable = false});
+  is.state<&TransportDelay::newest>({.doc = "where the newest sample stands", .settable = false});
+  is.state<&TransportDelay::count>({.doc = "how many samples there are", .settable = false});
+  is.diagnostic<&TransportDelay::out_of_range>(
+      {.doc = "the delay is below a step or above `longest`", .ends_run = true});
+  is.diagnostic<&TransportDelay::full>(
+      {.doc = "more events are on their way than the block keeps", .ends_run = true});
+  is.clock<&TransportDelay::t>();
+  is.clock<&TransportDelay::period>();
+  is.derived<&TransportDelay::rows, From::no_number>();
+  is.derived<&TransportDelay::most, From::no_number>();
+}
+
+void TransportDelay::configure(Configure& is) {
+  constexpr double most_rows = 1e7, for_events = 64.0;
+  const auto constant = is.constant<&TransportDelay::delay>();
+  const double step = is.period();
+  most = constant ? std::max(*constant, step) : longest;
+  if (constant.value_or(most) < step * (1.0 - 1e-9))
+    is.refuse<&TransportDelay::longest>(fmt::format(
+        "a delay of {} s is less than the step of {} s; take a shorter step, or a Lag of that time",
+        constant.value_or(most), step));
+  if (most / step > most_rows)
+    is.refuse<&TransportDelay::longest>(
+        fmt::format("{} s are more than {} steps of {} s", most, most_rows, step));
+  rows = static_cast<Index>(2.0 * std::ceil(most / step) + for_events);
+  is.size("k", rows);
+}
+
+}  // namespace stepwire

@@ -1,0 +1,159 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/base/math/instant.hpp"
+#include "engine/model/block/block.hpp"
+
+namespace stepwire {
+
+/// Delay of a continuous signal by any time: y(t) = u(t - delay).
+struct TransportDelay {
+  enum class Between { smooth, linear, hold };
+  static constexpr Index degree = 4;  ///< of the polynomial between samples, at most
+
+  double longest = 1.0;
+  PerElement initial = 0.0;
+  Between between = Between::smooth;
+  Input<> u{};
+  Input<1> delay{};
+  Output<> y{};
+  DiscreteState<> times{};    // of the rows, which are written in a circle [s]
+  DiscreteState<> samples{};  // rows of one sample each
+  DiscreteState<> edges{};    // 1 at rows at which the input has jumped
+  DiscreteState<1> newest{};  // row that was written last
+  DiscreteState<1> count{};   // rows that have been written
+  Diagnostic out_of_range{}, full{};
+
+  Index rows = 1;
+  double most = 1.0;  // delay that is kept [s]
+  Period period{};
+  Time t{};
+
+  void outputs() {
+    const double T = length();
+    const Index last = last_reached(T);
+    for (Index i = 0; i < y.size(); ++i) y[i] = last < 0 ? initial[i] : value(i, last, t - T);
+  }
+
+  void update() {
+    if (!(delay >= shortest() && delay <= most)) out_of_range.raise(t);
+    store(false);
+  }
+  void update_at_event() { store(true); }
+
+  double next_edge() const {
+    const double T = length();
+    for (Index row = last_reached(T) + 1; row < known(); ++row)
+      if (edges[place(row)] > 0.0) return times[place(row)] + T;
+    return std::numeric_limits<double>::infinity();
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<TransportDelay>& is);
+
+ private:
+  /// A stage reads what the tick before it has written, so the delay is at least a step; rounding is no
+  /// matter.
+  double shortest() const { return period * (1.0 - 1e-9); }
+  double length() const { return std::clamp(double(delay), shortest(), std::max(most, shortest())); }
+
+  Index known() const { return static_cast<Index>(count); }
+  /// Place of a row; 0 is the oldest.
+  Index place(Index row) const {
+    const Index at = static_cast<Index>(newest) - (known() - 1 - row);
+    return at < 0 ? at + rows : at;
+  }
+  double sample(Index row, Index i) const { return samples[place(row) * u.size() + i]; }
+
+  /// The last row that the delayed time has reached; -1 if none.
+  Index last_reached(double T) const {
+    Index low = -1, high = known();
+    while (high - low > 1) {
+      const Index middle = low + (high - low) / 2;
+      (reached(t, times[place(middle)] + T) ? low : high) = middle;
+    }
+    return low;
+  }
+
+  double value(Index i, Index row, double at) const {
+    if (between == Between::hold || row + 1 >= known()) return sample(row, i);
+    if (between == Between::smooth) return smooth(i, row, at);
+    const double from = times[place(row)], to = times[place(row + 1)];
+    return sample(row, i) + (at - from) / (to - from) * (sample(row + 1, i) - sample(row, i));
+  }
+
+  /// By Newton's polynomial through rows around. Of those that begin at or before `row` the one with the
+  /// smallest last term is taken: it does not reach across a jump or a corner (Harten, Engquist, Osher,
+  /// Chakravarthy 1987). One that ends at `row` is continued beyond it, up to a jump at the next row; it may
+  /// have fewer rows, behind another jump.
+  double smooth(Index i, Index row, double at) const {
+    const Index order = std::min(degree, known() - 1);
+    double best = sample(row, i), error = std::numeric_limits<double>::infinity();
+    const auto try_from = [&](Index begin, Index terms) {
+      const auto [number, term] = newton(i, begin, terms, at);
+      if (!(term < error)) return;
+      error = term;
+      best = number;
+    };
+    for (Index begin = std::min(row, known() - 1 - order); begin >= std::max<Index>(row - order, 0); --begin)
+      try_from(begin, order);
+    for (Index terms = std::min(order, row); terms > 0; --terms) try_from(row - terms, terms);
+    for (Index terms = std::min(order, known() - 1 - row); terms > 0; --terms) try_from(row, terms);
+    return best;
+  }
+
+  struct Newton {
+    double value, last_term;
+  };
+  Newton newton(Index i, Index begin, Index order, double at) const {
+    std::array<double, degree + 1> x{}, d{};
+    for (Index k = 0; k <= order; ++k) {
+      x[static_cast<std::size_t>(k)] = times[place(begin + k)];
+      d[static_cast<std::size_t>(k)] = sample(begin + k, i);
+    }
+    const auto n = static_cast<std::size_t>(order);
+    for (std::size_t k = 1; k <= n; ++k)
+      for (std::size_t j = n; j >= k; --j) d[j] = (d[j] - d[j - 1]) / (x[j] - x[j - k]);
+    double value = d[n], last_term = d[n];
+    for (std::size_t k = n; k-- > 0;) {
+      value = d[k] + (at - x[k]) * value;
+      last_term *= at - x[k];
+    }
+    return {value, std::abs(last_term)};
+  }
+
+  /// Writes a row, again where the last one has this time.
+  void store(bool at_event) {
+    const bool again = known() > 0 && times[static_cast<Index>(newest)] == t;
+    if (!again) {
+      const Index next = known() == 0 ? 0 : (static_cast<Index>(newest) + 1) % rows;
+      if (known() == rows && !reached(t, times[(next + 1) % rows] + most)) full.raise(t);
+      newest = static_cast<double>(next);
+      count = std::min(count + 1.0, static_cast<double>(rows));
+      times[next] = t;
+      edges[next] = 0.0;
+    }
+    const Index at = static_cast<Index>(newest);
+    if (at_event || has_jumped()) edges[at] = 1.0;
+    for (Index i = 0; i < u.size(); ++i) samples[at * u.size() + i] = u[i];
+  }
+
+  /// Tells whether the input is far from where the last two rows lead.
+  bool has_jumped() const {
+    const Index last = known() - 2;  // before the row of this time
+    if (last < 1) return true;
+    const double from = times[place(last - 1)], to = times[place(last)];
+    for (Index i = 0; i < u.size(); ++i) {
+      const double here = sample(last, i), slope = (here - sample(last - 1, i)) / (to - from);
+      const double moved = std::abs(u[i] - here), expected = std::abs(slope * (t - to));
+      if (moved > 10.0 * expected + 1e-9 * std::abs(here)) return true;
+    }
+    return false;
+  }
+};
+
+}  // namespace stepwire

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/model/block/block.hpp"
+
+namespace stepwire {
+
+/// Two rigid stops for a mass: it is thrown back with `restitution` of its speed, or rests against the stop
+/// where that would be slower than `slow`, until the other forces pull it away.
+struct HardStop {
+  PerElement mass = 1.0, lower = -unlimited, upper = unlimited, restitution = 0.0, slow = 1e-3;
+  Input<> force{}, position{}, velocity{};
+  Output<> y{}, hit{}, rebound{}, rests{};
+  DiscreteState<> side{};  // 1 and -1 while it rests at the upper and the lower stop, as at the last instant
+  DiscreteState<> rest{};  // velocity that a mass which rests still had at the last instant
+
+  Period period{};
+
+  void outputs() {
+    for (Index i = 0; i < y.size(); ++i) {
+      show(i, side[i], rest[i]);
+      hit[i] = 0.0;
+      rebound[i] = velocity[i];
+    }
+  }
+  void outputs_at_instant() {
+    for (Index i = 0; i < y.size(); ++i) {
+      const bool now = meets(i) != 0.0;
+      show(i, next_side(i), now ? 0.0 : velocity[i]);
+      hit[i] = now ? 1.0 : 0.0;
+      rebound[i] = !now ? velocity[i] : is_slow(i) ? 0.0 : -restitution[i] * velocity[i];
+    }
+  }
+  void update() {
+    for (Index i = 0; i < side.size(); ++i) {
+      const bool now = meets(i) != 0.0;
+      side[i] = next_side(i);
+      rest[i] = now ? 0.0 : velocity[i];
+    }
+  }
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < side.size(); ++i)
+      zero.add(side[i] != 0.0 ? side[i] * force[i] : upper[i] - position[i]);
+    for (Index i = 0; i < side.size(); ++i) zero.add(side[i] != 0.0 ? 1.0 : position[i] - lower[i]);
+  }
+
+  void configure(Configure& is);
+  static void declare(Declare<HardStop>& is);
+
+ private:
+  /// The stop that it runs into: 1 the upper, -1 the lower, 0 none.
+  double meets(Index i) const {
+    if (side[i] != 0.0) return 0.0;
+    if (position[i] >= upper[i] && velocity[i] > 0.0) return 1.0;
+    return position[i] <= lower[i] && velocity[i] < 0.0 ? -1.0 : 0.0;
+  }
+  bool is_slow(Index i) const { return restitution[i] * std::abs(velocity[i]) <= slow[i]; }
+
+  double next_side(Index i) const {
+    if (side[i] != 0.0) return side[i] * force[i] < 0.0 ? 0.0 : side[i];
+    return is_slow(i) ? meets(i) : 0.0;
+  }
+
+  /// Takes the rest of the velocity from a mass that rests, within a step.
+  void show(Index i, double now, double left) {
+    rests[i] = now;
+    y[i] = now == 0.0 ? 0.0 : -force[i] - mass[i] * left / period;
+  }
+};
+
+}  // namespace stepwire

@@ -1,0 +1,52 @@
+#include "engine/analyse/linear/run_up_to.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "engine/simulate/run/stop_condition.hpp"
+
+namespace stepwire::linear {
+
+namespace {
+
+[[noreturn]] void refuse(const yaml::Place& place, double time, const std::string& why) {
+  throw yaml::Error(
+      yaml::Fault{place, "at", yaml::fault_text("{} s is not within the run; {}", time, why), {}});
+}
+
+}  // namespace
+
+std::unique_ptr<run::Executor> run_up_to(const plan::Plan& plan, double time, std::int64_t base_ticks,
+                                         const yaml::Place& place) {
+  if (!(time >= 0.0 && time <= plan.diagram.stop))
+    refuse(place, time, fmt::format("it goes from 0 to {} s", plan.diagram.stop));
+  auto run = std::make_unique<run::Executor>(plan);
+  const auto wanted = static_cast<std::int64_t>(std::llround(time / plan.diagram.step));
+  const std::int64_t end = (wanted + base_ticks - 1) / base_ticks * base_ticks;
+  const run::StopConditionEvaluator stop(plan);
+  while (run->tick() < end) {
+    run->evaluate();
+    if (stop.stops(run->values()))
+      refuse(place, time, fmt::format("'stop_when' ends it at {:.12g} s", run->time()));
+    if (run->healthy()) run->advance();
+    if (run->has_stopped()) refuse(place, time, fmt::format("'stop_when' ends it at {:.12g} s", run->time()));
+    if (run->healthy()) continue;
+    if (const auto fault = run->fault()) throw yaml::Error(fault->fault);
+    break;
+  }
+  return run;
+}
+
+void require_linear(const plan::Plan& plan) {
+  yaml::Faults faults;
+  for (const diagram::DiagramBlock& block : plan.diagram.blocks)
+    if (const BlockType& type = block.type(); !type.not_linear.empty())
+      faults.add(plan.diagram.fault(
+          block.origin, block.name,
+          fmt::format("{} cannot be linearised: {}; put a TransferFunction that approximates it in its place",
+                      type.name, type.not_linear)));
+  faults.throw_if_any();
+}
+
+}  // namespace stepwire::linear

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace stepwire::run {
+
+/// The steps of a solver that chooses their length.
+struct StepCount {
+  std::int64_t accepted = 0, rejected = 0;
+  double largest_error = 0.0;  ///< of the accepted ones, in parts of what is allowed
+  bool stiff = false;          ///< has `auto` taken the stiff method?
+
+  StepCount& operator+=(const StepCount& other) {
+    accepted += other.accepted;
+    rejected += other.rejected;
+    largest_error = std::max(largest_error, other.largest_error);
+    stiff = stiff || other.stiff;
+    return *this;
+  }
+};
+
+}  // namespace stepwire::run

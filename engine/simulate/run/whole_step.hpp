@@ -1,0 +1,16 @@
+#pragma once
+
+#include "engine/model/plan/plan.hpp"
+#include "engine/simulate/solve/left_of.hpp"
+#include "engine/simulate/solve/solver.hpp"
+
+namespace stepwire::run {
+
+/// The step from a tick to the next, as a solver takes it: it sees a source that jumps there as it was
+/// before.
+inline solve::TimeStep whole_step(const plan::Plan& plan, std::int64_t tick) {
+  const double end = plan.time_of(tick + 1), length = plan.diagram.step;
+  return {plan.time_of(tick), plan.jumps ? solve::left_of(end, length) : end, length};
+}
+
+}  // namespace stepwire::run

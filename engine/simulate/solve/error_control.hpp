@@ -1,0 +1,169 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "engine/simulate/solve/step_report.hpp"
+
+namespace stepwire::solve {
+
+/// How far steps may err: an error of `relative |x| + absolute` of a state counts as 1.
+struct ErrorControl {
+  double relative = 1e-6;
+  double absolute = 1e-9;           ///< in the state's own SI unit
+  std::int64_t max_steps = 100000;  ///< between two instants, rejected ones among them; beyond, the run ends
+};
+
+/// Where a controlled solver keeps what it knows: numbers of the workspace, the first three as in StepReport.
+struct ControlReport {
+  static constexpr std::size_t next = 3;      ///< length of the next step [s], 0 before the first
+  static constexpr std::size_t before = 4;    ///< error of the last step
+  static constexpr std::size_t steps = 5;     ///< that were accepted, and
+  static constexpr std::size_t rejected = 6;  ///< that were not
+  static constexpr std::size_t largest = 7;   ///< of the errors of those that were
+  static constexpr std::size_t stiff = 8;     ///< 1 once a method that chooses has taken the stiff one
+  static constexpr std::size_t signs = 9;     ///< how often in a row it looked stiff
+  static constexpr std::size_t count = 10;
+};
+
+/// Goes from one instant to another in as many steps as the error takes (Hairer, Norsett and Wanner,
+/// Solving ODEs I, II.4): a PI controller, and Hairer's rule for the first step. A `Method` attempts one step
+/// and estimates its error. With `max_states` nothing is ever allocated; the results are the same to the last
+/// bit.
+template <template <int> class Method, int max_states = Eigen::Dynamic>
+class Controlled {
+ public:
+  explicit Controlled(Eigen::Index states) : method_(states) {
+    for (Vector* vector : {&origin_, &start_, &slope_}) vector->setZero(states);
+  }
+
+  /// Advances `x` from `time` by `length`, to a time that is called `end`. On entry `dot` is evaluated at
+  /// (time, x); evaluate() does that again for other `x` and `*now`.
+  template <class Evaluate>
+  void advance(double* x_place, double* dot_place, double* now, double time, double end, double length,
+               const ErrorControl& control, double* numbers, const Evaluate& evaluate) {
+    Eigen::Map<Vector> x(x_place, origin_.size()), dot(dot_place, origin_.size());
+    origin_ = x;
+    double at = time, wished = numbers[ControlReport::next];
+    if (!(wished > 0.0)) wished = first_step(x, dot, now, at, length, control, evaluate);
+    rejected_ = false;
+    for (std::int64_t attempts = 0; at < time + length; ++attempts) {
+      const double left = time + length - at;
+      const bool last = !(1.000001 * wished < left);
+      const double step = last ? left : wished;
+      if (attempts == control.max_steps || !(at + step > at)) return fail(x, control, numbers);
+      start_ = x;
+      slope_ = dot;
+      const bool solved = method_.attempt(x, dot, now, at, last ? end : at + step, step, numbers, evaluate);
+      const double error = solved ? norm(x, control) : std::numeric_limits<double>::infinity();
+      const bool accepted = error <= 1.0;
+      const double next = step * (accepted ? accept(error, numbers) : reject(error, numbers));
+      wished = last && accepted ? std::max(wished, next) : next;
+      if (accepted) at = last ? time + length : at + step;
+      if (!accepted || !last) go_on(x, dot, now, at, accepted, evaluate);
+    }
+    numbers[ControlReport::next] = wished;
+  }
+
+  /// The states at the start of the last call.
+  const double* start() const { return origin_.data(); }
+
+ private:
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_states, 1>;
+
+  template <class X>
+  double part(const X& x, double error, Eigen::Index i, const ErrorControl& control) const {
+    return std::abs(error) /
+           (control.absolute + control.relative * std::max(std::abs(start_[i]), std::abs(x[i])));
+  }
+
+  /// Mean square of the errors, in parts of what is allowed.
+  template <class X>
+  double norm(const X& x, const ErrorControl& control) const {
+    double sum = 0.0;
+    const auto& error = method_.error();
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const double one = part(x, error[i], i, control);
+      sum += one * one;
+    }
+    return std::sqrt(sum / static_cast<double>(std::max<Eigen::Index>(x.size(), 1)));
+  }
+
+  /// By how much the next step may be longer.
+  double accept(double error, double* numbers) {
+    double& before = numbers[ControlReport::before];
+    numbers[ControlReport::steps] += 1.0;
+    numbers[ControlReport::largest] = std::max(numbers[ControlReport::largest], error);
+    const double beta = 0.04, last = before > 0.0 ? before : 1e-4;
+    const double factor =
+        0.9 * std::pow(std::max(error, 1e-10), -(1.0 / method_.order() - 0.75 * beta)) * std::pow(last, beta);
+    before = std::max(error, 1e-4);
+    return std::clamp(factor, 0.2, std::exchange(rejected_, false) ? 1.0 : 5.0);
+  }
+  /// By how much the next one must be shorter.
+  double reject(double error, double* numbers) {
+    numbers[ControlReport::rejected] += 1.0;
+    rejected_ = true;
+    return std::isfinite(error) ? std::max(0.2, 0.9 * std::pow(error, -1.0 / method_.order())) : 0.2;
+  }
+
+  /// Stands at `at` with the slope there, behind an attempt or again before it.
+  template <class X, class Dot, class Evaluate>
+  void go_on(X& x, Dot& dot, double* now, double at, bool accepted, const Evaluate& evaluate) {
+    *now = at;
+    if (!accepted) {
+      x = start_;
+      dot = slope_;
+    } else if (!method_.ends_with_slope()) {
+      evaluate();
+    }
+  }
+
+  template <class X, class Dot, class Evaluate>
+  double first_step(X& x, Dot& dot, double* now, double at, double length, const ErrorControl& control,
+                    const Evaluate& evaluate) {
+    start_ = x;
+    slope_ = dot;
+    double size = 0.0, speed = 0.0, change = 0.0;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      size = std::max(size, part(x, x[i], i, control));
+      speed = std::max(speed, part(x, slope_[i], i, control));
+    }
+    const double guess = std::min(size < 1e-5 || speed < 1e-5 ? 1e-6 * length : 0.01 * size / speed, length);
+    x = start_ + guess * slope_;
+    *now = at + guess;
+    evaluate();
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      change = std::max(change, part(x, dot[i] - slope_[i], i, control) / guess);
+    x = start_;
+    dot = slope_;
+    *now = at;
+    const double most = std::max(speed, change);
+    const double other =
+        most > 1e-15 ? std::pow(0.01 / most, 1.0 / method_.first_order) : std::max(1e-6, 1e-3 * guess);
+    return std::min({100.0 * guess, other, length});
+  }
+
+  template <class X>
+  void fail(const X& x, const ErrorControl& control, double* numbers) const {
+    double worst = 0.0;
+    std::ptrdiff_t state = 0;
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      if (const double one = part(x, method_.error()[i], i, control); !(one <= worst)) {
+        worst = one;
+        state = i;
+      }
+    StepReport{numbers}.write(StepReport::too_many_steps, worst, state);
+  }
+
+  Method<max_states> method_;
+  bool rejected_ = false;  ///< after an attempt that was
+  Vector origin_, start_, slope_;
+};
+
+}  // namespace stepwire::solve

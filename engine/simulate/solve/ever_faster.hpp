@@ -1,0 +1,38 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+namespace stepwire::solve {
+
+/// Finds events of one crossing whose intervals shrink towards nothing, such as those of a ball that bounces
+/// ever faster. For each crossing and side it keeps the last time, the last interval, and how often that has
+/// shrunk.
+class EverFaster {
+ public:
+  EverFaster(double* numbers, std::size_t crossings)
+      : last_(numbers), gap_(last_ + 2 * crossings), times_(gap_ + 2 * crossings) {}
+
+  void begin(std::size_t crossings) {
+    std::fill_n(last_, 2 * crossings, -std::numeric_limits<double>::infinity());
+    std::fill_n(gap_, 2 * crossings, std::numeric_limits<double>::infinity());
+    std::fill_n(times_, 2 * crossings, 0.0);
+  }
+
+  /// Adds an event of a crossing, and tells whether it belongs to a row that ends in time.
+  bool add(std::size_t crossing, bool rises, double at, double step) {
+    const std::size_t i = 2 * crossing + (rises ? 1 : 0);
+    const double gap = at - last_[i];
+    times_[i] = gap < gap_[i] ? times_[i] + 1.0 : 0.0;
+    last_[i] = at;
+    gap_[i] = gap;
+    const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * at;
+    return times_[i] > 4.0 && gap < std::max(1e-6 * step, rounding);
+  }
+
+ private:
+  double *last_, *gap_, *times_;
+};
+
+}  // namespace stepwire::solve

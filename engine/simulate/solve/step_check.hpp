@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/simulate/solve/error_control.hpp"
+#include "engine/simulate/solve/rodas.hpp"
+#include "engine/simulate/solve/step_report.hpp"
+
+namespace stepwire::solve {
+
+/// Goes again over a step whose own estimate is in doubt, with control of the error, and tells how far the
+/// states are from there. An implicit method damps what it cannot follow, and its estimate with it; a state
+/// that has jumped with its input is right all the same.
+template <int max_states>
+class StepCheck {
+ public:
+  explicit StepCheck(Eigen::Index states) : solver_(states) { kept_.setZero(states); }
+
+  /// `x` stays as it is. The error is in sizes of the states.
+  template <class X, class Start, class Evaluate>
+  WorstError error(X& x, double* dot_place, const Start& start, double* now, double time, double end,
+                   double step, const Evaluate& evaluate) {
+    constexpr ErrorControl control{1e-3, 1e-2 * WorstError::smallest_size, 100000};
+    double numbers[ControlReport::count] = {};
+    kept_ = x;
+    x = start;
+    *now = time;
+    evaluate();
+    solver_.advance(x.data(), dot_place, now, time, end, step, control, numbers, evaluate);
+    WorstError worst;
+    if (numbers[0] != StepReport::fine)
+      return {std::numeric_limits<double>::infinity(), static_cast<std::ptrdiff_t>(numbers[2])};
+    *now = end;
+    evaluate();
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      // A state at rest at 0 whose input jumps within the step errs by some of what it moves in a step.
+      const bool rests = std::abs(start[i]) <= WorstError::smallest_size;
+      const double late = rests ? 16.0 * step * std::abs(dot_place[i]) : 0.0;
+      worst.add(std::max(std::abs(kept_[i] - x[i]) - late, 0.0), std::max(std::abs(start[i]), std::abs(x[i])),
+                i);
+    }
+    x = kept_;
+    return worst;
+  }
+
+ private:
+  Controlled<Rodas, max_states> solver_;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_states, 1> kept_;
+};
+
+}  // namespace stepwire::solve

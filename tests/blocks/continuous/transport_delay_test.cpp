@@ -1,0 +1,138 @@
+// y(t) = u(t - delay), against closed forms.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/support/run_text.hpp"
+
+namespace stepwire {
+using Catch::Matchers::Contains;
+
+namespace {
+
+/// x' = -x(t - 1) with x = 1 before 0, by the method of steps.
+double by_steps(double t) {
+  double sum = 0.0, factorial = 1.0;
+  for (int k = 0; t - k + 1.0 >= 0.0; ++k) {
+    if (k > 0) factorial *= k;
+    sum += std::pow(-1.0, k) * std::pow(t - k + 1.0, k) / factorial;
+  }
+  return sum;
+}
+
+double last(const table::Table& run, const std::string& name) {
+  return column(run, name).back();
+}
+
+double error_by_steps(const std::string& solver, double step) {
+  const table::Table run = run_text("step: " + std::to_string(step) + " s\nstop: 6 s\nsolver: " + solver + R"(
+blocks:
+  x: {block: Integrator, u: minus, initial: 1}
+  minus: {block: Gain, gain: -1, u: past}
+  past: {block: TransportDelay, u: x, delay: 1 s, initial: 1}
+record: [x]
+)");
+  double worst = 0.0;
+  for (std::size_t k = 0; k < column(run, "time").size(); ++k)
+    worst = std::max(worst, std::abs(column(run, "x")[k] - by_steps(column(run, "time")[k])));
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("an equation with a delay has its closed form, with the solver's order") {
+  const table::Table run = run_text(R"(step: 10 ms
+stop: 2 s
+solver: rk4
+blocks:
+  x: {block: Integrator, u: minus, initial: 1}
+  minus: {block: Gain, gain: -1, u: past}
+  past: {block: TransportDelay, u: x, delay: 1 s, initial: 1}
+record: [x]
+)");
+  CHECK(last(run, "x") == Approx(-0.5).epsilon(1e-12));
+  const std::pair<const char*, double> orders[] = {{"heun", 2.0}, {"bogacki_shampine", 3.0}, {"rk4", 4.0}};
+  for (const auto& [solver, order] : orders) {
+    INFO(solver);
+    const double coarse = error_by_steps(solver, 0.05), fine = error_by_steps(solver, 0.025);
+    CHECK(std::log2(coarse / fine) > order - 0.4);
+  }
+}
+
+TEST_CASE("a smooth signal is delayed by any time, to the fifth order of the step") {
+  const auto worst = [](const std::string& step) {
+    const table::Table run = run_text("step: " + step + "\nstop: 1 s\nsolver: rk4\n" + R"(blocks:
+  u: {block: Sine, frequency: 1 Hz}
+  y: {block: TransportDelay, u: u, delay: 123.4 ms}
+record: [y]
+)");
+    double error = 0.0;
+    for (std::size_t k = 0; k < column(run, "time").size(); ++k) {
+      const double t = column(run, "time")[k] - 0.1234;
+      if (t > 0.2) error = std::max(error, std::abs(column(run, "y")[k] - std::sin(2.0 * M_PI * t)));
+    }
+    return error;
+  };
+  const double coarse = worst("20 ms"), fine = worst("10 ms");
+  CHECK(fine < 1e-6);
+  CHECK(coarse / fine > 20.0);
+}
+
+TEST_CASE("a delayed jump is an instant where events are located") {
+  const table::Table run = run_text(R"(events: locate
+step: 0.1 s
+stop: 1 s
+solver: rk4
+blocks:
+  u: {block: Step, time: 0.2 s}
+  between: {block: Step, time: 0.33 s}
+  y: {block: TransportDelay, u: u, delay: 0.153 s}
+  z: {block: TransportDelay, u: between, delay: 0.2 s}
+  ys: {block: Integrator, u: y}
+  zs: {block: Integrator, u: z}
+record: [ys, zs]
+)");
+  CHECK(last(run, "ys") == Approx(1.0 - 0.353).epsilon(1e-9));
+  CHECK(last(run, "zs") == Approx(1.0 - 0.53).epsilon(1e-9));
+}
+
+TEST_CASE("a jump on a tick is no slope of the step before it") {
+  // A delay of whole steps moves the samples as they are.
+  const table::Table run = run_text(R"(step: 0.1 s
+stop: 1 s
+solver: rk4
+blocks:
+  u: {block: Step, time: 0.3 s}
+  y: {block: TransportDelay, u: u, delay: 0.2 s}
+  ys: {block: Integrator, u: y}
+record: [y, ys]
+)");
+  CHECK(last(run, "ys") == Approx(0.5).epsilon(1e-12));
+}
+
+TEST_CASE("a delay may be a signal: a ramp that is delayed by a ramp is straight") {
+  const table::Table run = run_text(R"(step: 10 ms
+stop: 2 s
+solver: rk4
+blocks:
+  t: {block: Clock}
+  by: {block: Expression, u: t, expression: "0.1 + 0.25*u"}
+  y: {block: TransportDelay, u: t, delay: by, longest: 1 s}
+record: [y]
+)");
+  CHECK(last(run, "y") == Approx(2.0 - 0.6).epsilon(1e-12));
+}
+
+TEST_CASE("a delay that cannot be kept is refused, or ends the run") {
+  const auto of = [](const std::string& delay) {
+    return error_of(
+        "step: 10 ms\nstop: 2 s\nsolver: rk4\nblocks:\n  t: {block: Clock}\n  y: {block: TransportDelay, u: "
+        "t, " +
+        delay + "}\n");
+  };
+  CHECK_THAT(of("delay: 5 ms"), Contains("is less than the step of 0.01 s"));
+  CHECK_THAT(of("delay: t"), Contains("below a step or above `longest`"));
+  CHECK_THAT(of("delay: -1 s"), Contains("is less than the step"));
+  CHECK(of("delay: 10 ms").empty());
+}
+
+}  // namespace stepwire

@@ -1,0 +1,117 @@
+// Stops, and friction that yields, against closed forms.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/support/run_text.hpp"
+
+namespace stepwire {
+
+namespace {
+
+double last(const table::Table& run, const std::string& name) {
+  return column(run, name).back();
+}
+
+table::Table ball(const std::string& events, const std::string& stop) {
+  return run_text("events: " + events + R"(
+step: 1 ms
+stop: 6 s
+solver: rk4
+blocks:
+  weight: {block: Constant, value: -9.81 N}
+  floor: {block: HardStop, mass: 1 kg, lower: 0 m, force: weight, position: ball.position, velocity: ball.velocity, )" +
+                  stop + R"(}
+  sum: {block: Sum, u: [weight, floor.y]}
+  ball: {block: Mass, mass: 1 kg, force: sum, reset: floor.hit, value: floor.rebound, initial_position: 1 m}
+record: [ball.position, ball.velocity, floor.rests, floor.y]
+)");
+}
+
+/// Height of a ball of 1 m with restitution 0.8 at a time, before it rests.
+double height(double time) {
+  const double g = 9.81;
+  double speed = std::sqrt(2.0 * g), left = time - std::sqrt(2.0 / g);
+  if (left < 0.0) return 1.0 - 0.5 * g * time * time;
+  for (speed *= 0.8; left > 2.0 * speed / g; speed *= 0.8) left -= 2.0 * speed / g;
+  return speed * left - 0.5 * g * left * left;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a ball bounces on a stop where its closed form has it, and then rests with the force of its weight") {
+  const table::Table run = ball("locate", "restitution: 0.8, slow: 1e-4 m/s");
+  const auto &time = column(run, "time"), &x = column(run, "ball.position");
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (time[k] < 3.9) CHECK(x[k] == Approx(height(time[k])).margin(1e-8));
+  CHECK(std::abs(last(run, "ball.position")) < 1e-6);
+  CHECK(std::abs(last(run, "ball.velocity")) < 1e-12);
+  CHECK(last(run, "floor.rests") == -1.0);
+  CHECK(last(run, "floor.y") == Approx(9.81).epsilon(1e-9));
+}
+
+TEST_CASE("a ball that is not thrown back lies where it has fallen") {
+  for (const char* events : {"tick", "locate"}) {
+    INFO(events);
+    const table::Table run = ball(events, "restitution: 0");
+    CHECK(std::abs(last(run, "ball.position")) < (std::string(events) == "tick" ? 5e-3 : 1e-9));
+    CHECK(std::abs(last(run, "ball.velocity")) < 1e-12);
+  }
+}
+
+TEST_CASE("a body that rests at a stop leaves it when it is pulled away") {
+  const table::Table run = run_text(R"(events: locate
+step: 10 ms
+stop: 3 s
+solver: rk4
+blocks:
+  push: {block: Ramp, slope: -1 N/s, initial: 1.005 N}
+  wall: {block: HardStop, mass: 1 kg, upper: 0 m, force: push, position: body.position, velocity: body.velocity}
+  sum: {block: Sum, u: [push, wall.y]}
+  body: {block: Mass, mass: 1 kg, force: sum, reset: wall.hit, value: wall.rebound, initial_velocity: 1e-6 m/s}
+record: [body.velocity]
+)");
+  // From 1.005 s on v' = -(t - 1.005).
+  CHECK(last(run, "body.velocity") == Approx(-0.5 * 1.995 * 1.995).epsilon(1e-9));
+}
+
+TEST_CASE("bristles that move steadily give the friction of their speed") {
+  // Canudas de Wit et al. 1995, equation 6: F = g(v) + viscous v.
+  for (const double v : {0.0005, 0.001, 0.01, 0.1}) {
+    INFO(v);
+    const table::Table run =
+        run_text("step: 0.1 ms\nstop: 1 s\nsolver: rosenbrock\nblocks:\n  v: {block: Constant, value: " +
+                 std::to_string(v) + " m/s}\n  f: {block: LuGre, velocity: v}\nrecord: [f]\n");
+    const double level = 1.0 + 0.5 * std::exp(-std::pow(v / 1e-3, 2.0));
+    CHECK(last(run, "f") == Approx(-(level + 0.4 * v)).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("bristles hold what is weaker than their breakaway, but for their bend") {
+  const table::Table run = run_text(R"(step: 0.05 ms
+stop: 1 s
+solver: rk4
+blocks:
+  push: {block: Constant, value: 0.8 N}
+  friction: {block: LuGre, velocity: body.velocity}
+  sum: {block: Sum, u: [push, friction]}
+  body: {block: Mass, mass: 1 kg, force: sum}
+record: [body.position, body.velocity]
+)");
+  CHECK(last(run, "body.position") > 0.8 / 1e5);
+  CHECK(last(run, "body.position") < 4e-5);
+  CHECK(std::abs(last(run, "body.velocity")) < 1e-9);
+}
+
+TEST_CASE("Dahl's spring yields with the way as its closed form has it") {
+  for (const double v : {0.001, 0.02}) {
+    const double stop = 2e-5 / v;
+    const table::Table run =
+        run_text("step: " + std::to_string(stop / 20.0) + " s\nstop: " + std::to_string(stop) +
+                 " s\nsolver: rk4\nblocks:\n  v: {block: Constant, value: " + std::to_string(v) +
+                 " m/s}\n  f: {block: Dahl, velocity: v}\nrecord: [f]\n");
+    CHECK(last(run, "f") == Approx(-(1.0 - std::exp(-2.0))).epsilon(1e-6));
+  }
+}
+
+}  // namespace stepwire
