@@ -57,7 +57,7 @@ void TransportDelay::configure(Configure& is) {
   const auto constant = is.constant<&TransportDelay::delay>();
   const double step = is.period();
   most = constant ? std::max(*constant, step) : longest;
-  if (constant.value_or(most) < step * (1.0 - 1e-9))
+  if (!(constant.value_or(most) >= step * (1.0 - 1e-9)))
     is.refuse<&TransportDelay::longest>(fmt::format(
         "a delay of {} s is less than the step of {} s; take a shorter step, or a Lag of that time",
         constant.value_or(most), step));

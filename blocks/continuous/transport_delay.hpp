@@ -142,7 +142,7 @@ struct TransportDelay {
     for (Index i = 0; i < u.size(); ++i) samples[at * u.size() + i] = u[i];
   }
 
-  /// Tells whether the input is far from where the last two rows lead.
+  /// True where the input is far off the line through the last two rows.
   bool has_jumped() const {
     const Index last = known() - 2;  // before the row of this time
     if (last < 1) return true;

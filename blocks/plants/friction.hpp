@@ -46,7 +46,7 @@ struct Friction {
     return coulomb[i] + more * part;
   }
 
-  /// Tells whether it has a velocity that no force gave it, such as after a reset, or at a start in motion.
+  /// True where the velocity is not of a force: behind a reset, or at a start in motion.
   bool is_moved(Index i) const {
     return std::abs(velocity[i]) > 2.0 * std::abs(rest[i]) + 1e-9 * highest(i) * period / mass[i];
   }

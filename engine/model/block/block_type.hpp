@@ -56,10 +56,9 @@ struct BlockType {
   std::vector<SizeSpec> sizes;
 
   Kernels run_outputs, run_derivatives, run_update;
-  /// In the place of run_outputs at ticks and events, before update(); empty where nothing is different
-  /// there.
+  /// Replaces run_outputs at ticks and events, before update(); empty for a block with one outputs().
   Kernels run_outputs_at_instant;
-  /// Replaces run_update at located events; empty where both are the same.
+  /// Replaces run_update at located events; empty for a block with one update().
   Kernels run_update_at_event;
   /// Writes the numbers of all crossings; null where there are none.
   void (*run_crossings)(const void* block, double* numbers) = nullptr;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/simulate/solve/error_control.hpp"
 #include "engine/simulate/solve/rodas.hpp"
@@ -30,8 +31,10 @@ class StepCheck {
     evaluate();
     solver_.advance(x.data(), dot_place, now, time, end, step, control, numbers, evaluate);
     WorstError worst;
-    if (numbers[0] != StepReport::fine)
+    if (numbers[0] != StepReport::fine) {
+      x = kept_;
       return {std::numeric_limits<double>::infinity(), static_cast<std::ptrdiff_t>(numbers[2])};
+    }
     *now = end;
     evaluate();
     for (Eigen::Index i = 0; i < x.size(); ++i) {
