@@ -1,4 +1,4 @@
-#include "engine/simulate/run/event_fault.hpp"
+#include "engine/simulate/run/faults.hpp"
 
 #include <fmt/format.h>
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "engine/model/plan/plan.hpp"
+
 namespace stepwire::run {
 
 /// The steps of a solver that chooses their length.
@@ -19,5 +21,8 @@ struct StepCount {
     return *this;
   }
 };
+
+/// Of a run up to now, from the numbers of its workspace.
+StepCount step_count(const plan::Plan& plan, const double* values);
 
 }  // namespace stepwire::run

@@ -1,0 +1,113 @@
+#include "engine/simulate/run/call_table.hpp"
+
+namespace stepwire::run {
+
+namespace {
+
+std::size_t unknowns_of(const plan::LoopCall& call) {
+  std::size_t unknowns = 0;
+  for (const plan::SignalSlot& tear : call.tears) unknowns += static_cast<std::size_t>(tear.size);
+  return unknowns;
+}
+
+}  // namespace
+
+CallTable::Loop::Loop(const plan::Plan& plan, const plan::LoopCall& call)
+    : first(call.first),
+      end(call.end),
+      unknowns(unknowns_of(call)),
+      solver(static_cast<Eigen::Index>(unknowns)) {
+  for (const plan::SignalSlot& tear : call.tears)
+    tears.push_back({tear.offset, static_cast<std::size_t>(tear.size)});
+  const plan::SolvedLoop& loop = plan.loops[call.loop];
+  const diagram::AlgebraicLoops& options = plan.diagram.algebraic_loops;
+  task = {tears.data(), tears.size(),       loop.diagnostics.data(), loop.diagnostics.size(),
+          loop.report,  plan::Layout::time, options.tolerance,       options.max_iterations};
+}
+
+CallTable::CallTable(const std::vector<plan::KernelCall>& batches, BoundBlocks& blocks, Participants& who)
+    : batches_(batches), values_(blocks.values()), who_(who) {
+  const plan::Plan& plan = blocks.plan();
+  for (const plan::KernelCall& batch : batches)
+    calls_.push_back({batch.run, blocks.memory() + batch.first, blocks.memory() + batch.end});
+  loops_.reserve(plan.loops_of(batches).size());  // none is moved: its task points into it
+  for (const plan::LoopCall& loop : plan.loops_of(batches)) loops_.emplace_back(plan, loop);
+  if (who.guards) add_gates();
+}
+
+/// What a guard leaves out lies in a row, as far as the order lets it, and is passed over in one go.
+void CallTable::add_gates() {
+  static constexpr double always = 1.0;
+  gates_.resize(batches_.size());
+  for (std::size_t i = batches_.size(); i-- > 0;) {
+    const bool same = i + 1 < batches_.size() && batches_[i + 1].active == batches_[i].active;
+    gates_[i] = {batches_[i].active < 0 ? &always : values_ + batches_[i].active,
+                 same ? gates_[i + 1].next : i + 1};
+  }
+}
+
+void CallTable::run() {
+  if (is_watched()) return run_watched();
+  if (!loops_.empty() || !gates_.empty()) return run_range(0, calls_.size());
+  const Call* call = calls_.data();
+  const Call* const end = call + calls_.size();
+  // Four at a time: most calls do so little that counting them is felt.
+  for (; end - call >= 4; call += 4) {
+    call[0].run(call[0].first, call[0].end);
+    call[1].run(call[1].first, call[1].end);
+    call[2].run(call[2].first, call[2].end);
+    call[3].run(call[3].first, call[3].end);
+  }
+  for (; call != end; ++call) call->run(call->first, call->end);
+}
+
+void CallTable::run_due() {
+  if (who_.due.size() == 1) return run();  // nothing is slower than the step
+  if (is_watched()) return run_watched();
+  run_range(0, calls_.size());
+}
+
+/// What runs between ticks is continuous, and what is continuous is due at every tick.
+void CallTable::run_watched() {
+  run_range(0, who_.probe->first);
+  who_.probe->enter();
+  run_range(who_.probe->first, who_.probe->end);
+  who_.probe->leave();
+  run_range(who_.probe->end, calls_.size());
+}
+
+void CallTable::run_range(std::size_t first, std::size_t end) {
+  for (Loop& loop : loops_) {
+    if (loop.first < first || loop.first >= end) continue;
+    run_calls(first, loop.first);
+    solve(loop);
+    first = loop.end;
+  }
+  run_calls(first, end);
+}
+
+void CallTable::run_calls(std::size_t first, std::size_t end) {
+  if (!gates_.empty()) return run_guarded(first, end);
+  for (std::size_t i = first; i < end; ++i)
+    if (who_.due[static_cast<std::size_t>(batches_[i].period)]) calls_[i].run(calls_[i].first, calls_[i].end);
+}
+
+void CallTable::run_guarded(std::size_t first, std::size_t end) {
+  for (std::size_t i = first; i < end; ++i) {
+    if (*gates_[i].active == 0.0) {
+      i = gates_[i].next - 1;
+      continue;
+    }
+    const plan::KernelCall& batch = batches_[i];
+    if (!who_.due[static_cast<std::size_t>(batch.period)]) continue;
+    const bool was = batch.guard >= 0 && who_.guards->active(static_cast<std::size_t>(batch.guard));
+    calls_[i].run(calls_[i].first, calls_[i].end);
+    if (batch.guard >= 0) who_.guards->changed(static_cast<std::size_t>(batch.guard), was);
+  }
+}
+
+void CallTable::solve(Loop& loop) {
+  loop.solver.solve(loop.task, values_, [&] { run_calls(loop.first, loop.end); });
+}
+
+}  // namespace stepwire::run

@@ -1,0 +1,35 @@
+#include "engine/simulate/run/discrete_phase.hpp"
+
+namespace stepwire::run {
+
+DiscretePhase::DiscretePhase(BoundBlocks& blocks, Participants& who)
+    : who_(who),
+      outputs_(blocks.plan().outputs, blocks, who),
+      rest_(blocks.plan().rest, blocks, who),
+      updates_(blocks.plan().updates, blocks, who),
+      event_befores_(blocks.plan().event_befores, blocks, who),
+      event_outputs_(blocks.plan().event_outputs, blocks, who),
+      event_updates_(blocks.plan().event_updates, blocks, who) {}
+
+void DiscretePhase::find_outputs(std::int64_t tick, bool ahead) {
+  who_.find_due(tick);
+  (ahead ? rest_ : outputs_).run_due();
+}
+
+void DiscretePhase::begin_event() {
+  event_befores_.run();
+  keep();
+}
+
+void DiscretePhase::round() {
+  event_outputs_.run();
+  event_updates_.run();
+  keep();
+}
+
+/// Of all that a guard switches off, where an event can do so.
+void DiscretePhase::keep() {
+  if (!event_befores_.empty()) who_.keep();
+}
+
+}  // namespace stepwire::run

@@ -1,0 +1,158 @@
+#include "engine/simulate/run/event_stepper.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "engine/simulate/run/whole_step.hpp"
+#include "engine/simulate/solve/left_of.hpp"
+
+namespace stepwire::run {
+
+/// The way from a tick to the next with steps that are split.
+struct EventStepper::BetweenTicks {
+  EventStepper& of;
+
+  void advance(double from, double to, double length) const {
+    if (of.stepper_.moves()) of.stepper_.advance({from, to, length});
+  }
+  void begin() const {
+    std::fill_n(of.values_ + of.plan_.layout.report, solve::StepReport::count, 0.0);
+    of.stepper_.follow_time();
+    settle();
+  }
+  void follow() const {
+    of.stepper_.follow_time();
+    of.follow_crossings();
+  }
+  void crossings(double* numbers) const { of.looks_.find(numbers); }
+  double edge() const { return of.looks_.next_edge(); }
+  void before() const {
+    of.stepper_.follow_time();
+    of.phase_.begin_event();
+  }
+  void round() const { of.phase_.round(); }
+  bool after() const {
+    settle();
+    return of.looks_.stops();
+  }
+
+ private:
+  void settle() const {
+    of.stepper_.find_outputs();
+    of.stepper_.find_slopes();
+    of.follow_crossings();
+  }
+};
+
+EventStepper::EventStepper(BoundBlocks& blocks, Participants& who, Stepper& stepper, DiscretePhase& phase)
+    : plan_(blocks.plan()),
+      values_(blocks.values()),
+      stepper_(stepper),
+      phase_(phase),
+      ahead_(plan_.ahead, blocks, who),
+      crossing_outputs_(plan_.crossing_outputs, blocks, who),
+      crossing_starts_(plan_.crossing_starts, blocks, who),
+      looks_(blocks),
+      before_(plan_.crossing_count),
+      after_(plan_.crossing_count),
+      end_states_(plan_.layout.state_count),
+      scratch_(solve::EventTask::scratch_size(plan_.layout.state_count, plan_.crossing_count,
+                                              plan_.layout.diagnostics - plan_.layout.signals)),
+      states_change_(plan_.updates_continuous || who.guards) {}
+
+bool EventStepper::has_stopped() const {
+  return looks_.may_stop() && report(solve::EventReport::stopped) != 0.0;
+}
+
+bool EventStepper::is_ahead() const {
+  return phase_.goes_ahead() && report(solve::EventReport::ahead) != 0.0;
+}
+
+void EventStepper::forget_ahead() {
+  report(solve::EventReport::ahead) = 0.0;
+}
+
+bool EventStepper::failed() const {
+  return report(solve::EventReport::end) != 0.0;
+}
+
+EventCount EventStepper::count() const {
+  return {static_cast<std::int64_t>(report(solve::EventReport::events)),
+          static_cast<std::int64_t>(report(solve::EventReport::most))};
+}
+
+void EventStepper::look_at_start() {
+  const plan::Layout& layout = plan_.layout;
+  const double* states = values_ + layout.states;
+  if (!knows_end_ ||
+      (states_change_ && std::memcmp(states, end_states_.data(), layout.state_count * sizeof *states) != 0))
+    return looks_.find(before_.data());
+  before_.swap(after_);
+  looks_.find_changing(before_.data());
+}
+
+void EventStepper::follow_crossings() {
+  if (!ahead_.empty()) ahead_.run();
+  if (!crossing_outputs_.empty()) crossing_outputs_.run();
+}
+
+/// `edge`: the next one at the start of the step.
+bool EventStepper::is_eventful(const solve::TimeStep& step, double edge) const {
+  double* const past = &report(solve::EventReport::count);
+  const std::size_t count = plan_.crossing_count;
+  const bool looks = plan_.diagram.events.looks > 0 &&
+                     solve::may_cross_twice(before_.data(), after_.data(), past, count, plan_.loops.empty());
+  const double end = plan_.jumps ? step.end : solve::left_of(step.end, step.length);
+  const bool eventful = edge < end || looks || solve::sign_changes(before_.data(), after_.data(), count);
+  if (eventful) past[0] = solve::look_closer;
+  return eventful;
+}
+
+void EventStepper::step(std::int64_t tick) {
+  const plan::Layout& layout = plan_.layout;
+  const solve::TimeStep step = whole_step(plan_, tick);
+  if (plan_.updates_continuous && !crossing_starts_.empty()) crossing_starts_.run();
+  look_at_start();
+  const double edge = looks_.next_edge();
+  stepper_.step(tick);
+  values_[plan::Layout::time] = step.end;
+  stepper_.follow_time();
+  follow_crossings();
+  looks_.find(after_.data());
+  report(solve::EventReport::ahead) = 1.0;
+  if (is_eventful(step, edge)) locate(tick);
+  knows_end_ = !plan_.jumps;
+  if (states_change_) std::copy_n(values_ + layout.states, layout.state_count, end_states_.data());
+}
+
+solve::EventTask EventStepper::task() {
+  const plan::Layout& layout = plan_.layout;
+  double* scratch = scratch_.data();
+  std::copy_n(values_ + layout.states, layout.state_count, scratch);
+  stepper_.copy_start(scratch);
+  std::ranges::copy(before_, scratch + solve::EventTask::before(layout.state_count));
+  const diagram::Events& events = plan_.diagram.events;
+  return {plan::Layout::time,
+          layout.states,
+          layout.derivatives,
+          layout.state_count,
+          plan_.crossing_count,
+          layout.signals,
+          layout.diagnostics - layout.signals,
+          layout.events,
+          plan_.jumps,
+          events.max_per_step,
+          events.rounds,
+          events.looks,
+          scratch};
+}
+
+void EventStepper::locate(std::int64_t tick) {
+  const solve::EventTask split = task();
+  const BetweenTicks between{*this};
+  solve::EventLocator(split, values_, between)
+      .advance(plan_.time_of(tick), plan_.time_of(tick + 1), plan_.diagram.step);
+  looks_.find(after_.data());
+}
+
+}  // namespace stepwire::run

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/model/plan/active_pieces.hpp"
+#include "engine/simulate/run/bound_blocks.hpp"
+#include "engine/simulate/run/run_fault.hpp"
+
+namespace stepwire::run {
+
+/// Whether a run may be continued, and what ended it.
+class Health {
+ public:
+  explicit Health(const BoundBlocks& blocks);
+
+  bool fine() const { return fine_; }
+  void restart() { fine_ = true; }
+  /// Looks at what the outputs of a tick have come to, and at what a step has.
+  void look_at_outputs() { fine_ = fine_ && is_finite() && loops_solved(); }
+  void look_at_step();
+  /// Are all signals and continuous states finite?
+  bool is_finite() const;
+  /// From now on a loop that is not solved ends no run.
+  void accept_unsolved() { accepts_unsolved_ = true; }
+
+  /// What ended the run, at a time [s], once it is not fine.
+  std::optional<RunFault> fault(double time) const;
+  std::vector<RaisedDiagnostic> diagnostics() const;
+
+ private:
+  bool loops_solved() const;
+  std::optional<RunFault> diagnostic_fault() const;
+  std::optional<RunFault> not_finite(double time) const;
+  std::string diagnostic_text(std::size_t block, std::size_t diagnostic) const;
+
+  const BoundBlocks& blocks_;
+  const plan::Plan& plan_;
+  const double* const values_;
+  std::vector<plan::ActivePiece> checked_;  ///< what has to be finite
+  std::vector<std::size_t> ending_;         ///< places of diagnostics that end a run
+  bool fine_ = true, accepts_unsolved_ = false;
+};
+
+}  // namespace stepwire::run

@@ -1,0 +1,47 @@
+#include <fmt/format.h>
+
+#include "engine/simulate/run/faults.hpp"
+#include "engine/simulate/solve/step_report.hpp"
+
+namespace stepwire::run {
+
+namespace {
+
+/// Of a step to the tick at `end`, which has come to `now`.
+std::string text_of_step(const diagram::Diagram& diagram, const double* report, double now, double end) {
+  if (report[0] == solve::StepReport::unsolved)
+    return fmt::format(
+        "the solver finds no solution for the step to {:.12g} s, where Newton's method still changes this "
+        "state by {:.2g} of its size; the run ends here. A smaller step, or a law without jumps, helps",
+        end, report[1]);
+  if (report[0] == solve::StepReport::too_many_steps)
+    return fmt::format(
+        "the solver does not come from {:.12g} s to the tick at {:.12g} s within 'max_steps', or within "
+        "steps that the time can tell apart: the error of this state is {:.2g} of what is allowed; the run "
+        "ends here. A stiff solver (rodas, auto), a larger 'relative' or 'absolute', or a law without jumps "
+        "helps",
+        now, end, report[1]);
+  return fmt::format(
+      "the step to {:.12g} s errs by {:.2g} of the size of this state, and 'tolerance' is {:g}; the run ends "
+      "here. A smaller step{} helps",
+      end, report[1], diagram.tolerance,
+      diagram.solver == "sdirk" ? " or solver: auto" : ", solver: sdirk or solver: auto");
+}
+
+}  // namespace
+
+std::optional<RunFault> fault_of_step(const plan::Plan& plan, const double* values, double tick_time) {
+  const double* report = values + plan.layout.report;
+  if (report[0] == solve::StepReport::fine) return std::nullopt;
+  const std::string message = text_of_step(plan.diagram, report, values[plan::Layout::time], tick_time);
+  const std::size_t place = plan.layout.states + static_cast<std::size_t>(report[2]);
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
+    const auto& slots = plan.blocks[b].states;
+    for (std::size_t s = 0; s < slots.size(); ++s)
+      if (place - slots[s].offset < static_cast<std::size_t>(slots[s].size))
+        return fault_of(plan, b, plan.diagram.blocks[b].type().states[s].name, tick_time, message);
+  }
+  return std::nullopt;
+}
+
+}  // namespace stepwire::run
