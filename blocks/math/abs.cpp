@@ -9,6 +9,7 @@ void Abs::declare(Declare<Abs>& is) {
                    .symbol = {.text = "|u|"},
                    .smooth = true});
   is.input<&Abs::u>({.unit = "'u", .doc = "signal"});
+  is.crossing<&Abs::u>("u passes 0");
   is.output<&Abs::y>({.unit = "'u", .doc = "its size"});
 }
 

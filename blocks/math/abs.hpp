@@ -15,6 +15,10 @@ struct Abs {
     y.each([&](Index i) { return std::abs(u[i]); });
   }
 
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < u.size(); ++i) zero.add(u[i]);
+  }
+
   static void declare(Declare<Abs>& is);
 };
 

@@ -17,6 +17,7 @@ void Coulomb::declare(Declare<Coulomb>& is) {
   is.parameter<&Coulomb::smoothing>(
       {.unit = "'v", .doc = "speed at which 76 % of the dry friction act; 0: all at once", .at_least = 0.0});
   is.input<&Coulomb::u>({.unit = "'v", .doc = "speed"});
+  is.crossing<&Coulomb::u>("the speed passes 0, where the sign is not smoothed");
   is.output<&Coulomb::y>({.unit = "'f", .doc = "friction, with the sign of the speed"});
 }
 

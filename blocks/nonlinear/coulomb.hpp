@@ -16,6 +16,10 @@ struct Coulomb {
     y.each([&](Index i) { return coulomb[i] * direction(i) + viscous[i] * u[i]; });
   }
 
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < u.size(); ++i) zero.add(smoothing[i] > 0.0 ? 1.0 : u[i]);
+  }
+
   static void declare(Declare<Coulomb>& is);
 
  private:

@@ -143,7 +143,8 @@ diagram::DiagramBlock SensitiveSubdiagram::input(const diagram::Diagram& diagram
   block.parameter_dimensions.resize(1);
   block.origin = diagram.blocks[static_cast<std::size_t>(read.signal.block)].origin;
   if (read.rate.kind == plan::Rate::Kind::discrete)
-    block.every = static_cast<double>(read.rate.ticks) * diagram.step;
+    block.every = diagram::Every{static_cast<double>(read.rate.ticks) * diagram.step,
+                                 static_cast<double>(read.rate.first) * diagram.step};
   return block;
 }
 

@@ -11,7 +11,6 @@ namespace stepwire::linear {
 
 namespace {
 
-constexpr double without_border = std::numeric_limits<double>::infinity();
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// An analysis with its curves.
@@ -70,8 +69,10 @@ std::vector<double> phase_of(const std::vector<Complex>& loop) {
   return phase;
 }
 
-double margin_or(const std::optional<Crossing>& crossing, double without) {
-  return crossing ? crossing->margin : without;
+/// Without a crossing infinite of a stable loop; of another there is none.
+double margin_of(const std::optional<Crossing>& crossing, const Margins& margins) {
+  if (crossing) return crossing->margin;
+  return margins.stable ? std::numeric_limits<double>::infinity() : none;
 }
 
 std::vector<double> least_damped(const Analysis& analysis, double Mode::*number) {
@@ -86,10 +87,10 @@ const std::vector<Column>& columns() {
   static const std::vector<Column> all{
       {"", Unit::none, [](const Found&) { return std::vector<double>{1.0}; }},
       {".margin.gain", Unit::none,
-       [](const Found& f) { return std::vector{margin_or(f.margins().worst_gain(), without_border)}; }},
+       [](const Found& f) { return std::vector{margin_of(f.margins().worst_gain(), f.margins())}; }},
       {".margin.gain_db", Unit::none,
        [](const Found& f) {
-         return std::vector{20.0 * std::log10(margin_or(f.margins().worst_gain(), without_border))};
+         return std::vector{20.0 * std::log10(margin_of(f.margins().worst_gain(), f.margins()))};
        }},
       {".margin.gain_frequency", Unit::per_second,
        [](const Found& f) {
@@ -97,14 +98,15 @@ const std::vector<Column>& columns() {
          return std::vector{worst ? worst->frequency : none};
        }},
       {".margin.phase", Unit::none,
-       [](const Found& f) { return std::vector{margin_or(f.margins().worst_phase(), without_border)}; }},
+       [](const Found& f) { return std::vector{margin_of(f.margins().worst_phase(), f.margins())}; }},
       {".margin.phase_frequency", Unit::per_second,
        [](const Found& f) {
          const auto worst = f.margins().worst_phase();
          return std::vector{worst ? worst->frequency : none};
        }},
       {".margin.delay", Unit::second, [](const Found& f) { return std::vector{f.margins().delay()}; }},
-      {".margin.modulus", Unit::none, [](const Found& f) { return std::vector{f.margins().modulus}; }},
+      {".margin.modulus", Unit::none,
+       [](const Found& f) { return std::vector{f.margins().stable ? f.margins().modulus : none}; }},
       {".stable", Unit::none, [](const Found& f) { return std::vector{f.margins().stable ? 1.0 : 0.0}; }},
       {".bandwidth", Unit::per_second, [](const Found& f) { return std::vector{f.channel().bandwidth}; }},
       {".gain_at_rest", Unit::own, [](const Found& f) { return std::vector{f.channel().gain_at_rest}; }},

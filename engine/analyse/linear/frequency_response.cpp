@@ -70,6 +70,47 @@ std::array<double, 2> FrequencyResponse::range() const {
   return {first, half > 0.0 ? half : std::pow(10.0, std::ceil(std::log10(high)) + 2.0)};
 }
 
+/// Beyond all corners the gain is a power of the frequency, and the phase stands. Up to there, and where the
+/// gain is near to 1 or comes nearer over the next decade, there is more to see.
+bool FrequencyResponse::may_cross_beyond(double frequency, double decade) const {
+  constexpr double bend = 0.02, clear = 2.3;  // [rad], of a logarithm
+  const Complex here = at(frequency), there = at(frequency * decade);
+  const double gain = std::log(std::abs(here)), change = std::log(std::abs(there)) - gain;
+  if (!std::isfinite(gain) || !std::isfinite(change)) return false;
+  if (decade < 1.0 && std::abs(std::arg(there / here)) > bend) return true;
+  if (std::abs(change) < 1e-3) return false;
+  return std::abs(gain) < clear || gain * change < 0.0;
+}
+
+std::vector<double> FrequencyResponse::frequencies_across_one(std::size_t per_decade) const {
+  constexpr int decades = 100;
+  std::vector<double> all = frequencies(per_decade);
+  const double lowest = all.front(), highest = all.back();
+  const auto extend = [&](double from, double decade) {
+    for (int k = 0; k < decades && may_cross_beyond(from, decade); ++k, from *= decade)
+      for (std::size_t i = 1; i <= per_decade; ++i)
+        all.push_back(from * std::pow(decade, static_cast<double>(i) / static_cast<double>(per_decade)));
+  };
+  extend(lowest, 0.1);
+  if (sample_time_ == 0.0) extend(highest, 10.0);
+  std::ranges::sort(all);
+  return all;
+}
+
+/// Near to rest the gain stands, or grows with the order of the pole there.
+double FrequencyResponse::at_rest() const {
+  const auto near = [&](double s) {
+    return at_point(sample_time_ > 0.0 ? std::exp(s * sample_time_) : s).real();
+  };
+  double lowest = sample_time_ > 0.0 ? 1.0 / sample_time_ : 1.0;
+  for (const Mode& corner : corners_)
+    if (corner.frequency > 0.0) lowest = std::min(lowest, corner.frequency);
+  const double far = near(1e-5 * lowest), closer = near(1e-7 * lowest);
+  if (std::abs(closer) > 30.0 * std::abs(far))
+    return std::copysign(std::numeric_limits<double>::infinity(), closer);
+  return at_point(sample_time_ > 0.0 ? 1.0 : 0.0).real();
+}
+
 std::vector<double> FrequencyResponse::frequencies(std::size_t per_decade) const {
   const auto [first, last] = range();
   const double decades = std::log10(last / first);

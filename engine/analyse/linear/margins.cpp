@@ -29,7 +29,7 @@ double wrapped(double angle) {
 class Loop {
  public:
   Loop(const StateSpace& system, double feedback) : response_(system), sign_(-feedback) {
-    for (const double w : response_.frequencies()) rows_.push_back({w, at(w)});
+    for (const double w : response_.frequencies_across_one()) rows_.push_back({w, at(w)});
   }
 
   Complex at(double frequency) const { return sign_ * response_.at(frequency); }
@@ -39,12 +39,13 @@ class Loop {
     add_real(0.0, at(0.0), found);
     for (std::size_t k = 0; k + 1 < rows_.size(); ++k) {
       const double a = rows_[k].value.imag(), b = rows_[k + 1].value.imag();
-      if ((a < 0.0) == (b < 0.0)) continue;
+      if ((a < 0.0) == (b < 0.0) || is_real(rows_[k].value, 1e-7) && is_real(rows_[k + 1].value, 1e-7))
+        continue;
       const double w =
           root([&](double f) { return at(f).imag(); }, rows_[k].frequency, rows_[k + 1].frequency);
       const Complex value = at(w);
       // At a pole on the axis the sign changes, too.
-      if (std::abs(value.imag()) <= 1e-6 * std::abs(value.real())) add_real(w, value, found);
+      if (is_real(value, 1e-6)) add_real(w, value, found);
     }
     if (system.is_sampled())
       add_real(rows_.back().frequency, rows_.back().value, found);
@@ -87,9 +88,11 @@ class Loop {
     Complex value;
   };
 
+  static bool is_real(const Complex& value, double share) {
+    return std::abs(value.imag()) <= share * std::abs(value.real());
+  }
   static void add_real(double frequency, const Complex& value, std::vector<Crossing>& found) {
-    const bool real = std::abs(value.imag()) <= 1e-6 * std::abs(value.real());
-    if (real && value.real() < 0.0 && std::isfinite(value.real()))
+    if (is_real(value, 1e-6) && value.real() < 0.0 && std::isfinite(value.real()))
       found.push_back({frequency, -1.0 / value.real()});
   }
 
@@ -98,23 +101,28 @@ class Loop {
   std::vector<Row> rows_;
 };
 
+/// Of a loop that is not stable those alone that are used up.
 template <class Size>
-std::optional<Crossing> nearest(const std::vector<Crossing>& all, Size size) {
-  const auto found = std::ranges::min_element(all, {}, [&](const Crossing& c) { return size(c.margin); });
-  return found == all.end() ? std::nullopt : std::optional(*found);
+std::optional<Crossing> nearest(const std::vector<Crossing>& all, bool stable, Size size) {
+  std::optional<Crossing> found;
+  for (const Crossing& crossing : all)
+    if (stable || size(crossing.margin) < 0.0)
+      if (!found || std::abs(size(crossing.margin)) < std::abs(size(found->margin))) found = crossing;
+  return found;
 }
 
 }  // namespace
 
 std::optional<Crossing> Margins::worst_gain() const {
-  return nearest(gain, [](double margin) { return std::abs(std::log(margin)); });
+  return nearest(gain, stable, [](double margin) { return std::log(margin); });
 }
 
 std::optional<Crossing> Margins::worst_phase() const {
-  return nearest(phase, [](double margin) { return std::abs(margin); });
+  return nearest(phase, stable, [](double margin) { return margin; });
 }
 
 double Margins::delay() const {
+  if (!stable) return std::numeric_limits<double>::quiet_NaN();
   double least = infinite;
   for (const Crossing& crossing : phase) {
     const double angle = crossing.margin < 0.0 ? crossing.margin + 2.0 * std::numbers::pi : crossing.margin;
@@ -160,7 +168,7 @@ Margins margins_of(const StateSpace& all, double feedback) {
 }
 
 double gain_at_rest(const StateSpace& system) {
-  return FrequencyResponse(system).at_point(system.is_sampled() ? 1.0 : 0.0).real();
+  return FrequencyResponse(system).at_rest();
 }
 
 double bandwidth(const StateSpace& system) {

@@ -3,6 +3,7 @@
 
 #include "engine/app/language/forms.hpp"
 #include "engine/app/language/type_keys.hpp"
+#include "engine/model/diagram/every.hpp"
 
 namespace stepwire::language {
 
@@ -63,8 +64,7 @@ yaml::Key part_form(const yaml::Node& part) {
     }
   const bool has_every = std::ranges::any_of(keys, [](const yaml::Key& key) { return key.name == "every"; });
   if (!has_every)
-    keys.push_back(yaml::key("every", "time between two runs of its blocks that have none of their own",
-                             form::number("s")));
+    keys.push_back(diagram::every_key("time between two runs of its blocks that have none of their own"));
   add_guard_keys(keys);
   return form::keys("a part", "", std::move(keys));
 }

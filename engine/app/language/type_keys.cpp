@@ -4,6 +4,7 @@
 
 #include "engine/app/reference/words.hpp"
 #include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/every.hpp"
 #include "engine/model/diagram/guard_keys.hpp"
 
 namespace stepwire::language {
@@ -71,8 +72,7 @@ std::vector<yaml::Key> keys_of_type(const BlockType& type) {
                                "where the state " + state.name + " starts: " + state.doc,
                                form::of(Form::value)));
   if (!type.presets.empty()) keys.push_back(preset_form(type));
-  if (!type.has_continuous_state())
-    keys.push_back(yaml::key("every", "time between two runs of this block", form::number("s")));
+  if (!type.has_continuous_state()) keys.push_back(diagram::every_key("time between two runs of this block"));
   add_guard_keys(keys);
   return keys;
 }

@@ -93,8 +93,8 @@ Json type_schema(const BlockType& type) {
       properties.set(key, or_signal(type, key, initial_schema(state)));
   if (!type.presets.empty()) properties.set("preset", preset_schema(type));
   if (!type.has_continuous_state())
-    properties.set("every", explained(schema_ref("time"),
-                                      "time between two runs of this block; " + timing_text(type.timing)));
+    properties.set("every", key_schema(diagram::every_key("time between two runs of this block; " +
+                                                          timing_text(type.timing))));
   set_guard_keys([&](const std::string& key) { return type.input(key) >= 0 || type.parameter(key); },
                  properties);
   return explained(closed_map(std::move(properties), required), type.doc);
@@ -104,7 +104,7 @@ Json type_schema(const BlockType& type) {
 Json part_schema() {
   Json properties = Json::object().set("diagram", schema_ref("file"));
   properties.set("every",
-                 explained(schema_ref("time"), "time between two runs of its blocks that have no period"));
+                 key_schema(diagram::every_key("time between two runs of its blocks that have no period")));
   set_guard_keys([](const std::string& key) { return key == "guard"; }, properties);
   return Json::object()
       .set("type", "object")

@@ -11,6 +11,7 @@
 #include "engine/base/unit/unit.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/model/block/block_type.hpp"
+#include "engine/model/diagram/every.hpp"
 #include "engine/model/diagram/sweep.hpp"
 
 namespace stepwire::diagram {
@@ -76,7 +77,7 @@ struct DiagramBlock {
   std::vector<InitialValue> initial;
   std::vector<std::pair<std::string, unit::Dimension>>
       known_units;              ///< unit variables that the block itself fixes: ("'u", mm)
-  std::optional<double> every;  ///< period [s]
+  std::optional<Every> every;
   Origin every_origin;
   bool every_of_part = false;  ///< is the period that of the part around it?
   int guard = -1;              ///< the block that decides whether this one is active; -1: it always is

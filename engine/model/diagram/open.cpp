@@ -263,21 +263,6 @@ void Opener::read_initial(const Scope& scope, const yaml::Node& node, DiagramBlo
   bind({Target::Kind::initial, index_of(block), state}, {node, scope.index, scope.index}, std::move(uses));
 }
 
-void Opener::read_period(const Scope& scope, const yaml::Node& node, DiagramBlock& block) {
-  block.every_origin = scope.at(node.mark);
-  block.every = read_time(scope, node, block.name + ".every");
-}
-
-std::optional<double> Opener::read_time(const Scope& scope, const yaml::Node& node,
-                                        const std::string& subject) {
-  const ValueReader reader(scope.parameters, report_, scope.index);
-  const auto time = reader.read_number(node, unit::parse_unit("s")->dimension, subject);
-  if (!time || *time > 0.0) return time;
-  report_.add(scope.at(node.mark), subject,
-              yaml::fault_text("{} is not allowed; it must be above 0", node.text));
-  return std::nullopt;
-}
-
 void Opener::require_parameters(const Scope& scope, const yaml::Node& map, const DiagramBlock& block) {
   for (std::size_t i = 0; i < block.type().parameters.size(); ++i) {
     const ParameterSpec& spec = block.type().parameters[i];

@@ -97,7 +97,8 @@ class Opener {
   /// `every` of a part, which its blocks without one have.
   void read_period_of_part(const Scope& scope, const yaml::Entry& entry, const KeyTaken& is_own, Scope& part);
   void take_period_of_part(const Scope& scope, DiagramBlock& block);
-  void require_multiple(double every, const Scope& scope, const Origin& origin, const std::string& subject);
+  void join_with_part(const Scope& scope, const Origin& origin, const std::string& name, Every& every);
+  std::optional<Every> read_every(const Scope& scope, const yaml::Node& node, const std::string& subject);
   std::optional<double> read_time(const Scope& scope, const yaml::Node& node, const std::string& subject);
 
   Loader& loader_;

@@ -182,43 +182,6 @@ void Opener::show_outputs(Scope& scope, const yaml::Entry& entry, const Guarding
   }
 }
 
-void Opener::take_period_of_part(const Scope& scope, DiagramBlock& block) {
-  if (!scope.every) return;
-  if (!block.every) {
-    block.every = scope.every;
-    block.every_origin = scope.every_origin;
-    block.every_of_part = true;
-  } else {
-    require_multiple(*block.every, scope, block.every_origin, block.name);
-  }
-}
-
-void Opener::read_period_of_part(const Scope& scope, const yaml::Entry& entry, const KeyTaken& is_own,
-                                 Scope& part) {
-  part.every = scope.every;
-  part.every_origin = scope.every_origin;
-  const yaml::Node* every = is_own("every") ? nullptr : entry.value.find("every");
-  if (!every) return;
-  const std::string name = scope.prefix + entry.key;
-  if (const auto period = read_time(scope, *every, name + ".every")) {
-    require_multiple(*period, scope, scope.at(every->mark), name);
-    part.every = period;
-    part.every_origin = scope.at(every->mark);
-  }
-}
-
-void Opener::require_multiple(double every, const Scope& scope, const Origin& origin,
-                              const std::string& subject) {
-  if (!scope.every) return;
-  const double ratio = every / *scope.every;
-  if (ratio > 0.5 && std::abs(ratio - std::round(ratio)) <= 1e-9 * ratio) return;
-  report_.add(
-      origin, subject + ".every",
-      fmt::format("{0} s is not a whole multiple of the {1} s at which its part runs; e.g. {2:.12g} s "
-                  "would be",
-                  every, *scope.every, *scope.every * std::max(1.0, std::round(ratio))));
-}
-
 void Opener::join_guards() {
   auto& blocks = report_.diagram().blocks;
   for (const auto& [block, node, scope] : within_) {

@@ -58,7 +58,7 @@ struct Scope {
   std::map<std::string, Port, std::less<>> inputs;
 
   int guard = -1;               ///< the block by which the blocks of this part are active; -1: always
-  std::optional<double> every;  ///< period of this part's blocks [s]
+  std::optional<Every> every;   ///< of this part's blocks that have none
   Origin every_origin;
   /// What `enable` and `trigger` add to a block or part of this file.
   struct Guarded {

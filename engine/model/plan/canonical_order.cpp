@@ -63,7 +63,7 @@ class Refinement {
 
  private:
   /// The properties of a block by itself, without its values.
-  using Key = std::tuple<std::string_view, int, std::int64_t, std::vector<Eigen::Index>,
+  using Key = std::tuple<std::string_view, int, std::int64_t, std::int64_t, std::vector<Eigen::Index>,
                          std::vector<Eigen::Index>, std::vector<std::size_t>>;
   /// One end of a wire: how it is wired there and here, and the block at the other end.
   struct Wire {
@@ -79,11 +79,8 @@ class Refinement {
     std::vector<std::size_t> connected;
     for (const auto& sources : block.inputs) connected.push_back(sources.size());
     const Rate& rate = draft_.plan.blocks[b].rate;
-    return {block.type().name,
-            static_cast<int>(rate.kind),
-            rate.ticks,
-            draft_.blocks[b].output_sizes,
-            draft_.blocks[b].state_sizes,
+    return {block.type().name,   static_cast<int>(rate.kind),   rate.ticks,
+            rate.first,          draft_.blocks[b].output_sizes, draft_.blocks[b].state_sizes,
             std::move(connected)};
   }
 

@@ -67,9 +67,14 @@ class EventPlan {
     const auto count = static_cast<std::size_t>(draft_.blocks[block].crossings);
     plan.crossings.push_back({block, plan.crossing_count, count});
     plan.crossing_count += count;
+    plan.branches = plan.branches || branches(block);
     for (const CrossingSpec& spec : draft_.type(block).crossings)
       for (const std::string& input : spec.inputs)
         need(block, static_cast<std::size_t>(draft_.type(block).input(input)));
+  }
+
+  bool branches(std::size_t block) const {
+    return draft_.blocks[block].computes && !draft_.is_steady(block) && draft_.type(block).states.empty();
   }
 
   /// `stop_when` has the last number.

@@ -139,12 +139,12 @@ class Order {
 
   /// Blocks that can share one call: same type, same ticks, both or neither between ticks, both or neither by
   /// the time alone, and one guard.
-  using Group = std::tuple<const BlockType*, int, std::int64_t, bool, bool, int>;
+  using Group = std::tuple<const BlockType*, int, std::int64_t, std::int64_t, bool, bool, int>;
 
   Group group(std::size_t block) const {
     const Rate& rate = draft_.plan.blocks[block].rate;
     const Draft::Block& known = draft_.blocks[block];
-    return {&draft_.type(block), static_cast<int>(rate.kind),         rate.ticks, known.in_stages,
+    return {&draft_.type(block), static_cast<int>(rate.kind),         rate.ticks, rate.first, known.in_stages,
             known.timed,         draft_.diagram().blocks[block].guard};
   }
 

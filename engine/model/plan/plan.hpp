@@ -15,8 +15,18 @@ struct Rate {
   enum class Kind { constant, discrete, continuous };
   Kind kind = Kind::constant;
   std::int64_t ticks = 1;  ///< period, for discrete; 1 for continuous
+  std::int64_t first = 0;  ///< tick of the first run, below the period
 
   bool operator==(const Rate&) const = default;
+};
+
+/// The ticks at which calls are made: `first`, and each `ticks` after it.
+struct Period {
+  std::int64_t ticks = 1, first = 0;
+  bool at_start = false;  ///< and at tick 0: outputs that are states are there from the start
+
+  bool due(std::int64_t tick) const { return tick % ticks == first || (at_start && tick == 0); }
+  bool operator==(const Period&) const = default;
 };
 
 /// Blocks of one type that lie one behind the other and run at the same ticks: one call of a kernel.
@@ -128,7 +138,7 @@ struct Plan {
   std::vector<PlannedBlock> blocks;
   std::vector<int> memory_order;  ///< blocks as they lie in memory
   std::size_t block_bytes = 0;
-  std::vector<std::int64_t> periods;  ///< [ticks]; the first is 1
+  std::vector<Period> periods;  ///< of calls; the first is each tick
   Layout layout;
   std::vector<double> constants;
 
@@ -158,6 +168,8 @@ struct Plan {
       edges;  ///< sources that declare when they jump or bend, by their index in Plan::blocks
   std::vector<CrossingCall> crossings;
   std::size_t crossing_count = 0;
+  /// True where a block that crosses takes its branch from its inputs within a stage, and keeps none.
+  bool branches = false;
   std::optional<std::size_t> stop_crossing;  ///< which of the numbers is that of `stop_when`
   /// What crossings depend on between ticks and only the solver and the time change: it is computed at the
   /// end of a step, and `rest` is then left of `outputs`. Where nothing is of that kind, both are empty.

@@ -32,7 +32,8 @@ Rate join(const Rate& a, const Rate& b) {
   if (b.kind == Rate::Kind::constant) return a;
   if (a.kind == Rate::Kind::continuous || b.kind == Rate::Kind::continuous)
     return {Rate::Kind::continuous, 1};
-  return {Rate::Kind::discrete, std::gcd(a.ticks, b.ticks)};
+  const std::int64_t ticks = std::gcd(std::gcd(a.ticks, b.ticks), a.first - b.first);
+  return {Rate::Kind::discrete, ticks, a.first % ticks};
 }
 
 class Rates {
@@ -89,7 +90,10 @@ class Rates {
                                fmt::format("{} has a continuous state and follows the solver; leave 'every' "
                                            "out{}, or use its discrete kind",
                                            block.type().name, block.every_of_part ? " of its part" : ""));
-    require_whole(draft_, *block.every, block.every_origin, block.name + ".every", rate(index).ticks);
+    const std::string subject = block.name + ".every";
+    require_whole(draft_, block.every->period, block.every_origin, subject, rate(index).ticks);
+    if (block.every->offset > 0.0)
+      require_whole(draft_, block.every->offset, block.every_origin, subject, rate(index).first);
   }
 
   /// Is this one computed once in spite of a period, unless what feeds it changes?

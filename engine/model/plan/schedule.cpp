@@ -8,10 +8,11 @@ namespace stepwire::plan {
 
 namespace {
 
-int period_index(Plan& plan, std::int64_t ticks) {
-  const auto found = std::find(plan.periods.begin(), plan.periods.end(), ticks);
-  if (found == plan.periods.end()) plan.periods.push_back(ticks);
-  return static_cast<int>(std::find(plan.periods.begin(), plan.periods.end(), ticks) - plan.periods.begin());
+int period_index(Plan& plan, const Period& period) {
+  const auto found = std::ranges::find(plan.periods, period);
+  const auto index = found - plan.periods.begin();
+  if (found == plan.periods.end()) plan.periods.push_back(period);
+  return static_cast<int>(index);
 }
 
 bool has_one_element_each(const Draft::Block& block) {
@@ -56,11 +57,12 @@ int guard_of(const Plan& plan, std::size_t block) {
 
 /// Appends a call, or lengthens the last one where the block lies right behind; none before `closed`.
 void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t block, const Kernels& kernels,
-            std::size_t closed = 0) {
+            std::size_t closed = 0, bool at_start = false) {
   Plan& plan = draft.plan;
   const Kernel kernel = kernel_of(draft, block, kernels);
+  const Rate& rate = plan.blocks[block].rate;
   const std::size_t bytes = draft.type(block).bytes, memory = plan.blocks[block].memory;
-  const int period = period_index(plan, plan.blocks[block].rate.ticks);
+  const int period = period_index(plan, {rate.ticks, rate.first, at_start && rate.first > 0});
   const std::ptrdiff_t active = active_of(plan, block);
   const std::vector<KernelCall>* const evaluate[] = {&plan.outputs, &plan.rest, &plan.event_outputs};
   const bool evaluates_guard =
@@ -121,7 +123,16 @@ class OutputTables {
     const BlockType& type = draft_.type(block);
     const bool at_instant = table.at_instants && draft_.blocks[block].differs_at_instants;
     plan::append(table.calls, draft_, block, at_instant ? type.run_outputs_at_instant : type.run_outputs,
-                 table.closed);
+                 table.closed, table.at_instants && follows_state(block));
+  }
+
+  /// Do outputs follow from states alone? They are there before the first run.
+  bool follows_state(std::size_t block) const {
+    const BlockType& type = draft_.type(block);
+    for (std::size_t i = 0; i < type.inputs.size(); ++i)
+      for (std::size_t o = 0; o < type.outputs.size(); ++o)
+        if (draft_.depends(block, i, o)) return false;
+    return !type.states.empty();
   }
 
   /// The calls since the loop began are its own.
@@ -183,7 +194,7 @@ void append_updates(Draft& draft, std::size_t block) {
 }  // namespace
 
 void make_schedule(Draft& draft, const CallOrder& order) {
-  draft.plan.periods = {1};
+  draft.plan.periods = {Period{}};
   OutputTables(draft).run(order);
   for (const int b : draft.plan.memory_order) append_derivatives(draft, static_cast<std::size_t>(b));
   // Updates of continuous states come last: a discrete block that reads such a state still sees its value at

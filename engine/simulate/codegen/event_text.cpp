@@ -20,14 +20,18 @@ namespace {
 /// solver's report and its size, the slopes, calls before guards, what guards keep, the condition of an end,
 /// and the task's looks.
 constexpr char locate_form[] =
-    "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, {4}, {5}, {6}, "
+    "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, {4}, {5}, {17}, "
+    "{6}, "
     "{7}, {16}, scratch}};\n"
     "  struct Between {{\n    double* w;\n    [[maybe_unused]] const double* numbers;\n    std::int64_t "
     "tick;\n"
     "    void advance([[maybe_unused]] double now, [[maybe_unused]] double end, "
     "[[maybe_unused]] double step) const {{\n{8}    }}\n"
-    "    void begin() const {{\n    for (int i = 0; i < {11}; ++i) w[{10} + i] = 0.0;\n{9}    settle();\n    "
+    "{18}"
+    "    void begin() const {{\n    forget_fault();\n{9}    settle();\n    "
     "}}\n"
+    "    bool failed() const {{ return w[{10}] != 0.0; }}\n"
+    "    void forget_fault() const {{ for (int i = 0; i < {11}; ++i) w[{10} + i] = 0.0; }}\n"
     "    void follow() const {{\n{9}    follow_crossings(w, numbers, tick);\n    }}\n"
     "    void crossings(double* z) const {{ look(w, numbers, tick, z); }}\n"
     "    double edge() const {{ return next_edge(w, numbers, tick); }}\n"
@@ -38,8 +42,14 @@ constexpr char locate_form[] =
     "    void settle() const {{\n{12}    follow_crossings(w, numbers, tick);\n    }}\n"
     "  }};\n"
     "  const Between between{{w, numbers, tick}};\n"
-    "  solve::EventLocator(task, w, between)\n"
+    "  solve::{19}(task, w, between)\n"
     "      .advance(static_cast<double>(tick) * step, static_cast<double>(tick + 1) * step, step);\n";
+
+/// Of the solver's step.
+constexpr char watched_form[] =
+    "    template <class Stops>\n"
+    "    void advance_watched([[maybe_unused]] double now, [[maybe_unused]] double end, "
+    "[[maybe_unused]] double step, const Stops& stops) const {{\n{}    }}\n";
 
 constexpr char in_place[] = "slopes_in_place(w, numbers)";
 
@@ -95,7 +105,23 @@ std::string locate_text(const plan::Plan& plan, const PlaceNames& names) {
       solve::StepReport::count, moves ? fmt::format("    {};\n", in_place) : "",
       guards ? "    event_befores(w, numbers, tick);\n" : "", guards ? keep_text(names, plan) : "",
       plan.stop_crossing ? plan.diagram.stop_when->expression.cpp_condition(stop_variables(plan)) : "false",
-      events.looks);
+      events.looks, plan.branches,
+      watches(plan) ? fmt::format(watched_form, solver_text(plan, {false, false, in_place, {}, "stops"}))
+                    : "",
+      watches(plan) ? "WatchedStep" : "EventLocator");
+}
+
+bool watches(const plan::Plan& plan) {
+  return plan.diagram.error_control && plan.layout.state_count > 0;
+}
+
+std::string watched_step_text(const plan::Plan& plan) {
+  const std::size_t states = plan.layout.state_count;
+  return fmt::format(
+      "  double scratch[{}];\n  for (int i = 0; i < {}; ++i) scratch[i] = w[states + i];\n"
+      "  locate(w, numbers, tick, scratch);\n  w[{}] = 0.0;\n",
+      solve::EventTask::scratch_size(states, plan.crossing_count, numbers_at_events(plan)), states,
+      plan.layout.events + solve::EventReport::ahead);
 }
 
 std::string before_step_text(const plan::Plan& plan) {
@@ -118,7 +144,7 @@ std::string after_step_text(const plan::Plan& plan) {
   const std::size_t past = plan.layout.events + solve::EventReport::count;
   std::string reasons = plan.edges.empty() ? "" : "has_edge || ";
   if (plan.diagram.events.looks > 0)
-    reasons = fmt::format("solve::may_cross_twice(before, after, w + {}, {}, {}) || ", past, crossings,
+    reasons = fmt::format("solve::may_cross_twice(before, after, w + {}, {}, {}, step) || ", past, crossings,
                           plan.loops.empty()) +
               reasons;
   return fmt::format("  w[at::time] = {};\n", end_of_step_text(plan)) + follow_time_text(plan) +

@@ -171,6 +171,7 @@ std::vector<std::string> headers_of(const plan::Plan& plan) {
     headers.insert(method->headers.begin(), method->headers.end());
   if (!plan.loops.empty()) headers.insert("engine/simulate/solve/loop_solver.hpp");
   if (plan.splits_steps()) headers.insert("engine/simulate/solve/event_locator.hpp");
+  if (plan.splits_steps() && watches(plan)) headers.insert("engine/simulate/solve/watched_step.hpp");
   if (plan.jumps) headers.insert("engine/simulate/solve/left_of.hpp");
   if (plan.diagram.stop_when) headers.insert(language_header);
   headers.insert("engine/model/block/block.hpp");

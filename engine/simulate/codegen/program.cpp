@@ -182,7 +182,7 @@ class Maker {
     at_stage.dot = "dot";
     std::vector<Code> code = calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_stage);
     append(code, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, at_stage));
-    for (Code& piece : code) piece.period = 1;  // a stage computes all that it has
+    for (Code& piece : code) piece.period = {};  // a stage computes all that it has
     functions_.add("slopes", workspace_parameters(lanes_) + ", " + numbers_parameter(lanes_, "s") + slopes,
                    "w, numbers, s, dot", code);
   }
@@ -211,9 +211,13 @@ class Maker {
         body += with_conditions(stage, 0, stage.size());
       }
     }
-    if (splits) body += before_step_text(plan_);
-    if (moves) body += solver_text(plan_, {.small = small_, .lanes = lanes_});
-    if (splits) body += after_step_text(plan_);
+    if (splits && watches(plan_)) {
+      body += watched_step_text(plan_);
+    } else {
+      if (splits) body += before_step_text(plan_);
+      if (moves) body += solver_text(plan_, {.small = small_, .lanes = lanes_});
+      if (splits) body += after_step_text(plan_);
+    }
     functions_.add_text(
         fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters(), body));
   }

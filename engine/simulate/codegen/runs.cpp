@@ -219,7 +219,9 @@ std::vector<Code> calls_between(const plan::Plan& plan, const Statements& statem
 
 /// "tick % 4 == 0 && w[at::pump_active] != 0.0"; empty for what is called at every tick.
 std::string condition_of(const Code& code) {
-  std::string text = code.period > 1 ? fmt::format("tick % {} == 0", code.period) : "";
+  const plan::Period& period = code.period;
+  std::string text = period.ticks > 1 ? fmt::format("tick % {} == {}", period.ticks, period.first) : "";
+  if (period.at_start) text = fmt::format("(tick == 0 || {})", text);
   if (!code.active.empty()) text += fmt::format("{}{} != 0.0", text.empty() ? "" : " && ", code.active);
   return text;
 }

@@ -10,7 +10,7 @@ namespace stepwire::codegen {
 /// Code of one call, or of a loop over several blocks of one type, and how much of it there is.
 struct Code {
   std::string text;
-  std::int64_t period = 1;  ///< [ticks] between two calls
+  plan::Period period{};     ///< ticks at which it is called
   std::string active{};     ///< the number that is 0 while it is not called; empty: it always is
 };
 

@@ -134,10 +134,12 @@ std::string called_text(const solve::CalledMethod& method, const plan::Plan& pla
   return fmt::format(
       "  [[maybe_unused]] double* const s = w;\n  double* const dot = w + first_derivative;\n{0}"
       "  {1} method({2});\n"
-      "  method.advance(w + states, dot, w + at::time, now, end, step, {3}, [&] {{{4} {5}; }});\n",
+      "  const auto evaluate = [&] {{{4} {5}; }};\n"
+      "  method.advance(w + states, dot, w + at::time, now, end, step, {3}, {6});\n",
       form.begins ? "  derivatives(w, numbers, dot);\n" : "",
       fmt::format(fmt::runtime(method.type), plan.layout.state_count), plan.layout.state_count,
-      task_text(plan), plan.timed.empty() ? "" : " follow_time(w, numbers);", form.slopes);
+      task_text(plan), plan.timed.empty() ? "" : " follow_time(w, numbers);", form.slopes,
+      form.stops.empty() ? "evaluate" : fmt::format("solve::asked(evaluate, {})", form.stops));
 }
 
 }  // namespace

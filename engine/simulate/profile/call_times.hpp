@@ -16,7 +16,7 @@ class CallTimes {
   void sample(run::Executor& simulation, const Stopwatch& stopwatch);
 
   /// How often the batches of a period are called in the whole run.
-  using CallCount = std::function<std::int64_t(std::int64_t period)>;
+  using CallCount = std::function<std::int64_t(const plan::Period& period)>;
   /// Adds what the table takes in a whole run to each block's cost in a phase.
   void add_to(std::vector<BlockCost>& blocks, std::size_t phase, const CallCount& calls) const;
 

@@ -145,8 +145,10 @@ class Profiler {
         aim, [&] { solver_->advance(equations_, run::whole_step(plan_, simulation_.tick())); });
   }
 
-  /// In how many of the first ticks a period is due.
-  static std::int64_t due(std::int64_t ticks, std::int64_t period) { return (ticks + period - 1) / period; }
+  /// Count of the first ticks at which a period is due.
+  static std::int64_t due(std::int64_t ticks, const plan::Period& period) {
+    return (ticks - period.first + period.ticks - 1) / period.ticks + (period.at_start ? 1 : 0);
+  }
 
   /// Counts the evaluations of the equations in one step of the solver besides that at its start, and the
   /// times that are new up to the next tick, that included.
@@ -163,13 +165,13 @@ class Profiler {
       profile.blocks.push_back({block.name, block.type().name});
     count_evaluations();
     const std::int64_t steps = simulation_.tick(), per_step = equations_.evaluations;
-    const auto at_times = [&](std::int64_t) { return 1 + steps * equations_.times; };
-    const auto at_ticks = [&](std::int64_t period) { return due(evaluated_, period); };
-    const auto at_steps = [&](std::int64_t period) { return due(steps, period); };
-    const auto at_stages = [&](std::int64_t) {
+    const auto at_times = [&](const plan::Period&) { return 1 + steps * equations_.times; };
+    const auto at_ticks = [&](const plan::Period& period) { return due(evaluated_, period); };
+    const auto at_steps = [&](const plan::Period& period) { return due(steps, period); };
+    const auto at_stages = [&](const plan::Period&) {
       return steps * (per_step + (plan_.updates_continuous ? 1 : 0));
     };
-    const auto at_slopes = [&](std::int64_t) { return steps * (per_step + 1); };
+    const auto at_slopes = [&](const plan::Period&) { return steps * (per_step + 1); };
     tables_[0].add_to(profile.blocks, 0, at_times);
     tables_[1].add_to(profile.blocks, 1, at_ticks);
     tables_[2].add_to(profile.blocks, 2, at_stages);
@@ -188,7 +190,7 @@ class Profiler {
     list.push_back(other("finite check", evaluated_, check_));
     RunCost recording{"recording", {}};
     for (std::size_t i = 0; i < rows_.recorders().size(); ++i)
-      recording.cost += other("", due(evaluated_, rows_.recorders()[i].every()), recording_[i]).cost;
+      recording.cost += other("", due(evaluated_, {rows_.recorders()[i].every()}), recording_[i]).cost;
     list.push_back(recording);
     if (plan_.diagram.stop_when) list.push_back(other("stop condition", evaluated_, stop_));
     return list;

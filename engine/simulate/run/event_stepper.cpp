@@ -5,6 +5,7 @@
 
 #include "engine/simulate/run/whole_step.hpp"
 #include "engine/simulate/solve/left_of.hpp"
+#include "engine/simulate/solve/watched_step.hpp"
 
 namespace stepwire::run {
 
@@ -15,10 +16,24 @@ struct EventStepper::BetweenTicks {
   void advance(double from, double to, double length) const {
     if (of.stepper_.moves()) of.stepper_.advance({from, to, length});
   }
+  template <class Stops>
+  void advance_watched(double from, double to, double length, const Stops& stops) const {
+    struct Asked : Stepper::Watch {
+      explicit Asked(const Stops& stops) : ask(stops) {}
+      bool stops(double at) const override { return ask(at); }
+      const Stops& ask;
+    };
+    const Asked asked(stops);
+    if (of.stepper_.moves()) of.stepper_.advance({from, to, length}, &asked);
+  }
   void begin() const {
-    std::fill_n(of.values_ + of.plan_.layout.report, solve::StepReport::count, 0.0);
+    forget_fault();
     of.stepper_.follow_time();
     settle();
+  }
+  bool failed() const { return of.values_[of.plan_.layout.report] != solve::StepReport::fine; }
+  void forget_fault() const {
+    std::fill_n(of.values_ + of.plan_.layout.report, solve::StepReport::count, 0.0);
   }
   void follow() const {
     of.stepper_.follow_time();
@@ -100,8 +115,9 @@ void EventStepper::follow_crossings() {
 bool EventStepper::is_eventful(const solve::TimeStep& step, double edge) const {
   double* const past = &report(solve::EventReport::count);
   const std::size_t count = plan_.crossing_count;
-  const bool looks = plan_.diagram.events.looks > 0 &&
-                     solve::may_cross_twice(before_.data(), after_.data(), past, count, plan_.loops.empty());
+  const bool looks =
+      plan_.diagram.events.looks > 0 &&
+      solve::may_cross_twice(before_.data(), after_.data(), past, count, plan_.loops.empty(), step.length);
   const double end = plan_.jumps ? step.end : solve::left_of(step.end, step.length);
   const bool eventful = edge < end || looks || solve::sign_changes(before_.data(), after_.data(), count);
   if (eventful) past[0] = solve::look_closer;
@@ -109,6 +125,19 @@ bool EventStepper::is_eventful(const solve::TimeStep& step, double edge) const {
 }
 
 void EventStepper::step(std::int64_t tick) {
+  return plan_.diagram.error_control && stepper_.moves() ? take_watched(tick) : take_whole(tick);
+}
+
+/// What follows at the tick is not known then.
+void EventStepper::take_watched(std::int64_t tick) {
+  const solve::EventTask split = task();
+  const BetweenTicks between{*this};
+  solve::WatchedStep(split, values_, between)
+      .advance(plan_.time_of(tick), plan_.time_of(tick + 1), plan_.diagram.step);
+  forget_ahead();
+}
+
+void EventStepper::take_whole(std::int64_t tick) {
   const plan::Layout& layout = plan_.layout;
   const solve::TimeStep step = whole_step(plan_, tick);
   if (plan_.updates_continuous && !crossing_starts_.empty()) crossing_starts_.run();
@@ -141,6 +170,7 @@ solve::EventTask EventStepper::task() {
           layout.diagnostics - layout.signals,
           layout.events,
           plan_.jumps,
+          plan_.branches,
           events.max_per_step,
           events.rounds,
           events.looks,

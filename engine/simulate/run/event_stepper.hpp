@@ -35,6 +35,8 @@ class EventStepper {
   struct BetweenTicks;
 
   double& report(std::size_t number) const { return values_[plan_.layout.events + number]; }
+  void take_whole(std::int64_t tick);
+  void take_watched(std::int64_t tick);
   void look_at_start();
   /// Computes what crossings depend on.
   void follow_crossings();

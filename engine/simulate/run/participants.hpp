@@ -19,8 +19,8 @@ struct Participants {
   }
 
   void find_due(std::int64_t tick) {
-    const std::vector<std::int64_t>& periods = blocks_.plan().periods;
-    for (std::size_t i = 1; i < due.size(); ++i) due[i] = tick % periods[i] == 0;
+    const std::vector<plan::Period>& periods = blocks_.plan().periods;
+    for (std::size_t i = 1; i < due.size(); ++i) due[i] = periods[i].due(tick);
   }
   /// Keeps what a guard puts back once it switches off.
   void keep() {

@@ -28,6 +28,7 @@ struct Stepper::Equations : solve::System {
         moving.push_back({piece.first - first, piece.end - first});
     if (moving.empty()) moving.push_back({0, 0});
   }
+  bool stops(double at) override { return watch && watch->stops(at); }
   void evaluate() override {
     of.follow_time();
     of.find_outputs();
@@ -35,6 +36,7 @@ struct Stepper::Equations : solve::System {
   }
 
   Stepper& of;
+  const Watch* watch = nullptr;
 };
 
 Stepper::Stepper(BoundBlocks& blocks, Participants& who)
@@ -56,8 +58,9 @@ void Stepper::follow_time() {
   timed_.run();
 }
 
-void Stepper::advance(const solve::TimeStep& step) {
+void Stepper::advance(const solve::TimeStep& step, const Watch* watch) {
   if (guarded_) equations_->find_moving();
+  equations_->watch = watch;
   solver_->advance(*equations_, step);
 }
 

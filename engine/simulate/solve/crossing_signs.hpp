@@ -21,24 +21,25 @@ inline bool sign_changes(const double* before, const double* after, std::size_t 
 /// Stands before the numbers of may_cross_twice() after a step with events.
 constexpr double look_closer = -1.0;
 
-/// Tells whether numbers may have passed 0 twice within a step, with one sign at both ends. `past` has a 1
-/// and the numbers one step before the start, or look_closer, or a 0 at the start of a run. The sign is a
-/// parabola through the three that comes as near to 0 as half of its turn, or nearer; after events, and with
-/// `from_start` in the first step, there is none and the answer is yes. Leaves the start of this step in
-/// `past`.
+/// True where numbers may have passed 0 twice within a step, with one sign at both ends. `past` has the
+/// length of the step before and the numbers at its start, or look_closer, or a 0 at the start of a run. The
+/// sign is a parabola through the three that comes as near to 0 as half of its turn, or nearer; after events,
+/// and with `from_start` in the first step, there is none and the answer is yes. Leaves the start of this
+/// step in `past`.
 inline bool may_cross_twice(const double* before, const double* after, double* past, std::size_t count,
-                            bool from_start) {
+                            bool from_start, double length) {
   bool may = past[0] == look_closer || (past[0] == 0.0 && from_start);
+  const double last = past[0] > 0.0 ? past[0] / length : 1.0, scale = 2.0 / (last * (last + 1.0));
   for (std::size_t i = 0; i < count; ++i) {
-    const double start = before[i], tilt = after[i] - past[i + 1],
-                 bend = after[i] - 2.0 * start + past[i + 1];
+    const double start = before[i], rise = after[i] - start;
+    const double bend = scale * ((past[i + 1] - start) + last * rise), tilt = 2.0 * rise - bend;
     const double least = start - tilt * tilt / (8.0 * bend), side = start > 0.0 ? 1.0 : -1.0;
     const double turn = std::max(std::abs(start - least), std::abs(after[i] - least));
     may |= (tilt * bend < 0.0) & (std::abs(tilt) < 2.0 * std::abs(bend)) & (side * bend > 0.0) &
            (side * least <= 0.5 * turn);
     past[i + 1] = start;
   }
-  past[0] = 1.0;
+  past[0] = length;
   return may;
 }
 

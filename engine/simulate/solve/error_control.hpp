@@ -31,10 +31,25 @@ struct ControlReport {
   static constexpr std::size_t count = 10;
 };
 
+/// Slopes, and who is asked behind each step whether the way ends there.
+template <class Evaluate, class Stops>
+struct Asked {
+  void operator()() const { evaluate(); }
+  bool stops(double at) const { return ask(at); }
+
+  const Evaluate& evaluate;
+  const Stops& ask;
+};
+template <class Evaluate, class Stops>
+Asked<Evaluate, Stops> asked(const Evaluate& evaluate, const Stops& stops) {
+  return {evaluate, stops};
+}
+
 /// Goes from one instant to another in as many steps as the error takes (Hairer, Norsett and Wanner,
 /// Solving ODEs I, II.4): a PI controller, and Hairer's rule for the first step. A `Method` attempts one step
 /// and estimates its error. With `max_states` nothing is ever allocated; the results are the same to the last
-/// bit.
+/// bit. Where `Evaluate` has stops(time), it is asked at the end of each step but the last one, with the
+/// states there, and the way ends there where it says so.
 template <template <int> class Method, int max_states = Eigen::Dynamic>
 class Controlled {
  public:
@@ -66,6 +81,8 @@ class Controlled {
       wished = last && accepted ? std::max(wished, next) : next;
       if (accepted) at = last ? time + length : at + step;
       if (!accepted || !last) go_on(x, dot, now, at, accepted, evaluate);
+      if constexpr (requires { evaluate.stops(at); })
+        if (accepted && !last && evaluate.stops(at)) break;
     }
     numbers[ControlReport::next] = wished;
   }

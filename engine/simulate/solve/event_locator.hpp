@@ -7,43 +7,11 @@
 #include <limits>
 
 #include "engine/simulate/solve/crossing_signs.hpp"
+#include "engine/simulate/solve/event_task.hpp"
 #include "engine/simulate/solve/ever_faster.hpp"
 #include "engine/simulate/solve/left_of.hpp"
 
 namespace stepwire::solve {
-
-/// What is known of located events in a run: numbers of the workspace, in this order.
-struct EventReport {
-  static constexpr std::size_t events = 0;   ///< crossings all together
-  static constexpr std::size_t most = 1;     ///< in one step
-  static constexpr std::size_t end = 2;      ///< why the run ends there, else 0
-  static constexpr std::size_t number = 3;   ///< which crossing was the last one then, or which place changes
-  static constexpr std::size_t ahead = 4;    ///< 1 where outputs of the next tick are computed
-  static constexpr std::size_t stopped = 5;  ///< 1 once the run has ended at one
-  static constexpr std::size_t count = 6;
-
-  /// Values of `end`.
-  static constexpr double too_many = 1.0, ever_faster = 2.0, unsettled = 3.0;
-};
-
-/// A step that is split at events. Offsets are places in the workspace. The scratch memory begins with the
-/// states at the start of the step; the crossings there lie at `before`.
-struct EventTask {
-  std::size_t time, states, derivatives, state_count;
-  std::size_t crossing_count;
-  std::size_t first, numbers;  ///< signals and states, also discrete ones
-  std::size_t report;          ///< where an EventReport lies
-  bool jumps;                  ///< a source may jump: the end of a step is seen just before it
-  std::int64_t max_per_step;   ///< beyond, the step is given up
-  std::int64_t rounds;         ///< beyond, an instant is
-  std::int64_t looks;          ///< between two events, for what crosses twice
-  double* scratch;             ///< scratch_size() numbers
-
-  static constexpr std::size_t scratch_size(std::size_t states, std::size_t crossings, std::size_t numbers) {
-    return 3 * states + 10 * crossings + numbers;  // as EventLocator lays it out
-  }
-  static constexpr std::size_t before(std::size_t states) { return 2 * states; }
-};
 
 /// Goes again over a step, from event to event. An event is an edge that a source has declared, or a
 /// crossing: an instant at which a number changes its sign. 0 is a sign of its own. A crossing is closed in
@@ -54,8 +22,10 @@ struct EventTask {
 /// A `Run` has these functions: advance(from, to, length) takes the states of the workspace, with their
 /// slopes, to another time; follow() computes all that crossings depend on at its time and states;
 /// crossings(numbers) computes these; edge() gives the time of the next edge of a source; begin()
-/// computes stage outputs, slopes and follow(). At an event before() computes what guards find, round()
-/// computes outputs and updates, and after() does the same as begin() and tells whether the run ends there.
+/// computes stage outputs, slopes and follow(); failed() is true once a solver has found a step wrong, and
+/// forget_fault() takes that back, since steps of a search may go too far. At an event before() computes what
+/// guards find, round() computes outputs and updates, and after() does the same as begin() and is true where
+/// the run ends there.
 template <class Run>
 class EventLocator {
  public:
@@ -99,19 +69,31 @@ class EventLocator {
     length_of_ = from == start && !at_edge ? length_ : at - from;
     go_back();
     go(from, at, length_of_, high_);
-    const bool crosses = sign_changes(start_, high_, task_.crossing_count) || crosses_twice(from, at);
-    if (crosses) at = locate(from, at, 1e-12 * length_);
+    const double stretch = at;
+    const bool differs = sign_changes(start_, high_, task_.crossing_count);
+    bool crosses = crosses_inside(from, at) || differs;
+    if (crosses && task_.branches)
+      crosses = close_in(from, at);
+    else if (crosses)
+      at = locate(from, at, 1e-12 * length_).high;
     if (at == end) return true;
+    if (run_.failed()) return false;
+    if (!crosses && at != stretch) {
+      std::copy_n(high_, task_.crossing_count, trial_);
+      stand_at(at);
+      return true;
+    }
     values_[task_.time] = at;
     if (crosses && !may_cross(crossed++, at)) return false;
     return act() && (!crosses || turn_back(at, end));
   }
 
-  /// Looks for crossings before `at`, the present time, where none differs at both ends. A parabola for each
-  /// state finds one, a step of the solver proves it, and `at` moves there.
-  bool crosses_twice(double from, double& at) {
+  /// Looks for crossings before `at`, the present time: of three only the sign of one is seen at both ends,
+  /// of two none. A parabola for each state finds one, a step of the solver proves it, and `at` moves there.
+  bool crosses_inside(double from, double& at) {
     double* const states = values_ + task_.states;
     std::copy_n(states, task_.state_count, end_);
+    const bool failed = run_.failed();
     const double length = at - from;
     for (std::int64_t look = 1; look <= task_.looks; ++look) {
       const double part = static_cast<double>(look) / static_cast<double>(task_.looks + 1);
@@ -129,6 +111,7 @@ class EventLocator {
       at = from + part * length;
       return true;
     }
+    if (!failed) run_.forget_fault();
     std::copy_n(end_, task_.state_count, states);
     arrive(at, length_of_, high_);
     return false;
@@ -215,9 +198,61 @@ class EventLocator {
     std::copy_n(slopes_, task_.state_count, values_ + task_.derivatives);
   }
 
-  /// The first time found behind a crossing, with the states there.
-  double locate(double from, double end, double width) {
-    bool at_high = true;
+  /// Times on both sides of a crossing.
+  struct Bracket {
+    double low, high;
+  };
+
+  /// Where a block takes its branch from what it is given at a stage, the last stages of a step to a crossing
+  /// see the other side of it. So the way there is taken in stretches, each a tenth of what is left, whose
+  /// ends are on this side; only the last one, of the width of the search, meets the other. `at`: a time
+  /// behind the crossing, and then that of the event. False where it turns out that nothing crosses.
+  bool close_in(double from, double& at) {
+    const double width = 1e-12 * length_, most = at;
+    double high = most;
+    while (true) {
+      const Bracket found = locate(from, high, std::max(width, 0.05 * (high - from)));
+      const double next = from + 0.9 * (found.low - from);
+      at = found.high;
+      if (at - from <= 4.0 * width || !(next > from) || run_.failed()) return true;
+      go_back();
+      go(from, next, next - from, trial_);
+      if (sign_changes(start_, trial_, task_.crossing_count)) {
+        std::copy_n(trial_, task_.crossing_count, high_);
+        high = next;
+        continue;
+      }
+      at = next;
+      if (run_.failed()) return true;
+      stand_at(next);
+      from = next;
+      at = most;
+      high = beyond_crossing(from, found.high, most);
+      if (high == 0.0) return false;  // it has turned before
+    }
+  }
+
+  /// Makes the present states those from which the solver sets out.
+  void stand_at(double at) {
+    values_[task_.time] = at;
+    run_.begin();
+    keep();
+    std::copy_n(trial_, task_.crossing_count, start_);
+    length_of_ = 0.0;
+  }
+
+  /// A time behind a crossing that was found from further away; 0 where there is none up to `most`.
+  double beyond_crossing(double from, double found, double most) {
+    for (double at = found; true; at = std::min(most, at + 2.0 * (at - from))) {
+      go_back();
+      go(from, at, at - from, high_);
+      if (sign_changes(start_, high_, task_.crossing_count)) return at;
+      if (at == most) return 0.0;
+    }
+  }
+
+  /// A bracket of the first crossing that is found, with the states at its later end.
+  Bracket locate(double from, double end, double width) {
     double low = from, high = end, low_scale = 1.0, high_scale = 1.0;
     std::copy_n(start_, task_.crossing_count, low_);
     for (int k = 0; high - low > width && std::nextafter(low, high) < high; ++k) {
@@ -225,18 +260,17 @@ class EventLocator {
           k % 4 == 3 ? low + 0.5 * (high - low) : guess(low, high, low_scale, high_scale, width, k == 0);
       go_back();
       go(from, at, at - from, trial_);
-      at_high = sign_changes(start_, trial_, task_.crossing_count);
+      const bool at_high = sign_changes(start_, trial_, task_.crossing_count);
       (at_high ? high : low) = at;
       std::copy_n(trial_, task_.crossing_count, at_high ? high_ : low_);
       // The end that stays counts for half, so that the next guess lies on its side.
       low_scale = at_high ? 0.5 * low_scale : 1.0;
       high_scale = at_high ? 1.0 : 0.5 * high_scale;
     }
-    if (!at_high) {
-      go_back();
-      go(from, high, high - from, trial_);
-    }
-    return high;
+    run_.forget_fault();
+    go_back();
+    go(from, high, high - from, high_);
+    return {low, high};
   }
 
   /// Where the first of the secants meets zero, but no nearer to an end than half the width or the last bit.

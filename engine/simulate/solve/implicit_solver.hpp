@@ -31,11 +31,17 @@ class ControlledSolver : public Solver {
   void advance(System& system, const TimeStep& step) override {
     double* const numbers = system.report.numbers ? system.report.numbers : own_.data();
     method_.advance(system.x, system.dot, system.time, step.start, step.end, step.length, control_, numbers,
-                    [&] { system.evaluate(); });
+                    Slopes{system});
   }
   const double* start() const override { return method_.start(); }
 
  private:
+  struct Slopes {
+    System& system;
+    void operator()() const { system.evaluate(); }
+    bool stops(double at) const { return system.stops(at); }
+  };
+
   Controlled<Method> method_;
   ErrorControl control_;
   std::vector<double> own_;  ///< where a system has no place for a report

@@ -23,6 +23,8 @@ class System {
  public:
   virtual ~System() = default;
   virtual void evaluate() = 0;
+  /// Is the way ended at this time, up to which a solver that chooses its steps has come?
+  virtual bool stops(double /*at*/) { return false; }
 
   double* time = nullptr;  ///< [s]
   double* x = nullptr;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/analyse/query/formula.hpp"
 #include "engine/analyse/query/number.hpp"
 
 namespace stepwire::plot {
@@ -43,16 +44,24 @@ LinearRows::LinearRows(const Panel& panel, std::span<const record::Recording> re
   if (!of || panel.recordings.empty() || panel.recordings.front() >= recordings.size()) return;
   recording_ = &recordings[panel.recordings.front()];
   name_ = of->formula.columns.front();
-  if (recording_->table.find(name_ + mark_of_analyses)) table_ = &recording_->table;
+  if (!recording_->table.find(name_ + mark_of_analyses)) return;
+  table_ = &recording_->table;
+  const std::vector<double> where =
+      panel.where ? query::evaluate(*panel.where, *recording_) : std::vector<double>(table_->rows(), 1.0);
+  for (std::size_t run = 0; run < recording_->starts.size(); ++run)
+    if (const std::size_t row = recording_->starts[run]; row < where.size())
+      if (where[row] != 0.0 && !std::isnan(where[row])) runs_.push_back(run);
 }
 
 std::vector<double> LinearRows::list(const std::string& name, std::size_t run) const {
   const table::Column* column = table_ ? table_->find(name_ + "." + name) : nullptr;
   if (!column) return {};
   const auto begin = column->values.begin();
-  const auto end = run + 1 < runs() ? begin + static_cast<std::ptrdiff_t>(recording_->starts[run + 1])
-                                    : column->values.end();
-  std::vector<double> values(begin + static_cast<std::ptrdiff_t>(recording_->starts[run]), end);
+  const std::size_t next = runs_[run] + 1;
+  const auto end = next < recording_->starts.size()
+                       ? begin + static_cast<std::ptrdiff_t>(recording_->starts[next])
+                       : column->values.end();
+  std::vector<double> values(begin + static_cast<std::ptrdiff_t>(first_row(run)), end);
   if (!values.empty() && std::isnan(values.front())) return {};
   return values;
 }
@@ -68,7 +77,7 @@ std::string LinearRows::label(std::size_t run) const {
   std::string text;
   for (const table::Column& column : table_->columns) {
     if (column.name == "time" || column.name.starts_with(name_)) continue;
-    const double value = column.values[recording_->starts[run]];
+    const double value = column.values[first_row(run)];
     text += fmt::format("{}{} = {}{}{}", text.empty() ? "" : ", ", column.name, query::short_number(value),
                         column.unit.empty() || column.unit == "1" ? "" : " ",
                         column.unit == "1" ? "" : column.unit);

@@ -11,12 +11,12 @@ namespace stepwire::plot {
 /// The key `of` of plots of linear analyses: the name of one.
 PanelKey analysis_key();
 
-/// What one analysis found, run by run of a sweep.
+/// The results of one analysis, run by run of a sweep, in the runs that `where` selects by their first row.
 class LinearRows {
  public:
   LinearRows(const Panel& panel, std::span<const record::Recording> recordings);
 
-  std::size_t runs() const { return table_ ? recording_->starts.size() : 0; }
+  std::size_t runs() const { return runs_.size(); }
   /// A list of a run, `margin.gain`, without what it is filled up with; empty where there is none.
   std::vector<double> list(const std::string& name, std::size_t run) const;
   /// A number of a run; nan where there is none.
@@ -26,10 +26,13 @@ class LinearRows {
   bool sampled(std::size_t run) const { return number("sample_time", run) > 0.0; }
 
  private:
+  std::size_t first_row(std::size_t run) const { return recording_->starts[runs_[run]]; }
+
   const Panel& panel_;
   const record::Recording* recording_ = nullptr;
   const table::Table* table_ = nullptr;
   std::string name_;
+  std::vector<std::size_t> runs_;  ///< that are shown
 };
 
 }  // namespace stepwire::plot

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "engine/simulate/solve/crossing_signs.hpp"
+#include "engine/simulate/solve/event_locator.hpp"
+#include "engine/simulate/solve/left_of.hpp"
+
+namespace stepwire::solve {
+
+/// The way from a tick to the next with a solver that chooses its steps. Behind each of them crossings are
+/// looked at; where one may lie in it, or an edge of a source, that step alone is taken again from event to
+/// event. Where there is none, the steps are those of a run that looks for nothing.
+///
+/// Beside the functions of a `Run` of EventLocator it has advance_watched(from, to, length, stops): the same
+/// as advance(), and it is asked behind each step but the last one whether the way ends there.
+template <class Run>
+class WatchedStep {
+ public:
+  WatchedStep(const EventTask& task, double* values, const Run& run)
+      : task_(task),
+        values_(values),
+        run_(run),
+        before_(task.scratch + EventTask::before(task.state_count)),
+        after_(before_ + task.crossing_count) {}
+
+  void advance(double start, double end, double length) {
+    double from = start;
+    while (from < end) {
+      begin(from);
+      double reached = end;
+      run_.advance_watched(from, task_.jumps ? left_of(end, length) : end,
+                           from == start ? length : end - from, [&](double at) {
+                             if (!is_eventful(at)) return false;
+                             reached = at;
+                             return true;
+                           });
+      if (reached == end && !is_eventful(end)) return;
+      EventLocator(task_, values_, run_).advance(open_, reached, reached - open_);
+      if (has_ended()) return;
+      from = reached;
+    }
+  }
+
+ private:
+  void begin(double at) {
+    values_[task_.time] = at;
+    run_.begin();
+    run_.crossings(before_);
+    open(at);
+  }
+  /// From here on nothing is known.
+  void open(double at) {
+    open_ = at;
+    edge_ = run_.edge();
+    std::copy_n(values_ + task_.states, task_.state_count, task_.scratch);
+  }
+
+  bool is_eventful(double at) {
+    const double length = at - open_;
+    double* const past = values_ + task_.report + EventReport::count;
+    values_[task_.time] = task_.jumps ? left_of(at, length) : at;
+    run_.follow();
+    run_.crossings(after_);
+    const bool looks =
+        task_.looks > 0 && may_cross_twice(before_, after_, past, task_.crossing_count, false, length);
+    if (edge_ < left_of(at, length) || looks || sign_changes(before_, after_, task_.crossing_count)) {
+      past[0] = look_closer;
+      return true;
+    }
+    if (edge_ > at) {  // one that lies there belongs to this stretch
+      std::copy_n(after_, task_.crossing_count, before_);
+      open(at);
+    }
+    return false;
+  }
+
+  bool has_ended() const {
+    const double* report = values_ + task_.report;
+    return report[EventReport::end] != 0.0 || report[EventReport::stopped] != 0.0 || run_.failed();
+  }
+
+  const EventTask& task_;
+  double* const values_;
+  const Run& run_;
+  double *before_, *after_;         ///< crossings at the start of the stretch and at its end
+  double open_ = 0.0, edge_ = 0.0;  ///< the start of the stretch, and the next edge of a source there
+};
+
+}  // namespace stepwire::solve
