@@ -5,7 +5,13 @@
 namespace stepwire {
 
 void Derivative::configure(Configure& is) {
-  if (!configure_reset(*this, is) && !settled) is.skip_update();
+  const bool given = is.initial_given<&Derivative::x>() || is.connected<&Derivative::initial_>();
+  follows = settled && !given;
+  if (configure_reset(*this, is)) return;
+  if (follows)
+    is.update_keeps_outputs();
+  else
+    is.skip_update();
 }
 
 void Derivative::declare(Declare<Derivative>& is) {
@@ -13,19 +19,21 @@ void Derivative::declare(Declare<Derivative>& is) {
       "Derivative",
       {.doc =
            "Filtered derivative, s / (tau s + 1): tau dx/dt = u - x, y = (u - x) / tau. Gain and phase are "
-           "those of a derivative up to about 1 / (2 pi tau) Hz. An explicit solver needs a step below 2 tau "
-           "(euler) or 2.7 tau (rk4).",
+           "those of a derivative up to about 1 / (2 pi tau) Hz. At the first instant, and at a reset, the "
+           "filter begins at the input, so that y is 0 there whatever the input is; a jump that comes later "
+           "gives its peak. Where `initial` is given (a reset: `value`), the filter begins at that. An "
+           "explicit solver needs a step below 2 tau (euler) or 2.7 tau (rk4).",
        .symbol = {.text = "s / {tau} s + 1"},
        .smooth = true});
   is.parameter<&Derivative::tau>({.unit = "s", .doc = "time constant of the filter", .above = 0.0});
   is.parameter<&Derivative::settled>(
-      {.doc = "start as if the input had always had its first value, so that y starts at 0; otherwise the "
-              "filter "
-              "starts at `initial`, and an input that starts elsewhere gives a peak"});
+      {.doc = "begin as if the input had always had its first value; false: the filter begins at `initial`, "
+              "0 where left out, and an input that begins elsewhere gives a peak"});
   is.input<&Derivative::u>({.unit = "'u", .doc = "signal to differentiate"});
   is.output<&Derivative::y>({.unit = "'u/s", .doc = "its derivative"});
   is.state<&Derivative::x>({.unit = "'u", .doc = "the input, filtered"});
   is.state<&Derivative::begun>({.doc = "0 before the first step, then 1", .settable = false});
+  is.derived<&Derivative::follows, &Derivative::settled>();
   declare_reset(is, "'u", "the filter");
 }
 

@@ -7,21 +7,22 @@ namespace stepwire {
 /// Filtered derivative, s / (tau s + 1): tau dx/dt = u - x, y = (u - x) / tau.
 struct Derivative : Resettable {
   PerElement tau = 1e-3;
-  bool settled = false;
+  bool settled = true;
   Input<> u{};
   Output<> y{};
   State<> x{};
   DiscreteState<1> begun{};
 
-  void outputs() { follow(x); }
+  bool follows = true;  // the filter begins as the input: settled, and no initial value is given
+
+  void outputs() { show(x); }
   void outputs_at_instant() {
-    const bool now = resetting();
-    if (settled && (now || begun == 0.0)) {
+    if (settles()) {
       y = 0.0;
-    } else if (now) {
-      follow(Targets{*this});
+    } else if (resetting()) {
+      show(Targets{*this});
     } else {
-      follow(x);
+      show(x);
     }
   }
 
@@ -30,12 +31,11 @@ struct Derivative : Resettable {
     for (Index i = 0; i < x.size(); ++i) x.derivative[i] = still ? 0.0 : (u[i] - x[i]) / tau[i];
   }
 
-  /// Runs only where the start is settled, or something resets.
+  /// Runs only where the filter follows the input, or something resets.
   void update() {
-    const bool now = resetting();
-    if (settled && (now || begun == 0.0)) {
+    if (settles()) {
       x = u;
-    } else if (now) {
+    } else if (resetting()) {
       x = Targets{*this};
     }
     begun = 1.0;
@@ -47,8 +47,10 @@ struct Derivative : Resettable {
   static void declare(Declare<Derivative>& is);
 
  private:
+  /// True at the first instant and at a reset, unless a value for the filter is given.
+  bool settles() const { return follows && (begun == 0.0 || (resetting() && !value.connected())); }
   template <class States>
-  void follow(const States& states) {
+  void show(const States& states) {
     for (Index i = 0; i < y.size(); ++i) y[i] = (u[i] - states[i]) / tau[i];
   }
 };

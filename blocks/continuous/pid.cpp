@@ -30,6 +30,10 @@ void declare_parameters(Declare<PID>& is) {
   is.parameter<&PID::weight_d>(
       {.doc = "share of the reference that the derivative part sees; 0: no kick at a step",
        .structural = true});
+  is.parameter<&PID::settled>(
+      {.doc =
+           "the derivative part is 0 at the first instant and at a reset, whatever the error is; false: its "
+           "filter begins at 0, and an error gives a peak of kd e / tau"});
 }
 
 }  // namespace
@@ -40,7 +44,8 @@ void PID::declare(Declare<PID>& is) {
                    "1 / (tau s + 1), within limits. u is the error e, reference minus measurement. Where "
                    "`actual` is wired, what the actuator really does, the integral part follows it: di/dt = "
                    "ki e + (actual - y) / tracking. By hand y is `manual`, and the integral part takes what "
-                   "makes the controller go on from there without a bump.",
+                   "makes the controller go on from there without a bump. At the first instant and at a "
+                   "reset the derivative part is 0; a reference that jumps later gives its peak.",
             .source = "Åström, Hägglund, Advanced PID Control, 2006, sections 3.3 to 3.5",
             .smooth = true});
   declare_parameters(is);
@@ -57,6 +62,7 @@ void PID::declare(Declare<PID>& is) {
   is.state<&PID::integral>({.unit = "'k 'u", .doc = "integral part"});
   is.state<&PID::filter>({.unit = "'u", .doc = "what the derivative part sees, filtered", .settable = false});
   is.state<&PID::hand>({.shape = "1", .doc = "1 while the command is given by hand", .settable = false});
+  is.state<&PID::begun>({.doc = "0 before the first step, then 1", .settable = false});
   declare_reset(is, "'k 'u", "the integral part");
   is.crossing<&PID::automatic>("the controller takes over, or the hand", "1");
   is.derived<&PID::plain, From::no_number>();
@@ -72,7 +78,11 @@ void PID::configure(Configure& is) {
   if (is.connected<&PID::automatic>()) is.require<&PID::manual>("it says when the command is given by hand");
   plain = !configure_reset(*this, is) && !by_hand;
   if (plain) is.skip_crossings();
-  if (plain && !limits(integral_lower, integral_upper)) is.skip_update();
+  if (!plain || limits(integral_lower, integral_upper)) return;
+  if (settled)
+    is.update_keeps_outputs();
+  else
+    is.skip_update();
 }
 
 }  // namespace stepwire

@@ -15,11 +15,13 @@ struct PID : Resettable {
   PerElement integral_lower = -unlimited, integral_upper = unlimited;
   AntiWindup anti_windup = AntiWindup::clamping;
   PerElement tracking = 1.0, weight_p = 1.0, weight_d = 1.0;
+  bool settled = true;
   Input<> u{}, reference{}, actual{}, manual{};
   Input<1> automatic{};
   Output<> y{};
   State<> integral{}, filter{};
-  DiscreteState<1> hand{};  // 1 while the command is given by hand, as it was at the last instant
+  DiscreteState<1> hand{};   // 1 while the command is given by hand, as it was at the last instant
+  DiscreteState<1> begun{};  // 1 behind the first instant
 
   bool plain = true;  // does nothing but u and reference act?
 
@@ -27,7 +29,7 @@ struct PID : Resettable {
     y.each([&](Index i) { return limited(hand > 0.0 ? manual[i] : wanted(i, here(i)), i); });
   }
   void outputs_at_instant() {
-    y.each([&](Index i) { return limited(by_hand() ? manual[i] : wanted(i, put_back(i)), i); });
+    y.each([&](Index i) { return limited(by_hand() ? manual[i] : wanted(i, at_instant(i)), i); });
   }
 
   void derivatives() {
@@ -42,9 +44,14 @@ struct PID : Resettable {
     }
   }
 
-  /// Runs only where the integral part has limits of its own, or not all is plain.
+  /// Runs only where the filter is settled, the integral part has limits of its own, or not all is plain.
   void update() {
-    if (!plain) take_over();
+    if (!plain) {
+      take_over();
+    } else if (settled && begun == 0.0) {
+      for (Index i = 0; i < filter.size(); ++i) filter[i] = at_instant(i).filter;
+    }
+    begun = 1.0;
     for (Index i = 0; i < integral.size(); ++i)
       integral[i] = std::clamp(integral[i], integral_lower[i], integral_upper[i]);
   }
@@ -66,8 +73,12 @@ struct PID : Resettable {
 
   bool by_hand() const { return !plain && manual.connected() && !(automatic > 0.0); }
   Parts here(Index i) const { return {integral[i], filter[i]}; }
-  /// As a reset leaves them, where there is one at this instant.
-  Parts put_back(Index i) const { return !plain && resetting() ? Parts{target(i), 0.0} : here(i); }
+  /// As the first instant or a reset leaves them: the derivative part is 0, unless its filter is at 0.
+  Parts at_instant(Index i) const {
+    const bool back = !plain && resetting();
+    if (!back && !(settled && begun == 0.0)) return here(i);
+    return {back ? target(i) : integral[i], settled ? weighted(weight_d, i) : back ? 0.0 : filter[i]};
+  }
   /// The error with only a share of the reference in it.
   double weighted(const PerElement& weight, Index i) const {
     return reference.connected() ? u[i] - (1.0 - weight[i]) * reference[i] : u[i];
@@ -83,7 +94,7 @@ struct PID : Resettable {
   STEPWIRE_RARE void take_over() {
     hand = by_hand() ? 1.0 : 0.0;
     for (Index i = 0; i < integral.size(); ++i) {
-      const Parts parts = put_back(i);
+      const Parts parts = at_instant(i);
       const double others = wanted(i, parts) - parts.integral;
       integral[i] = hand > 0.0 ? limited(manual[i], i) - others : parts.integral;
       filter[i] = parts.filter;

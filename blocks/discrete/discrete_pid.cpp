@@ -23,6 +23,10 @@ void declare_gains(Declare<DiscretePID>& is) {
   is.parameter<&DiscretePID::weight_d>(
       {.doc = "share of the reference that the derivative part sees; 0: no kick at a step",
        .structural = true});
+  is.parameter<&DiscretePID::settled>(
+      {.doc =
+           "D is 0 at the first tick and at a reset, whatever the error is; false: the error before is taken "
+           "for 0, and an error gives a peak of kd e / (tau + T)"});
 }
 
 void declare_limits(Declare<DiscretePID>& is) {
@@ -52,8 +56,9 @@ void DiscretePID::declare(Declare<DiscretePID>& is) {
       {.doc =
            "Discrete PID controller in parallel form at its ticks: y = kp e + I + kd D within limits, with "
            "I += ki T e (forward Euler unless `method` says otherwise) and "
-           "D[k] = (tau D[k-1] + e[k] - e[k-1]) / (tau + T). u is the error e, reference minus measurement; "
-           "e[-1] is 0, so an error at the start gives a derivative kick. Where `actual` is wired, what the "
+           "D[k] = (tau D[k-1] + e[k] - e[k-1]) / (tau + T). u is the error e, reference minus measurement. "
+           "D is 0 at the first tick and at a reset; a reference that jumps later gives its peak. Where "
+           "`actual` is wired, what the "
            "actuator "
            "really does, the integral part follows it: I += T / tracking (actual - y). By hand y is "
            "`manual`, "
@@ -77,6 +82,7 @@ void DiscretePID::declare(Declare<DiscretePID>& is) {
   is.state<&DiscretePID::integral>({.unit = "'k 'u", .doc = "integral part"});
   is.state<&DiscretePID::rate>({.unit = "'u/s", .doc = "D at the last tick", .settable = false});
   is.state<&DiscretePID::last>({.unit = "'u", .doc = "error in D at the last tick", .settable = false});
+  is.state<&DiscretePID::begun>({.doc = "0 before the first tick, then 1", .settable = false});
   declare_reset(is, "'k 'u", "the integral part");
   is.clock<&DiscretePID::period>();
   is.derived<&DiscretePID::before, From::no_number>();

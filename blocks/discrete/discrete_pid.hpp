@@ -17,9 +17,11 @@ struct DiscretePID : Resettable {
   PerElement integral_lower = -unlimited, integral_upper = unlimited;
   AntiWindup anti_windup = AntiWindup::clamping;
   PerElement tracking = 1.0, weight_p = 1.0, weight_d = 1.0;
+  bool settled = true;
   Input<> u{}, reference{};
   Output<> y{};
   DiscreteState<> integral{}, rate{}, last{};
+  DiscreteState<1> begun{};  // 1 behind the first tick
   Period period{};
 
   double before = 0.0, after = 1.0;  // shares of ki T e that count before and after the output is given
@@ -41,6 +43,7 @@ struct DiscretePID : Resettable {
       last[i] = weighted(weight_d, i);
       return next;
     });
+    begun = 1.0;
     if (!plain) remember_reset();
   }
 
@@ -69,6 +72,7 @@ struct DiscretePID : Resettable {
   }
   /// Backward difference of tau D' + D = e'; without a filter that is (e[k] - e[k-1]) / T.
   double slope(Index i) const {
+    if (settled && (begun == 0.0 || put_back())) return 0.0;
     if (put_back()) return weighted(weight_d, i) * per_time[i];
     const double change = weighted(weight_d, i) - last[i];
     return (tau[i] * rate[i] + change) * per_time[i];

@@ -1,23 +1,12 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
-#include "engine/model/block/block.hpp"
+#include "blocks/plants/dry_friction.hpp"
 
 namespace stepwire {
 
 /// Dry friction on a mass, which sticks: at rest it balances the other forces up to `breakaway`, in motion it
 /// is coulomb + (breakaway - coulomb) exp(-(v/stribeck)^2) + viscous |v| against the motion.
-struct Friction {
-  PerElement mass = 1.0, coulomb = 1.0, breakaway = 0.0, viscous = 0.0, stribeck = 0.0;
-  Input<> force{}, velocity{};
-  Output<> y{}, slides{};
-  DiscreteState<> way{};   // 1 and -1 while it slides that way, 0 while it sticks, as at the last instant
-  DiscreteState<> rest{};  // velocity at the last instant, which a mass that sticks still has
-
-  Period period{};
-
+struct Friction : DryFriction {
   void outputs() {
     for (Index i = 0; i < y.size(); ++i) show(i, way[i], rest[i]);
   }
@@ -38,31 +27,23 @@ struct Friction {
   static void declare(Declare<Friction>& is);
 
  private:
-  /// At rest.
-  double highest(Index i) const { return std::max(breakaway[i], coulomb[i]); }
-  double sliding(Index i) const {
-    const double v = velocity[i], more = highest(i) - coulomb[i];
-    const double part = stribeck[i] > 0.0 ? std::exp(-(v / stribeck[i]) * (v / stribeck[i])) : 0.0;
-    return coulomb[i] + more * part;
-  }
-
   /// True where the velocity is not of a force: behind a reset, or at a start in motion.
   bool is_moved(Index i) const {
+    if (way[i] != 0.0) return is_thrown_back(i);
     return std::abs(velocity[i]) > 2.0 * std::abs(rest[i]) + 1e-9 * highest(i) * period / mass[i];
   }
 
   double next_way(Index i) const {
     const double push = force[i];
     if (way[i] * velocity[i] > 0.0) return way[i];
-    if (way[i] == 0.0 && is_moved(i)) return velocity[i] > 0.0 ? 1.0 : -1.0;
+    if (is_moved(i)) return velocity[i] > 0.0 ? 1.0 : -1.0;
     if (std::abs(push) <= highest(i)) return 0.0;
     return push > 0.0 ? 1.0 : -1.0;
   }
 
-  /// Takes the rest of the velocity from a mass that sticks, within a step.
   void show(Index i, double now, double left) {
     slides[i] = now;
-    y[i] = now == 0.0 ? -force[i] - mass[i] * left / period : -now * sliding(i) - viscous[i] * velocity[i];
+    y[i] = now == 0.0 ? -force[i] + braking(i, left) : sliding_force(i, now);
   }
 };
 

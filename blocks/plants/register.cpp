@@ -5,6 +5,7 @@
 #include "blocks/plants/driven_linkage.hpp"
 #include "blocks/plants/friction.hpp"
 #include "blocks/plants/hard_stop.hpp"
+#include "blocks/plants/karnopp.hpp"
 #include "blocks/plants/linkage.hpp"
 #include "blocks/plants/lu_gre.hpp"
 #include "blocks/plants/mass.hpp"
@@ -22,6 +23,7 @@ void register_plants(Registry& registry) {
   registry.add<Dahl>("plants");
   registry.add<Friction>("plants");
   registry.add<HardStop>("plants");
+  registry.add<Karnopp>("plants");
   registry.add<LuGre>("plants");
   registry.add<Mass>("plants");
   registry.add<Pusher>("plants");

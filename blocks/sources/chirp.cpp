@@ -1,10 +1,11 @@
 #include "blocks/sources/chirp.hpp"
 
-#include "engine/model/block/declare.hpp"
+#include "blocks/sources/own_time_declare.hpp"
 
 namespace stepwire {
 
 void Chirp::configure(Configure& is) {
+  configure_own_time(*this, is);
   if (sweep != Sweep::exponential) return;
   if (frequency <= 0.0)
     is.refuse<&Chirp::frequency>("an exponential sweep cannot begin at 0 Hz or below; give one above 0");
@@ -20,6 +21,7 @@ void Chirp::declare(Declare<Chirp>& is) {
        .symbol = {.curve =
                       "M-1 0C-.8 1.2 -.6 1.2 -.4 0C-.27 -1.2 -.13 -1.2 0 0C.1 1.2 .2 1.2 .3 0C.37 -1.2 .44 "
                       "-1.2 .5 0C.56 1.2 .62 1.2 .67 0C.72 -1.2 .77 -1.2 .82 0C.88 1.2 .94 1.2 1 0"},
+       .at_events = true,
        .smooth = true});
   is.parameter<&Chirp::amplitude>({.unit = "'u", .doc = "half of the distance between the peaks"});
   is.parameter<&Chirp::frequency>({.unit = "Hz", .doc = "frequency at t = 0", .at_least = 0.0});
@@ -32,7 +34,7 @@ void Chirp::declare(Declare<Chirp>& is) {
               "octaves each second (both frequencies above 0)",
        .words = {"linear", "exponential"}});
   is.output<&Chirp::y>({.unit = "'u", .doc = "the sweep"});
-  is.clock<&Chirp::t>();
+  declare_own_time(is);
 }
 
 }  // namespace stepwire

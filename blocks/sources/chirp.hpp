@@ -4,26 +4,25 @@
 #include <cmath>
 #include <numbers>
 
+#include "blocks/sources/own_time.hpp"
 #include "engine/base/math/instant.hpp"
-#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 
 /// A sine whose frequency moves from one value to another in a given time and stays there:
 /// y = amplitude sin(2 pi cycles(t) + phase) + bias, d cycles / dt = the frequency at t.
-struct Chirp {
+struct Chirp : OwnTime {
   enum class Sweep { linear, exponential };
 
   double amplitude = 1.0, frequency = 0.1, target_frequency = 1.0, target_time = 10.0, phase = 0.0,
          bias = 0.0;
   Sweep sweep = Sweep::linear;
   Output<1> y{};
-  Time t{};
 
-  void outputs() { y = amplitude * std::sin(2.0 * std::numbers::pi * cycles(t) + phase) + bias; }
+  void outputs() { y = amplitude * std::sin(2.0 * std::numbers::pi * cycles(own()) + phase) + bias; }
 
   /// The frequency is steady from there.
-  double next_edge() const { return first_ahead(t, target_time); }
+  double next_edge() const { return first_ahead(t, began() + target_time); }
 
   /// Integral of the frequency from 0 to `time`.
   double cycles(double time) const {
@@ -31,6 +30,7 @@ struct Chirp {
     return moved(moving) + target_frequency * (time - moving);
   }
 
+  void update() { keep_origin(); }
   void configure(Configure& is);
   static void declare(Declare<Chirp>& is);
 

@@ -1,16 +1,17 @@
 #pragma once
 
-#include "engine/model/block/block.hpp"
+#include "blocks/sources/own_time.hpp"
 
 namespace stepwire {
 
-/// The time of the run: y = t.
-struct Clock {
+/// The time of the run, or since it began anew: y = t.
+struct Clock : OwnTime {
   Output<1> y{};
-  Time t{};
 
-  void outputs() { y = t; }
+  void outputs() { y = own(); }
 
+  void update() { keep_origin(); }
+  void configure(Configure& is);
   static void declare(Declare<Clock>& is);
 };
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "blocks/records/preparation.hpp"
+#include "blocks/sources/own_time_declare.hpp"
 #include "blocks/sources/read_samples.hpp"
-#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 
@@ -56,7 +56,7 @@ void FromFile::configure(Configure& is) {
   const bool periodic = interpolation == Interpolation::band_limited || after_end == AfterEnd::repeat;
   require_start(*this, is);
   if (!periodic) require_inside(*this, is);
-  if (periodic || after_end == AfterEnd::hold) is.skip_update();
+  configure_own_time(*this, is, !periodic && after_end == AfterEnd::refuse);
   if (interpolation == Interpolation::hold) return;
   is.smooth();
   is.skip_instants();
@@ -76,7 +76,8 @@ void FromFile::declare(Declare<FromFile>& is) {
            "periodic signal without content above half of the sample rate, and gives that signal between the "
            "rows "
            "to 2e-13 of its amplitude.",
-       .symbol = {.text = "{file|record}"}});
+       .symbol = {.text = "{file|record}"},
+       .at_events = true});
   is.parameter<&FromFile::file>(
       {.doc = "path of a .csv, .mat, .h5 or .mcap file, beside the diagram or data/...", .required = true});
   is.parameter<&FromFile::column>({.doc = "name of the column, or a list of names for a vector; in an HDF5 "
@@ -113,7 +114,7 @@ void FromFile::declare(Declare<FromFile>& is) {
   is.output<&FromFile::y>({.unit = "'u", .doc = "the record"});
   is.diagnostic<&FromFile::ended>(
       {.doc = "the record is over; give after_end or an earlier stop", .ends_run = true});
-  is.clock<&FromFile::t>();
+  declare_own_time(is);
   is.derived<&FromFile::samples, &FromFile::sample_time, &FromFile::from, &FromFile::to>();
   is.derived<&FromFile::smooth, &FromFile::sample_time, &FromFile::from, &FromFile::to>();
   is.derived<&FromFile::offset, &FromFile::sample_time, &FromFile::from, &FromFile::to, &FromFile::start_>();

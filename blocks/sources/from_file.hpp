@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "blocks/records/band_limited.hpp"
+#include "blocks/sources/own_time.hpp"
 #include "blocks/sources/samples.hpp"
-#include "engine/model/block/block.hpp"
 #include "engine/model/block/tree.hpp"
 #include "engine/model/signal/file_path.hpp"
 
@@ -15,7 +15,7 @@ namespace stepwire {
 
 /// Columns of a data file, prepared and then played back: y(t) is the record at t + start, held, straight, or
 /// band-limited between rows.
-struct FromFile {
+struct FromFile : OwnTime {
   enum class Interpolation { linear, hold, band_limited };
   enum class AfterEnd { refuse, hold, repeat };
   static constexpr double open = std::numeric_limits<double>::infinity();
@@ -29,7 +29,6 @@ struct FromFile {
   AfterEnd after_end = AfterEnd::refuse;
   Output<> y{};
   Diagnostic ended{};
-  Time t{};
   Samples samples;
   BandLimited smooth;   ///< of the columns, where band-limited
   double offset = 0.0;  ///< instant of the record that is time 0 of the run [s]
@@ -40,32 +39,35 @@ struct FromFile {
   void outputs_at_instant() { play(samples.slack()); }
   double next_edge() const {
     if (interpolation == Interpolation::band_limited) return open;
-    const double at = place(t + offset + samples.slack());
+    const double at = place(own() + offset + samples.slack());
     const Index row = samples.row_at(at), last = samples.rows() - 1;
-    const double begun = t + offset - (at - samples.slack());  // of the periods before
-    if (at < samples.begin()) return samples.begin() - offset;
-    if (row < last) return begun + samples.time[row + 1] - offset;
-    return after_end == AfterEnd::repeat ? begun + samples.begin() + samples.period() - offset : open;
+    const double gone = own() + offset - (at - samples.slack());  // of the periods before
+    if (at < samples.begin()) return began() + (samples.begin() - offset);
+    if (row < last) return began() + (gone + samples.time[row + 1] - offset);
+    if (after_end != AfterEnd::repeat) return open;
+    return began() + (gone + samples.begin() + samples.period() - offset);
   }
   void play(double slack) {
     if (interpolation == Interpolation::band_limited) {
-      const double turns = (t + offset - samples.begin()) / samples.period();
+      const double turns = (own() + offset - samples.begin()) / samples.period();
       for (Index k = 0; k < y.size(); ++k) y[k] = smooth(k, turns);
     } else if (interpolation == Interpolation::hold) {
-      const Index row = samples.row_at(place(t + offset + slack));
+      const Index row = samples.row_at(place(own() + offset + slack));
       for (Index k = 0; k < y.size(); ++k) y[k] = samples.value(k, row);
     } else {
-      straight(place(t + offset));
+      straight(place(own() + offset));
     }
   }
   void update() {
-    if (t + offset > samples.end() + samples.slack()) ended.raise(t);
+    if (ends() && own() + offset > samples.end() + samples.slack()) ended.raise(t);
+    if (restart) keep_origin();
   }
 
   void configure(Configure& is);
   static void declare(Declare<FromFile>& is);
 
  private:
+  bool ends() const { return after_end == AfterEnd::refuse && interpolation != Interpolation::band_limited; }
   double place(double instant) const {
     return after_end == AfterEnd::repeat ? samples.wrapped(instant) : instant;
   }

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <vector>
 
+#include "blocks/sources/own_time_declare.hpp"
 #include "engine/base/math/random.hpp"
 #include "engine/base/math/sum_of_squares.hpp"
-#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 
@@ -39,6 +39,7 @@ Numbers schroeder_phases(const Numbers& amplitudes) {
 }  // namespace
 
 void Multisine::configure(Configure& is) {
+  configure_own_time(*this, is);
   lay_lines(is);
   lay_amplitudes(is);
   lay_phases(is);
@@ -104,6 +105,7 @@ void Multisine::declare(Declare<Multisine>& is) {
        .source = "Schroeder: Synthesis of low-peak-factor signals, IEEE Trans. Inf. Theory 16, 1970, eq. 11",
        .symbol = {.curve = "M-1 0C-.85 .9 -.75 .9 -.65 .2C-.55 -.3 -.45 -.3 -.35 .3C-.25 1.2 -.15 .6 0 0C.15 "
                            "-.6 .25 -1.2 .35 -.3C.45 .3 .55 .3 .65 -.2C.75 -.9 .85 -.9 1 0"},
+       .at_events = true,
        .smooth = true});
   is.parameter<&Multisine::period>({.unit = "s", .doc = "after which the signal repeats", .above = 0.0});
   is.parameter<&Multisine::lowest>({.unit = "Hz", .doc = "no line lies below", .at_least = 0.0});
@@ -124,7 +126,7 @@ void Multisine::declare(Declare<Multisine>& is) {
   is.parameter<&Multisine::phases>({.unit = "rad", .doc = "of each line, in place of `phase`"});
   is.parameter<&Multisine::seed>({.doc = "of the random phases; a whole number"});
   is.output<&Multisine::y>({.unit = "'u", .doc = "the sum"});
-  is.clock<&Multisine::t>();
+  declare_own_time(is);
   is.derived<&Multisine::omega, &Multisine::period, &Multisine::lowest, &Multisine::highest,
              &Multisine::frequencies>();
   is.derived<&Multisine::a, &Multisine::period, &Multisine::lowest, &Multisine::highest,

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/model/block/block.hpp"
+#include "blocks/sources/own_time.hpp"
 
 namespace stepwire {
 
 /// A sum of cosines, y = sum_k a_k cos(2 pi f_k t + phi_k): a broad-band excitation whose spectrum is chosen.
-struct Multisine {
+struct Multisine : OwnTime {
   enum class Lines { all, odd };
   enum class Phase { schroeder, random, zero };
 
@@ -18,15 +18,16 @@ struct Multisine {
   Phase phase = Phase::schroeder;
   std::int64_t seed = 0;
   Output<1> y{};
-  Time t{};
   Numbers omega{}, a{}, phi{};  ///< of each line: 2 pi f [rad/s], amplitude, phase [rad]
 
   void outputs() {
+    const double time = own();
     double sum = 0.0;
-    for (Index k = 0; k < omega.size(); ++k) sum += a[k] * std::cos(omega[k] * t + phi[k]);
+    for (Index k = 0; k < omega.size(); ++k) sum += a[k] * std::cos(omega[k] * time + phi[k]);
     y = sum;
   }
 
+  void update() { keep_origin(); }
   void configure(Configure& is);
   static void declare(Declare<Multisine>& is);
 

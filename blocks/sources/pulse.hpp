@@ -1,18 +1,18 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
+#include "blocks/sources/own_time.hpp"
 #include "engine/base/math/instant.hpp"
-#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 
 /// A train of rectangles: y = bias + amplitude in the first `width` of each period, else y = bias; from
-/// `delay` on.
-struct Pulse {
-  PerElement amplitude = 1.0, period = 1.0, width = 0.5, delay = 0.0, bias = 0.0;
+/// `delay` on, where it is `phase` behind a rising edge.
+struct Pulse : OwnTime {
+  PerElement amplitude = 1.0, period = 1.0, width = 0.5, delay = 0.0, phase = 0.0, bias = 0.0;
   Output<> y{};
-  Time t{};
 
   void outputs() {
     y.each([&](Index k) { return bias[k] + (high(k) ? amplitude[k] : 0.0); });
@@ -24,20 +24,27 @@ struct Pulse {
     return next;
   }
 
-  bool high(Index k) const { return reached(t, delay[k]) && !reached(t, begin(k) + width[k] * period[k]); }
+  bool high(Index k) const {
+    return reached(t, begin(k)) && !reached(t, begin_of_period(k) + width[k] * period[k]);
+  }
 
+  void update() { keep_origin(); }
+  void configure(Configure& is);
   static void declare(Declare<Pulse>& is);
 
  private:
-  /// Of the present period. Edges are compared as instants of the run, since that is where their rounding is
-  /// known.
-  double begin(Index k) const {
-    const double begin = delay[k] + period[k] * std::floor((t - delay[k]) / period[k]);
+  /// Of the train. Edges are compared as instants of the run, since that is where their rounding is known.
+  double begin(Index k) const { return began() + delay[k]; }
+  /// Of the present period.
+  double begin_of_period(Index k) const {
+    const double first = begin(k) - phase[k] / (2.0 * std::numbers::pi) * period[k];
+    const double begin = first + period[k] * std::floor((t - first) / period[k]);
     return reached(t, begin + period[k]) ? begin + period[k] : begin;
   }
   double edge_of(Index k) const {
-    if (!reached(t, delay[k])) return delay[k];
-    return first_ahead(t, begin(k) + width[k] * period[k], begin(k) + period[k]);
+    if (!reached(t, begin(k))) return begin(k);
+    const double begin = begin_of_period(k);
+    return first_ahead(t, begin + width[k] * period[k], begin + period[k]);
   }
 };
 

@@ -2,28 +2,33 @@
 
 #include <algorithm>
 
+#include "blocks/sources/own_time.hpp"
 #include "engine/base/math/instant.hpp"
-#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 
 /// A value that grows steadily from one instant on: y = initial + slope max(0, t - start).
-struct Ramp {
+struct Ramp : OwnTime {
   PerElement slope = 1.0, start_ = 0.0, initial = 0.0;
   Output<> y{};
-  Time t{};
 
   void outputs() {
-    y.each([&](Index i) { return initial[i] + slope[i] * std::max(t - start_[i], 0.0); });
+    y.each([&](Index i) { return initial[i] + slope[i] * std::max(t - corner(i), 0.0); });
   }
 
   double next_edge() const {
-    double next = first_ahead(t, start_[0]);
-    for (Index i = 1; i < y.size(); ++i) next = std::min(next, first_ahead(t, start_[i]));
+    double next = first_ahead(t, corner(0));
+    for (Index i = 1; i < y.size(); ++i) next = std::min(next, first_ahead(t, corner(i)));
     return next;
   }
 
+  void update() { keep_origin(); }
+  void configure(Configure& is);
   static void declare(Declare<Ramp>& is);
+
+ private:
+  /// As an instant of the run.
+  double corner(Index i) const { return began() + start_[i]; }
 };
 
 }  // namespace stepwire

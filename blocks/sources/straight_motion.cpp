@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "engine/model/block/declare.hpp"
+#include "blocks/sources/own_time_declare.hpp"
 
 namespace stepwire {
 
 void StraightMotion::configure(Configure& is) {
+  configure_own_time(*this, is);
   if (rise > 0.0) is.smooth();
   if (!(length() > 0.0))
     is.refuse<&StraightMotion::direction>("has no length; one element must not be 0, e.g. [0, 1]");
@@ -23,7 +24,8 @@ void StraightMotion::declare(Declare<StraightMotion>& is) {
       "StraightMotion",
       {.doc = "A motion along a straight line, in any number of dimensions, that starts smoothly and goes "
               "on at constant speed: the speed rises like (1 - cos(pi t / rise)) / 2. Gives position, "
-              "velocity and acceleration, e.g. for the pin of a DrivenLinkage."});
+              "velocity and acceleration, e.g. for the pin of a DrivenLinkage.",
+       .at_events = true});
   is.parameter<&StraightMotion::from>({.unit = "m", .shape = "d", .doc = "where it starts"});
   is.parameter<&StraightMotion::direction>(
       {.unit = "*", .shape = "d", .doc = "vector along the line, of any length but 0"});
@@ -41,7 +43,7 @@ void StraightMotion::declare(Declare<StraightMotion>& is) {
   is.output<&StraightMotion::acceleration>(
       {.unit = "m/s2", .shape = "d", .doc = "derivative of the velocity"});
   is.output<&StraightMotion::distance>({.unit = "m", .doc = "way from the start, along direction"});
-  is.clock<&StraightMotion::time>();
+  declare_own_time(is);
   is.prepared<&StraightMotion::unit, &StraightMotion::direction>();
 }
 

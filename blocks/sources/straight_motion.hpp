@@ -4,31 +4,30 @@
 #include <cmath>
 #include <numbers>
 
+#include "blocks/sources/own_time.hpp"
 #include "engine/base/math/instant.hpp"
 #include "engine/base/math/sum_of_squares.hpp"
-#include "engine/model/block/block.hpp"
 
 namespace stepwire {
 
 /// A motion along a straight line that starts smoothly and goes on at constant speed: with t from `start` on,
 /// v(t) = speed (1 - cos(pi t / rise)) / 2 up to t = rise, and speed from there. In the plane `turn` is added
 /// to the angle of its direction.
-struct StraightMotion {
+struct StraightMotion : OwnTime {
   Numbers from{0.0}, direction{1.0};
   double speed = 0.01, rise = 0.0, start_ = 0.0;
   Input<1> turn{};
   Output<> position{}, velocity{}, acceleration{};
   Output<1> distance{};
-  Time time{};
   Numbers unit{};  ///< unit vector of the direction
 
   void prepare() {
     unit = direction.map([length = length()](double element) { return element / length; });
   }
   void outputs() {
-    const double t = std::max(time - start_, 0.0);
+    const double begin = began() + start_, t = std::max(this->t - begin, 0.0);
     distance = speed * (t < rise ? rising(t) : t - 0.5 * rise);
-    const double v = time < start_ ? 0.0 : t < rise ? 0.5 * speed * (1.0 - std::cos(angle(t))) : speed;
+    const double v = this->t < begin ? 0.0 : t < rise ? 0.5 * speed * (1.0 - std::cos(angle(t))) : speed;
     const double a = t < rise ? 0.5 * speed * std::numbers::pi / rise * std::sin(angle(t)) : 0.0;
     const Turn by = turn.connected() ? Turn{std::cos(turn), std::sin(turn)} : Turn{};
     position.each([&](Index i) { return from[i] + distance * turned(i, by); });
@@ -36,8 +35,9 @@ struct StraightMotion {
     acceleration.each([&](Index i) { return a * turned(i, by); });
   }
 
-  double next_edge() const { return first_ahead(time, start_, start_ + rise); }
+  double next_edge() const { return first_ahead(t, began() + start_, began() + start_ + rise); }
 
+  void update() { keep_origin(); }
   void configure(Configure& is);
   static void declare(Declare<StraightMotion>& is);
 

@@ -33,6 +33,8 @@ struct Configuration {
   std::pair<std::string, std::string> slope_source;
   bool skips_outputs = false, skips_update = false, skips_crossings = false;
   bool skips_instants = false, steady = false, smooth = false, keeps_to_ticks = false;
+  bool update_keeps_outputs = false, remembers_nothing = false;
+  std::set<std::string> asked_initial;  ///< arguments of initial_given()
 
   bool operator==(const Configuration&) const = default;
 };
@@ -43,12 +45,14 @@ struct Configuration {
 class Configure {
  public:
   Configure(std::set<std::string> connected, double period, std::map<std::string, Eigen::Index> counts = {},
-            std::string name = "", std::map<std::string, double> constants = {})
+            std::string name = "", std::map<std::string, double> constants = {},
+            std::set<std::string> initial = {})
       : connected_(std::move(connected)),
         period_(period),
         counts_(std::move(counts)),
         name_(std::move(name)),
-        constants_(std::move(constants)) {}
+        constants_(std::move(constants)),
+        initial_(std::move(initial)) {}
 
   /// The block's name in the diagram, "rig.wheel"; for messages alone.
   const std::string& name() const { return name_; }
@@ -69,6 +73,13 @@ class Configure {
   std::optional<double> constant() const {
     const auto found = constants_.find(std::string(member_name<input>()));
     return found == constants_.end() ? std::nullopt : std::optional(found->second);
+  }
+  /// True where the file gives this state an initial value.
+  template <auto state>
+  bool initial_given() {
+    const std::string name(member_name<state>());
+    answers_.asked_initial.insert(name);
+    return initial_.contains(name);
   }
   /// Time between two updates of this block [s].
   double period() const { return period_; }
@@ -96,6 +107,10 @@ class Configure {
   void skip_outputs() { answers_.skips_outputs = true; }
   /// This instance has nothing to do in update().
   void skip_update() { answers_.skips_update = true; }
+  /// The states of this instance never change: it is what a block without states is.
+  void remember_nothing() { answers_.remembers_nothing = true; }
+  /// The outputs of this instance are the same before and after update(), whatever states it changes.
+  void update_keeps_outputs() { answers_.update_keeps_outputs = true; }
   /// This instance crosses nothing.
   void skip_crossings() { answers_.skips_crossings = true; }
   /// The outputs of this instance are the same at an instant as in the solver's stages.
@@ -131,6 +146,7 @@ class Configure {
   std::map<std::string, Eigen::Index> counts_;
   std::string name_;
   std::map<std::string, double> constants_;
+  std::set<std::string> initial_;  ///< states with an initial value in the file
   Configuration answers_;
 };
 

@@ -107,6 +107,13 @@ class Changing {
     spec.set(written(block).get(), value.value.value);
   }
 
+  /// True where a block does something else if the file gives no initial value.
+  bool asks_for(std::size_t block, int state) const {
+    const auto& says = plan_.blocks[block].configuration;
+    const auto& states = plan_.diagram.blocks[block].type().states;
+    return says && says->asked_initial.contains(states[static_cast<std::size_t>(state)].name);
+  }
+
   void set_initial(const diagram::ChangedValue& value) {
     const auto block = static_cast<std::size_t>(value.target.block);
     const auto& all = block_of(value.target).initial;
@@ -115,6 +122,8 @@ class Changing {
     };
     const auto known = std::ranges::find_if(all, same);
     const auto& numbers = std::get<Eigen::VectorXd>(value.value.value.content);
+    if (known == all.end() && asks_for(block, value.target.index))
+      refuse_structure(block, "initial", "where the file gives none, the state begins as the input says");
     const SignalSlot slot = plan_.blocks[block].states[static_cast<std::size_t>(value.target.index)];
     if (known == all.end() ? numbers.size() != 1 : numbers.size() != known->value.size())
       refuse_structure(block, "initial", "the value has another number of elements");

@@ -19,6 +19,7 @@ Configure what_is_known(const Plan& plan, std::size_t index) {
   std::set<std::string> connected;
   std::map<std::string, Eigen::Index> counts;
   std::map<std::string, double> constants;
+  std::set<std::string> initial;
   for (std::size_t input = 0; input < block.inputs.size(); ++input) {
     const InputSpec& spec = block.type().inputs[input];
     if (!block.inputs[input].empty()) connected.insert(spec.name);
@@ -28,8 +29,10 @@ Configure what_is_known(const Plan& plan, std::size_t index) {
         constants[spec.name] = source.constant[0];
     if (spec.list) counts[spec.name] = static_cast<Eigen::Index>(block.inputs[input].size());
   }
+  for (const diagram::InitialValue& value : block.initial)
+    initial.insert(block.type().states[static_cast<std::size_t>(value.state)].name);
   return Configure(std::move(connected), period_of(plan, index), std::move(counts), block.name,
-                   std::move(constants));
+                   std::move(constants), std::move(initial));
 }
 
 yaml::Fault fault_of(const Plan& plan, std::size_t index, const ParameterRefused& refused) {

@@ -53,6 +53,10 @@ struct Draft {
   const BlockType& type(std::size_t block) const { return plan.diagram.blocks[block].type(); }
   /// Does this output change at once when this input does?
   bool depends(std::size_t block, std::size_t input, std::size_t output) const;
+  /// True where a block has states that may change.
+  bool remembers(std::size_t block) const {
+    return !type(block).states.empty() && !blocks[block].says.remembers_nothing;
+  }
   /// Tells whether its outputs are constant between events, with these located.
   bool is_steady(std::size_t block) const {
     return plan.diagram.events.locate && (type(block).steady || blocks[block].says.steady);

@@ -41,9 +41,7 @@ class EventPlan {
 
  private:
   const Rate& rate(std::size_t block) const { return draft_.plan.blocks[block].rate; }
-  bool has_memory(std::size_t block) const {
-    return draft_.blocks[block].updates || !draft_.type(block).states.empty();
-  }
+  bool has_memory(std::size_t block) const { return draft_.blocks[block].updates || draft_.remembers(block); }
 
   bool is_guard(std::size_t block) const { return &draft_.type(block) == &diagram::guard_type(); }
   /// Is it called once for each edge that is located?

@@ -188,7 +188,9 @@ void append_updates(Draft& draft, std::size_t block) {
   if (draft.blocks[block].updates_at_events)
     append(draft.plan.event_updates, draft, block,
            type.run_update_at_event ? type.run_update_at_event : type.run_update);
-  draft.plan.updates_continuous = draft.plan.updates_continuous || type.has_continuous_state();
+  draft.plan.updates_continuous =
+      draft.plan.updates_continuous ||
+      (type.has_continuous_state() && !draft.blocks[block].says.update_keeps_outputs);
 }
 
 }  // namespace

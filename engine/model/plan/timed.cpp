@@ -34,7 +34,7 @@ class TimedBlocks {
 
   bool may_be_timed(std::size_t block) const {
     return draft_.blocks[block].computes && !draft_.blocks[block].differs_at_instants &&
-           draft_.type(block).states.empty() && draft_.diagram().blocks[block].guard < 0 &&
+           !draft_.remembers(block) && draft_.diagram().blocks[block].guard < 0 &&
            draft_.plan.blocks[block].rate.kind == Rate::Kind::continuous && !draft_.is_steady(block);
   }
 

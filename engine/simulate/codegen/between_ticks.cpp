@@ -23,10 +23,15 @@ bool has_ticks_of_inputs(const plan::Plan& plan, std::size_t b) {
   return type.timing == Timing::inherited || type.outputs.empty() || &type == &diagram::external_input_type();
 }
 
+bool remembers(const plan::Plan& plan, std::size_t b) {
+  const auto& says = plan.blocks[b].configuration;
+  return !plan.diagram.blocks[b].type().states.empty() && !(says && says->remembers_nothing);
+}
+
 /// The first block whose update changes a state; null where updates only look.
 const diagram::DiagramBlock* first_that_remembers(const plan::Plan& plan) {
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
-    if (plan.diagram.blocks[b].type().states.empty()) continue;
+    if (!remembers(plan, b)) continue;
     for (const plan::KernelCall& call : plan.updates)
       if (plan.diagram.blocks[b].type().run_update.contains(call.run) && runs(call, plan.blocks[b]))
         return &plan.diagram.blocks[b];

@@ -47,10 +47,64 @@ solver: rk4
 blocks:
   ramp: {block: Ramp, slope: 2, initial: 7}
   v: {block: Derivative, tau: 20 ms, u: ramp)";
-  const table::Table peak = run_text(diagram + "}\nrecord: [v]\n");
-  CHECK(column(peak, "v")[0] == Approx(350.0));
-  const table::Table settled = run_text(diagram + ", settled: true}\nrecord: [v]\n");
+  for (const char* begins : {", settled: false", ", initial: 0", ", settled: true, initial: 0"})
+    CHECK(column(run_text(diagram + begins + "}\nrecord: [v]\n"), "v")[0] == Approx(350.0));
+  CHECK(column(run_text(diagram + ", initial: 6.5}\nrecord: [v]\n"), "v")[0] == Approx(25.0));
+  const table::Table settled = run_text(diagram + "}\nrecord: [v]\n");
   const auto& time = column(settled, "time");
   for (std::size_t k = 0; k < time.size(); ++k)
     CHECK(column(settled, "v")[k] == Approx(2.0 * (1.0 - std::exp(-time[k] / 0.02))).margin(1e-5));
+}
+
+TEST_CASE("Of a constant a derivative is 0 from the first instant on, and of a later jump it is a pulse") {
+  const table::Table table = run_text(R"(
+step: 1 ms
+stop: 1 s
+solver: rk4
+blocks:
+  u: {block: Step, time: 0.5 s, before: 5, after: 7}
+  v: {block: Derivative, tau: 20 ms, u: u}
+record: [v]
+)");
+  const auto &time = column(table, "time"), &v = column(table, "v");
+  for (std::size_t k = 0; k < 500; ++k) CHECK(v[k] == 0.0);
+  for (std::size_t k = 500; k < v.size(); ++k)
+    CHECK(v[k] == Approx(100.0 * std::exp(-(time[k] - 0.5) / 0.02)).margin(1e-5));
+}
+
+TEST_CASE("A reset lets a derivative begin at 0, unless a value for its filter is given") {
+  const auto run = [](const std::string& keys) {
+    return column(run_text(R"(
+step: 1 ms
+stop: 400 ms
+solver: rk4
+blocks:
+  ramp: {block: Ramp, slope: 2, initial: 7}
+  on: {block: Step, time: 200 ms}
+  v: {block: Derivative, tau: 20 ms, u: ramp, reset: on)" +
+                           keys + "}\nrecord: [v]\n"),
+                  "v");
+  };
+  const auto free = run(""), valued = run(", value: 7"), given = run(", initial: 7");
+  for (std::size_t k = 200; k < free.size(); ++k) {
+    const double since = 1e-3 * static_cast<double>(k - 200), fades = std::exp(-since / 0.02);
+    CHECK(free[k] == Approx(2.0 * (1.0 - fades)).margin(1e-5));
+    CHECK(valued[k] == Approx(2.0 + 18.0 * fades).margin(1e-4));  // from (7.4 - 7) / 20 ms on
+    CHECK(given[k] == Approx(valued[k]));
+  }
+}
+
+TEST_CASE("A condition that puts states back lets a derivative begin at 0 again") {
+  const auto v = column(run_text(R"(
+step: 1 ms
+stop: 400 ms
+solver: rk4
+blocks:
+  ramp: {block: Ramp, slope: 2, initial: 7}
+  v: {block: Derivative, tau: 20 ms, u: ramp, enable: {when: time > 0.2 s, states: reset}}
+record: [v]
+)"),
+                        "v");
+  for (std::size_t k = 201; k < v.size(); ++k)
+    CHECK(v[k] == Approx(2.0 * (1.0 - std::exp(-1e-3 * static_cast<double>(k - 201) / 0.02))).margin(1e-5));
 }

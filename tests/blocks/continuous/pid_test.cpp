@@ -15,7 +15,7 @@ const std::string head = "step: 1 ms\nstop: 4 s\nsolver: rk4\nblocks:\n";
 // signal.step((num C, den C den plant + num C), T=linspace(0, 4, 4001)), at 0.5, 1, 2, 4 s
 TEST_CASE("A loop closed by a PID controller agrees with SciPy") {
   const table::Table table = run_text(head + R"(  e: {block: Sum, signs: "+-", u: [1, plant]}
-  pid: {block: PID, kp: 3, ki: 2, kd: 1, tau: 50 ms, u: e}
+  pid: {block: PID, kp: 3, ki: 2, kd: 1, tau: 50 ms, settled: false, u: e}
   plant: {block: TransferFunction, numerator: [1], denominator: [1, 1, 1], u: pid}
 record: [plant]
 )");
@@ -24,6 +24,26 @@ record: [plant]
   CHECK(y[1000] == Approx(0.9974239957079603).epsilon(1e-8));
   CHECK(y[2000] == Approx(1.082980784469895).epsilon(1e-8));
   CHECK(y[4000] == Approx(0.9434948343010551).epsilon(1e-8));
+}
+
+TEST_CASE(
+    "The derivative part of a controller is 0 at the start and behind a reset, and shows a later jump") {
+  const auto run = [](const std::string& keys) {
+    return column(run_text(head + R"(  e: {block: Step, time: 2, before: 5, after: 6}
+  back: {block: Step, time: 3}
+  pid: {block: PID, kp: 1, kd: 4, tau: 100 ms, u: e)" +
+                           keys + "}\nrecord: [pid]\n"),
+                  "pid");
+  };
+  const auto plain = run(""), reset = run(", reset: back"), kick = run(", reset: back, settled: false");
+  CHECK(kick[0] == Approx(5.0 + 4.0 * 5.0 / 0.1));
+  CHECK(kick[3000] == Approx(6.0 + 4.0 * 6.0 / 0.1));
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    const double since = 1e-3 * static_cast<double>(k) - 2.0;
+    const double pulse = k < 2000 ? 0.0 : 40.0 * std::exp(-since / 0.1);
+    CHECK(plain[k] == Approx((k < 2000 ? 5.0 : 6.0) + pulse).epsilon(1e-7));
+    CHECK(reset[k] == Approx((k < 2000 ? 5.0 : 6.0) + (k < 3000 ? pulse : 0.0)).epsilon(1e-7));
+  }
 }
 
 TEST_CASE("Of a ramp, the parts of a PID controller are ramp, parabola and filtered step") {

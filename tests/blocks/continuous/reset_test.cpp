@@ -101,7 +101,7 @@ TEST_CASE("Two integrators in a row, a transfer function and a state space start
 
 TEST_CASE("What has a reset repeats itself after one, whatever it is") {
   for (const char* const block :
-       {"Derivative, u: 3, tau: 0.1", "Derivative, u: ramp, tau: 0.1, settled: true",
+       {"Derivative, u: 3, tau: 0.1, initial: 0", "Derivative, u: ramp, tau: 0.1, settled: true",
         "PID, u: 0.5, kp: 2, ki: 3, kd: 1, tau: 0.1", "DiscretePID, u: 0.5, kp: 2, ki: 3, kd: 1, tau: 0.1",
         "DiscreteIntegrator, u: 3, method: trapezoidal", "UnitDelay, u: saw", "Delay, u: saw, delay: 5 ms",
         "VariableDelay, u: saw, delay: 2.5 ms, longest: 5 ms", "MovingAverage, u: saw, window: 5 ms",

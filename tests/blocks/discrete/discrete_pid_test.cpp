@@ -12,7 +12,8 @@ step: 1 ms
 stop: 2 s
 blocks:
   e: {block: Sine, amplitude: 3, frequency: 1.3, phase: 0.4, bias: 0.3, every: 1 ms}
-  pid: {block: DiscretePID, kp: 0.005, ki: 0.5, kd: 1e-5, integral_lower: 0, integral_upper: 0.35, u: e}
+  pid: {block: DiscretePID, kp: 0.005, ki: 0.5, kd: 1e-5, integral_lower: 0, integral_upper: 0.35, u: e,
+        settled: false}
 record: [e, pid]
 )");
   double integral = 0.0, before = 0.0;
@@ -83,4 +84,21 @@ TEST_CASE("A weight of 0 keeps a step of the reference out of the difference") {
 record: [pid]
 )");
   for (double y : column(table, "pid")) CHECK(y == 0.0);
+}
+
+TEST_CASE("D is 0 at the first tick and at a reset, and shows a jump that comes later") {
+  const auto run = [](const std::string& keys) {
+    return column(run_text(head + R"(  e: {block: Step, time: 2, before: 5, after: 6}
+  back: {block: Step, time: 3}
+  pid: {block: DiscretePID, kp: 1, kd: 4, tau: 90 ms, u: e, reset: back)" +
+                           keys + "}\nrecord: [pid]\n"),
+                  "pid");
+  };
+  const auto y = run(""), kick = run(", settled: false");
+  CHECK(kick[0] == Approx(5.0 + 4.0 * 5.0 / 0.1));
+  CHECK(kick[300] == Approx(6.0 + 4.0 * 6.0 / 0.1));
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    const double pulse = k < 200 || k >= 300 ? 0.0 : 40.0 * std::pow(0.9, static_cast<double>(k) - 200.0);
+    CHECK(y[k] == Approx((k < 200 ? 5.0 : 6.0) + pulse).epsilon(1e-9));
+  }
 }

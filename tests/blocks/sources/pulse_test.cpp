@@ -40,3 +40,35 @@ record: [wide, none]
   REQUIRE(column(run, "wide") == std::vector<double>(31, 1.0));
   REQUIRE(column(run, "none") == std::vector<double>(31, 0.0));
 }
+
+TEST_CASE("phase says where in its period a train of pulses begins") {
+  const table::Table run = run_text(R"(
+step: 0.1 s
+stop: 1.4 s
+blocks:
+  quarter: {block: Pulse, period: 0.4 s, width: 0.5, phase: 90 deg, delay: 0.2 s}
+  late: {block: Pulse, period: 0.4 s, width: 0.5, phase: -90 deg}
+  turns: {block: Pulse, period: 0.4 s, width: 0.5, phase: 630 deg}
+record: [quarter, late, turns]
+)");
+  const std::vector<double> quarter{0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1},
+      late{0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1};
+  CHECK(column(run, "quarter") == quarter);
+  CHECK(column(run, "late") == late);
+  CHECK(column(run, "turns") == late);
+}
+
+TEST_CASE("edges of pulses with a phase split a located step") {
+  const table::Table run = run_text(R"(
+step: 0.1 s
+stop: 1 s
+solver: rk4
+events: locate
+blocks:
+  y: {block: Pulse, period: 0.25 s, width: 0.3, delay: 0.07 s, phase: 36 deg}
+  x: {block: Integrator, u: y}
+record: [x]
+)");
+  // 0.05 s of the first pulse, 0.075 s of those that rise at 0.295 s, 0.545 s, 0.795 s.
+  CHECK(column(run, "x").back() == Approx(0.05 + 3.0 * 0.075).epsilon(1e-12));
+}

@@ -55,7 +55,7 @@ TEST_CASE("a reset is located in every block whose states the solver moves") {
   CHECK(end("StateSpace, u: 1, A: [[-2, -1], [1, 0]], B: [1, 0], C: [[0, 1]]") ==
         Approx(second).epsilon(1e-9));
   CHECK(end("PID, u: 0.5, kp: 2, ki: 3") == Approx(1.0 + 1.5 * since).epsilon(1e-11));
-  CHECK(end("Derivative, u: 3, tau: 0.2") == Approx(15.0 * std::exp(-since / 0.2)).epsilon(1e-6));
+  CHECK(end("Derivative, u: 3, tau: 0.2, initial: 0") == Approx(15.0 * std::exp(-since / 0.2)).epsilon(1e-6));
   CHECK(end("LuenbergerObserver, measured: 1, A: [[0]], C: [[1]], L: [[2]]") ==
         Approx(1.0 - std::exp(-2.0 * since)).epsilon(1e-9));
 }
