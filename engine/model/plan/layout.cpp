@@ -55,6 +55,7 @@ class LayoutMaker {
     each([&](std::size_t b) { place_diagnostics(b); });
     layout.diagnostic_count = end_ - layout.diagnostics;
     each([&](std::size_t b) { place_kept(b); });
+    each([&](std::size_t b) { place_late(b); });
     layout.constants = end_;
     each([&](std::size_t b) { place_inputs(b); });
     each([&](std::size_t b) { place_initial(b); });
@@ -140,6 +141,34 @@ class LayoutMaker {
   void place_kept(std::size_t b) {
     if (draft_.diagram().blocks[b].guard < 0 || !draft_.blocks[b].in_stages) return;
     for (const Eigen::Index size : draft_.blocks[b].output_sizes) plan_.blocks[b].kept.push_back(take(size));
+  }
+
+  bool changes_states(std::size_t b) const {
+    return draft_.blocks[b].updates && draft_.type(b).has_continuous_state();
+  }
+  /// Do updates of other blocks read states that its own update changes?
+  bool is_read_late(std::size_t b) const {
+    const auto reads = [&](const diagram::Source& source) {
+      return source.block == static_cast<int>(b) &&
+             draft_.is_state(b, static_cast<std::size_t>(source.output));
+    };
+    for (std::size_t reader = 0; reader < draft_.blocks.size(); ++reader)
+      if (reader != b && changes_states(reader))
+        for (const auto& sources : draft_.plan.diagram.blocks[reader].inputs)
+          if (std::ranges::any_of(sources, reads)) return true;
+    return false;
+  }
+  void place_late(std::size_t b) {
+    if (!changes_states(b) || !is_read_late(b)) return;
+    Eigen::Index size = 0;
+    std::size_t first = 0;
+    for (std::size_t s = draft_.type(b).states.size(); s-- > 0;)
+      if (draft_.type(b).states[s].continuous) {
+        size += plan_.blocks[b].states[s].size;
+        first = plan_.blocks[b].states[s].offset;
+      }
+    const std::size_t before = take(size).offset, after = take(size).offset;
+    plan_.late.push_back({b, first, before, after, static_cast<std::size_t>(size)});
   }
 
   void place_initial(std::size_t b) {

@@ -38,6 +38,15 @@ struct KernelCall {
   std::ptrdiff_t active =
       -1;          ///< place of what its blocks are active by, which is 0 while they are not; -1: always
   int guard = -1;  ///< index in Plan::guards of the guard that it runs; -1: none
+  int late = -1;   ///< index in Plan::late of its one block; -1: it is none of these
+};
+
+/// Continuous states of a block whose update changes them, and that another update reads at the same instant.
+/// They take their new values once all updates are done, so that each reads what was before.
+struct LateStates {
+  std::size_t block;                 ///< index in Plan::blocks
+  std::size_t state, before, after;  ///< places in the workspace
+  std::size_t size;
 };
 
 /// Where a signal lies, for recording and for messages.
@@ -151,6 +160,7 @@ struct Plan {
   std::vector<KernelCall> updates;
   std::vector<PlannedGuard> guards;  ///< each behind the one that guards it
   bool updates_continuous = false;   ///< may an update change a continuous state?
+  std::vector<LateStates> late;
 
   std::vector<SolvedLoop> loops;
   std::vector<LoopCall> once_loops, timed_loops, output_loops, stage_loops;  ///< of the tables above

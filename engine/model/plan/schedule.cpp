@@ -55,9 +55,15 @@ int guard_of(const Plan& plan, std::size_t block) {
   return found == plan.guards.end() ? -1 : static_cast<int>(found - plan.guards.begin());
 }
 
+/// The index of a block in Plan::late; -1 for other blocks.
+int late_of(const Plan& plan, std::size_t block) {
+  const auto found = std::ranges::find(plan.late, block, &LateStates::block);
+  return found == plan.late.end() ? -1 : static_cast<int>(found - plan.late.begin());
+}
+
 /// Appends a call, or lengthens the last one where the block lies right behind; none before `closed`.
 void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t block, const Kernels& kernels,
-            std::size_t closed = 0, bool at_start = false) {
+            std::size_t closed = 0, bool at_start = false, bool updates = false) {
   Plan& plan = draft.plan;
   const Kernel kernel = kernel_of(draft, block, kernels);
   const Rate& rate = plan.blocks[block].rate;
@@ -65,19 +71,20 @@ void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t bl
   const int period = period_index(plan, {rate.ticks, rate.first, at_start && rate.first > 0});
   const std::ptrdiff_t active = active_of(plan, block);
   const std::vector<KernelCall>* const evaluate[] = {&plan.outputs, &plan.rest, &plan.event_outputs};
+  const int late = updates ? late_of(plan, block) : -1;
   const bool evaluates_guard =
       std::ranges::find(evaluate, &batches) != std::end(evaluate) && guard_of(plan, block) >= 0;
   if (batches.size() > closed) {
     KernelCall& last = batches.back();
     if (last.run == kernel && last.period == period && last.end == memory && last.active == active &&
-        last.guard < 0 && !evaluates_guard) {
+        last.guard < 0 && !evaluates_guard && last.late < 0 && late < 0) {
       ++last.count;
       last.end += bytes;
       return;
     }
   }
-  batches.push_back(
-      {kernel, memory, memory + bytes, 1, period, active, evaluates_guard ? guard_of(plan, block) : -1});
+  batches.push_back({kernel, memory, memory + bytes, 1, period, active,
+                     evaluates_guard ? guard_of(plan, block) : -1, late});
 }
 
 /// A table of outputs while it is made.
@@ -184,10 +191,10 @@ void append_derivatives(Draft& draft, std::size_t block) {
 void append_updates(Draft& draft, std::size_t block) {
   if (!draft.blocks[block].updates) return;
   const BlockType& type = draft.type(block);
-  append(draft.plan.updates, draft, block, type.run_update);
+  append(draft.plan.updates, draft, block, type.run_update, 0, false, true);
   if (draft.blocks[block].updates_at_events)
     append(draft.plan.event_updates, draft, block,
-           type.run_update_at_event ? type.run_update_at_event : type.run_update);
+           type.run_update_at_event ? type.run_update_at_event : type.run_update, 0, false, true);
   draft.plan.updates_continuous =
       draft.plan.updates_continuous ||
       (type.has_continuous_state() && !draft.blocks[block].says.update_keeps_outputs);

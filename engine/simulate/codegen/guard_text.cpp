@@ -6,11 +6,6 @@ namespace stepwire::codegen {
 
 namespace {
 
-std::string copy_text(std::size_t from, std::size_t to, std::size_t size) {
-  if (size == 1) return fmt::format("  w[{}] = w[{}];\n", to, from);
-  return fmt::format("  for (int i = 0; i < {}; ++i) w[{} + i] = w[{} + i];\n", size, to, from);
-}
-
 std::string zero_text(const char* array, std::size_t first, std::size_t size) {
   if (size == 1) return fmt::format("  {}[{}] = 0.0;\n", array, first);
   return fmt::format("  for (int i = 0; i < {}; ++i) {}[{} + i] = 0.0;\n", size, array, first);
@@ -21,6 +16,11 @@ std::string active_of(const PlaceNames& names, const plan::PlannedGuard& guard) 
 }
 
 }  // namespace
+
+std::string copy_text(std::size_t from, std::size_t to, std::size_t size) {
+  if (size == 1) return fmt::format("  w[{}] = w[{}];\n", to, from);
+  return fmt::format("  for (int i = 0; i < {}; ++i) w[{} + i] = w[{} + i];\n", size, to, from);
+}
 
 std::string active_text(const PlaceNames& names, std::ptrdiff_t active) {
   return active < 0 ? "" : fmt::format("w[{}]", names.at(static_cast<std::size_t>(active)));

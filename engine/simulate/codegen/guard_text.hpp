@@ -8,6 +8,9 @@ namespace stepwire::codegen {
 
 // What run::Guards does, as C++.
 
+/// Copies numbers from one place of the workspace to another.
+std::string copy_text(std::size_t from, std::size_t to, std::size_t size);
+
 /// "w[at::pump_active]", the number by which a call is made; empty where it always is.
 std::string active_text(const PlaceNames& names, std::ptrdiff_t active);
 /// The call of a guard, with what follows from it.

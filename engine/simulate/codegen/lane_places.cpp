@@ -87,6 +87,7 @@ LanePlaces lane_places(const plan::Plan& plan, const plan::RunDifferences& diffe
 std::string why_not_in_lanes(const plan::Plan& plan) {
   if (!plan.guards.empty()) return "blocks of it run on condition";
   if (!plan.loops.empty()) return "it has algebraic loops";
+  if (!plan.late.empty()) return "resets of it read the states of each other";
   if (plan.crossing_count > 0) return "its events are located";
   if (solve::find_called(plan.diagram.solver, plan.diagram.error_control.has_value()))
     return plan.diagram.error_control ? "its solver chooses its steps" : "its solver is implicit";

@@ -13,6 +13,7 @@
 #include "engine/model/diagram/external_input.hpp"
 #include "engine/simulate/codegen/cpp_words.hpp"
 #include "engine/simulate/codegen/guard_text.hpp"
+#include "engine/simulate/codegen/late_text.hpp"
 
 namespace stepwire::codegen {
 
@@ -211,6 +212,7 @@ std::vector<Code> calls_between(const plan::Plan& plan, const Statements& statem
     const Code when{"", plan.periods[static_cast<std::size_t>(batch.period)],
                     active_text(names, batch.active)};
     BatchCode(plan, statements, blocks, phase_of(type, batch.run, phase), places, when).append_to(code);
+    if (batch.late >= 0) code.back().text += set_aside_text(plan, batch);
     if (batch.guard >= 0)
       code.back().text = guard_call(names, plan, static_cast<std::size_t>(batch.guard), code.back().text);
   }
@@ -271,6 +273,7 @@ std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
   const auto append = [&](std::vector<Code> more) {
     std::move(more.begin(), more.end(), std::back_inserter(code));
   };
+  if (has_late(batches)) code.push_back({begin_late_text(plan, batches)});
   std::size_t next = 0;
   for (const plan::LoopCall& loop : plan.loops_of(batches)) {
     append(between(next, loop.first));
@@ -278,6 +281,7 @@ std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
     next = loop.end;
   }
   append(between(next, batches.size()));
+  if (has_late(batches)) code.push_back({end_late_text(plan, batches)});
   return code;
 }
 

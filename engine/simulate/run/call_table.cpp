@@ -1,5 +1,7 @@
 #include "engine/simulate/run/call_table.hpp"
 
+#include <algorithm>
+
 namespace stepwire::run {
 
 namespace {
@@ -26,13 +28,15 @@ CallTable::Loop::Loop(const plan::Plan& plan, const plan::LoopCall& call)
 }
 
 CallTable::CallTable(const std::vector<plan::KernelCall>& batches, BoundBlocks& blocks, Participants& who)
-    : batches_(batches), values_(blocks.values()), who_(who) {
-  const plan::Plan& plan = blocks.plan();
+    : batches_(batches), plan_(blocks.plan()), values_(blocks.values()), who_(who) {
+  const plan::Plan& plan = plan_;
   for (const plan::KernelCall& batch : batches)
     calls_.push_back({batch.run, blocks.memory() + batch.first, blocks.memory() + batch.end});
   loops_.reserve(plan.loops_of(batches).size());  // none is moved: its task points into it
   for (const plan::LoopCall& loop : plan.loops_of(batches)) loops_.emplace_back(plan, loop);
   if (who.guards) add_gates();
+  for (const plan::KernelCall& batch : batches)
+    if (batch.late >= 0) late_.push_back(plan.late[static_cast<std::size_t>(batch.late)]);
 }
 
 /// What a guard leaves out lies in a row, as far as the order lets it, and is passed over in one go.
@@ -47,8 +51,7 @@ void CallTable::add_gates() {
 }
 
 void CallTable::run() {
-  if (is_watched()) return run_watched();
-  if (!loops_.empty() || !gates_.empty()) return run_range(0, calls_.size());
+  if (is_watched() || !loops_.empty() || !gates_.empty() || !late_.empty()) return run_slowly();
   const Call* call = calls_.data();
   const Call* const end = call + calls_.size();
   // Four at a time: most calls do so little that counting them is felt.
@@ -63,8 +66,13 @@ void CallTable::run() {
 
 void CallTable::run_due() {
   if (who_.due.size() == 1) return run();  // nothing is slower than the step
-  if (is_watched()) return run_watched();
-  run_range(0, calls_.size());
+  run_slowly();
+}
+
+void CallTable::run_slowly() {
+  begin_late();
+  is_watched() ? run_watched() : run_range(0, calls_.size());
+  end_late();
 }
 
 /// What runs between ticks is continuous, and what is continuous is due at every tick.
@@ -74,6 +82,24 @@ void CallTable::run_watched() {
   run_range(who_.probe->first, who_.probe->end);
   who_.probe->leave();
   run_range(who_.probe->end, calls_.size());
+}
+
+void CallTable::begin_late() {
+  for (const plan::LateStates& late : late_) {
+    std::copy_n(values_ + late.state, late.size, values_ + late.before);
+    std::copy_n(values_ + late.state, late.size, values_ + late.after);
+  }
+}
+
+void CallTable::set_aside(const plan::KernelCall& call) {
+  const plan::LateStates& late = plan_.late[static_cast<std::size_t>(call.late)];
+  std::copy_n(values_ + late.state, late.size, values_ + late.after);
+  std::copy_n(values_ + late.before, late.size, values_ + late.state);
+}
+
+void CallTable::end_late() {
+  for (const plan::LateStates& late : late_)
+    std::copy_n(values_ + late.after, late.size, values_ + late.state);
 }
 
 void CallTable::run_range(std::size_t first, std::size_t end) {
@@ -89,7 +115,10 @@ void CallTable::run_range(std::size_t first, std::size_t end) {
 void CallTable::run_calls(std::size_t first, std::size_t end) {
   if (!gates_.empty()) return run_guarded(first, end);
   for (std::size_t i = first; i < end; ++i)
-    if (who_.due[static_cast<std::size_t>(batches_[i].period)]) calls_[i].run(calls_[i].first, calls_[i].end);
+    if (who_.due[static_cast<std::size_t>(batches_[i].period)]) {
+      calls_[i].run(calls_[i].first, calls_[i].end);
+      if (batches_[i].late >= 0) set_aside(batches_[i]);
+    }
 }
 
 void CallTable::run_guarded(std::size_t first, std::size_t end) {
@@ -102,6 +131,7 @@ void CallTable::run_guarded(std::size_t first, std::size_t end) {
     if (!who_.due[static_cast<std::size_t>(batch.period)]) continue;
     const bool was = batch.guard >= 0 && who_.guards->active(static_cast<std::size_t>(batch.guard));
     calls_[i].run(calls_[i].first, calls_[i].end);
+    if (batch.late >= 0) set_aside(batch);
     if (batch.guard >= 0) who_.guards->changed(static_cast<std::size_t>(batch.guard), was);
   }
 }

@@ -45,19 +45,27 @@ class CallTable {
 
   void add_gates();
   bool is_watched() const { return who_.probe && who_.probe->phase == &batches_; }
+  /// With loops, gates, late states or a probe.
+  void run_slowly();
   void run_watched();
   /// Makes the calls of a part of the table that are due; a loop belongs to the part that has its first call.
   void run_range(std::size_t first, std::size_t end);
   void run_calls(std::size_t first, std::size_t end);
   void run_guarded(std::size_t first, std::size_t end);
+  /// Keeps new states of a call for the end of the table, and puts those before in their place.
+  void set_aside(const plan::KernelCall& call);
+  void begin_late();
+  void end_late();
   void solve(Loop& loop);
 
   const std::vector<plan::KernelCall>& batches_;
+  const plan::Plan& plan_;
   double* const values_;
   Participants& who_;
   std::vector<Call> calls_;
   std::vector<Gate> gates_;  ///< of each call; empty where the plan has no guard
   std::vector<Loop> loops_;
+  std::vector<plan::LateStates> late_;  ///< that its calls write
 };
 
 }  // namespace stepwire::run
