@@ -135,4 +135,40 @@ TEST_CASE("a delay that cannot be kept is refused, or ends the run") {
   CHECK(of("delay: 10 ms").empty());
 }
 
+TEST_CASE("behind a jump that comes around the loop the past bends at a tick, and keeps the solver's order") {
+  // x' = -x(t - 1) with 3 before 0, and 1 at 0: 1 - 3 t, -2 - s + 3 s^2/2, then the integral of that.
+  const auto error = [](const std::string& solver, double step) {
+    const table::Table run =
+        run_text("step: " + std::to_string(step) + " s\nstop: 3 s\nsolver: " + solver + R"(
+blocks:
+  x: {block: Integrator, u: minus, initial: 1}
+  minus: {block: Gain, gain: -1, u: past}
+  past: {block: TransportDelay, u: x, delay: 1 s, initial: 3}
+record: [x]
+)");
+    return std::abs(last(run, "x") - (-1.5 + 2.0 + 0.5 - 0.5));
+  };
+  for (const std::string solver : {"heun", "bogacki_shampine", "rk4", "dormand_prince", "sdirk"}) {
+    INFO(solver);
+    CHECK(error(solver, 0.1) < (solver == "heun" ? 3e-3 : 1e-9));
+    CHECK(error(solver, 0.05) < (solver == "heun" ? 8e-4 : 1e-9));
+  }
+}
+
+TEST_CASE("each run of a sweep over the delay keeps as much of the past as its own delay needs") {
+  const auto last_of_runs = [](const std::string& values) {
+    return column(run_text("step: 1 ms\nstop: 0.2 s\nparameters: {p: 50 ms}\nsweep: {p: [" + values +
+                           "]}\nblocks:\n  t: {block: Clock}\n"
+                           "  y: {block: TransportDelay, u: t, delay: $p}\nrecord: y\n"),
+                  "y");
+  };
+  std::vector<double> each;
+  for (const std::string value : {"50 ms", "51.5 ms", "120 ms", "20 ms"}) {
+    const auto own = last_of_runs(value);
+    each.insert(each.end(), own.begin(), own.end());
+  }
+  CHECK(last_of_runs("50 ms, 51.5 ms, 120 ms, 20 ms") == each);
+  CHECK(each.back() == Approx(0.18));
+}
+
 }  // namespace stepwire
