@@ -4,6 +4,7 @@
 // that of the method, and not of steps that are too long.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/simulate/solve/solver.hpp"
@@ -18,6 +19,7 @@ namespace {
 constexpr int halvings = 6;
 constexpr double missing_order = 0.4;    ///< below the order of the method, from which on it is broken
 constexpr double alike = 0.15;           ///< of two orders that follow each other
+constexpr double far = 0.01;             ///< part of a column's size that is no small error
 constexpr double rounding_part = 1e-12;  ///< of a column's size
 constexpr double solved_part = 1e-8;     ///< the same of a solver whose equations are solved by iteration
 
@@ -26,6 +28,16 @@ int order_of(const std::string& solver) {
   for (const solve::SolverKind& kind : solve::solver_kinds())
     if (kind.name == solver) return kind.order;
   return 0;
+}
+
+/// The past of a TransportDelay has the order 4 at corners of higher derivatives.
+int order_with_past(const std::string& solver, const Sketch& sketch) {
+  bool has_past = std::ranges::any_of(sketch.blocks, [](const Entry& entry) {
+    return entry.find("block") && *entry.find("block") == "TransportDelay";
+  });
+  for (const auto& [file, part] : sketch.parts)
+    has_past = has_past || order_with_past(solver, part) < order_of(solver);
+  return has_past ? std::min(order_of(solver), 4) : order_of(solver);
 }
 
 Sketch with_parts_of_steps(const Sketch& sketch, double step, int parts) {
@@ -67,7 +79,7 @@ ColumnOrder order_of(const Runs& runs, double noise) {
     if (k > 0) orders.push_back(std::log2(before / now));
     before = now;
   }
-  if (orders.size() < 3) return {};
+  if (orders.size() < 3 || before > far * size_of(runs.back())) return {};
   const double last = orders.back(), one_before = orders[orders.size() - 2], two = orders[orders.size() - 3];
   return {std::abs(last - one_before) < alike && std::abs(one_before - two) < 2.0 * alike, last};
 }
@@ -98,7 +110,7 @@ Verdict verdict_on_order(const std::vector<run::RunResult>& results, int order, 
 
 Verdict step_halved(const Trial& trial, BatchCode&) {
   const std::string* solver = find_head(trial.sketch, "solver");
-  const int order = solver ? order_of(*solver) : 0;
+  const int order = solver ? order_with_past(*solver, trial.sketch) : 0;
   if (order == 0) return skipped("it has no continuous states, or another solver");
   if (const std::string why = why_not_smooth(trial.sketch); !why.empty()) return skipped(why);
   if (find_head(trial.sketch, "stop_when")) return skipped("it ends by itself");

@@ -77,6 +77,19 @@ bool is_between_ticks(const Entry& entry, double step) {
   return false;
 }
 
+std::string why_not_smooth(const Sketch& sketch, double step, bool locates) {
+  for (const Entry& entry : sketch.blocks) {
+    const std::string* type = entry.find("block");
+    if (!type) continue;
+    if (sampled().contains(*type) && !entry.find("every")) return *type + " keeps to each step";
+    if (!may_be_smooth(*type) && *type != "Step" && *type != "Pulse") return *type + " may bend";
+    if (!locates && is_between_ticks(entry, step)) return *type + " jumps between ticks";
+  }
+  for (const auto& [file, part] : sketch.parts)
+    if (std::string why = why_not_smooth(part, step, locates); !why.empty()) return why;
+  return "";
+}
+
 }  // namespace
 
 bool is_smooth(std::uint64_t seed) {
@@ -122,16 +135,8 @@ Wire edges_on_ticks(Bench& bench) {
 }
 
 std::string why_not_smooth(const Sketch& sketch) {
-  const double step = number_of(sketch, "step");
   const bool locates = std::ranges::find(sketch.head, "events", &Key::name) != sketch.head.end();
-  for (const Entry& entry : sketch.blocks) {
-    const std::string* type = entry.find("block");
-    if (!type) continue;
-    if (sampled().contains(*type) && !entry.find("every")) return *type + " keeps to each step";
-    if (!may_be_smooth(*type) && *type != "Step" && *type != "Pulse") return *type + " may bend";
-    if (!locates && is_between_ticks(entry, step)) return *type + " jumps between ticks";
-  }
-  return "";
+  return why_not_smooth(sketch, number_of(sketch, "step"), locates);
 }
 
 }  // namespace stepwire::random

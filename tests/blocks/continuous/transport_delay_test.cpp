@@ -2,6 +2,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "blocks/register.hpp"
+#include "engine/simulate/run/run.hpp"
 #include "tests/support/run_text.hpp"
 
 namespace stepwire {
@@ -156,19 +158,21 @@ record: [x]
 }
 
 TEST_CASE("each run of a sweep over the delay keeps as much of the past as its own delay needs") {
-  const auto last_of_runs = [](const std::string& values) {
-    return column(run_text("step: 1 ms\nstop: 0.2 s\nparameters: {p: 50 ms}\nsweep: {p: [" + values +
-                           "]}\nblocks:\n  t: {block: Clock}\n"
-                           "  y: {block: TransportDelay, u: t, delay: $p}\nrecord: y\n"),
-                  "y");
-  };
-  std::vector<double> each;
-  for (const std::string value : {"50 ms", "51.5 ms", "120 ms", "20 ms"}) {
-    const auto own = last_of_runs(value);
-    each.insert(each.end(), own.begin(), own.end());
-  }
-  CHECK(last_of_runs("50 ms, 51.5 ms, 120 ms, 20 ms") == each);
-  CHECK(each.back() == Approx(0.18));
+  static const Registry registry = blocks();
+  diagram::Loader loader(registry);
+  loader.add(
+      yaml::parse_document("stepwire: 1\ntitle: a sweep\nstep: 1 ms\nstop: 0.2 s\n"
+                           "parameters: {p: 50 ms}\nsweep: {p: [50 ms, 51.5 ms, 120 ms, 20 ms]}\n"
+                           "blocks:\n  t: {block: Clock}\n"
+                           "  y: {block: TransportDelay, u: t, delay: $p}\nrecord: y\n",
+                           "sweep.yaml"));
+  const run::RunResult result = run::run_job(run::make_job(loader, "sweep.yaml"));
+  const record::Recording& recording = result.recordings.at(0);
+  const std::vector<double>& y = recording.table.find("y")->values;
+  CHECK(result.faults.empty());
+  REQUIRE(y.size() == 4 * 201);
+  const double delays[] = {0.05, 0.0515, 0.12, 0.02};
+  for (std::size_t run = 0; run < 4; ++run) CHECK(y[201 * run + 200] == Approx(0.2 - delays[run]));
 }
 
 }  // namespace stepwire
