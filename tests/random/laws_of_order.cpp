@@ -17,11 +17,16 @@ namespace stepwire::random {
 namespace {
 
 constexpr int halvings = 6;
-constexpr double missing_order = 0.4;    ///< below the order of the method, from which on it is broken
-constexpr double alike = 0.15;           ///< of two orders that follow each other
-constexpr double far = 0.01;             ///< part of a column's size that is no small error
-constexpr double rounding_part = 1e-12;  ///< of a column's size
-constexpr double solved_part = 1e-8;     ///< the same of a solver whose equations are solved by iteration
+/// An order that is lower by this than that of the method breaks the law.
+constexpr double missing_order = 0.4;
+/// Two orders of one column that differ by less are steady.
+constexpr double alike = 0.15;
+/// A difference of this part of a column's size is no small error.
+constexpr double far = 0.01;
+/// Differences below this part of a column's size are rounding.
+constexpr double rounding_part = 1e-12;
+/// The same for a solver whose equations are solved by iteration.
+constexpr double solved_part = 1e-8;
 
 /// Order of a solver; 0 for one that is unknown.
 int order_of(const std::string& solver) {
