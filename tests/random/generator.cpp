@@ -30,8 +30,9 @@ class Generator {
  public:
   Generator(const Registry& registry, std::uint64_t seed) : bench_(seed), dice_(bench_.dice), seed_(seed) {
     bench_.smooth = is_smooth(seed);
+    bench_.continuous = is_continuous(seed);
     for (const BlockType* type : registry.types())
-      if (!type->file_output && (!bench_.smooth || may_be_smooth(type->name))) types_.push_back(type);
+      if (!type->file_output && is_allowed(type->name)) types_.push_back(type);
   }
 
   Sketch make() {
@@ -45,6 +46,11 @@ class Generator {
   }
 
  private:
+  bool is_allowed(const std::string& type) const {
+    if (bench_.continuous) return may_be_continuous(type);
+    return !bench_.smooth || may_be_smooth(type);
+  }
+
   void choose_times() {
     bench_.step = dice_.of(std::vector<double>{1e-4, 1e-3, 1e-3, 2e-3, 5e-3, 1e-2});
     bench_.ticks = dice_.whole(50, 300);
@@ -55,6 +61,7 @@ class Generator {
     if (!bench_.smooth) return;
     bench_.ticks = dice_.whole(15, 35) * 2;
     bench_.solves_loops = false;
+    if (bench_.continuous) bench_.guards = false;
   }
 
   /// The first type is another one for each seed, so that each comes up.
@@ -69,8 +76,8 @@ class Generator {
   }
 
   void add_more() {
-    if (dice_.chance(0.06)) return add_bus(bench_);
-    if (dice_.chance(0.04)) return add_rig(add_delayed_loop);
+    if (!bench_.continuous && dice_.chance(0.06)) return add_bus(bench_);
+    if (!bench_.continuous && dice_.chance(0.04)) return add_rig(add_delayed_loop);
     if (!bench_.smooth && dice_.chance(0.05)) return add_rig(add_body);
     add(*chosen_type());
   }

@@ -29,8 +29,9 @@ Verdict verdict_on_order(const std::vector<run::RunResult>& results, int order, 
 /// The law of the order of a solver, on smooth diagrams.
 Verdict step_halved(const Trial& trial, BatchCode&);
 
-/// The law of exported units that are imported again.
+/// The laws of exported units that are imported again, which step themselves or have our solver.
 Verdict exported(const Trial& trial, BatchCode& code);
+Verdict exported_for_exchange(const Trial& trial, BatchCode& code);
 
 /// Laws about code of a diagram: compiled for a run, for a sweep, in lanes, as a program of its own.
 const std::vector<Law>& laws_of_code();

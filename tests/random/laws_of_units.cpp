@@ -19,18 +19,28 @@ std::string difference_by(const Trial& trial, const MadeUnit& made, const char* 
   return difference.empty() ? "" : fmt::format("{}: {}", interface, difference);
 }
 
-}  // namespace
-
-Verdict exported(const Trial& trial, BatchCode& code) try {
-  const MadeUnit* made = code.units().unit(trial.loaded->plan(), trial.seed / 12 % 2 == 0 ? 3 : 2);
+Verdict as_unit(const Trial& trial, BatchCode& code, const char* interface) try {
+  const MadeUnit* made = code.units().unit(trial.loaded->plan(), trial.seed % 24 < 12 ? 3 : 2);
   if (!made) return skipped("it is not compiled yet");
   if (!made->refused.empty()) return skipped(made->refused);
   if (!made->problem.empty()) return verdict_of(made->problem);
-  const std::string text = difference_by(trial, *made, "co_simulation");
-  if (!text.empty() || !made->exchanges) return verdict_of(text);
-  return verdict_of(difference_by(trial, *made, "model_exchange"));
+  if (std::string(interface) == "model_exchange" && !made->exchanges)
+    return skipped("it has no model exchange");
+  return verdict_of(difference_by(trial, *made, interface));
 } catch (const yaml::Error& error) {
-  return verdict_of(std::string("the unit is refused: ") + error.what());
+  const bool alike = std::string(error.what()).find("would be called") != std::string::npos;
+  return alike ? skipped("two of its variables have one name as ports")
+               : verdict_of(std::string("the unit is refused: ") + error.what());
+}
+
+}  // namespace
+
+Verdict exported(const Trial& trial, BatchCode& code) {
+  return as_unit(trial, code, "co_simulation");
+}
+
+Verdict exported_for_exchange(const Trial& trial, BatchCode& code) {
+  return as_unit(trial, code, "model_exchange");
 }
 
 }  // namespace stepwire::random

@@ -101,6 +101,7 @@ unit::Dimension Making::unit_of(const std::string& text) {
 
 void Making::choose_period() {
   period = bench.step;
+  if (bench.continuous) return;
   const double probability = type.timing == Timing::discrete ? 0.5 : 0.1;
   const bool has_to = bench.smooth && type.timing == Timing::discrete;
   if (type.has_continuous_state() || (!has_to && !dice().chance(probability))) return;
@@ -111,7 +112,7 @@ void Making::choose_period() {
 void Making::choose_inputs() {
   for (const InputSpec& input : type.inputs)
     if (input.optional && !inputs_are_chosen && dice().chance(0.3) &&
-        (!bench.smooth || input.name == "reset"))
+        (!bench.smooth || (input.name == "reset" && !bench.continuous)))
       fed.insert(input.name);
   if (fed.contains("value")) fed.insert("reset");
   for (const auto& [one, other] : {std::pair{"manual", "automatic"}, std::pair{"automatic", "manual"}})

@@ -96,12 +96,20 @@ bool is_smooth(std::uint64_t seed) {
   return seed % one_in == remainder;
 }
 
+bool is_continuous(std::uint64_t seed) {
+  return seed % (2 * one_in) == remainder;
+}
+
 std::uint64_t rank_among_others(std::uint64_t seed) {
   return seed - (seed + remainder) / one_in;
 }
 
 bool may_be_smooth(const std::string& type) {
   return continuous().contains(type) || sampled().contains(type);
+}
+
+bool may_be_continuous(const std::string& type) {
+  return continuous().contains(type) && type != "TransportDelay";
 }
 
 bool bends(const std::string& parameter) {

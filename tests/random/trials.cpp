@@ -15,6 +15,7 @@ namespace stepwire::random {
 namespace {
 
 constexpr std::size_t batch = 100;
+constexpr std::size_t fewest = 20;  ///< diagrams of a law, below which their share proves nothing
 
 /// A message without what is another one each time.
 std::string kind_of(const std::string& message) {
@@ -193,7 +194,8 @@ std::string totals_text(const Totals& totals) {
 std::string weakness_of(const Totals& totals, const Registry& registry) {
   if (10 * totals.valid < 6 * totals.all()) return "less than 60 % of the diagrams are valid";
   for (std::size_t i = 0; i < totals.laws.size(); ++i)
-    if (const LawCount& law = totals.laws[i]; 20 * (law.same + law.different) < law.meant)
+    if (const LawCount& law = totals.laws[i];
+        law.meant >= fewest && 20 * (law.same + law.different) < law.meant)
       return fmt::format("'{}' was compared on less than 5 % of the diagrams for which it is meant",
                          laws()[i].name);
   for (const BlockType* type : registry.types())
