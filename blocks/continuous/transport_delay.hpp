@@ -89,25 +89,31 @@ struct TransportDelay {
   /// By Newton's polynomial through rows around. Of those that begin at or before `row` the one with the
   /// smallest last term is taken: it does not reach across a jump or a corner (Harten, Engquist, Osher,
   /// Chakravarthy 1987). One that ends at `row` is continued beyond it, up to a jump at the next row; it may
-  /// have fewer rows, behind another jump.
+  /// have fewer rows, behind another jump. At a corner in `row` itself both kinds are smooth, and the one
+  /// that has the next row is right: the other one misses that row by far more than the rows are rough.
   double smooth(Index i, Index row, double at) const {
     const Index order = std::min(degree, known() - 1);
-    double best = sample(row, i), error = std::numeric_limits<double>::infinity();
+    Newton across, up_to;
     const auto try_from = [&](Index begin, Index terms) {
-      const auto [number, term] = newton(i, begin, terms, at);
-      if (!(term < error)) return;
-      error = term;
-      best = number;
+      const Newton made = newton(i, begin, terms, at);
+      Newton& best = begin + terms > row ? across : up_to;
+      if (made.last_term < best.last_term) best = made;
     };
     for (Index begin = std::min(row, known() - 1 - order); begin >= std::max<Index>(row - order, 0); --begin)
       try_from(begin, order);
     for (Index terms = std::min(order, row); terms > 0; --terms) try_from(row - terms, terms);
     for (Index terms = std::min(order, known() - 1 - row); terms > 0; --terms) try_from(row, terms);
-    return best;
+    if (!(up_to.last_term < across.last_term)) return across.value;
+    const double next = newton(i, up_to.begin, up_to.order, times[place(row + 1)]).value;
+    return across.roughness < 0.01 * std::abs(next - sample(row + 1, i)) ? across.value : up_to.value;
   }
 
   struct Newton {
-    double value, last_term;
+    static constexpr double none = std::numeric_limits<double>::infinity();
+
+    Index begin = 0, order = 0;
+    double value = 0.0, last_term = none;
+    double roughness = none;  ///< the last term where all rows are a mean step away
   };
   Newton newton(Index i, Index begin, Index order, double at) const {
     std::array<double, degree + 1> x{}, d{};
@@ -118,12 +124,14 @@ struct TransportDelay {
     const auto n = static_cast<std::size_t>(order);
     for (std::size_t k = 1; k <= n; ++k)
       for (std::size_t j = n; j >= k; --j) d[j] = (d[j] - d[j - 1]) / (x[j] - x[j - k]);
-    double value = d[n], last_term = d[n];
+    const double step = (x[n] - x[0]) / static_cast<double>(std::max<Index>(order, 1));
+    double value = d[n], last_term = d[n], roughness = std::abs(d[n]);
     for (std::size_t k = n; k-- > 0;) {
       value = d[k] + (at - x[k]) * value;
       last_term *= at - x[k];
+      roughness *= step;
     }
-    return {value, std::abs(last_term)};
+    return {begin, order, value, std::abs(last_term), roughness};
   }
 
   /// Writes a row, again where the last one has this time.

@@ -156,6 +156,7 @@ std::optional<plan::CompiledPlan> BatchCode::as_runs_have_it(const plan::Plan& p
 void BatchCode::compile_all() {
   const std::vector<Group> groups = open_groups();
   parallel::in_parallel(groups.size(), 0, [&](std::size_t i) { compile(groups[i]); });
+  units_.make_all(compiler_);
 }
 
 /// Those with lanes apart, as they see other headers.

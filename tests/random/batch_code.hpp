@@ -6,6 +6,7 @@
 
 #include "engine/simulate/codegen/compiler.hpp"
 #include "engine/simulate/codegen/program.hpp"
+#include "tests/random/batch_units.hpp"
 
 namespace stepwire::random {
 
@@ -35,11 +36,17 @@ class BatchCode : public plan::CodeSource {
   /// Code as a run has it, with all that the compiler optimises, from the cache or compiled.
   std::optional<plan::CompiledPlan> as_runs_have_it(const plan::Plan& plan);
 
+  /// Exported units, which compile_all() makes as well.
+  BatchUnits& units() { return units_; }
+
   bool has_compiler() const { return compiler_.found(); }
   /// Compiles all that was noted since the last call, on all cores.
   void compile_all();
   /// Forgets everything; what is loaded stays loaded.
-  void clear() { pieces_.clear(); }
+  void clear() {
+    pieces_.clear();
+    units_.clear();
+  }
   /// The errors of the compiler in the code of the last call; empty if it has none.
   const std::string& problem() const { return problem_; }
 
@@ -63,6 +70,7 @@ class BatchCode : public plan::CodeSource {
   static std::string source_of(const Group& group);
 
   codegen::Compiler compiler_;
+  BatchUnits units_;
   std::map<std::string, Piece> pieces_;  ///< by their text
   std::string problem_;
 };

@@ -46,7 +46,7 @@ class Bench {
   std::vector<std::string> states;  ///< of blocks, by the names under which they are recorded
   double step = 1e-3;               ///< [s]
   int ticks = 100;
-  bool locates = false, solves_loops = false, guards = false;
+  bool locates = false, solves_loops = false, guards = false, smooth = false, continuous = false;
 
   std::string next_name();
   void add(Entry entry) { sketch.blocks.push_back(std::move(entry)); }

@@ -6,17 +6,33 @@
 
 #include "tests/random/making.hpp"
 #include "tests/random/reshaping.hpp"
+#include "tests/random/rigs.hpp"
+#include "tests/random/smooth.hpp"
 
 namespace stepwire::random {
 
 namespace {
 
+const std::vector<std::string>& fixed_solvers() {
+  static const std::vector<std::string> solvers{
+      "euler", "heun", "bogacki_shampine", "rk4", "dormand_prince", "rosenbrock", "sdirk"};
+  return solvers;
+}
+
+const std::vector<std::string>& controlled_solvers() {
+  static const std::vector<std::string> solvers{
+      "dormand_prince", "bogacki_shampine", "rodas", "rosenbrock", "sdirk", "auto"};
+  return solvers;
+}
+
 /// Makes a whole diagram on a bench.
 class Generator {
  public:
   Generator(const Registry& registry, std::uint64_t seed) : bench_(seed), dice_(bench_.dice), seed_(seed) {
+    bench_.smooth = is_smooth(seed);
+    bench_.continuous = is_continuous(seed);
     for (const BlockType* type : registry.types())
-      if (!type->file_output) types_.push_back(type);
+      if (!type->file_output && is_allowed(type->name)) types_.push_back(type);
   }
 
   Sketch make() {
@@ -30,6 +46,11 @@ class Generator {
   }
 
  private:
+  bool is_allowed(const std::string& type) const {
+    if (bench_.continuous) return may_be_continuous(type);
+    return !bench_.smooth || may_be_smooth(type);
+  }
+
   void choose_times() {
     bench_.step = dice_.of(std::vector<double>{1e-4, 1e-3, 1e-3, 2e-3, 5e-3, 1e-2});
     bench_.ticks = dice_.whole(50, 300);
@@ -37,6 +58,10 @@ class Generator {
     bench_.locates = dice_.chance(0.5);
     bench_.solves_loops = dice_.chance(0.2);
     bench_.guards = dice_.chance(0.35);
+    if (!bench_.smooth) return;
+    bench_.ticks = dice_.whole(15, 35) * 2;
+    bench_.solves_loops = false;
+    if (bench_.continuous) bench_.guards = false;
   }
 
   /// The first type is another one for each seed, so that each comes up.
@@ -44,48 +69,22 @@ class Generator {
     const int wanted = dice_.chance(0.6) ? dice_.whole(3, 12) : dice_.whole(12, 25);
     for (int i = 0; i < 2; ++i) bench_.wires.push_back(bench_.wire({}));
     bench_.wires.resize(bench_.wires.size() - 2);
-    if (bench_.locates) add_crossing();
-    if (dice_.chance(0.15)) add_input();
-    add(*types_[seed_ % types_.size()]);
-    while (static_cast<int>(bench_.sketch.blocks.size()) < wanted)
-      if (dice_.chance(0.06))
-        add_bus();
-      else
-        add(*chosen_type());
+    if (bench_.locates && !bench_.smooth) add_crossing(bench_);
+    if (dice_.chance(0.15)) add_input(bench_);
+    add(bench_.smooth ? *chosen_type() : *types_[rank_among_others(seed_) % types_.size()]);
+    while (static_cast<int>(bench_.sketch.blocks.size()) < wanted) add_more();
   }
 
-  /// A port to the outside, which feeds its default.
-  void add_input() {
-    const unit::Dimension unit = bench_.some_unit();
-    const std::string value = Bench::plain(bench_.signed_size(), unit);
-    bench_.sketch.inputs.push_back({"in1", fmt::format("{{unit: \"{}\", default: {}, doc: of the outside}}",
-                                                       unit::si_name(unit), value)});
-    bench_.wires.push_back({"in1", {}, unit});
+  void add_more() {
+    if (!bench_.continuous && dice_.chance(0.06)) return add_bus(bench_);
+    if (!bench_.continuous && dice_.chance(0.04)) return add_rig(add_delayed_loop);
+    if (!bench_.smooth && dice_.chance(0.05)) return add_rig(add_body);
+    add(*chosen_type());
   }
 
-  /// A block that begins to do something else a few times in the run.
-  void add_crossing() {
-    const std::string wave = bench_.next_name(), name = bench_.next_name();
-    const std::string rate = digits(dice_.between(1.5, 9.0) / (bench_.step * bench_.ticks));
-    bench_.add({wave, {{"block", "Sine"}, {"frequency", rate + " Hz"}}});
-    bench_.wires.push_back({wave, {}, {}});
-    static const std::vector<std::vector<Key>> kinds{
-        {{"block", "Compare"}, {"to", "0.3"}, {"operator", "greater"}},
-        {{"block", "Relay"},
-         {"switch_on", "0.4"},
-         {"switch_off", "-0.2"},
-         {"when_on", "0.7"},
-         {"when_off", "-0.3"}},
-        {{"block", "Saturation"}, {"lower", "-0.6"}, {"upper", "0.5"}},
-        {{"block", "DeadZone"}, {"lower", "-0.3"}, {"upper", "0.4"}},
-        {{"block", "Hysteresis"}, {"lower", "-0.3"}, {"upper", "0.35"}},
-        {{"block", "Sign"}},
-        {{"block", "Backlash"}, {"width", "0.4"}},
-        {{"block", "EdgeDetect"}}};
-    Entry entry{name, dice_.of(kinds)};
-    entry.keys.push_back({"u", wave});
-    bench_.add(std::move(entry));
-    bench_.wires.push_back({name, {}, {}});
+  void add_rig(void (*add_it)(Bench& bench)) {
+    add_it(bench_);
+    is_continuous_ = true;
   }
 
   /// Rare are blocks that no code can be made of, as no law about code holds beside them.
@@ -101,24 +100,6 @@ class Generator {
   void add(const BlockType& type) {
     Making(bench_, type).make();
     if (type.has_continuous_state()) is_continuous_ = true;
-  }
-
-  /// A bus of some signals and a block that passes it on.
-  void add_bus() {
-    const std::string bus = bench_.next_name(), store = bench_.next_name();
-    std::string fields;
-    std::vector<Wire> kept;
-    for (const char* field : {"a", "b", "c"}) {
-      if (kept.size() == 2 && dice_.chance(0.5)) break;
-      const Wire wire = bench_.any_wire(true);
-      fields += fmt::format("{}{}: {}", kept.empty() ? "" : ", ", field, wire.text);
-      kept.push_back({store + "." + field, wire.shape, wire.unit});
-    }
-    bench_.add({bus, {{"fields", "{" + fields + "}"}}});
-    const char* type = dice_.chance(0.5) ? "UnitDelay" : "ZeroOrderHold";
-    const std::string every = digits(bench_.some_period()) + " s";
-    bench_.add({store, {{"block", type}, {"u", bus}, {"every", every}}});
-    bench_.wires.insert(bench_.wires.end(), kept.begin(), kept.end());
   }
 
   void keep_promises() {
@@ -158,9 +139,17 @@ class Generator {
   }
 
   std::string solver() {
-    static const std::vector<std::string> solvers{
-        "euler", "heun", "bogacki_shampine", "rk4", "dormand_prince", "rosenbrock", "sdirk"};
-    return dice_.of(solvers);
+    if (bench_.smooth || dice_.chance(0.6)) return dice_.of(fixed_solvers());
+    if (dice_.chance(0.2)) return "auto";
+    std::string keys = "name: " + dice_.of(controlled_solvers());
+    if (dice_.chance(0.8)) keys += fmt::format(", relative: {}", digits(power_of_ten(-9.0, -2.0)));
+    if (dice_.chance(0.6)) keys += fmt::format(", absolute: {}", digits(power_of_ten(-12.0, -3.0)));
+    if (dice_.chance(0.2)) keys += fmt::format(", max_steps: {}", dice_.whole(100, 20000));
+    return "{" + keys + "}";
+  }
+
+  double power_of_ten(double lower, double upper) {
+    return portable_exp(2.302585 * dice_.between(lower, upper));
   }
 
   std::string records() {
@@ -182,9 +171,9 @@ class Generator {
     for (std::size_t i = first; i < end; ++i) moved.insert(sketch.blocks[i].name);
     sketch = with_part(sketch, moved, name, file);
     if (moved.empty()) return;
-    if (dice_.chance(0.1))
+    if (!bench_.smooth && dice_.chance(0.1))
       sketch.blocks.back().keys.push_back({"every", digits(bench_.some_period()) + " s"});
-    if (!dice_.chance(0.3)) return;
+    if (bench_.smooth || !dice_.chance(0.3)) return;
     const Entry& source = sketch.blocks.front();
     if (source.name == name || !source.find("block") || source.find("u")) return;
     for (Entry& entry : sketch.blocks)

@@ -23,6 +23,16 @@ std::vector<std::string> swept_values(const Key& parameter);
 /// The diagram with that sweep. Throws yaml::Error where a value is refused.
 std::unique_ptr<Loaded> sweep_of(const Trial& trial);
 
+/// The verdict on runs with steps of h, h/2, h/4, ...: `different` where their differences fall more slowly
+/// than those of a method of this order. Differences below `noise` times the size of a column are rounding.
+Verdict verdict_on_order(const std::vector<run::RunResult>& results, int order, double noise);
+/// The law of the order of a solver, on smooth diagrams.
+Verdict step_halved(const Trial& trial, BatchCode&);
+
+/// The laws of exported units that are imported again, which step themselves or have our solver.
+Verdict exported(const Trial& trial, BatchCode& code);
+Verdict exported_for_exchange(const Trial& trial, BatchCode& code);
+
 /// Laws about code of a diagram: compiled for a run, for a sweep, in lanes, as a program of its own.
 const std::vector<Law>& laws_of_code();
 

@@ -188,7 +188,8 @@ const std::vector<Law>& laws() {
                           {"blocks moved into a part", in_a_part},
                           {"returned to a kept moment", returned},
                           {"ended earlier", ended_earlier},
-                          {"files verified", verified, 8}};
+                          {"files verified", verified, 8},
+                          {"step halved", step_halved, 7, 3}};
     laws.insert(laws.end(), laws_of_code().begin(), laws_of_code().end());
     return laws;
   }();

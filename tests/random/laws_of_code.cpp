@@ -172,7 +172,9 @@ const std::vector<Law>& laws_of_code() {
                                     {"swept and compiled", swept_compiled, 2, 0, true, true},
                                     {"swept in lanes", in_lanes, 1, 0, true, true},
                                     {"compiled as runs are", compiled_as_runs_are, 24, 7, true, true},
-                                    {"generated program", generated, 3, 0, true, true}};
+                                    {"generated program", generated, 3, 0, true, true},
+                                    {"exported and imported", exported, 12, 5, true, true},
+                                    {"exported for exchange", exported_for_exchange, 14, 3, true, true}};
   return all;
 }
 

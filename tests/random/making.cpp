@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "tests/random/smooth.hpp"
 #include "tests/random/values.hpp"
 
 namespace stepwire::random {
@@ -100,15 +101,19 @@ unit::Dimension Making::unit_of(const std::string& text) {
 
 void Making::choose_period() {
   period = bench.step;
+  if (bench.continuous) return;
   const double probability = type.timing == Timing::discrete ? 0.5 : 0.1;
-  if (type.has_continuous_state() || !dice().chance(probability)) return;
+  const bool has_to = bench.smooth && type.timing == Timing::discrete;
+  if (type.has_continuous_state() || (!has_to && !dice().chance(probability))) return;
   period = bench.some_period();
   set("every", digits(period) + " s");
 }
 
 void Making::choose_inputs() {
   for (const InputSpec& input : type.inputs)
-    if (input.optional && !inputs_are_chosen && dice().chance(0.3)) fed.insert(input.name);
+    if (input.optional && !inputs_are_chosen && dice().chance(0.3) &&
+        (!bench.smooth || (input.name == "reset" && !bench.continuous)))
+      fed.insert(input.name);
   if (fed.contains("value")) fed.insert("reset");
   for (const auto& [one, other] : {std::pair{"manual", "automatic"}, std::pair{"automatic", "manual"}})
     if (fed.contains(one)) fed.insert(other);
@@ -123,11 +128,12 @@ void Making::connect_all() {
 }
 
 std::string Making::connect(const InputSpec& input) {
+  if (bench.smooth && input.name == "reset") return edges_on_ticks(bench).text;
   if (auto promise = promise_for(input)) return *promise;
   const bool is_free = !is_known(input.shape);
   const auto [rows, columns] = letters_of(input.shape);
   const bool matrices = !columns.empty();
-  if (!is_free && dice().chance(0.06) && !matrices) {
+  if (!is_free && dice().chance(0.06) && !matrices && !has_special_wire(*this, input)) {
     const Shape shape = dice().chance(0.5) ? Shape{} : shape_of(input.shape);
     const auto unit = units.value(input.unit);
     if (unit && shape_of(input.shape).columns == 1) return bench.literal(shape, *unit);
@@ -160,8 +166,7 @@ std::optional<std::string> Making::promise_for(const InputSpec& input) {
   const bool loops = input.feedthrough;
   if (loops && (!bench.solves_loops || !dice().chance(0.1))) return std::nullopt;
   if (!loops && !dice().chance(0.35)) return std::nullopt;
-  if (input.shape.find(" x ") != std::string::npos || special_values().contains(type.name + "." + input.name))
-    return std::nullopt;
+  if (input.shape.find(" x ") != std::string::npos || has_special_wire(*this, input)) return std::nullopt;
   if (!is_known(input.shape)) shapes[input.shape] = bench.any_wire(false).shape;
   if (!units.value(input.unit)) units.take(input.unit, bench.some_unit());
   const std::string text = fmt::format("open{}_", bench.promises.size());
@@ -214,7 +219,7 @@ Wire Making::element_of_list(const InputSpec& input, std::size_t index) {
 void Making::give_parameters() {
   if (!type.presets.empty() && dice().chance(0.6)) set("preset", dice().of(type.presets).name);
   for (const ParameterSpec& spec : type.parameters) {
-    if (has(spec.name) || !may_be_given(*this, spec)) continue;
+    if (has(spec.name) || (bench.smooth && bends(spec.name)) || !may_be_given(*this, spec)) continue;
     const std::string value = value_of(*this, spec);
     if (!value.empty()) set(spec.name, value);
   }
@@ -235,6 +240,7 @@ void Making::give_initial_values() {
 
 void Making::guard() {
   if (!bench.guards || !dice().chance(0.2)) return;
+  if (bench.smooth) return guard_at_ticks();
   const std::string condition =
       dice().chance(0.2) ? fmt::format("\"time > {} s\"", digits(bench.some_time()))
                          : fmt::format("\"{} > {}\"", bench.wire({}).text, digits(dice().between(-0.6, 0.6)));
@@ -250,9 +256,18 @@ void Making::guard() {
   set("trigger", fmt::format("{{when: {}, edge: {}, states: {}}}", condition, edge, states));
 }
 
+void Making::guard_at_ticks() {
+  if (type.input("enable") >= 0) return;
+  const char* states = dice().chance(0.5) ? "reset" : "held";
+  set("enable",
+      fmt::format("{{when: \"{} > 0.05\", states: {}, outputs: reset}}", edges_on_ticks(bench).text, states));
+}
+
 void Making::add_outputs() {
+  const bool is_past = type.name == "TransportDelay";  // whose states change with each step
   for (const StateSpec& state : type.states)
-    if (type.output(state.name) < 0) bench.states.push_back(entry.name + "." + state.name);
+    if (type.output(state.name) < 0 && !(bench.smooth && is_past))
+      bench.states.push_back(entry.name + "." + state.name);
   for (const OutputSpec& output : type.outputs) {
     if (!is_known(output.shape)) continue;
     Wire wire{entry.name, shape_of(output.shape), {}};

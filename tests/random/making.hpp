@@ -33,6 +33,7 @@ class Making {
   std::map<std::string, std::size_t> counts;  ///< of lists of inputs
   std::set<std::string> fed;                  ///< optional inputs that have a source
   bool inputs_are_chosen = false;             ///< these alone
+  bool moving_delay = false;                  ///< a TransportDelay whose delay is a signal
   UnitVariables units;
   double period = 0.0;  ///< between its updates [s]
 
@@ -61,6 +62,7 @@ class Making {
   void give_parameters();
   void give_initial_values();
   void guard();
+  void guard_at_ticks();
   void add_outputs();
 };
 

@@ -159,6 +159,8 @@ const std::map<std::string, SpecialValue>& model_values() {
       {"RotaryMRDamper.k0", without},
       {"Multisine.amplitude", [](Making& m) { return m.bench.number(m.bench.size(), m.unit_of("'u")); }},
       {"Noise.power", without},
+      {"TransportDelay.longest",
+       [](Making& m) { return m.moving_delay ? digits(m.bench.step * 25) + " s" : std::string(); }},
       {"VariableDelay.longest", whole_periods}};
   return values;
 }

@@ -8,37 +8,14 @@
 #include "engine/base/io/file.hpp"
 #include "engine/base/subprocess/scratch_folder.hpp"
 #include "tests/random/generator.hpp"
+#include "tests/random/options.hpp"
 #include "tests/random/shrink.hpp"
 #include "tests/support/units/units.hpp"
 
 namespace {
 
 using namespace stepwire;
-
-struct Options {
-  std::uint64_t seed = 1;
-  std::size_t count = 300;
-  bool forever = false, show = false, shrinks = true;
-  std::string out = "random-failures";
-};
-
-Options options_of(int argc, char** argv) {
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string name = argv[i];
-    if (name == "--forever") options.forever = true;
-    if (name == "--show") options.show = true;
-    if (name == "--keep-size") options.shrinks = false;
-    if (i + 1 >= argc) continue;
-    if (name == "--seed")
-      options.seed = std::stoull(argv[++i]);
-    else if (name == "--count")
-      options.count = std::stoull(argv[++i]);
-    else if (name == "--out")
-      options.out = argv[++i];
-  }
-  return options;
-}
+using random::Options;
 
 /// Writes the data files of diagrams into a folder.
 void write_data(const std::string& folder) {
@@ -76,7 +53,7 @@ int try_all(const Registry& registry, const Options& options) {
   std::uint64_t seed = options.seed;
   do {
     const std::size_t known = trials.totals().failures.size();
-    trials.run(seed, options.count, [](const random::Failure&) {});
+    trials.run(seed, options.count, options.with_code);
     for (std::size_t i = known; i < trials.totals().failures.size(); ++i)
       report(trials, trials.totals().failures[i], options);
     fmt::print("{}", random::totals_text(trials.totals()));
@@ -88,13 +65,23 @@ int try_all(const Registry& registry, const Options& options) {
   return trials.totals().failures.empty() && weakness.empty() ? 0 : 1;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const Options options = options_of(argc, argv);
-  const Registry registry = blocks();
-  if (!options.show) return try_all(registry, options);
+int show(const Registry& registry, const Options& options) {
   write_sketch(options.out, random::random_sketch(registry, options.seed), "");
   fmt::print("{}", io::read_file(options.out + "/random.yaml"));
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const Options options = random::read_options(argc - 1, argv + 1);
+  if (options.help) {
+    fmt::print("{}", random::help_text());
+    return 0;
+  }
+  const Registry registry = blocks();
+  return options.show ? show(registry, options) : try_all(registry, options);
+} catch (const std::invalid_argument& error) {
+  fmt::print(stderr, "{}\n", error.what());
+  return 2;
 }

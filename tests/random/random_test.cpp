@@ -4,8 +4,11 @@
 #include "blocks/register.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 #include "tests/random/generator.hpp"
+#include "tests/random/law_tools.hpp"
+#include "tests/random/options.hpp"
 #include "tests/random/reshaping.hpp"
 #include "tests/random/shrink.hpp"
+#include "tests/random/smooth.hpp"
 
 using namespace stepwire;
 using random::Sketch;
@@ -28,6 +31,27 @@ run::RunResult run_with(double number) {
   result.recordings.emplace_back();
   result.recordings.front().table.columns = {{"time", "s", {0.0, 1.0}}, {"a", "", {0.5, number}}};
   return result;
+}
+
+/// Runs of exp(-t) with steps of 1/8, 1/16, ..., each with an error of h^p.
+std::vector<run::RunResult> runs_of_order(double order) {
+  std::vector<run::RunResult> runs;
+  for (int steps = 8; steps <= 512; steps *= 2) {
+    run::RunResult run;
+    run.recordings.emplace_back();
+    std::vector<double> time, values;
+    for (int k = 0; k <= steps; ++k) {
+      time.push_back(static_cast<double>(k) / steps);
+      values.push_back(std::exp(-time.back()) + 0.1 * time.back() * std::pow(1.0 / steps, order));
+    }
+    run.recordings.front().table.columns = {{"time", "s", time}, {"a", "", values}};
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+random::Options options_of(std::vector<const char*> words) {
+  return random::read_options(static_cast<int>(words.size()), words.data());
 }
 
 /// Breaks wherever a diagram has a Saturation.
@@ -61,7 +85,7 @@ TEST_CASE(
     "each type of block that writes no file comes up as the first of "
     "some seed") {
   std::string text;
-  for (std::uint64_t seed = 1; seed < all_blocks().types().size(); ++seed)
+  for (std::uint64_t seed = 1; seed < 7 * all_blocks().types().size() / 6; ++seed)
     text += whole_text(random::random_sketch(all_blocks(), seed));
   for (const BlockType* type : all_blocks().types()) {
     INFO(type->name);
@@ -119,11 +143,50 @@ TEST_CASE("a trial that compares next to nothing counts as one that fails") {
   random::Totals totals;
   totals.valid = 100;
   totals.laws.resize(random::laws().size());
-  for (random::LawCount& law : totals.laws) law.same = 50;
+  for (random::LawCount& law : totals.laws) law.meant = 100, law.same = 50;
 
   CHECK(random::weakness_of(totals, all_blocks()).empty());
   totals.laws.back().same = 1;
   CHECK(random::weakness_of(totals, all_blocks()).find("less than 5 %") != std::string::npos);
   totals.refused["a reason"] = 70;
   CHECK(random::weakness_of(totals, all_blocks()).find("60 %") != std::string::npos);
+}
+
+TEST_CASE("an error that falls more slowly than the solver's order breaks the law of halved steps") {
+  using Kind = random::Verdict::Kind;
+  CHECK(random::verdict_on_order(runs_of_order(2.0), 2, 1e-12).kind == Kind::same);
+  CHECK(random::verdict_on_order(runs_of_order(3.0), 2, 1e-12).kind == Kind::same);
+  const random::Verdict slow = random::verdict_on_order(runs_of_order(1.0), 2, 1e-12);
+  CHECK(slow.kind == Kind::different);
+  CHECK(slow.text == "a: the error falls by 2^1.00 with half of the step, and not by 2^2");
+  CHECK(random::verdict_on_order(runs_of_order(4.0), 4, 1e-3).kind == Kind::skipped);
+}
+
+TEST_CASE("one seed in seven gives a smooth diagram") {
+  for (std::uint64_t seed = 3; seed < 700; seed += 7) {
+    const Sketch sketch = random::random_sketch(all_blocks(), seed);
+    INFO(whole_text(sketch));
+    CHECK(random::why_not_smooth(sketch) == "");
+  }
+}
+
+TEST_CASE("a diagram that bends between ticks is not smooth") {
+  CHECK(random::why_not_smooth(saturated()) == "Saturation may bend");
+  Sketch sketch = saturated();
+  sketch.blocks[2] = {"n3", {{"block", "UnitDelay"}, {"u", "n2"}}};
+  CHECK(random::why_not_smooth(sketch) == "UnitDelay keeps to each step");
+  sketch.blocks[2].keys.push_back({"every", "0.002 s"});
+  CHECK(random::why_not_smooth(sketch) == "");
+  sketch.blocks[2] = {"n3", {{"block", "Step"}, {"time", "0.0025 s"}}};
+  CHECK(random::why_not_smooth(sketch) == "");  // its events are located
+  std::erase_if(sketch.head, [](const random::Key& key) { return key.name == "events"; });
+  CHECK(random::why_not_smooth(sketch) == "Step jumps between ticks");
+}
+
+TEST_CASE("a wrong command line is refused, and help is one") {
+  CHECK(options_of({"--help"}).help);
+  CHECK(options_of({"--count", "7", "--with-code", "2", "--forever"}).with_code == 2);
+  CHECK_THROWS_WITH(options_of({"--cuont", "7"}), "unknown option '--cuont'; see --help");
+  CHECK_THROWS_WITH(options_of({"--count"}), "give a value behind --count");
+  CHECK_THROWS_WITH(options_of({"--count", "7x"}), "'7x' is no whole number");
 }

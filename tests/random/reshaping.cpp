@@ -140,6 +140,11 @@ bool reads_whole(const Entry& entry, const std::string& bus) {
   return found;
 }
 
+/// True for a solver whose states share a matrix, or the length of its steps.
+bool shares_steps(const std::string& solver) {
+  return solver == "rosenbrock" || solver == "sdirk" || solver == "auto" || solver.front() == '{';
+}
+
 }  // namespace
 
 std::string with_references(const std::string& text, const std::set<std::string>& names,
@@ -200,9 +205,8 @@ Sketch with_unrelated(const Sketch& sketch) {
   made.blocks.insert(made.blocks.begin() + static_cast<std::ptrdiff_t>(made.blocks.size() / 2), more.begin(),
                      more.end());
   const std::string* solver = find_head(sketch, "solver");
-  const bool is_implicit =
-      solver && (*solver == "rosenbrock" || *solver == "sdirk");  // where states share a matrix
-  if (solver && !is_implicit) made.blocks.push_back({"m4", {{"block", "Lag"}, {"u", "m3"}, {"tau", "1 s"}}});
+  if (solver && !shares_steps(*solver))
+    made.blocks.push_back({"m4", {{"block", "Lag"}, {"u", "m3"}, {"tau", "1 s"}}});
   return made;
 }
 

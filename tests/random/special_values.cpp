@@ -204,7 +204,8 @@ const std::map<std::string, SpecialValue>& table_values() {
       {"Sum.signs", order_of_sum},
       {"Trig.function",
        [](Making& m) -> std::string {
-         return m.dice().of(std::vector<std::string>{"sin", "cos", "tan", "atan", "sinh", "cosh", "tanh"});
+         static const std::vector<std::string> all{"sin", "cos", "atan", "tanh", "tan", "sinh", "cosh"};
+         return all[m.dice().below(m.bench.smooth ? 4 : all.size())];
        }},
       {"GuidePath.half_width", without}};
   return values;

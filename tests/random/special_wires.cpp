@@ -2,6 +2,7 @@
 // open.
 #include <fmt/format.h>
 
+#include "tests/random/smooth.hpp"
 #include "tests/random/values.hpp"
 
 namespace stepwire::random {
@@ -34,6 +35,17 @@ Wire constant(Making& making, const InputSpec& input, const Shape& shape, const 
   making.bench.add({name, {{"block", "Constant"}, {"value", value}}});
   making.bench.wires.push_back({name, shape, making.units.value(input.unit).value_or(unit::Dimension{})});
   return making.bench.wires.back();
+}
+
+/// A delay of a step at least. In a smooth diagram it has 6 steps, so that the past around it is known.
+Wire of_transport(Making& making, const InputSpec& input, const Shape& shape) {
+  Bench& bench = making.bench;
+  const unit::Dimension seconds = *making.units.value("s");
+  if (bench.smooth) return {Bench::plain(bench.step * some_steps(bench, 6, 20), seconds), {}, seconds};
+  if (making.dice().chance(0.6))
+    return {bench.number(bench.step * making.dice().between(1.0, 0.3 * bench.ticks), seconds), {}, seconds};
+  making.moving_delay = true;
+  return limited(making, of_unit(making, input, shape), bench.step, bench.step * 20);
 }
 
 using SpecialWire = Wire (*)(Making& making, const InputSpec& input, const Shape& shape);
@@ -75,6 +87,7 @@ const std::map<std::string, SpecialWire>& special_wires() {
       {"Linkage.external", within_one},
       {"PositionEstimate.precision", positive},
       {"Sqrt.u", positive},
+      {"TransportDelay.delay", of_transport},
       {"VariableDelay.delay", [](Making& making, const InputSpec& input, const Shape& shape) {
          return limited(making, of_unit(making, input, shape), 0.0, making.bench.step * 20);
        }}};
@@ -185,6 +198,10 @@ std::size_t list_count(Making& making, const InputSpec& input) {
   if (making.type.name == "LookupTableND" || making.type.name == "Expression")
     return static_cast<std::size_t>(making.dice().whole(1, 2));
   return static_cast<std::size_t>(making.dice().whole(1, 3));
+}
+
+bool has_special_wire(const Making& making, const InputSpec& input) {
+  return special_wires().contains(making.type.name + "." + input.name);
 }
 
 std::optional<Wire> special_wire(Making& making, const InputSpec& input, const Shape& shape) {

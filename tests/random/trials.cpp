@@ -6,6 +6,7 @@
 #include <numeric>
 #include <regex>
 
+#include "engine/base/parallel/parallel.hpp"
 #include "engine/base/subprocess/isolated.hpp"
 #include "tests/random/generator.hpp"
 
@@ -14,6 +15,7 @@ namespace stepwire::random {
 namespace {
 
 constexpr std::size_t batch = 100;
+constexpr std::size_t fewest = 20;  ///< diagrams of a law, below which their share proves nothing
 
 /// A message without what is another one each time.
 std::string kind_of(const std::string& message) {
@@ -55,32 +57,38 @@ Trials::Trials(const Registry& registry, std::string folder)
   totals_.laws.resize(laws().size());
 }
 
-void Trials::run(std::uint64_t first, std::size_t count, const std::function<void(const Failure&)>& failed) {
+void Trials::run(std::uint64_t first, std::size_t count, std::size_t with_code) {
   for (std::size_t done = 0; done < count; done += batch) {
     const std::vector<Trial> trials = valid_of(first + done, std::min(batch, count - done));
-    ask_for_code(trials);
-    code_.compile_all();
-    for (const Trial& trial : trials)
-      for (std::size_t law = 0; law < laws().size(); ++law)
-        if (laws()[law].is_for(trial.seed)) this->count(trial, law, checked(laws()[law], trial), failed);
+    std::vector<Check> checks = checks_of(trials, first + std::min(with_code, count));
+    check_all(checks);
+    for (const Check& check : checks) this->count(check);
     code_.clear();
   }
 }
 
+/// Diagrams are made on all cores, and counted in the order of their seeds.
 std::vector<Trial> Trials::valid_of(std::uint64_t first, std::size_t count) {
-  std::vector<Trial> trials;
-  for (std::uint64_t seed = first; seed < first + count; ++seed) {
-    Trial trial{seed, random_sketch(registry_, seed), &registry_, folder_};
+  std::vector<Trial> all(count);
+  std::vector<std::string> refused(count);
+  parallel::in_parallel(count, 0, [&](std::size_t i) {
+    all[i] = {first + i, random_sketch(registry_, first + i), &registry_, folder_};
     try {
-      begin(trial);
+      begin(all[i]);
     } catch (const yaml::Error& error) {
-      ++totals_.refused[kind_of(error.what())];
+      refused[i] = kind_of(error.what());
+    }
+  });
+  std::vector<Trial> trials;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!refused[i].empty()) {
+      ++totals_.refused[refused[i]];
       continue;
     }
     ++totals_.valid;
-    totals_.ended += trial.expected.faults.empty() ? 0 : 1;
-    count_types(trial.loaded->plan());
-    trials.push_back(std::move(trial));
+    totals_.ended += all[i].expected.faults.empty() ? 0 : 1;
+    count_types(all[i].loaded->plan());
+    trials.push_back(std::move(all[i]));
   }
   return trials;
 }
@@ -91,24 +99,42 @@ void Trials::count_types(const plan::Plan& plan) {
   for (const std::string& type : types) ++totals_.types[type];
 }
 
-void Trials::ask_for_code(const std::vector<Trial>& trials) {
+std::vector<Trials::Check> Trials::checks_of(const std::vector<Trial>& trials,
+                                             std::uint64_t end_of_code) const {
+  std::vector<Check> checks;
   for (const Trial& trial : trials)
-    for (const Law& law : laws())
-      if (law.asks && law.is_for(trial.seed)) law.check(trial, code_);
+    for (std::size_t law = 0; law < laws().size(); ++law)
+      if (laws()[law].is_for(trial.seed) && (!laws()[law].asks || trial.seed < end_of_code))
+        checks.push_back({&trial, law});
+  return checks;
 }
 
-void Trials::count(const Trial& trial, std::size_t law, const Verdict& verdict,
-                   const std::function<void(const Failure&)>& failed) {
-  LawCount& counts = totals_.laws[law];
+/// Laws that take no process of their own are checked on all cores; no process is begun meanwhile.
+void Trials::check_all(std::vector<Check>& checks) {
+  std::vector<Check*> alone, together;
+  for (Check& check : checks) {
+    const Law& law = laws()[check.law];
+    if (law.asks) law.check(*check.trial, code_);
+    (law.isolated ? alone : together).push_back(&check);
+  }
+  code_.compile_all();
+  const auto find = [&](Check& one) { one.verdict = checked(laws()[one.law], *one.trial); };
+  parallel::in_parallel(together.size(), 0, [&](std::size_t i) { find(*together[i]); });
+  for (Check* check : alone) find(*check);
+}
+
+void Trials::count(const Check& check) {
+  LawCount& counts = totals_.laws[check.law];
+  const Verdict& verdict = check.verdict;
+  ++counts.meant;
   if (verdict.kind == Verdict::Kind::skipped) {
     ++counts.skipped[kind_of(verdict.text)];
     return;
   }
-  counts.located += trial.expected.events.located > 0 ? 1 : 0;
+  counts.located += check.trial->expected.events.located > 0 ? 1 : 0;
   ++(verdict.kind == Verdict::Kind::same ? counts.same : counts.different);
   if (verdict.kind == Verdict::Kind::same) return;
-  totals_.failures.push_back({trial.seed, &laws()[law], trial.sketch, verdict.text});
-  failed(totals_.failures.back());
+  totals_.failures.push_back({check.trial->seed, &laws()[check.law], check.trial->sketch, verdict.text});
 }
 
 /// Code that is wrong may end the process that runs it.
@@ -168,11 +194,10 @@ std::string totals_text(const Totals& totals) {
 std::string weakness_of(const Totals& totals, const Registry& registry) {
   if (10 * totals.valid < 6 * totals.all()) return "less than 60 % of the diagrams are valid";
   for (std::size_t i = 0; i < totals.laws.size(); ++i)
-    if (20 * laws()[i].every * (totals.laws[i].same + totals.laws[i].different) < totals.valid)
-      return fmt::format(
-          "'{}' was compared on less than 5 % of the diagrams "
-          "for which it is meant",
-          laws()[i].name);
+    if (const LawCount& law = totals.laws[i];
+        law.meant >= fewest && 20 * (law.same + law.different) < law.meant)
+      return fmt::format("'{}' was compared on less than 5 % of the diagrams for which it is meant",
+                         laws()[i].name);
   for (const BlockType* type : registry.types())
     if (totals.valid >= 3 * registry.types().size() && !type->file_output &&
         !totals.types.contains(type->name))

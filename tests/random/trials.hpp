@@ -12,6 +12,7 @@ namespace stepwire::random {
 
 /// Counts of a law over all diagrams.
 struct LawCount {
+  std::size_t meant = 0;  ///< diagrams on which it was tried
   std::size_t same = 0, different = 0;
   std::size_t located = 0;                       ///< of those that were compared, in runs that located events
   std::map<std::string, std::size_t> skipped{};  ///< by the reason
@@ -43,19 +44,27 @@ class Trials {
   /// The folder has the data files of diagrams.
   Trials(const Registry& registry, std::string folder);
 
-  /// Tries all laws on the diagrams of these seeds; code of a batch of them is compiled together.
-  void run(std::uint64_t first, std::size_t count, const std::function<void(const Failure&)>& failed);
+  /// Tries all laws on the diagrams of these seeds, those about code on the first `with_code` of them. Code
+  /// of a batch of diagrams is compiled together.
+  void run(std::uint64_t first, std::size_t count, std::size_t with_code);
   const Totals& totals() const { return totals_; }
 
   /// Checks one law on several diagrams; those that are refused are skipped.
   std::vector<Verdict> check(const Law& law, std::uint64_t seed, const std::vector<Sketch>& sketches);
 
  private:
+  /// A law of a trial, and its verdict.
+  struct Check {
+    const Trial* trial;
+    std::size_t law;
+    Verdict verdict{};
+  };
+
   std::vector<Trial> valid_of(std::uint64_t first, std::size_t count);
   void count_types(const plan::Plan& plan);
-  void ask_for_code(const std::vector<Trial>& trials);
-  void count(const Trial& trial, std::size_t law, const Verdict& verdict,
-             const std::function<void(const Failure&)>& failed);
+  std::vector<Check> checks_of(const std::vector<Trial>& trials, std::uint64_t end_of_code) const;
+  void check_all(std::vector<Check>& checks);
+  void count(const Check& check);
   Verdict checked(const Law& law, const Trial& trial);
 
   const Registry& registry_;

@@ -11,6 +11,8 @@ std::size_t list_count(Making& making, const InputSpec& input);
 /// The source of an input that needs signals of one kind: away from 0, within a range, a turn; nullopt for
 /// all others.
 std::optional<Wire> special_wire(Making& making, const InputSpec& input, const Shape& shape);
+/// True for an input of which special_wire() has a source.
+bool has_special_wire(const Making& making, const InputSpec& input);
 /// A parameter's value; empty if it is left out.
 std::string value_of(Making& making, const ParameterSpec& spec);
 /// False for a parameter that is left out unless it is required.

@@ -20,6 +20,11 @@ MemberItems items_of(const MemberSpec& member, const AnyBlock& block) {
   return items;
 }
 
+bool has_same_members(const AnyBlock& a, const AnyBlock& b) {
+  return std::ranges::all_of(
+      a.type().members, [&](const MemberSpec& member) { return items_of(member, a) == items_of(member, b); });
+}
+
 std::string outline_of(const AnyBlock& block) {
   return MemberItems(block.type(), block.get()).outline();
 }
@@ -141,9 +146,22 @@ class Changing {
     check_unit(value, known.dimension, name);
     if (numbers.size() != known.constant.size() || value.value.columns != known.columns)
       return refuse_structure(block, name, "the value has another number of elements");
+    if (configures(block, name, numbers))
+      return refuse_structure(block, name, "the memory or the sizes of the block follow from it");
     const SignalSlot meant = constant_slot(known);
     change_.constants.emplace_back(plan_.blocks[block].inputs[input][element],
                                    numbers.segment(static_cast<Eigen::Index>(meant.offset), meant.size));
+  }
+
+  /// True where configure() makes another block of this constant than of that in the plan.
+  bool configures(std::size_t block, const std::string& input, const Eigen::VectorXd& numbers) const {
+    const PlannedBlock& planned = plan_.blocks[block];
+    if (!planned.configuration || !planned.written || numbers.size() != 1) return false;
+    AnyBlock before = *planned.written, after = *planned.written;
+    yaml::Faults faults;
+    const bool is_same = configure(plan_, block, before.get(), faults) ==
+                         configure(plan_, block, after.get(), faults, {{input, numbers[0]}});
+    return !is_same || !faults.empty() || !has_same_members(before, after);
   }
 
   void rebuild(std::size_t block, AnyBlock written) {

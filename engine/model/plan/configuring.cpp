@@ -14,11 +14,10 @@ double period_of(const Plan& plan, std::size_t index) {
 }
 
 /// What a block may ask in configure().
-Configure what_is_known(const Plan& plan, std::size_t index) {
+Configure what_is_known(const Plan& plan, std::size_t index, std::map<std::string, double> constants) {
   const diagram::DiagramBlock& block = plan.diagram.blocks[index];
   std::set<std::string> connected;
   std::map<std::string, Eigen::Index> counts;
-  std::map<std::string, double> constants;
   std::set<std::string> initial;
   for (std::size_t input = 0; input < block.inputs.size(); ++input) {
     const InputSpec& spec = block.type().inputs[input];
@@ -26,7 +25,7 @@ Configure what_is_known(const Plan& plan, std::size_t index) {
     if (block.inputs[input].size() == 1)
       if (const diagram::Source& source = block.inputs[input].front();
           source.block < 0 && source.constant.size() == 1)
-        constants[spec.name] = source.constant[0];
+        constants.try_emplace(spec.name, source.constant[0]);
     if (spec.list) counts[spec.name] = static_cast<Eigen::Index>(block.inputs[input].size());
   }
   for (const diagram::InitialValue& value : block.initial)
@@ -48,9 +47,10 @@ yaml::Fault fault_of(const Plan& plan, std::size_t index, const ParameterRefused
 
 }  // namespace
 
-Configuration configure(const Plan& plan, std::size_t index, void* block, yaml::Faults& faults) {
+Configuration configure(const Plan& plan, std::size_t index, void* block, yaml::Faults& faults,
+                        const std::map<std::string, double>& constants) {
   const diagram::DiagramBlock& known = plan.diagram.blocks[index];
-  Configure is = what_is_known(plan, index);
+  Configure is = what_is_known(plan, index, constants);
   try {
     known.type().configure(block, is);
   } catch (const ParameterRefused& refused) {

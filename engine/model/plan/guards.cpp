@@ -70,11 +70,12 @@ class GuardMaker {
       if (draft_.type(block).states[s].continuous) append(guard.slopes, planned.derivatives[s]);
   }
 
+  /// A block whose outputs are constant is computed once, so start() must not change them again.
   void add_reset(std::size_t block, PlannedGuard& guard) {
     const PlannedBlock& planned = plan_.blocks[block];
     for (std::size_t s = 0; s < planned.initial.size(); ++s)
       append(guard.reset, planned.initial[s], planned.states[s]);
-    if (draft_.type(block).start) guard.start.push_back(block);
+    if (draft_.type(block).start && planned.rate.kind != Rate::Kind::constant) guard.start.push_back(block);
   }
 
   Draft& draft_;

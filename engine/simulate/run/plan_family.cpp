@@ -1,5 +1,7 @@
 #include "engine/simulate/run/plan_family.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -18,6 +20,24 @@ constexpr std::size_t at_once = 64;    // runs that a thread looks at
 std::shared_ptr<const plan::Plan> plan_of_runs(plan::Plan plan) {
   plan.diagram.sweep.reset();
   return std::make_shared<const plan::Plan>(std::move(plan));
+}
+
+/// Throws Error where a recorded signal has other elements than in the base plan, since all runs share a
+/// table.
+void require_same_columns(const plan::Plan& plan, const plan::Plan& base) {
+  for (std::size_t r = 0; r < plan.diagram.records.size(); ++r)
+    for (std::size_t s = 0; s < plan.diagram.records[r].signals.size(); ++s) {
+      const diagram::RecordedSignal& signal = plan.diagram.records[r].signals[s];
+      const plan::SignalSlot slot = plan.slot(signal.signal);
+      const plan::SignalSlot expected = base.slot(base.diagram.records[r].signals[s].signal);
+      if (slot.size == expected.size && slot.columns == expected.columns) continue;
+      throw yaml::Error(plan.diagram.fault(
+          signal.origin, signal.name,
+          fmt::format(
+              "it has {} elements and not {} as with the values of the file; take it out of `record`, "
+              "or out of the sweep what changes its size",
+              slot.size, expected.size)));
+    }
 }
 
 }  // namespace
@@ -124,7 +144,9 @@ std::size_t PlanFamily::size() const {
 std::shared_ptr<const plan::Plan> PlanFamily::plan_anew(const std::vector<diagram::Setting>& values) const {
   std::vector<diagram::Setting> all = settings_;
   all.insert(all.end(), values.begin(), values.end());
-  return std::make_shared<const plan::Plan>(plan::make_plan(loader_.load_point(file_, all)));
+  auto made = std::make_shared<const plan::Plan>(plan::make_plan(loader_.load_point(file_, all)));
+  require_same_columns(*made, *base_);
+  return made;
 }
 
 const plan::Plan& PlanFamily::plan(std::size_t member) const {

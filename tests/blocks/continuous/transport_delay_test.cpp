@@ -2,6 +2,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "blocks/register.hpp"
+#include "engine/simulate/run/run.hpp"
 #include "tests/support/run_text.hpp"
 
 namespace stepwire {
@@ -133,6 +135,44 @@ TEST_CASE("a delay that cannot be kept is refused, or ends the run") {
   CHECK_THAT(of("delay: t"), Contains("below a step or above `longest`"));
   CHECK_THAT(of("delay: -1 s"), Contains("is less than the step"));
   CHECK(of("delay: 10 ms").empty());
+}
+
+TEST_CASE("behind a jump that comes around the loop the past bends at a tick, and keeps the solver's order") {
+  // x' = -x(t - 1) with 3 before 0, and 1 at 0: 1 - 3 t, -2 - s + 3 s^2/2, then the integral of that.
+  const auto error = [](const std::string& solver, double step) {
+    const table::Table run =
+        run_text("step: " + std::to_string(step) + " s\nstop: 3 s\nsolver: " + solver + R"(
+blocks:
+  x: {block: Integrator, u: minus, initial: 1}
+  minus: {block: Gain, gain: -1, u: past}
+  past: {block: TransportDelay, u: x, delay: 1 s, initial: 3}
+record: [x]
+)");
+    return std::abs(last(run, "x") - (-1.5 + 2.0 + 0.5 - 0.5));
+  };
+  for (const std::string solver : {"heun", "bogacki_shampine", "rk4", "dormand_prince", "sdirk"}) {
+    INFO(solver);
+    CHECK(error(solver, 0.1) < (solver == "heun" ? 3e-3 : 1e-9));
+    CHECK(error(solver, 0.05) < (solver == "heun" ? 8e-4 : 1e-9));
+  }
+}
+
+TEST_CASE("each run of a sweep over the delay keeps as much of the past as its own delay needs") {
+  static const Registry registry = blocks();
+  diagram::Loader loader(registry);
+  loader.add(
+      yaml::parse_document("stepwire: 1\ntitle: a sweep\nstep: 1 ms\nstop: 0.2 s\n"
+                           "parameters: {p: 50 ms}\nsweep: {p: [50 ms, 51.5 ms, 120 ms, 20 ms]}\n"
+                           "blocks:\n  t: {block: Clock}\n"
+                           "  y: {block: TransportDelay, u: t, delay: $p}\nrecord: y\n",
+                           "sweep.yaml"));
+  const run::RunResult result = run::run_job(run::make_job(loader, "sweep.yaml"));
+  const record::Recording& recording = result.recordings.at(0);
+  const std::vector<double>& y = recording.table.find("y")->values;
+  CHECK(result.faults.empty());
+  REQUIRE(y.size() == 4 * 201);
+  const double delays[] = {0.05, 0.0515, 0.12, 0.02};
+  for (std::size_t run = 0; run < 4; ++run) CHECK(y[201 * run + 200] == Approx(0.2 - delays[run]));
 }
 
 }  // namespace stepwire

@@ -82,3 +82,13 @@ record: [s, y]
 )");
   CHECK(column(run, "y") == column(run, "s"));
 }
+
+TEST_CASE("a guard that resets leaves the output of a guess whose input is constant") {
+  const table::Table run = run_text(R"(step: 10 ms
+stop: 50 ms
+blocks:
+  y: {block: InitialGuess, u: 0.5, guess: 0.3, enable: {when: 1, states: reset, outputs: held}}
+record: y
+)");
+  for (const double y : column(run, "y")) CHECK(y == 0.5);
+}

@@ -205,4 +205,15 @@ record: y
   CHECK(std::set<double>(values.begin(), values.end()).size() == 1000);
 }
 
+TEST_CASE("a sweep that changes the number of recorded elements is refused, with the run and the cure") {
+  const std::string delays =
+      "parameters: {p: 5 s}\nsweep: {p: [5 s, 2 s]}\nblocks:\n  t: {block: Clock}\n"
+      "  d: {block: Delay, u: t, delay: $p, every: 1 s}\n";
+  CHECK_THROWS_WITH(swept("title: t\n" + delays + "record: [d, d.samples]\n"),
+                    Catch::Matchers::Contains("d.samples") &&
+                        Catch::Matchers::Contains("it has 2 elements and not 5") &&
+                        Catch::Matchers::Contains("p=2 s"));
+  CHECK_NOTHROW(swept("title: t\n" + delays + "record: d\n"));
+}
+
 }  // namespace stepwire::run
