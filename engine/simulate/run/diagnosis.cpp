@@ -51,7 +51,7 @@ std::string text_of_step(const diagram::Diagram& diagram, const double* report, 
         "steps that the "
         "time can tell apart: the error of this state is {:.2g} of what is allowed; the run ends here. A "
         "stiff solver "
-        "(rodas, auto), a larger 'relative' or 'absolute', or a law without jumps helps",
+        "(radau, auto), a larger 'relative' or 'absolute', or a law without jumps helps",
         now, end, report[1]);
   return fmt::format(
       "the step to {:.12g} s errs by {:.2g} of the size of this state, and 'tolerance' is {:g}; the run ends "
