@@ -13,8 +13,8 @@ struct SolverRun {
   std::vector<double> x;
   double digits = 0.0;
   long steps = 0, rejected = 0;
-  long calls = 0;  ///< of the problem's function, those for Jacobians among them
-  double seconds = 0.0;
+  long calls = 0;        ///< of the problem's function, those for Jacobians among them
+  double seconds = 0.0;  ///< of processor time
 };
 
 /// Runs a solver of the engine with control of the error.

@@ -30,9 +30,10 @@ class Automatic {
     if (used_ == Used::stiff) return stiff_.attempt(x, dot, now, time, end, step, numbers, evaluate);
     used_ == Used::fine ? fine_.attempt(x, dot, now, time, end, step, numbers, evaluate)
                         : plain_.attempt(x, dot, now, time, end, step, numbers, evaluate);
-    const double stiffness = used_ == Used::fine ? fine_.stiffness(x, step) : plain_.stiffness(x, step);
     double& signs = numbers[ControlReport::signs];
-    signs = stiffness > 0.75 ? signs + 1.0 : std::max(signs - (stiffness > 0.4 ? 0.1 : 0.25), 0.0);
+    signs = std::max(signs + (used_ == Used::fine ? sign(fine_.stiffness(x, step), 0.25, 0.25)
+                                                  : sign(plain_.stiffness(x, step), 0.4, -0.1)),
+                     0.0);
     if (signs >= 8.0) numbers[ControlReport::stiff] = 1.0;
     return true;
   }
@@ -50,6 +51,11 @@ class Automatic {
 
  private:
   enum class Used { plain, fine, stiff };
+
+  /// The sign of a step that is `part` of the longest stable one; `between` where that is unclear.
+  static double sign(double part, double clear, double between) {
+    return part > 0.75 ? 1.0 : part > clear ? between : -0.25;
+  }
 
   DormandPrince<max_states> plain_;
   Dop853<max_states> fine_;

@@ -16,7 +16,7 @@ namespace detest {
 
 template <class Function>
 Problem make(const std::string& name, std::vector<double> start, Function function) {
-  return {name, false, 1.0, std::move(start), 20.0, function, {}};
+  return {"DETEST " + name, false, 1.0, std::move(start), 20.0, function, {}};
 }
 
 /// Single equations: decay, a special Riccati equation, an oscillation, the logistic curve, a spiral.
