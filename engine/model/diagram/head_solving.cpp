@@ -68,8 +68,8 @@ void read_solver(Diagram& diagram, const yaml::Node& node, const HeadReading& re
   diagram.error_control.reset();
   if (node.is_scalar()) {
     read.take(node, {}, diagram.solver);
-    if (diagram.solver == "auto" || diagram.solver == "rodas")
-      diagram.error_control.emplace();  // always control it
+    for (const char* always : {"auto", "dop853", "rodas", "radau"})
+      if (diagram.solver == always) diagram.error_control.emplace();
     return;
   }
   ControlledSolver solver;

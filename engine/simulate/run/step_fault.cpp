@@ -18,7 +18,7 @@ std::string text_of_step(const diagram::Diagram& diagram, const double* report, 
     return fmt::format(
         "the solver does not come from {:.12g} s to the tick at {:.12g} s within 'max_steps', or within "
         "steps that the time can tell apart: the error of this state is {:.2g} of what is allowed; the run "
-        "ends here. A stiff solver (rodas, auto), a larger 'relative' or 'absolute', or a law without jumps "
+        "ends here. A stiff solver (radau, auto), a larger 'relative' or 'absolute', or a law without jumps "
         "helps",
         now, end, report[1]);
   return fmt::format(

@@ -66,6 +66,8 @@ class Controlled {
     origin_ = x;
     double at = time, wished = numbers[ControlReport::next];
     if (!(wished > 0.0)) wished = first_step(x, dot, now, at, length, control, evaluate);
+    if constexpr (requires { method_.begin(control, numbers, wished, length); })
+      method_.begin(control, numbers, wished, length);
     rejected_ = false;
     for (std::int64_t attempts = 0; at < time + length; ++attempts) {
       const double left = time + length - at;

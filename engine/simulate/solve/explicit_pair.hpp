@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 
 namespace stepwire::solve {
@@ -10,6 +11,7 @@ namespace stepwire::solve {
 struct BogackiShampinePair {
   static constexpr int stages = 4;
   static constexpr double order = 3.0;
+  static constexpr double stability = 2.5;
   static constexpr double c[stages] = {0.0, 1.0 / 2, 3.0 / 4, 1.0};
   static constexpr double a[stages][stages] = {{}, {1.0 / 2}, {0.0, 3.0 / 4}, {2.0 / 9, 1.0 / 3, 4.0 / 9}};
   static constexpr double error[stages] = {2.0 / 9 - 7.0 / 24, 1.0 / 3 - 1.0 / 4, 4.0 / 9 - 1.0 / 3,
@@ -20,6 +22,7 @@ struct BogackiShampinePair {
 struct DormandPrincePair {
   static constexpr int stages = 7;
   static constexpr double order = 5.0;
+  static constexpr double stability = 3.25;
   static constexpr double c[stages] = {0.0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1.0, 1.0};
   static constexpr double a[stages][stages] = {
       {},
@@ -54,7 +57,7 @@ class ExplicitPair {
       evaluate();
       slopes_[stage] = dot;
     }
-    for (Eigen::Index i = 0; i < x.size(); ++i) error_[i] = step * sum(i, Pair::error, Pair::stages);
+    for (Eigen::Index i = 0; i < x.size(); ++i) error_[i] = step * estimate(i);
     return true;
   }
   const auto& error() const { return error_; }
@@ -63,8 +66,8 @@ class ExplicitPair {
   /// Of the last attempt, for the length of the next step.
   double order() const { return Pair::order; }
 
-  /// Rate of the fastest decay times the step, from the last two stages, both at one time (Hairer and Wanner,
-  /// Solving ODEs II, IV.2).
+  /// Rate of the fastest decay times the step, in parts of what is stable, from the last two stages, both at
+  /// one time (Hairer and Wanner, Solving ODEs II, IV.2).
   template <class X>
   double stiffness(const X& x, double step) const {
     double slopes = 0.0, points = 0.0;
@@ -74,7 +77,7 @@ class ExplicitPair {
       slopes += slope * slope;
       points += point * point;
     }
-    return points > 0.0 ? step * std::sqrt(slopes / points) : 0.0;
+    return points > 0.0 ? step * std::sqrt(slopes / points) / Pair::stability : 0.0;
   }
 
  private:
@@ -84,6 +87,18 @@ class ExplicitPair {
     double sum = 0.0;
     for (int stage = 0; stage < count; ++stage) sum += weights[stage] * slopes_[stage][i];
     return sum;
+  }
+
+  /// The error, by the step. Of two estimates the finer is weighed by how much smaller it is than the
+  /// coarser, so that it falls with the order of the method.
+  double estimate(Eigen::Index i) const {
+    const double fine = sum(i, Pair::error, Pair::stages);
+    if constexpr (requires { Pair::coarse_error; }) {
+      const double coarse = sum(i, Pair::coarse_error, Pair::stages);
+      const double ratio = 0.1 * coarse / fine;  // squares of the two themselves could fall to 0
+      return fine == 0.0 ? 0.0 : fine / std::sqrt(1.0 + ratio * ratio);
+    }
+    return fine;
   }
 
   Vector start_, error_, last_point_;

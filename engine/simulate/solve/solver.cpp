@@ -1,8 +1,10 @@
 #include "engine/simulate/solve/solver.hpp"
 
 #include "engine/simulate/solve/automatic.hpp"
+#include "engine/simulate/solve/dop853.hpp"
 #include "engine/simulate/solve/explicit_solver.hpp"
 #include "engine/simulate/solve/implicit_solver.hpp"
+#include "engine/simulate/solve/radau.hpp"
 
 namespace stepwire::solve {
 
@@ -56,6 +58,12 @@ const std::vector<Entry>& entries() {
        nullptr,
        controlled("DormandPrince", "explicit_pair.hpp"),
        make_controlled<DormandPrince>},
+      {{"dop853", "eighth-order method of Dormand and Prince, with control of the error", 8, true, false},
+       nullptr,
+       {},
+       nullptr,
+       controlled("Dop853", "dop853.hpp"),
+       make_controlled<Dop853>},
       {{"rosenbrock", "linearly implicit, for stiff plants", 2, true},
        nullptr,
        called("Rosenbrock", "rosenbrock.hpp"),
@@ -75,7 +83,13 @@ const std::vector<Entry>& entries() {
        nullptr,
        controlled("Rodas", "rodas.hpp"),
        make_controlled<Rodas>},
-      {{"auto", "dormand_prince, and rodas once that turns out stiff, with control of the error", 5, true,
+      {{"radau", "implicit of fifth order, for stiff plants, with control of the error", 5, true, false},
+       nullptr,
+       {},
+       nullptr,
+       controlled("Radau", "radau.hpp"),
+       make_controlled<Radau>},
+      {{"auto", "dormand_prince or dop853, and radau once that turns out stiff, with control of the error", 5, true,
         false},
        nullptr,
        {},

@@ -62,7 +62,7 @@ struct SolverKind {
 };
 
 /// The solvers that a diagram file may name: euler, heun, bogacki_shampine, rk4, dormand_prince, rosenbrock,
-/// sdirk, and, with control of the error, rodas and auto.
+/// sdirk, and, with control of the error, dop853, rodas, radau and auto.
 const std::vector<SolverKind>& solver_kinds();
 
 /// The numbers of an explicit solver; nothing for one that is not explicit, or not known.

@@ -11,9 +11,9 @@
 
 namespace stepwire::solve {
 
-/// Goes again over a step whose own estimate is in doubt, with control of the error, and tells how far the
-/// states are from there. An implicit method damps what it cannot follow, and its estimate with it; a state
-/// that has jumped with its input is right all the same.
+/// Repeats a step whose own estimate is in doubt with control of the error and compares the states. An
+/// implicit method damps what it cannot follow, and its estimate with it; a state that has jumped with its
+/// input is right all the same.
 template <int max_states>
 class StepCheck {
  public:
@@ -41,7 +41,7 @@ class StepCheck {
       // A state at rest at 0 whose input jumps within the step errs by some of what it moves in a step.
       const bool rests = std::abs(start[i]) <= WorstError::smallest_size;
       const double late = rests ? 16.0 * step * std::abs(dot_place[i]) : 0.0;
-      worst.add(std::max(std::abs(kept_[i] - x[i]) - late, 0.0), std::max(std::abs(start[i]), std::abs(x[i])),
+      worst.add(std::max(std::abs(kept_[i] - x[i]) - late, 0.0), size(start[i], x[i], step * dot_place[i]),
                 i);
     }
     x = kept_;
@@ -49,6 +49,16 @@ class StepCheck {
   }
 
  private:
+  static constexpr double slow = 4.0;
+
+  /// The size of a state that errors are compared with: the larger of its values at the start and at the end.
+  /// A state that falls by powers of ten and is slow at the end keeps its error, so that its size is that of
+  /// the end. A state that is as fast as the step there loses it in the next step.
+  static double size(double start, double end, double change) {
+    return std::abs(change) <= slow * std::abs(end) ? std::abs(end)
+                                                    : std::max(std::abs(start), std::abs(end));
+  }
+
   Controlled<Rodas, max_states> solver_;
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_states, 1> kept_;
 };

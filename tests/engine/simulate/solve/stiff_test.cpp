@@ -72,7 +72,7 @@ TEST_CASE("a solver that is not known is refused where it stands, with the neare
   CHECK(refused[0] ==
         "test.yaml:1:9: solver: there is no solver 'rk5'; did you mean 'rk4'? Known are: euler, heun, "
         "bogacki_shampine, "
-        "rk4, dormand_prince, rosenbrock, sdirk, rodas, auto");
+        "rk4, dormand_prince, dop853, rosenbrock, sdirk, rodas, radau, auto");
 }
 
 }  // namespace stepwire::solve

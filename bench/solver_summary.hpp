@@ -1,0 +1,36 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "bench/solver_runs.hpp"
+
+namespace stepwire::bench {
+
+/// Means and extremes of the rows of each solver and tolerance, over stiff problems and over others.
+class SolverSummary {
+ public:
+  /// Adds a run beside CVODE's of the same tolerance and beside its cheapest of the same digits, nullptr for
+  /// none.
+  void add(const ivp::Problem& problem, double relative, const std::string& solver, const SolverRun& run,
+           const SolverRun& same_tolerance, const SolverRun* same_digits);
+  void print() const;
+
+ private:
+  struct Ratios {
+    double logarithms = 0.0, largest = 0.0;
+    int count = 0;
+    void add(double ours, double theirs);
+    std::string text() const;
+  };
+  struct Row {
+    int problems = 0;
+    Ratios calls, calls_for_digits, time;
+    std::string few_digits;  ///< problems with fewer digits than asked for, less one
+  };
+  std::map<std::tuple<bool, double, std::string>, Row> rows_;
+};
+
+}  // namespace stepwire::bench
