@@ -86,6 +86,14 @@ struct TransportDelay {
     return sample(row, i) + (at - from) / (to - from) * (sample(row + 1, i) - sample(row, i));
   }
 
+  struct Newton {
+    static constexpr double none = std::numeric_limits<double>::infinity();
+
+    Index begin = 0, order = 0;
+    double value = 0.0, last_term = none;
+    double roughness = none;  ///< the last term where all rows are a mean step away
+  };
+
   /// By Newton's polynomial through rows around. Of those that begin at or before `row` the one with the
   /// smallest last term is taken: it does not reach across a jump or a corner (Harten, Engquist, Osher,
   /// Chakravarthy 1987). One that ends at `row` is continued beyond it, up to a jump at the next row; it may
@@ -103,18 +111,22 @@ struct TransportDelay {
       try_from(begin, order);
     for (Index terms = std::min(order, row); terms > 0; --terms) try_from(row - terms, terms);
     for (Index terms = std::min(order, known() - 1 - row); terms > 0; --terms) try_from(row, terms);
+    if (is_alone(i, row, across)) return sample(row, i);
     if (!(up_to.last_term < across.last_term)) return across.value;
     const double next = newton(i, up_to.begin, up_to.order, times[place(row + 1)]).value;
     return across.roughness < 0.01 * std::abs(next - sample(row + 1, i)) ? across.value : up_to.value;
   }
 
-  struct Newton {
-    static constexpr double none = std::numeric_limits<double>::infinity();
+  /// True where a jump at the next row and one in `row`, or the start, leave this row to itself: nothing but
+  /// the straight line to the next one fits, or from there on rows lead elsewhere than here.
+  bool is_alone(Index i, Index row, const Newton& across) const {
+    if (row > 0) return across.order == 1 && edges[place(row)] > 0.0 && edges[place(row + 1)] > 0.0;
+    const Index terms = std::min(degree, known() - 2);
+    if (terms < 1) return edges[place(1)] > 0.0;
+    const Newton back = newton(i, 1, terms, times[place(0)]);
+    return std::abs(back.value - sample(0, i)) > 100.0 * back.roughness + 1e-9 * std::abs(sample(0, i));
+  }
 
-    Index begin = 0, order = 0;
-    double value = 0.0, last_term = none;
-    double roughness = none;  ///< the last term where all rows are a mean step away
-  };
   Newton newton(Index i, Index begin, Index order, double at) const {
     std::array<double, degree + 1> x{}, d{};
     for (Index k = 0; k <= order; ++k) {

@@ -35,7 +35,7 @@ void Counter::declare(Declare<Counter>& is) {
 
 void Counter::configure(Configure& is) {
   configure_reset(*this, is);
-  if (!is.connected<&Counter::u>()) is.keep_to_ticks();
+  if (!is.connected<&Counter::u>() || count_at == Trigger::level) is.keep_to_ticks();
   if (lower > upper) is.refuse<&Counter::lower>("lies above `upper`");
   if (beyond == Beyond::wrap && !(lower > -unlimited && upper < unlimited))
     is.refuse<&Counter::beyond>("'wrap' needs both `lower` and `upper`");

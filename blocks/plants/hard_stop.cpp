@@ -19,7 +19,7 @@ void HardStop::declare(Declare<HardStop>& is) {
                    "Integrator with a reset "
                    "its `before`).",
             .source = "Newton's law of impact",
-       .timing = Timing::continuous,
+            .timing = Timing::continuous,
             .symbol = {.curve = "M-.8 -.8V.8M.8 -.8V.8M-.5 0H.5M.3 -.2L.5 0L.3 .2"}});
   is.parameter<&HardStop::mass>(
       {.unit = "kg", .doc = "of the body, as in Mass", .above = 0.0, .required = true});
@@ -40,6 +40,9 @@ void HardStop::declare(Declare<HardStop>& is) {
   is.output<&HardStop::rests>({.doc = "1 and -1 while it rests at the upper and the lower stop, else 0"});
   is.state<&HardStop::side>({.doc = "the same, as it was at the last instant", .settable = false});
   is.state<&HardStop::rest>({.unit = "m/s", .doc = "velocity at the last instant", .settable = false});
+  is.state<&HardStop::struck>(
+      {.doc = "1 where the last instant was that of an impact, -1 where not, 0 before the first",
+       .settable = false});
   is.clock<&HardStop::period>();
 }
 

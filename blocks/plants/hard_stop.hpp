@@ -16,6 +16,7 @@ struct HardStop {
   Output<> y{}, hit{}, rebound{}, rests{};
   DiscreteState<> side{};  // 1 and -1 while it rests at the upper and the lower stop, as at the last instant
   DiscreteState<> rest{};  // velocity that a mass which rests still had at the last instant
+  DiscreteState<> struck{};  // 1 where it was hit at the last instant, -1 where not, 0 before the first one
 
   Period period{};
 
@@ -28,7 +29,7 @@ struct HardStop {
   }
   void outputs_at_instant() {
     for (Index i = 0; i < y.size(); ++i) {
-      const bool now = meets(i) != 0.0;
+      const bool now = is_hit(i);
       show(i, next_side(i), now ? 0.0 : velocity[i]);
       hit[i] = now ? 1.0 : 0.0;
       rebound[i] = !now ? velocity[i] : is_slow(i) ? 0.0 : -restitution[i] * velocity[i];
@@ -36,9 +37,10 @@ struct HardStop {
   }
   void update() {
     for (Index i = 0; i < side.size(); ++i) {
-      const bool now = meets(i) != 0.0;
+      const bool now = is_hit(i);
       side[i] = next_side(i);
       rest[i] = now ? 0.0 : velocity[i];
+      struck[i] = now ? 1.0 : -1.0;
     }
   }
   void crossings(Crossings& zero) const {
@@ -57,11 +59,14 @@ struct HardStop {
     if (position[i] >= upper[i] && velocity[i] > 0.0) return 1.0;
     return position[i] <= lower[i] && velocity[i] < 0.0 ? -1.0 : 0.0;
   }
+  /// A reset hears the edge of `hit`, so there is none at the first instant, and none right behind another: a
+  /// mass that its bounce does not take away from the stop rests there.
+  bool is_hit(Index i) const { return meets(i) != 0.0 && struck[i] < 0.0; }
   bool is_slow(Index i) const { return restitution[i] * std::abs(velocity[i]) <= slow[i]; }
 
   double next_side(Index i) const {
     if (side[i] != 0.0) return side[i] * force[i] < 0.0 ? 0.0 : side[i];
-    return is_slow(i) ? meets(i) : 0.0;
+    return is_slow(i) || struck[i] > 0.0 ? meets(i) : 0.0;
   }
 
   /// Takes the rest of the velocity from a mass that rests, within a step.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -33,9 +34,9 @@ struct FromFile : OwnTime {
   BandLimited smooth;   ///< of the columns, where band-limited
   double offset = 0.0;  ///< instant of the record that is time 0 of the run [s]
 
-  void outputs() { play(-samples.slack()); }
-  /// Rows and ticks are both rounded: a held row begins at a tick rather than just behind it, and the end of
-  /// the step before does not see it.
+  /// As reached() compares instants: what a stage at an instant sees is what begins there.
+  void outputs() { play(8.0 * std::numeric_limits<double>::epsilon() * std::abs(own() + offset)); }
+  /// Times of rows are rounded in files: a held row begins at a tick rather than just behind it.
   void outputs_at_instant() { play(samples.slack()); }
   double next_edge() const {
     if (interpolation == Interpolation::band_limited) return open;

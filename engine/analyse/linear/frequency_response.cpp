@@ -70,8 +70,8 @@ std::array<double, 2> FrequencyResponse::range() const {
   return {first, half > 0.0 ? half : std::pow(10.0, std::ceil(std::log10(high)) + 2.0)};
 }
 
-/// Beyond all corners the gain is a power of the frequency, and the phase stands. Up to there, and where the
-/// gain is near to 1 or comes nearer over the next decade, there is more to see.
+/// Beyond all corners the gain is a power of the frequency, and the phase is constant. Up to there, and where
+/// the gain is near to 1 or comes nearer over the next decade, there is more to see.
 bool FrequencyResponse::may_cross_beyond(double frequency, double decade) const {
   constexpr double bend = 0.02, clear = 2.3;  // [rad], of a logarithm
   const Complex here = at(frequency), there = at(frequency * decade);
@@ -97,7 +97,7 @@ std::vector<double> FrequencyResponse::frequencies_across_one(std::size_t per_de
   return all;
 }
 
-/// Near to rest the gain stands, or grows with the order of the pole there.
+/// Near to rest the gain is constant, or grows with the order of the pole there.
 double FrequencyResponse::at_rest() const {
   const auto near = [&](double s) {
     return at_point(sample_time_ > 0.0 ? std::exp(s * sample_time_) : s).real();

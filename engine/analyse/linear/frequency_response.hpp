@@ -23,7 +23,7 @@ class FrequencyResponse {
   std::vector<double> frequencies(std::size_t per_decade = 200) const;
   /// The same, and so far beyond both ends that the gain has left 1 for good: no crossing of 1 is outside.
   std::vector<double> frequencies_across_one(std::size_t per_decade = 200) const;
-  /// What comes out at rest for an input of 1; infinite where a pole lies there.
+  /// The output at rest for an input of 1; infinite with a pole there.
   double at_rest() const;
 
  private:

@@ -25,7 +25,7 @@ struct Margins {
   std::optional<Complex> hidden{};    ///< a mode that grows, and that input or output have no part in
 
   /// The crossing whose factor is nearest to 1, or whose angle is nearest to 0. Of a closed loop that is not
-  /// stable only factors below 1 and angles below 0 count: what it lacks is told, and nothing else.
+  /// stable only factors below 1 and angles below 0 count: how far it is from stable.
   std::optional<Crossing> worst_gain() const, worst_phase() const;
   /// The least delay by which the phase margins are used up [s]; infinite without any, NaN where the closed
   /// loop is not stable.
@@ -39,7 +39,7 @@ Margins margins_of(const StateSpace& all, double feedback);
 /// The frequency [rad/s] at which the gain first falls below 1/sqrt(2) of what it is at rest; infinite where
 /// it never does, 0 where it is 0 or infinite at rest.
 double bandwidth(const StateSpace& system);
-/// What comes out at rest for an input of 1; infinite where a pole lies there.
+/// The output at rest for an input of 1; infinite with a pole there.
 double gain_at_rest(const StateSpace& system);
 
 }  // namespace stepwire::linear

@@ -184,7 +184,10 @@ struct Events {
   bool locate = false;             ///< else blocks find them at the next tick
   std::int64_t max_per_step = 50;  ///< beyond, the run ends
   std::int64_t rounds = 100;       ///< at one instant; likewise
-  std::int64_t looks = 4;          ///< within a step for what crosses twice
+  static constexpr std::int64_t usual_looks = 4;
+  std::int64_t looks = usual_looks;  ///< within a step for what crosses twice; 0: none
+  /// More looks than usual are taken in every step, and not only where a number comes near to 0.
+  bool looks_always() const { return looks > usual_looks; }
 };
 
 /// How far the steps of a solver may err that chooses their length: a state by relative |x| + absolute.

@@ -27,7 +27,7 @@ const yaml::Key& pair_form() {
   return form;
 }
 
-/// Is it so many times the other, up to rounding?
+/// True for a whole multiple of the other, up to rounding.
 bool is_multiple(double time, double unit) {
   const double ratio = time / unit;
   return std::abs(ratio - std::round(ratio)) <= 1e-9 * std::max(1.0, ratio);

@@ -146,7 +146,7 @@ class LayoutMaker {
   bool changes_states(std::size_t b) const {
     return draft_.blocks[b].updates && draft_.type(b).has_continuous_state();
   }
-  /// Do updates of other blocks read states that its own update changes?
+  /// True where updates of other blocks read states that its own update changes.
   bool is_read_late(std::size_t b) const {
     const auto reads = [&](const diagram::Source& source) {
       return source.block == static_cast<int>(b) &&

@@ -133,7 +133,7 @@ class OutputTables {
                  table.closed, table.at_instants && follows_state(block));
   }
 
-  /// Do outputs follow from states alone? They are there before the first run.
+  /// True where outputs follow from states alone: these are there before the first run.
   bool follows_state(std::size_t block) const {
     const BlockType& type = draft_.type(block);
     for (std::size_t i = 0; i < type.inputs.size(); ++i)

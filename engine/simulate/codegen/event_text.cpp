@@ -22,7 +22,7 @@ namespace {
 constexpr char locate_form[] =
     "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, {4}, {5}, {17}, "
     "{6}, "
-    "{7}, {16}, scratch}};\n"
+    "{7}, {16}, {20}, scratch}};\n"
     "  struct Between {{\n    double* w;\n    [[maybe_unused]] const double* numbers;\n    std::int64_t "
     "tick;\n"
     "    void advance([[maybe_unused]] double now, [[maybe_unused]] double end, "
@@ -108,24 +108,19 @@ std::string locate_text(const plan::Plan& plan, const PlaceNames& names) {
       events.looks, plan.branches,
       watches(plan) ? fmt::format(watched_form, solver_text(plan, {false, false, in_place, {}, "stops"}))
                     : "",
-      watches(plan) ? "WatchedStep" : "EventLocator");
+      watches(plan) ? "WatchedStep" : "EventLocator", events.looks_always());
 }
 
 bool watches(const plan::Plan& plan) {
   return plan.diagram.error_control && plan.layout.state_count > 0;
 }
 
-std::string watched_step_text(const plan::Plan& plan) {
-  const std::size_t states = plan.layout.state_count;
-  return fmt::format(
-      "  double scratch[{}];\n  for (int i = 0; i < {}; ++i) scratch[i] = w[states + i];\n"
-      "  locate(w, numbers, tick, scratch);\n  w[{}] = 0.0;\n",
-      solve::EventTask::scratch_size(states, plan.crossing_count, numbers_at_events(plan)), states,
-      plan.layout.events + solve::EventReport::ahead);
-}
-
 std::string before_step_text(const plan::Plan& plan) {
   const std::size_t states = plan.layout.state_count;
+  if (watches(plan))
+    return fmt::format("  double scratch[{}];\n  for (int i = 0; i < {}; ++i) scratch[i] = w[states + i];\n",
+                       solve::EventTask::scratch_size(states, plan.crossing_count, numbers_at_events(plan)),
+                       states);
   std::string text =
       fmt::format("  double before[{0}], after[{0}], origin[{1}];\n",
                   std::max<std::size_t>(1, plan.crossing_count), std::max<std::size_t>(1, states));
@@ -142,8 +137,12 @@ std::string before_step_text(const plan::Plan& plan) {
 std::string after_step_text(const plan::Plan& plan) {
   const std::size_t states = plan.layout.state_count, crossings = plan.crossing_count;
   const std::size_t past = plan.layout.events + solve::EventReport::count;
+  const std::size_t ahead = plan.layout.events + solve::EventReport::ahead;
+  if (watches(plan)) return fmt::format("  locate(w, numbers, tick, scratch);\n  w[{}] = 0.0;\n", ahead);
   std::string reasons = plan.edges.empty() ? "" : "has_edge || ";
-  if (plan.diagram.events.looks > 0)
+  if (plan.diagram.events.looks_always())
+    reasons = "true || ";
+  else if (plan.diagram.events.looks > 0)
     reasons = fmt::format("solve::may_cross_twice(before, after, w + {}, {}, {}, step) || ", past, crossings,
                           plan.loops.empty()) +
               reasons;
@@ -154,9 +153,8 @@ std::string after_step_text(const plan::Plan& plan) {
              "    for (int i = 0; i < {3}; ++i) scratch[i] = origin[i];\n"
              "    for (int i = 0; i < {1}; ++i) scratch[{4} + i] = before[i];\n"
              "    locate(w, numbers, tick, scratch);\n    w[{6}] = solve::look_closer;\n  }}\n",
-             plan.layout.events + solve::EventReport::ahead, crossings,
-             solve::EventTask::scratch_size(states, crossings, numbers_at_events(plan)), states,
-             solve::EventTask::before(states), reasons, past);
+             ahead, crossings, solve::EventTask::scratch_size(states, crossings, numbers_at_events(plan)),
+             states, solve::EventTask::before(states), reasons, past);
 }
 
 std::string end_of_step_text(const plan::Plan& plan) {

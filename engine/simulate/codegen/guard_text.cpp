@@ -22,6 +22,12 @@ std::string copy_text(std::size_t from, std::size_t to, std::size_t size) {
   return fmt::format("  for (int i = 0; i < {}; ++i) w[{} + i] = w[{} + i];\n", size, to, from);
 }
 
+std::string due_text(const plan::Period& period) {
+  if (period.ticks == 1) return "";
+  const std::string text = fmt::format("tick % {} == {}", period.ticks, period.first);
+  return period.at_start ? fmt::format("(tick == 0 || {})", text) : text;
+}
+
 std::string active_text(const PlaceNames& names, std::ptrdiff_t active) {
   return active < 0 ? "" : fmt::format("w[{}]", names.at(static_cast<std::size_t>(active)));
 }

@@ -11,6 +11,8 @@ namespace stepwire::codegen {
 /// Copies numbers from one place of the workspace to another.
 std::string copy_text(std::size_t from, std::size_t to, std::size_t size);
 
+/// The ticks of a period as a condition: "tick % 4 == 1". Empty for every tick.
+std::string due_text(const plan::Period& period);
 /// "w[at::pump_active]", the number by which a call is made; empty where it always is.
 std::string active_text(const PlaceNames& names, std::ptrdiff_t active);
 /// The call of a guard, with what follows from it.

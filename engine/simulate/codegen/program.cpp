@@ -211,13 +211,9 @@ class Maker {
         body += with_conditions(stage, 0, stage.size());
       }
     }
-    if (splits && watches(plan_)) {
-      body += watched_step_text(plan_);
-    } else {
-      if (splits) body += before_step_text(plan_);
-      if (moves) body += solver_text(plan_, {.small = small_, .lanes = lanes_});
-      if (splits) body += after_step_text(plan_);
-    }
+    if (splits) body += before_step_text(plan_);
+    if (moves && !(splits && watches(plan_))) body += solver_text(plan_, {.small = small_, .lanes = lanes_});
+    if (splits) body += after_step_text(plan_);
     functions_.add_text(
         fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters(), body));
   }

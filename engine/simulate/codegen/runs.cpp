@@ -1,5 +1,4 @@
-// More than 300 lines with its header: rows of blocks, calls and loops are written from one set-up of a
-// block.
+// More than 300 lines with its header: rows of blocks, calls and loops share the set-up of a block.
 #include "engine/simulate/codegen/runs.hpp"
 
 #include <fmt/format.h>
@@ -221,9 +220,7 @@ std::vector<Code> calls_between(const plan::Plan& plan, const Statements& statem
 
 /// "tick % 4 == 0 && w[at::pump_active] != 0.0"; empty for what is called at every tick.
 std::string condition_of(const Code& code) {
-  const plan::Period& period = code.period;
-  std::string text = period.ticks > 1 ? fmt::format("tick % {} == {}", period.ticks, period.first) : "";
-  if (period.at_start) text = fmt::format("(tick == 0 || {})", text);
+  std::string text = due_text(code.period);
   if (!code.active.empty()) text += fmt::format("{}{} != 0.0", text.empty() ? "" : " && ", code.active);
   return text;
 }
@@ -270,17 +267,14 @@ std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
   const auto between = [&](std::size_t first, std::size_t end) {
     return calls_between(plan, statements, std::span(batches).subspan(first, end - first), phase, places);
   };
-  const auto append = [&](std::vector<Code> more) {
-    std::move(more.begin(), more.end(), std::back_inserter(code));
-  };
   if (has_late(batches)) code.push_back({begin_late_text(plan, batches)});
   std::size_t next = 0;
   for (const plan::LoopCall& loop : plan.loops_of(batches)) {
-    append(between(next, loop.first));
+    std::ranges::move(between(next, loop.first), std::back_inserter(code));
     code.push_back(loop_code(plan, loop, between(loop.first, loop.end)));
     next = loop.end;
   }
-  append(between(next, batches.size()));
+  std::ranges::move(between(next, batches.size()), std::back_inserter(code));
   if (has_late(batches)) code.push_back({end_late_text(plan, batches)});
   return code;
 }

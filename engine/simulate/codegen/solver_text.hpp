@@ -15,7 +15,7 @@ struct StepForm {
   bool begins = true;  ///< else the slopes at the start are in the workspace
   std::string slopes = "slopes(w, numbers, s, dot)";
   LanePlaces lanes{};
-  std::string stops{};  ///< who is asked behind each step of a solver that chooses them; empty: nobody
+  std::string stops{};  ///< function that ends the way behind one of the solver's own steps; empty: none
 };
 std::string solver_text(const plan::Plan& plan, const StepForm& form);
 

@@ -39,7 +39,7 @@ CallTable::CallTable(const std::vector<plan::KernelCall>& batches, BoundBlocks& 
     if (batch.late >= 0) late_.push_back(plan.late[static_cast<std::size_t>(batch.late)]);
 }
 
-/// What a guard leaves out lies in a row, as far as the order lets it, and is passed over in one go.
+/// Calls of one guard lie in a row, as far as the order lets them: all are passed over at once.
 void CallTable::add_gates() {
   static constexpr double always = 1.0;
   gates_.resize(batches_.size());
@@ -75,7 +75,7 @@ void CallTable::run_slowly() {
   end_late();
 }
 
-/// What runs between ticks is continuous, and what is continuous is due at every tick.
+/// Calls between ticks are of continuous blocks, and these are due at every tick.
 void CallTable::run_watched() {
   run_range(0, who_.probe->first);
   who_.probe->enter();

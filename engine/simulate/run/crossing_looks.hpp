@@ -19,7 +19,7 @@ class CrossingLooks {
   void find_changing(double* numbers) const;
   /// When a source jumps or bends next [s]; infinite where none does.
   double next_edge() const;
-  /// Is `stop_when` true, where it is located?
+  /// True once `stop_when` is, where it is located.
   bool stops() const { return stop_margin_ && stop_margin_->stops(values_); }
   bool may_stop() const { return stop_margin_.has_value(); }
 

@@ -15,7 +15,7 @@ class DiscretePhase {
   /// At a tick. `ahead`: what follows from the states and the time alone is computed already.
   void find_outputs(std::int64_t tick, bool ahead);
   void update() { updates_.run_due(); }
-  /// Are there outputs that can be computed ahead?
+  /// True with outputs that can be computed ahead.
   bool goes_ahead() const { return !rest_.empty(); }
 
   /// At an event: outputs that guards read, and their present values are kept; then one round.

@@ -115,9 +115,10 @@ void EventStepper::follow_crossings() {
 bool EventStepper::is_eventful(const solve::TimeStep& step, double edge) const {
   double* const past = &report(solve::EventReport::count);
   const std::size_t count = plan_.crossing_count;
-  const bool looks =
-      plan_.diagram.events.looks > 0 &&
+  const diagram::Events& events = plan_.diagram.events;
+  const bool near =
       solve::may_cross_twice(before_.data(), after_.data(), past, count, plan_.loops.empty(), step.length);
+  const bool looks = events.looks_always() || (events.looks > 0 && near);
   const double end = plan_.jumps ? step.end : solve::left_of(step.end, step.length);
   const bool eventful = edge < end || looks || solve::sign_changes(before_.data(), after_.data(), count);
   if (eventful) past[0] = solve::look_closer;
@@ -128,7 +129,7 @@ void EventStepper::step(std::int64_t tick) {
   return plan_.diagram.error_control && stepper_.moves() ? take_watched(tick) : take_whole(tick);
 }
 
-/// What follows at the tick is not known then.
+/// Outputs of the tick are not computed ahead then.
 void EventStepper::take_watched(std::int64_t tick) {
   const solve::EventTask split = task();
   const BetweenTicks between{*this};
@@ -174,6 +175,7 @@ solve::EventTask EventStepper::task() {
           events.max_per_step,
           events.rounds,
           events.looks,
+          events.looks_always(),
           scratch};
 }
 

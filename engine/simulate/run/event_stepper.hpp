@@ -13,21 +13,21 @@
 namespace stepwire::run {
 
 /// Goes from one tick to the next, and stops between them at edges of sources and where a crossing changes
-/// its sign. First the step is taken whole. Only where an edge lies inside, or a sign has changed or may have
-/// changed twice, is it taken again from event to event.
+/// its sign. First the step is taken whole. With an edge inside, or where a sign has changed or may have
+/// changed twice, it is taken again from event to event.
 class EventStepper {
  public:
   EventStepper(BoundBlocks& blocks, Participants& who, Stepper& stepper, DiscretePhase& phase);
 
   void step(std::int64_t tick);
-  /// Has `stop_when` ended the run at an event?
+  /// True once `stop_when` has ended the run at an event.
   bool has_stopped() const;
-  /// Has the step before computed what follows from states and time at the tick?
+  /// True where the step before has computed outputs of the tick that follow from states and time.
   bool is_ahead() const;
   void forget_ahead();
   /// Something else has changed values or states.
   void forget_end() { knows_end_ = false; }
-  /// Has the last step failed?
+  /// True after a step with too many events, or without an end to its rounds.
   bool failed() const;
   EventCount count() const;
 

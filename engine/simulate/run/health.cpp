@@ -27,7 +27,7 @@ std::string text_of_not_finite(double value, double time) {
   return fmt::format(
       "became {} at {:.12g} s; the run ends here. A smaller step, a stiff solver (rosenbrock, sdirk) or a "
       "check of the parameters helps",
-      std::isnan(value) ? std::abs(value) : value, time);  // the sign of NaN says nothing
+      std::isnan(value) ? std::abs(value) : value, time);  // the sign of NaN has no meaning
 }
 
 }  // namespace

@@ -18,15 +18,15 @@ class Health {
 
   bool fine() const { return fine_; }
   void restart() { fine_ = true; }
-  /// Looks at what the outputs of a tick have come to, and at what a step has.
+  /// Look at the outputs of a tick, and at the states after a step.
   void look_at_outputs() { fine_ = fine_ && is_finite() && loops_solved(); }
   void look_at_step();
-  /// Are all signals and continuous states finite?
+  /// True while all signals and continuous states are finite.
   bool is_finite() const;
   /// From now on a loop that is not solved ends no run.
   void accept_unsolved() { accepts_unsolved_ = true; }
 
-  /// What ended the run, at a time [s], once it is not fine.
+  /// The fault that has ended the run, at a time [s]; empty while it is fine.
   std::optional<RunFault> fault(double time) const;
   std::vector<RaisedDiagnostic> diagnostics() const;
 

@@ -18,7 +18,7 @@ std::string name_of(const plan::Plan& plan, const diagram::SignalRef& signal, st
   return plan.slot(signal).size == 1 ? name : fmt::format("{}.{}", name, element + 1);
 }
 
-/// Which of the torn numbers of a loop it is.
+/// The name of one of the torn numbers of a loop.
 std::string name_of(const plan::Plan& plan, const plan::SolvedLoop& loop, std::size_t number) {
   for (const diagram::SignalRef& tear : loop.tears) {
     const auto size = static_cast<std::size_t>(plan.slot(tear).size);

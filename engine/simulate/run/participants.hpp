@@ -11,7 +11,7 @@
 
 namespace stepwire::run {
 
-/// Who takes part at the present instant: which periods are due, and what guards have switched on.
+/// Blocks that take part at the present instant: by periods that are due, and by guards.
 struct Participants {
   explicit Participants(BoundBlocks& blocks) : due(blocks.plan().periods.size(), 1), blocks_(blocks) {
     if (!blocks.plan().guards.empty())
@@ -29,7 +29,7 @@ struct Participants {
 
   std::vector<char> due;           ///< for each of the plan's periods
   std::optional<Guards> guards;    ///< none where the plan has none
-  ScheduleProbe* probe = nullptr;  ///< who is told of a stretch of calls; null: nobody
+  ScheduleProbe* probe = nullptr;  ///< told of a stretch of calls; null where there is none
 
  private:
   BoundBlocks& blocks_;

@@ -22,7 +22,7 @@ class Stepper {
   /// Computes outputs of continuous blocks, from the states and the inputs of the moment.
   void find_outputs() { stage_.run(); }
   void find_slopes() { derivatives_.run(); }
-  /// Who is asked, behind each step of a solver that chooses them, whether the way ends there.
+  /// Decides, behind each step of a solver that chooses them, whether the way ends there.
   struct Watch {
     virtual bool stops(double at) const = 0;
 

@@ -16,7 +16,7 @@ class ValueSetter {
  public:
   explicit ValueSetter(BoundBlocks& blocks) : blocks_(blocks), plan_(blocks.plan()) {}
 
-  /// One value for each name. Gives the blocks that are made anew; nothing where the values need another
+  /// One value for each name. Gives the blocks that are made anew; empty where the values need another
   /// plan. Then, and where a value is refused (throws Error), everything stays as it was. Allocates.
   [[nodiscard]] std::optional<std::vector<std::size_t>> set(const diagram::Variation& variation,
                                                             std::span<const diagram::Assignment> values);

@@ -18,6 +18,22 @@ inline bool sign_changes(const double* before, const double* after, std::size_t 
   return changes;
 }
 
+/// The part of the way from `low` to `high`, times their scales, at which the first of the secants of what
+/// changes its sign meets 0. A number that leaves 0 mostly does so at once.
+inline double first_secant(const double* start, const double* low, const double* high, std::size_t count,
+                           double low_scale, double high_scale, bool at_once) {
+  double first = 1.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (sign_of(high[i]) == sign_of(start[i])) continue;
+    const double from = low_scale * low[i], to = high_scale * high[i];
+    const double part = from == 0.0 && at_once                     ? 0.0
+                        : from == 0.0 || !std::isfinite(to - from) ? 0.5
+                                                                   : from / (from - to);
+    first = std::min(first, part);
+  }
+  return first;
+}
+
 /// Stands before the numbers of may_cross_twice() after a step with events.
 constexpr double look_closer = -1.0;
 

@@ -31,7 +31,7 @@ struct ControlReport {
   static constexpr std::size_t count = 10;
 };
 
-/// Slopes, and who is asked behind each step whether the way ends there.
+/// Slopes, and a function that decides behind each step whether the way ends there.
 template <class Evaluate, class Stops>
 struct Asked {
   void operator()() const { evaluate(); }

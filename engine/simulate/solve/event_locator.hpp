@@ -274,18 +274,10 @@ class EventLocator {
   }
 
   /// Where the first of the secants meets zero, but no nearer to an end than half the width or the last bit.
-  /// What leaves 0 mostly does so at once.
   double guess(double low, double high, double low_scale, double high_scale, double width,
                bool at_once) const {
-    double first = 1.0;
-    for (std::size_t i = 0; i < task_.crossing_count; ++i) {
-      if (sign_of(high_[i]) == sign_of(start_[i])) continue;
-      const double from = low_scale * low_[i], to = high_scale * high_[i];
-      const double part = from == 0.0 && at_once                     ? 0.0
-                          : from == 0.0 || !std::isfinite(to - from) ? 0.5
-                                                                     : from / (from - to);
-      first = std::min(first, part);
-    }
+    const double first =
+        first_secant(start_, low_, high_, task_.crossing_count, low_scale, high_scale, at_once);
     const double margin = std::min(0.5 * width, 0.25 * (high - low));
     const double at = std::clamp(low + first * (high - low), low + margin, high - margin);
     return std::clamp(at, std::nextafter(low, high), std::nextafter(high, low));

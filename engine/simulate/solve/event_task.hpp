@@ -31,6 +31,7 @@ struct EventTask {
   std::int64_t max_per_step;   ///< beyond, the step is given up
   std::int64_t rounds;         ///< beyond, an instant is
   std::int64_t looks;          ///< between two events, for what crosses twice
+  bool looks_always;           ///< also where no number comes near to 0
   double* scratch;             ///< scratch_size() numbers
 
   static constexpr std::size_t scratch_size(std::size_t states, std::size_t crossings, std::size_t numbers) {

@@ -27,8 +27,9 @@ class WatchedStep {
 
   void advance(double start, double end, double length) {
     double from = start;
+    bool pending = false;  // has something crossed at the very end of the last stretch?
     while (from < end) {
-      begin(from);
+      begin(from, pending);
       double reached = end;
       run_.advance_watched(from, task_.jumps ? left_of(end, length) : end,
                            from == start ? length : end - from, [&](double at) {
@@ -40,14 +41,17 @@ class WatchedStep {
       EventLocator(task_, values_, run_).advance(open_, reached, reached - open_);
       if (has_ended()) return;
       from = reached;
+      run_.follow();
+      run_.crossings(after_);
+      pending = sign_changes(before_, after_, task_.crossing_count);
     }
   }
 
  private:
-  void begin(double at) {
+  void begin(double at, bool pending) {
     values_[task_.time] = at;
     run_.begin();
-    run_.crossings(before_);
+    if (!pending) run_.crossings(before_);
     open(at);
   }
   /// From here on nothing is known.
@@ -63,8 +67,8 @@ class WatchedStep {
     values_[task_.time] = task_.jumps ? left_of(at, length) : at;
     run_.follow();
     run_.crossings(after_);
-    const bool looks =
-        task_.looks > 0 && may_cross_twice(before_, after_, past, task_.crossing_count, false, length);
+    const bool near = may_cross_twice(before_, after_, past, task_.crossing_count, false, length);
+    const bool looks = task_.looks_always || (task_.looks > 0 && near);
     if (edge_ < left_of(at, length) || looks || sign_changes(before_, after_, task_.crossing_count)) {
       past[0] = look_closer;
       return true;

@@ -12,7 +12,7 @@ double last(const table::Table& run, const std::string& name) {
   return column(run, name).back();
 }
 
-table::Table ball(const std::string& events, const std::string& stop) {
+table::Table ball(const std::string& events, const std::string& stop, const std::string& start = "1 m") {
   return run_text("events: " + events + R"(
 step: 1 ms
 stop: 6 s
@@ -22,7 +22,8 @@ blocks:
   floor: {block: HardStop, mass: 1 kg, lower: 0 m, force: weight, position: ball.position, velocity: ball.velocity, )" +
                   stop + R"(}
   sum: {block: Sum, u: [weight, floor.y]}
-  ball: {block: Mass, mass: 1 kg, force: sum, reset: floor.hit, value: floor.rebound, initial_position: 1 m}
+  ball: {block: Mass, mass: 1 kg, force: sum, reset: floor.hit, value: floor.rebound, initial_position: )" +
+                  start + R"(}
 record: [ball.position, ball.velocity, floor.rests, floor.y]
 )");
 }
@@ -57,6 +58,31 @@ TEST_CASE("a ball that is not thrown back lies where it has fallen") {
     CHECK(std::abs(last(run, "ball.position")) < (std::string(events) == "tick" ? 5e-3 : 1e-9));
     CHECK(std::abs(last(run, "ball.velocity")) < 1e-12);
   }
+}
+
+TEST_CASE("no bounce is too weak for a stop that keeps to ticks") {
+  for (const char* restitution : {"0.5", "0.8", "0.95"})
+    for (const char* events : {"tick", "locate"})
+      for (const char* start : {"1 m", "0 m", "-1e-12 m"}) {
+        INFO(restitution << " " << events << " " << start);
+        const std::string keys = std::string("restitution: ") + restitution;
+        const table::Table run = ball(events, keys, start);
+        for (const double x : column(run, "ball.position")) REQUIRE(x > -0.01);
+        if (std::string(restitution) != "0.95") CHECK(std::abs(last(run, "ball.velocity")) < 1e-6);
+      }
+}
+
+TEST_CASE("a body that begins at a stop with a speed into it is thrown back") {
+  const table::Table run = run_text(R"(step: 1 ms
+stop: 1 s
+solver: rk4
+blocks:
+  none: {block: Constant, value: 0 N}
+  wall: {block: HardStop, mass: 1 kg, lower: 0 m, restitution: 0.5, force: none, position: m.position, velocity: m.velocity}
+  m: {block: Mass, mass: 1 kg, force: wall.y, reset: wall.hit, value: wall.rebound, initial_velocity: -1 m/s}
+record: [m.velocity]
+)");
+  CHECK(last(run, "m.velocity") == Approx(0.5));
 }
 
 TEST_CASE("a body that rests at a stop leaves it when it is pulled away") {
