@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/base/io/environment_error.hpp"
+#include "engine/simulate/codegen/event_text.hpp"
 #include "engine/base/io/resources.hpp"
 #include "engine/model/block/typed_by_file.hpp"
 #include "engine/model/diagram/external_input.hpp"
