@@ -56,7 +56,7 @@ void read_formula(ExpressionBlock& block, Index inputs, Configure& is) {
                                          [&](std::string_view name) { return names(name) >= 0; });
     const expression::Branches branches = expression::branches_of(formula);
     block.formula = function(formula);
-    if (branches.truth) is.steady();
+    if (branches.steady && branches.margins.size() <= block.margins.size()) is.steady();
     for (std::size_t i = 0; i < std::min(branches.margins.size(), block.margins.size()); ++i)
       block.margins[i] = function(branches.margins[i]);
     if (branches.margins.empty()) is.skip_crossings();
@@ -86,14 +86,16 @@ namespace {
 void declare_block(Declare<ExpressionBlock>& is) {
   is.block(
       "Expression",
-      {.doc = "A formula over its inputs, element by element. u1 is the first of the list u, u2 the second, "
-              "and u is "
-              "another name for u1. Numbers of the formula may carry units (`u1 > 4 mm`); its value is taken "
-              "as SI. "
-              "For the time feed the output of a Clock. Blocks of their own are faster and check units. With "
-              "`events: locate` "
-              "its first four conditions are located, and a formula that is one condition keeps its value in "
-              "between.",
+      {.doc =
+           "A formula over its inputs, element by element. u1 is the first of the list u, u2 the second, "
+           "and u is "
+           "another name for u1. Numbers of the formula may carry units (`u1 > 4 mm`); its value is taken "
+           "as SI. "
+           "For the time feed the output of a Clock. Blocks of their own are faster and check units. With "
+           "`events: locate` the first four places where it breaks are located: conditions, and the jumps "
+           "and bends of abs, sign, floor, ceil, round, min, max and mod (not the jump of atan2). A formula "
+           "of conditions, sign, floor, ceil and round alone keeps its value in between; one that also "
+           "varies, as x*sign(x), is computed in the solver's stages, the last of which may see the jump.",
        .symbol = {.text = "{expression|f(u)}"}});
 }
 

@@ -11,30 +11,90 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// A part of a condition: its value as text, its margin, and the margins of conditions within it.
+/// A part of a formula: its value as text, its margin, and the margins of jumps and bends within it.
 struct Part {
   std::string value, margin;
-  Texts inner{};
+  Texts inner{}, bends{};
   bool truth = false;
+  bool steady = false;  ///< constant between sign changes of branches()
+  bool varies = true;   ///< depends on a variable
 
-  /// Of a number that stands where a truth is meant, which it is unless it is 0.
+  /// Margin of a number in the place of a truth, which is true unless it is 0.
   std::string as_truth() const { return truth ? margin : "abs(" + value + ")"; }
-  /// Of all conditions that its value shows.
+  /// Margins of all places at which its value jumps.
   Texts branches() const { return truth ? Texts{margin} : inner; }
 };
+using Parts = std::vector<Part>;
 
-std::string joined(const std::vector<Part>& parts) {
+std::string joined(const Parts& parts) {
   std::string list;
   for (const Part& part : parts) list += (list.empty() ? "" : ", ") + part.value;
   return list;
 }
 
-Texts branches_in(const std::vector<Part>& parts) {
+/// More are of no use to a block, and would make long formulas slow to read.
+constexpr std::size_t most_margins = 16;
+
+void add_once(Texts& all, std::string text) {
+  if (all.size() < most_margins && std::ranges::find(all, text) == all.end()) all.push_back(std::move(text));
+}
+
+Texts all_of(const Parts& parts, Texts (*texts)(const Part& part)) {
   Texts all;
   for (const Part& part : parts)
-    for (std::string& margin : part.branches())
-      if (std::ranges::find(all, margin) == all.end()) all.push_back(std::move(margin));
+    for (std::string& margin : texts(part)) add_once(all, std::move(margin));
   return all;
+}
+
+bool all_steady(const Parts& parts) {
+  return std::ranges::all_of(parts, &Part::steady);
+}
+bool any_varies(const Parts& parts) {
+  return std::ranges::any_of(parts, &Part::varies);
+}
+
+/// A number made of parts.
+Part number_of(std::string text, const Parts& of) {
+  const bool steady = all_steady(of);
+  Part part{text, text, all_of(of, [](const Part& inner) { return inner.branches(); })};
+  if (!steady) part.bends = all_of(of, [](const Part& inner) { return inner.bends; });
+  part.steady = steady;
+  part.varies = any_varies(of);
+  return part;
+}
+Part truth_of(std::string text, std::string margin, const Parts& of) {
+  return {std::move(text), std::move(margin), {}, {}, true, true, any_varies(of)};
+}
+
+/// The best of the values up to one, minus the next, for each.
+void add_best(Texts& margins, std::string_view name, const Parts& of) {
+  std::string best = of[0].value;
+  for (std::size_t i = 1; i < of.size(); ++i) {
+    add_once(margins, fmt::format("({} - {})", of[i].value, best));
+    best = fmt::format("{}({}, {})", name, best, of[i].value);
+  }
+}
+
+/// Adds what changes its sign where a function itself jumps or has a bend: floor at whole numbers, where
+/// sin(pi x) does.
+void add_own(Part& part, std::string_view name, const Parts& of) {
+  constexpr const char* pi = "(3.1415926535897931)";
+  const std::string& value = of[0].value;
+  if (name == "sign") add_once(part.inner, value);
+  if (name == "floor" || name == "ceil") add_once(part.inner, fmt::format("sin({}*{})", pi, value));
+  if (name == "round") add_once(part.inner, fmt::format("cos({}*{})", pi, value));
+  if (name == "mod") add_once(part.inner, fmt::format("sin({}*({} / {}))", pi, value, of[1].value));
+  if (name == "abs") add_once(part.bends, value);
+  if (name == "min" || name == "max") add_best(part.bends, name, of);
+}
+
+Part function_of(std::string_view name, const Parts& of) {
+  Part part = number_of(fmt::format("{}({})", name, joined(of)), of);
+  if (part.steady) return part;
+  add_own(part, name, of);
+  part.steady = name == "sign" || name == "floor" || name == "ceil" || name == "round";
+  if (part.steady) part.bends.clear();
+  return part;
 }
 
 struct MakeMargin {
@@ -43,39 +103,40 @@ struct MakeMargin {
   Part variable(std::size_t i) const { return {variables[i], variables[i]}; }
   Part number(const Program::Number& number) const {
     const std::string text = fmt::format("({:.17g})", number.value);
-    return {text, text};
+    return {text, text, {}, {}, false, true, false};
   }
-  Part operation(const Operation& operation, const std::vector<Part>& of, std::size_t) const {
-    if (operation.binding == Binding::prefix) return prefix(operation.name, of[0]);
-    if (operation.binding == Binding::atom) {
-      const std::string text = fmt::format("{}({})", operation.name, joined(of));
-      return {text, text, branches_in(of)};
-    }
+  Part operation(const Operation& operation, const Parts& of, std::size_t) const {
+    if (operation.binding == Binding::prefix) return prefix(operation.name, of);
+    if (operation.binding == Binding::atom) return function_of(operation.name, of);
     const std::string text = fmt::format("({} {} {})", of[0].value, operation.name, of[1].value);
     if (operation.binding == Binding::comparison)
-      return {text, comparison(operation.name, of[0].value, of[1].value), {}, true};
+      return truth_of(text, comparison(operation.name, of[0].value, of[1].value), of);
     if (operation.binding < Binding::comparison)
-      return {text,
-              fmt::format("{}({}, {})", operation.binding == Binding::both ? "min" : "max", of[0].as_truth(),
-                          of[1].as_truth()),
-              {},
-              true};
-    return {text, text, branches_in(of)};
+      return truth_of(text,
+                      fmt::format("{}({}, {})", operation.binding == Binding::both ? "min" : "max",
+                                  of[0].as_truth(), of[1].as_truth()),
+                      of);
+    return number_of(text, of);
   }
   Part choice(const Part& condition, const Part& a, const Part& b) const {
     const auto text = [&](const std::string& first, const std::string& second) {
       return fmt::format("({} ? {} : {})", condition.value, first, second);
     };
-    const Part decides{"", condition.as_truth(), {}, true};
-    return {text(a.value, b.value), text(a.margin, b.margin), branches_in({decides, a, b}),
-            a.truth && b.truth};
+    const bool truth = a.truth && b.truth;
+    const Parts of{condition.steady ? condition : truth_of("", condition.as_truth(), {condition}), a, b};
+    Part part = number_of(text(a.value, b.value), of);
+    part.margin = text(a.margin, b.margin);
+    part.truth = truth;
+    part.steady = part.steady || truth;
+    if (truth) part.bends.clear();
+    return part;
   }
 
  private:
-  static Part prefix(std::string_view sign, const Part& of) {
-    const std::string text = fmt::format("({}{})", sign, of.value);
-    if (sign == "!") return {text, fmt::format("(-{})", of.as_truth()), {}, true};
-    return {text, text, of.branches()};
+  static Part prefix(std::string_view sign, const Parts& of) {
+    const std::string text = fmt::format("({}{})", sign, of[0].value);
+    if (sign == "!") return truth_of(text, fmt::format("(-{})", of[0].as_truth()), of);
+    return number_of(text, of);
   }
   static std::string comparison(std::string_view sign, const std::string& a, const std::string& b) {
     return fmt::format("({}({} - {}))", sign.front() == '<' ? "-" : "", a, b);
@@ -106,11 +167,14 @@ Expression margin_of(const Expression& condition) {
 Branches branches_of(const Expression& formula) {
   const auto known = variables_of(formula);
   const Part part = fold_of(formula, known);
-  Branches branches{part.truth, {}};
-  for (const std::string& margin : part.branches()) try {
+  Branches branches{part.steady && part.varies, {}};
+  Texts margins = part.branches();
+  for (const std::string& bend : part.bends) add_once(margins, bend);
+  for (const std::string& margin : margins) try {
       branches.margins.emplace_back(margin, known);
-    } catch (const ExpressionError&) {  // too long: a truth jumps where its margin passes 0
+    } catch (const ExpressionError&) {  // too long: a steady value jumps where its margin passes 0
       if (part.truth) branches.margins.push_back(formula);
+      branches.steady = part.truth;
     }
   return branches;
 }
