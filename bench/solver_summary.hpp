@@ -28,7 +28,7 @@ class SolverSummary {
   struct Row {
     int problems = 0;
     Ratios calls, calls_for_digits, time;
-    std::string few_digits;  ///< problems with fewer digits than asked for, less one
+    std::string few_digits;  ///< problems that miss the digits asked for by more than one
   };
   std::map<std::tuple<bool, double, std::string>, Row> rows_;
 };
