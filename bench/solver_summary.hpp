@@ -28,7 +28,7 @@ class SolverSummary {
   struct Row {
     int problems = 0;
     Ratios calls, calls_for_digits, time;
-    std::string few_digits;  ///< problems with fewer digits than asked for, less one
+    std::string few_digits;  ///< names of problems that miss the digits by more than 1
   };
   std::map<std::tuple<bool, double, std::string>, Row> rows_;
 };

@@ -43,6 +43,7 @@ class Automatic {
                                  : plain_.error().data();
   }
   bool ends_with_slope() const { return used_ != Used::stiff; }
+  bool keeps_step() const { return used_ == Used::stiff; }
   static constexpr double first_order = 5.0;
   /// Of the last attempt, for the length of the next step.
   double order() const {

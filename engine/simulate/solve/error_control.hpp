@@ -122,7 +122,10 @@ class Controlled {
     const double factor =
         0.9 * std::pow(std::max(error, 1e-10), -(1.0 / method_.order() - 0.75 * beta)) * std::pow(last, beta);
     before = std::max(error, 1e-4);
-    return std::clamp(factor, 0.2, std::exchange(rejected_, false) ? 1.0 : 5.0);
+    const double clamped = std::clamp(factor, 0.2, std::exchange(rejected_, false) ? 1.0 : 5.0);
+    if constexpr (requires { method_.keeps_step(); })
+      if (method_.keeps_step() && clamped > 1.0 && clamped < 1.1) return 1.0;
+    return clamped;
   }
   /// By how much the next one must be shorter.
   double reject(double error, double* numbers) {

@@ -40,7 +40,7 @@ class Radau {
     // the error of the other. The powers are fitted to the problems of bench/solvers.
     scale_ = std::min(1.0, 3.0 * std::pow(control.relative, 0.24));
     const double relative = control.relative / scale_;
-    goal_ = std::max(10.0 * epsilon / relative, std::min(0.03, std::pow(relative, 0.4)));
+    goal_ = std::max(10.0 * epsilon / relative, std::min(0.03, std::pow(relative, 0.43)));
     is_here_ = is_good_ = has_past_ = is_solved_ = false;
     factored_step_ = rate_ = 0.0;
     tried_ = std::numeric_limits<double>::quiet_NaN();
@@ -67,6 +67,8 @@ class Radau {
   }
   const auto& error() const { return error_; }
   bool ends_with_slope() const { return false; }
+  /// A step that is hardly longer would need new factors.
+  bool keeps_step() const { return true; }
   static constexpr double first_order = 4.0;
   /// Of the last attempt, for the length of the next step.
   double order() const { return 4.0; }
