@@ -214,7 +214,10 @@ class EventLocator {
       const Bracket found = locate(from, high, std::max(width, 0.05 * (high - from)));
       const double next = from + 0.9 * (found.low - from);
       at = found.high;
-      if (at - from <= 4.0 * width || !(next > from) || run_.failed()) return true;
+      if (at - from <= 4.0 * width || std::nextafter(from, at) == at) return true;
+      high = at;
+      if (!(next > from)) continue;
+      run_.forget_fault();
       go_back();
       go(from, next, next - from, trial_);
       if (sign_changes(start_, trial_, task_.crossing_count)) {
