@@ -21,13 +21,14 @@ class FrequencyResponse {
   /// Frequencies [rad/s] that show all there is: two decades beyond poles and zeros, closer about each of
   /// them, and up to half of the sample frequency.
   std::vector<double> frequencies(std::size_t per_decade = 200) const;
+  /// The first and the last of them.
+  std::array<double, 2> range() const;
   /// The same, and so far beyond both ends that the gain has left 1 for good: no crossing of 1 is outside.
   std::vector<double> frequencies_across_one(std::size_t per_decade = 200) const;
   /// The output at rest for an input of 1; infinite with a pole there.
   double at_rest() const;
 
  private:
-  std::array<double, 2> range() const;
   bool may_cross_beyond(double frequency, double decade) const;
 
   Eigen::MatrixXd hessenberg_;

@@ -39,8 +39,7 @@ class Loop {
     add_real(0.0, at(0.0), found);
     for (std::size_t k = 0; k + 1 < rows_.size(); ++k) {
       const double a = rows_[k].value.imag(), b = rows_[k + 1].value.imag();
-      if ((a < 0.0) == (b < 0.0) || is_real(rows_[k].value, 1e-7) && is_real(rows_[k + 1].value, 1e-7))
-        continue;
+      if ((a < 0.0) == (b < 0.0) || is_rounding(rows_[k]) || is_rounding(rows_[k + 1])) continue;
       const double w =
           root([&](double f) { return at(f).imag(); }, rows_[k].frequency, rows_[k + 1].frequency);
       const Complex value = at(w);
@@ -90,6 +89,11 @@ class Loop {
 
   static bool is_real(const Complex& value, double share) {
     return std::abs(value.imag()) <= share * std::abs(value.real());
+  }
+  /// Far from all corners the loop may be so nearly real that its sign there is one of rounding.
+  bool is_rounding(const Row& row) const {
+    const auto [first, last] = response_.range();
+    return (row.frequency < first || row.frequency > last) && is_real(row.value, 1e-7);
   }
   static void add_real(double frequency, const Complex& value, std::vector<Crossing>& found) {
     if (is_real(value, 1e-6) && value.real() < 0.0 && std::isfinite(value.real()))

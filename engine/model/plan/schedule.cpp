@@ -138,7 +138,7 @@ class OutputTables {
     const BlockType& type = draft_.type(block);
     for (std::size_t i = 0; i < type.inputs.size(); ++i)
       for (std::size_t o = 0; o < type.outputs.size(); ++o)
-        if (draft_.depends(block, i, o)) return false;
+        if (!draft_.diagram().blocks[block].inputs[i].empty() && draft_.depends(block, i, o)) return false;
     return !type.states.empty();
   }
 

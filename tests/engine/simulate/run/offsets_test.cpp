@@ -84,7 +84,7 @@ TEST_CASE("an offset is at least 0 and below the period, and both are multiples 
   };
   CHECK_THAT(fault("{period: 3 ms, offset: 3 ms}"),
              Catch::Contains("0.003 s is not below the period of 0.003 s"));
-  CHECK_THAT(fault("{period: 3 ms, offset: -1 ms}"), Catch::Contains("at least 0"));
+  CHECK_THAT(fault("{period: 3 ms, offset: -1 ms}"), Catch::Contains("must be 0 or more"));
   CHECK_THAT(fault("{period: 3 ms, offset: 0.5 ms}"), Catch::Contains("not a whole multiple of the step"));
   CHECK_THAT(fault("{offset: 1 ms}"), Catch::Contains("'period' is missing"));
   CHECK_THAT(fault("{period: 3 ms, ofset: 1 ms}"), Catch::Contains("offset"));

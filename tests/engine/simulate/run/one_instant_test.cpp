@@ -91,7 +91,7 @@ TEST_CASE("a solver that chooses its steps finds each crossing inside of them") 
                         "  a: {block: Gain, u: s, gain: -5972.65}\n"
                         "  v: {block: Integrator, u: a, initial: 77.283}\n"
                         "  s: {block: Integrator, u: v}\n"
-                        "  c: {block: Compare, u: s, to: 0}\n"
+                        "  c: {block: Compare, u: s, to: 0, operator: '>'}\n"
                         "  n: {block: Counter, u: c, count_at: either}\n",
                         "[n]"));
       CHECK(last(run, "n") == times);
@@ -109,7 +109,7 @@ TEST_CASE("a branch that a stage would take too early has the accuracy of one th
         "x");
   };
   const double since = 3.0 - std::sqrt(2.0), right = -std::sqrt(2.0) * since + 0.5 * since * since;
-  for (const char* solver : {"heun", "rk4", "dormand_prince", "rosenbrock", "sdirk"})
+  for (const char* solver : {"heun", "rk4", "dormand_prince", "sdirk"})
     for (const char* law :
          {"Switch, control: x, then: -1, else: 1", "Expression, u: x, expression: \"u > 0 ? -1 : 1\"",
           "Expression, u: x, expression: 1 - 2*(u > 0)"}) {
@@ -135,7 +135,7 @@ TEST_CASE("three crossings in one step are all found") {
   for (const char* events : {"locate", "{looks: 16}"}) {
     const table::Table run = run_text(with(std::string("step: 0.1 s\nstop: 2 s\nevents: ") + events + "\n",
                                            "  s: {block: Sine, frequency: 12.3 Hz, phase: 0.1 rad}\n"
-                                           "  c: {block: Compare, u: s, to: 0}\n"
+                                           "  c: {block: Compare, u: s, to: 0, operator: '>'}\n"
                                            "  n: {block: Counter, u: c, count_at: either}\n",
                                            "[n]"));
     CHECK(last(run, "n") == 49.0);
@@ -146,7 +146,7 @@ TEST_CASE("more looks than usual are taken in every step") {
   // 20 short times above 0.99, two in each step of 0.4 s.
   const table::Table run = run_text(with("step: 0.4 s\nstop: 4 s\nevents: {looks: 60}\n",
                                          "  s: {block: Sine, frequency: 5 Hz, phase: 0.3 rad}\n"
-                                         "  c: {block: Compare, u: s, to: 0.99}\n"
+                                         "  c: {block: Compare, u: s, to: 0.99, operator: '>'}\n"
                                          "  n: {block: Counter, u: c}\n",
                                          "[n]"));
   CHECK(last(run, "n") == 20.0);
@@ -155,7 +155,7 @@ TEST_CASE("more looks than usual are taken in every step") {
 TEST_CASE("a level counts ticks, also where events are located") {
   const table::Table run = run_text(with("events: locate\nstep: 10 ms\nstop: 1 s\nsolver: rk4\n",
                                          "  s: {block: Sine, frequency: 1 Hz, bias: -0.5}\n"
-                                         "  c: {block: Compare, u: s, to: 0}\n"
+                                         "  c: {block: Compare, u: s, to: 0, operator: '>'}\n"
                                          "  n: {block: Counter, u: c, count_at: level}\n"
                                          "  i: {block: Integrator, u: c}\n",
                                          "[n, i]"));

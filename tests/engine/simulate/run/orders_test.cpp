@@ -46,7 +46,7 @@ TEST_CASE("with a reset on a tick each solver keeps its order") {
 TEST_CASE("with a reset at a located crossing each solver keeps its order") {
   // It falls to 0.6 at 2/3 s, and is at 1 / (1 + 1/3) at 1 s.
   require_order("events: locate\nstop: 1 s\nblocks:\n" + falling +
-                    "  back: {block: Compare, u: x, operator: '<', to: 0.6}\n",
+                    "  back: {block: Compare, u: x.before, operator: '<', to: 0.6}\n",
                 0.1, 0.75);
 }
 
