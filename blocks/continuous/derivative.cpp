@@ -32,7 +32,8 @@ void Derivative::declare(Declare<Derivative>& is) {
   is.input<&Derivative::u>({.unit = "'u", .doc = "signal to differentiate"});
   is.output<&Derivative::y>({.unit = "'u/s", .doc = "its derivative"});
   is.state<&Derivative::x>({.unit = "'u", .doc = "the input, filtered"});
-  is.state<&Derivative::begun>({.doc = "0 before the first step, then 1", .settable = false});
+  is.state<&Derivative::begun>(
+      {.doc = "0 before the first step, then 1", .settable = false, .marks_start = true});
   is.derived<&Derivative::follows, &Derivative::settled>();
   declare_reset(is, "'u", "the filter");
 }

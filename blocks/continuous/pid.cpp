@@ -62,7 +62,7 @@ void PID::declare(Declare<PID>& is) {
   is.state<&PID::integral>({.unit = "'k 'u", .doc = "integral part"});
   is.state<&PID::filter>({.unit = "'u", .doc = "what the derivative part sees, filtered", .settable = false});
   is.state<&PID::hand>({.shape = "1", .doc = "1 while the command is given by hand", .settable = false});
-  is.state<&PID::begun>({.doc = "0 before the first step, then 1", .settable = false});
+  is.state<&PID::begun>({.doc = "0 before the first step, then 1", .settable = false, .marks_start = true});
   declare_reset(is, "'k 'u", "the integral part");
   is.crossing<&PID::automatic>("the controller takes over, or the hand", "1");
   is.derived<&PID::plain, From::no_number>();

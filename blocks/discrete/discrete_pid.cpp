@@ -82,7 +82,8 @@ void DiscretePID::declare(Declare<DiscretePID>& is) {
   is.state<&DiscretePID::integral>({.unit = "'k 'u", .doc = "integral part"});
   is.state<&DiscretePID::rate>({.unit = "'u/s", .doc = "D at the last tick", .settable = false});
   is.state<&DiscretePID::last>({.unit = "'u", .doc = "error in D at the last tick", .settable = false});
-  is.state<&DiscretePID::begun>({.doc = "0 before the first tick, then 1", .settable = false});
+  is.state<&DiscretePID::begun>(
+      {.doc = "0 before the first tick, then 1", .settable = false, .marks_start = true});
   declare_reset(is, "'k 'u", "the integral part");
   is.clock<&DiscretePID::period>();
   is.derived<&DiscretePID::before, From::no_number>();

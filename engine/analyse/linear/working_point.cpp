@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -50,6 +51,19 @@ void WorkingPoint::run_to(double time, const Request& request) {
   const yaml::Place place = request.from.empty() ? yaml::Place{} : request.from.front().place;
   run_ = run_up_to(diagram_.plan, time, base_ticks_, place);
   point_ = run_->workspace();
+  leave_start();
+  run_->restore(point_);
+}
+
+/// At the first instant a derivative is 0 whatever its input is. A linear analysis is of what follows.
+void WorkingPoint::leave_start() {
+  const auto& blocks = diagram_.plan.diagram.blocks;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    for (std::size_t s = 0; s < blocks[b].type().states.size(); ++s) {
+      const plan::SignalSlot& slot = diagram_.plan.blocks[b].states[s];
+      if (blocks[b].type().states[s].marks_start)
+        std::fill_n(point_.values.begin() + static_cast<std::ptrdiff_t>(slot.offset), slot.size, 1.0);
+    }
 }
 
 /// Each wire is held at what it carries before any of them is cut.
@@ -104,6 +118,7 @@ void WorkingPoint::find_circles(std::size_t block) {
 void WorkingPoint::add_state(std::size_t block, std::size_t state) {
   const plan::SignalSlot& slot = diagram_.plan.blocks[block].states[state];
   const StateSpec& spec = diagram_.plan.diagram.blocks[block].type().states[state];
+  if (spec.marks_start) return;
   const std::string name = diagram_.plan.diagram.blocks[block].name + "." + spec.name;
   const std::string unit = unit_of(diagram_.plan, {static_cast<int>(block), -1, static_cast<int>(state)});
   for (const Circle& circle : circles_)

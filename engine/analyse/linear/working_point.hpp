@@ -61,6 +61,7 @@ class WorkingPoint {
   /// Offset of a column, and what lies there where the column is this.
   std::pair<std::size_t, double> written(std::size_t column, double value) const;
   void run_to(double time, const Request& request);
+  void leave_start();
   void cut();
   void find_states();
   void add_state(std::size_t block, std::size_t state);

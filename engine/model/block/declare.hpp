@@ -193,7 +193,8 @@ class Declare {
                    std::string(member_identifier<member>()),
                    continuous,
                    is.settable,
-                   is.initial};
+                   is.initial,
+                   is.marks_start};
     spec.bind = [](void* block, double* data, double* derivative, Eigen::Index size) {
       of<member>(block).bind(data, size);
       if constexpr (continuous) of<member>(block).derivative.bind(derivative, size);

@@ -71,6 +71,8 @@ struct StateOptions {
   std::string doc;
   double initial = 0.0;
   bool settable = true;
+  /// The state is 0 before the first instant and 1 from then on. A linear analysis takes it for 1.
+  bool marks_start = false;
 };
 
 struct DiagnosticOptions {

@@ -97,6 +97,7 @@ struct StateSpec {
   bool continuous = true;
   bool settable = true;  ///< may a file give its initial value?
   double initial = 0.0;
+  bool marks_start = false;  ///< 0 before the first instant, then 1
   void (*bind)(void* block, double* data, double* derivative, Eigen::Index size) = nullptr;
 };
 

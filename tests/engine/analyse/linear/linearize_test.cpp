@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <complex>
 
 #include "engine/analyse/linear/analysis.hpp"
 #include "tests/support/plan_text.hpp"
@@ -167,6 +168,25 @@ blocks:
   CHECK(at_one == 1);
   const FrequencyResponse response(pid.system);
   CHECK(std::abs(response.at(1e-3)) == Approx(10.0 / 1e-3).epsilon(1e-3));
+}
+
+TEST_CASE("at the first instant, too, a linear analysis sees the derivative part") {
+  const std::complex<double> s(0.0, 7.0);
+  const auto response = [](const std::string& block) {
+    return FrequencyResponse(
+               linear("step: 1 ms\nstop: 1 s\nsolver: rk4\ninputs:\n  e: {default: 3}\nblocks:\n  c: " +
+                          block + "\n",
+                      {"e"}, {"c"})
+                   .system)
+        .at(7.0);
+  };
+  CHECK(std::abs(response("{block: Derivative, u: e, tau: 20 ms}") - s / (0.02 * s + 1.0)) < 1e-9);
+  CHECK(std::abs(response("{block: PID, u: e, kp: 2, ki: 3, kd: 0.5, tau: 20 ms}") -
+                 (2.0 + 3.0 / s + 0.5 * s / (0.02 * s + 1.0))) < 1e-9);
+  // D = (1 - 1/z) / ((tau + T) - tau/z), I = ki T / (z - 1)
+  const std::complex<double> z = std::exp(0.01 * s);
+  CHECK(std::abs(response("{block: DiscretePID, u: e, kp: 2, ki: 3, kd: 0.5, tau: 20 ms, every: 10 ms}") -
+                 (2.0 + 0.03 / (z - 1.0) + 0.5 * (1.0 - 1.0 / z) / (0.03 - 0.02 / z))) < 1e-9);
 }
 
 TEST_CASE("limits, play and friction at the point are told") {
