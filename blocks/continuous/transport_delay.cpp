@@ -15,7 +15,8 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
            "then. Between two instants the past is a polynomial through the samples around, of degree 4 "
            "where "
            "there are so many, which does not reach across jumps and corners. For a signal that is sampled "
-           "take `between: hold`, or Delay. Its output does not depend on its input at the same instant. "
+           "take `between: hold`, or Delay. Samples are as far apart as ticks, also where a solver controls its "
+           "error: what is faster than these needs a shorter step. Its output does not depend on its input at the same instant. "
            "Linear analyses refuse it.",
        .source = "A. Harten, B. Engquist, S. Osher, S. R. Chakravarthy 1987, J. Comput. Phys. 71",
        .timing = Timing::continuous,
@@ -39,7 +40,7 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
   is.state<&TransportDelay::samples>(
       {.unit = "'u", .shape = "k x n", .doc = "samples on their way", .settable = false});
   is.state<&TransportDelay::edges>(
-      {.shape = "k", .doc = "1 at samples at which the input jumps", .settable = false});
+      {.shape = "k", .doc = "1 at samples of instants, more at their echoes in a loop, else 0", .settable = false});
   is.state<&TransportDelay::newest>({.doc = "where the newest sample stands", .settable = false});
   is.state<&TransportDelay::count>({.doc = "how many samples there are", .settable = false});
   is.diagnostic<&TransportDelay::out_of_range>(

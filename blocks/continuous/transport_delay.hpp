@@ -23,7 +23,7 @@ struct TransportDelay {
   Output<> y{};
   DiscreteState<> times{};    // of the rows, which are written in a circle [s]
   DiscreteState<> samples{};  // rows of one sample each
-  DiscreteState<> edges{};    // 1 at rows at which the input has jumped
+  DiscreteState<> edges{};    // at rows of instants 1, at echoes of these 2 and more, else 0
   DiscreteState<1> newest{};  // row that was written last
   DiscreteState<1> count{};   // rows that have been written
   Diagnostic out_of_range{}, full{};
@@ -158,8 +158,19 @@ struct TransportDelay {
       edges[next] = 0.0;
     }
     const Index at = static_cast<Index>(newest);
-    if (at_event || has_jumped()) edges[at] = 1.0;
+    if (at_event || has_jumped()) edges[at] = at_event ? static_cast<double>(order_of_instant()) : 1.0;
     for (Index i = 0; i < u.size(); ++i) samples[at * u.size() + i] = u[i];
+  }
+
+  /// 1 for an instant of others. An instant that this block itself has carried comes back to it in a loop,
+  /// each time with a further derivative that is smooth: from the sixth time on it is none, and 0.
+  Index order_of_instant() const {
+    constexpr double most_echoes = 5.0;
+    const double T = length();
+    for (Index row = last_reached(T); row >= 0 && times[place(row)] + T > t - 1e-6 * period; --row)
+      if (edges[place(row)] > 0.0 && !has_jumped())
+        return edges[place(row)] < most_echoes ? static_cast<Index>(edges[place(row)]) + 1 : 0;
+    return 1;
   }
 
   /// True where the input is far off the line through the last two rows.

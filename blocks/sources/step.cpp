@@ -12,7 +12,7 @@ void Step::declare(Declare<Step>& is) {
   is.block(
       "Step",
       {.doc = "A jump at one instant: y = before for t < time, y = after from then on. Instants that lie "
-              "on a tick are hit at that tick; the solver's last stage before it sees the new value.",
+              "on a tick are hit at that tick; the step of the solver before it does not see the new value.",
        .symbol = {.curve = "M-1 -.7H0V.7H1"},
        .at_events = true});
   is.parameter<&Step::time>({.unit = "s", .doc = "instant of the jump"});
