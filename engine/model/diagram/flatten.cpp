@@ -188,7 +188,7 @@ class Flattener {
     const BlockType& type = block.type();
     yaml::Node map;
     add_key(map, "block", written_text(type.name));
-    if (block.every) add_key(map, "every", every(*block.every));
+    if (block.every) add_key(map, "every", written_every(*block.every, unit(time_dimension)));
     if (block.guard >= 0) add_key(map, "guard", written_text(this->block(block.guard).name));
     for (std::size_t i = 0; i < block.inputs.size(); ++i)
       if (!block.inputs[i].empty()) add_key(map, type.inputs[i].name, input(type.inputs[i], block.inputs[i]));
@@ -199,15 +199,6 @@ class Flattener {
     for (const InitialValue& initial : block.initial)
       add_key(map, initial_key(type, type.states[static_cast<std::size_t>(initial.state)]),
               written_numbers(initial.value, unit(initial.dimension), initial.columns));
-    return map;
-  }
-
-  yaml::Node every(const Every& every) const {
-    yaml::Node period = written_numbers(one(every.period), unit(time_dimension));
-    if (every.offset == 0.0) return period;
-    yaml::Node map;
-    add_key(map, "period", std::move(period));
-    add_key(map, "offset", written_numbers(one(every.offset), unit(time_dimension)));
     return map;
   }
 

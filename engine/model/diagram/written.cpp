@@ -111,6 +111,17 @@ std::optional<yaml::Node> written_value(const ParameterSpec& spec, const Value& 
   return std::visit(Writer{spec, dimension}, value.content);
 }
 
+yaml::Node written_every(const Every& every, const std::optional<unit::Dimension>& time) {
+  const auto seconds = [&](double number) {
+    return written_numbers(Eigen::VectorXd::Constant(1, number), time);
+  };
+  if (every.offset == 0.0) return seconds(every.period);
+  yaml::Node map;
+  add_key(map, "period", seconds(every.period));
+  add_key(map, "offset", seconds(every.offset));
+  return map;
+}
+
 void add_key(yaml::Node& map, std::string key, yaml::Node value) {
   map.kind = yaml::Node::Kind::map;
   map.entries.push_back({std::move(key), {}, std::move(value)});

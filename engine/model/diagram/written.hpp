@@ -6,6 +6,7 @@
 #include "engine/base/unit/unit.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/model/block/spec.hpp"
+#include "engine/model/diagram/every.hpp"
 
 namespace stepwire::diagram {
 
@@ -24,6 +25,8 @@ yaml::Node written_numbers(const Eigen::VectorXd& numbers, const std::optional<u
 /// numbers that are not finite, and lists of numbers that are empty.
 std::optional<yaml::Node> written_value(const ParameterSpec& spec, const Value& value,
                                         const std::optional<unit::Dimension>& dimension);
+/// A period, with its offset where it has one; `time` is the dimension of times, where units are written.
+yaml::Node written_every(const Every& every, const std::optional<unit::Dimension>& time);
 /// Adds a key to a map.
 void add_key(yaml::Node& map, std::string key, yaml::Node value);
 
