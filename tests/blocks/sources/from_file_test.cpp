@@ -54,6 +54,19 @@ TEST_CASE("a record is played from its first row, straight between rows, in SI b
   require_near(played(file, "column: F_N, unit: kN", "0.4 s"), {5000, 6000, 7000, 8000, 9000});
 }
 
+TEST_CASE("every solver sees a held row from its instant on, on a tick and between two") {
+  const Folder folder;
+  const std::string file = folder.file("steps.csv", "time [s],x [m]\n0,0\n0.3,1\n0.57,3\n2,3\n");
+  for (const char* solver : {"euler", "heun", "rk4", "dormand_prince", "rosenbrock", "sdirk", "radau"}) {
+    INFO(solver);
+    const table::Table run = run_text(std::string("events: locate\nstep: 0.1 s\nstop: 1 s\nsolver: ") +
+                                      solver + "\nblocks:\n  q: {block: FromFile, file: '" + file +
+                                      "', column: x, interpolation: hold}\n  i: {block: Integrator, u: q}\n"
+                                      "record: [i]\n");
+    CHECK(column(run, "i").back() == Approx(0.27 + 3.0 * 0.43).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("a held record changes at its rows and not a tick late") {
   const Folder folder;
   const std::string file = folder.file("press.csv", record_text);

@@ -127,6 +127,7 @@ linear:
   loop: {from: error, to: c, open: error}
 figure:
   - {plot: bode, of: loop}
+  - {plot: bode, of: loop, where: gain == 4}
   - {panels: [{plot: nyquist, of: loop}, {plot: poles, of: loop}, {plot: root_locus, of: loop}, {plot: step_response, of: loop}]}
 claims:
   - {that: the border is a gain of 8, final: loop.margin.gain*gain, equals: 8, within: 1e-9}
@@ -141,5 +142,8 @@ claims:
   for (const std::size_t i : {0, 1, 2}) CHECK(claims[i]["holds"] == true);
   CHECK(claims[3]["worst"] == "gain=16");
   CHECK_THAT(content_of(folder.path("out/figure.svg")), Contains("frequency") && Contains("phase"));
-  CHECK(std::filesystem::exists(folder.path("out/figure-2.svg")));
+  // With one run its margins are drawn, 20 log10(8 / 4) dB; with three none.
+  CHECK_THAT(content_of(folder.path("out/figure.svg")), !Contains("6.02 dB"));
+  CHECK_THAT(content_of(folder.path("out/figure-2.svg")), Contains("6.02 dB"));
+  CHECK(std::filesystem::exists(folder.path("out/figure-3.svg")));
 }
