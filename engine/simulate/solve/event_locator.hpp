@@ -210,11 +210,11 @@ class EventLocator {
   bool close_in(double from, double& at) {
     const double width = 1e-12 * length_, most = at;
     double high = most;
-    while (true) {
+    for (int stretch = 0; true; ++stretch) {
       const Bracket found = locate(from, high, std::max(width, 0.05 * (high - from)));
       const double next = from + 0.9 * (found.low - from);
       at = found.high;
-      if (at - from <= 4.0 * width || std::nextafter(from, at) == at) return true;
+      if (at - from <= 4.0 * width || stretch == 100) return true;
       high = at;
       if (!(next > from)) continue;
       run_.forget_fault();
@@ -246,7 +246,7 @@ class EventLocator {
 
   /// A time behind a crossing that was found from further away; 0 where there is none up to `most`.
   double beyond_crossing(double from, double found, double most) {
-    for (double at = found; true; at = std::min(most, at + 2.0 * (at - from))) {
+    for (double at = found; true; at = std::min(most, std::max(std::nextafter(at, most), at + 2.0 * (at - from)))) {
       go_back();
       go(from, at, at - from, high_);
       if (sign_changes(start_, high_, task_.crossing_count)) return at;
