@@ -2,6 +2,7 @@
 // each from its start to its end in one call.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "engine/simulate/solve/solver.hpp"
 #include "tests/support/ivp/bari.hpp"
@@ -91,7 +92,8 @@ TEST_CASE("a stiff problem ends with the digits that are asked for, less about o
   for (const ivp::Problem& problem :
        {ivp::hires(), ivp::robertson(), ivp::oregonator(), ivp::van_der_pol(), ivp::pollution()})
     for (const double relative : {1e-4, 1e-7, 1e-10}) {
-      for (const char* solver : {"radau", "auto"}) check_digits(problem, solver, relative, 1.1);
+      for (const char* solver : {"radau", "auto"})
+        check_digits(problem, solver, relative, relative > 1e-8 ? 1.0 : 1.1);
       if (relative > 1e-8) check_digits(problem, "rodas", relative, 1.0);
     }
   // The rounding of doubles leaves no more than four digits of the two states that end at 1e-22.
@@ -172,6 +174,17 @@ TEST_CASE("a body on an ellipse ends three turns later within the growth of the 
     for (const double relative : {1e-7, 1e-10})
       for (const char* solver : {"dormand_prince", "dop853", "auto"})
         check_digits(with_end(orbit("orbit", eccentricity), kepler(eccentricity)), solver, relative, 2.6);
+}
+
+TEST_CASE("one turn on an ellipse costs less than two digits of those that are asked for") {
+  // It ends where it began. One turn makes an error of a step fifty times as large. Only the first state
+  // counts.
+  ivp::Problem turn = with_end(ivp::detest::orbit("one turn", 0.6), {0.4});
+  turn.end = 2.0 * std::numbers::pi;
+  turn.absolute = 1.0;
+  for (const double relative : {1e-4, 1e-7, 1e-10})
+    for (const char* solver : {"dormand_prince", "bogacki_shampine", "auto", "rodas"})
+      check_digits(turn, solver, relative, 1.7);
 }
 
 TEST_CASE("seven stars end with more digits than with CVODE") {
