@@ -47,9 +47,8 @@ constexpr char locate_form[] =
 
 /// Of the solver's step.
 constexpr char watched_form[] =
-    "    template <class Stops>\n"
     "    void advance_watched([[maybe_unused]] double now, [[maybe_unused]] double end, "
-    "[[maybe_unused]] double step, const Stops& stops) const {{\n{}    }}\n";
+    "[[maybe_unused]] double step, const solve::Stops& stops) const {{\n{}    }}\n";
 
 constexpr char in_place[] = "slopes_in_place(w, numbers)";
 

@@ -16,15 +16,8 @@ struct EventStepper::BetweenTicks {
   void advance(double from, double to, double length) const {
     if (of.stepper_.moves()) of.stepper_.advance({from, to, length});
   }
-  template <class Stops>
-  void advance_watched(double from, double to, double length, const Stops& stops) const {
-    struct Asked : Stepper::Watch {
-      explicit Asked(const Stops& stops) : ask(stops) {}
-      bool stops(double at) const override { return ask(at); }
-      const Stops& ask;
-    };
-    const Asked asked(stops);
-    if (of.stepper_.moves()) of.stepper_.advance({from, to, length}, &asked);
+  void advance_watched(double from, double to, double length, const solve::Stops& stops) const {
+    if (of.stepper_.moves()) of.stepper_.advance({from, to, length}, &stops);
   }
   void begin() const {
     forget_fault();

@@ -28,7 +28,7 @@ struct Stepper::Equations : solve::System {
         moving.push_back({piece.first - first, piece.end - first});
     if (moving.empty()) moving.push_back({0, 0});
   }
-  bool stops(double at) override { return watch && watch->stops(at); }
+  bool stops(double at) override { return ask && (*ask)(at); }
   void evaluate() override {
     of.follow_time();
     of.find_outputs();
@@ -36,7 +36,7 @@ struct Stepper::Equations : solve::System {
   }
 
   Stepper& of;
-  const Watch* watch = nullptr;
+  const solve::Stops* ask = nullptr;
 };
 
 Stepper::Stepper(BoundBlocks& blocks, Participants& who)
@@ -58,9 +58,9 @@ void Stepper::follow_time() {
   timed_.run();
 }
 
-void Stepper::advance(const solve::TimeStep& step, const Watch* watch) {
+void Stepper::advance(const solve::TimeStep& step, const solve::Stops* stops) {
   if (guarded_) equations_->find_moving();
-  equations_->watch = watch;
+  equations_->ask = stops;
   solver_->advance(*equations_, step);
 }
 

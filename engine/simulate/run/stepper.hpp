@@ -22,15 +22,8 @@ class Stepper {
   /// Computes outputs of continuous blocks, from the states and the inputs of the moment.
   void find_outputs() { stage_.run(); }
   void find_slopes() { derivatives_.run(); }
-  /// Decides, behind each step of a solver that chooses them, whether the way ends there.
-  struct Watch {
-    virtual bool stops(double at) const = 0;
-
-   protected:
-    ~Watch() = default;
-  };
   /// Goes from the slopes at the start of a step to the states at its end.
-  void advance(const solve::TimeStep& step, const Watch* watch = nullptr);
+  void advance(const solve::TimeStep& step, const solve::Stops* stops = nullptr);
   /// Goes from one tick to the next.
   void step(std::int64_t tick);
   /// Writes the states at the start of the last step, where it has moved them.

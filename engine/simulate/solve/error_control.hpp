@@ -31,8 +31,16 @@ struct ControlReport {
   static constexpr std::size_t count = 10;
 };
 
-/// Slopes, and a function that decides behind each step whether the way ends there.
-template <class Evaluate, class Stops>
+/// Decides, behind a step of a solver that chooses them, whether the way ends at that time.
+struct Stops {
+  virtual bool operator()(double at) const = 0;
+
+ protected:
+  ~Stops() = default;
+};
+
+/// Slopes, with a decision behind each step.
+template <class Evaluate>
 struct Asked {
   void operator()() const { evaluate(); }
   bool stops(double at) const { return ask(at); }
@@ -40,8 +48,8 @@ struct Asked {
   const Evaluate& evaluate;
   const Stops& ask;
 };
-template <class Evaluate, class Stops>
-Asked<Evaluate, Stops> asked(const Evaluate& evaluate, const Stops& stops) {
+template <class Evaluate>
+Asked<Evaluate> asked(const Evaluate& evaluate, const Stops& stops) {
   return {evaluate, stops};
 }
 

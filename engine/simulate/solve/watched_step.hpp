@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "engine/simulate/solve/crossing_signs.hpp"
+#include "engine/simulate/solve/error_control.hpp"
 #include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/left_of.hpp"
 
@@ -31,12 +32,9 @@ class WatchedStep {
     while (from < end) {
       begin(from, pending);
       double reached = end;
+      const Here here(*this, reached);
       run_.advance_watched(from, task_.jumps ? left_of(end, length) : end,
-                           from == start ? length : end - from, [&](double at) {
-                             if (!is_eventful(at)) return false;
-                             reached = at;
-                             return true;
-                           });
+                           from == start ? length : end - from, here);
       if (reached == end && !is_eventful(end)) return;
       EventLocator(task_, values_, run_).advance(open_, reached, reached - open_);
       if (has_ended()) return;
@@ -48,6 +46,19 @@ class WatchedStep {
   }
 
  private:
+  /// Ends the way where something may have happened.
+  struct Here : Stops {
+    Here(WatchedStep& step, double& reached) : step(step), reached(reached) {}
+    bool operator()(double at) const override {
+      if (!step.is_eventful(at)) return false;
+      reached = at;
+      return true;
+    }
+
+    WatchedStep& step;
+    double& reached;
+  };
+
   void begin(double at, bool pending) {
     values_[task_.time] = at;
     run_.begin();
