@@ -53,6 +53,9 @@ struct Simulation::State {
     run.evaluate();
     require_health();
     ended = run.finished() || stopper.stops(run.values());
+    if (!ended) return;
+    run.look_at_end();
+    require_health();
   }
 
   void require_health() {

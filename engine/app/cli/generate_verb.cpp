@@ -41,6 +41,7 @@ std::string left_out(const session::LoadedModel& model) {
         fmt::format("the sweep of {0} (what is made has one value of each, the file's or that of --set)",
                     fmt::join(names, ", ")));
   }
+  if (model.job.plan.records_instants()) parts.emplace_back("rows beside those of ticks ('instants')");
   if (model.study) parts.emplace_back("the study");
   if (model.fit) parts.emplace_back("the fit");
   if (model.tune) parts.emplace_back("the tuning");

@@ -76,7 +76,7 @@ struct DiagramBlock {
   std::vector<std::size_t> spread;  ///< parameters whose one number the plan repeats for every element
   std::vector<InitialValue> initial;
   std::vector<std::pair<std::string, unit::Dimension>>
-      known_units;              ///< unit variables that the block itself fixes: ("'u", mm)
+      known_units;  ///< unit variables that the block itself fixes: ("'u", mm)
   std::optional<Every> every;
   Origin every_origin;
   bool every_of_part = false;  ///< is the period that of the part around it?
@@ -114,9 +114,10 @@ struct RecordedSignal {
   Origin origin;
 };
 
-/// Signals that are recorded at one period.
+/// Signals that are recorded at one period, or on both sides of every instant.
 struct RecordRequest {
   std::optional<double> every;  ///< [s]; every step if absent
+  bool instants = false;        ///< at ticks, edges of sources and events: a row before and a row after it
   Origin origin;
   std::vector<RecordedSignal> signals;
 };

@@ -246,6 +246,7 @@ class Flattener {
     for (const RecordRequest& request : diagram_.records) {
       yaml::Node entry;
       if (request.every) add_key(entry, "every", written_numbers(one(*request.every), unit(time_dimension)));
+      if (request.instants) add_key(entry, "instants", written_text("true"));
       yaml::Node signals;
       signals.kind = yaml::Node::Kind::list;
       for (const RecordedSignal& signal : request.signals) signals.items.push_back(recorded(signal));

@@ -200,6 +200,10 @@ const yaml::Key& record_form() {
        form::keys(
            "an entry of record", "{every: 1 ms, signals: [rig.x]}",
            {yaml::otherwise("each step", yaml::key("every", "time between rows", time_form())),
+            yaml::otherwise("false", yaml::key("instants",
+                                               "a row before and a row after each instant: ticks, edges of "
+                                               "sources, located events",
+                                               form::truth())),
             yaml::needed(yaml::like(
                 "[rig.x]",
                 yaml::key("signals", "what is recorded",

@@ -101,26 +101,44 @@ void read_signal(const yaml::Node& node, const Scope& scope, const Resolver& res
   record_named(node.text, node, scope, resolver, request, report);
 }
 
-/// Signals of the same period belong to one recording.
-RecordRequest& request_for(std::optional<double> every, const Origin& origin,
+/// Signals of the same period belong to one recording, and those of all instants.
+RecordRequest& request_for(std::optional<double> every, bool instants, const Origin& origin,
                            std::vector<RecordRequest>& requests) {
   for (RecordRequest& request : requests)
-    if (request.every == every) return request;
-  return requests.emplace_back(RecordRequest{every, origin, {}});
+    if (request.every == every && request.instants == instants) return request;
+  return requests.emplace_back(RecordRequest{every, instants, origin, {}});
+}
+
+/// Refuses both sides of instants beside what sets a period, or needs rows of several runs at the same times.
+void check_instants(const yaml::Node& instants, const yaml::Node& entry, const Scope& scope, Report& report) {
+  const Origin origin = scope.at(instants.mark);
+  if (entry.find("every")) report.add(origin, "record", "'instants' has rows of its own; leave 'every' out");
+  for (const std::string section : {"sweep", "study", "tune", "fit"})
+    if (scope.document->root.find(section))
+      report.add(
+          origin, "record",
+          fmt::format("'instants' belongs to a single run, whose rows lie where something happens; leave it "
+                      "out beside '{}'",
+                      section));
 }
 
 void read_entry(const yaml::Node& node, const Scope& scope, const Resolver& resolver, Report& report) {
   auto& requests = report.diagram().records;
   if (!node.is_map())
-    return read_signal(node, scope, resolver, request_for({}, scope.at(node.mark), requests), report);
+    return read_signal(node, scope, resolver, request_for({}, false, scope.at(node.mark), requests), report);
   const yaml::Key& form = record_form().of.back();
   const HeadReading read("record", scope, report);
   read.check(node, form);
-  const yaml::Node *signals = node.find("signals"), *period = node.find("every");
+  const yaml::Node *signals = node.find("signals"), *period = node.find("every"),
+                   *both = node.find("instants");
   if (!signals) return;
+  bool instants = false;
+  if (both) yaml::below(read, "instants").take(*both, *form.find("instants"), instants);
+  if (instants) check_instants(*both, node, scope, report);
   std::optional<double> every;
   if (period) yaml::below(read, "every").take(*period, *form.find("every"), every);
-  RecordRequest& request = request_for(every, scope.at(period ? period->mark : node.mark), requests);
+  RecordRequest& request =
+      request_for(every, instants, scope.at(period ? period->mark : node.mark), requests);
   for (const yaml::Node& item : signals->as_list()) read_signal(item, scope, resolver, request, report);
 }
 

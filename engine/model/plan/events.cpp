@@ -155,9 +155,18 @@ class AheadBlocks {
   const CallOrder& order_;
 };
 
+/// Marks blocks whose outputs change between instants. Guards act at instants alone.
+void find_sides(Draft& draft) {
+  for (std::size_t b = 0; b < draft.blocks.size(); ++b)
+    draft.blocks[b].on_sides = draft.blocks[b].computes && !draft.is_steady(b) &&
+                               draft.plan.blocks[b].rate.kind == Rate::Kind::continuous &&
+                               &draft.type(b) != &diagram::guard_type();
+}
+
 }  // namespace
 
 void find_events(Draft& draft, const CallOrder& order) {
+  if (draft.plan.records_instants()) find_sides(draft);
   if (!draft.diagram().events.locate) return;
   EventPlan(draft).run();
   if (!draft.plan.jumps) AheadBlocks(draft, order).run();

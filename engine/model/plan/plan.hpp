@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -189,6 +190,8 @@ struct Plan {
   std::vector<KernelCall> event_outputs;     ///< of what follows at every instant
   std::vector<KernelCall> event_befores;     ///< the same without guards; empty where none follows
   std::vector<KernelCall> event_updates;
+  std::vector<KernelCall> sides;  ///< outputs just before an instant, where both of its sides are recorded
+  std::vector<LoopCall> side_loops;
   std::vector<LoopCall> ahead_loops, rest_loops, crossing_loops, crossing_start_loops, event_loops,
       event_before_loops;
 
@@ -197,6 +200,10 @@ struct Plan {
   /// Where what a stop condition reads lies in the workspace.
   std::size_t offset(const diagram::SignalRef& variable) const {
     return variable.block < 0 ? Layout::time : slot(variable).offset;
+  }
+  /// True where both sides of each instant are recorded. Such a run is interpreted, and alone.
+  bool records_instants() const {
+    return std::ranges::any_of(diagram.records, &diagram::RecordRequest::instants);
   }
   double time_of(std::int64_t tick) const { return static_cast<double>(tick) * diagram.step; }
 };

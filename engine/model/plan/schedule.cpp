@@ -165,11 +165,12 @@ class OutputTables {
   static bool for_crossings(const Draft::Block& block) { return block.for_crossings && !block.ahead; }
   static bool starts_crossings(const Draft::Block& block) { return block.for_crossings && !block.in_stages; }
   static bool at_events(const Draft::Block& block) { return block.at_events; }
+  static bool on_sides(const Draft::Block& block) { return block.on_sides; }
   static bool before_guards(const Draft::Block& block) { return block.before_guards; }
 
   Draft& draft_;
   Plan& plan_ = draft_.plan;
-  OutputTable tables_[10] = {{plan_.once, plan_.once_loops, never},
+  OutputTable tables_[11] = {{plan_.once, plan_.once_loops, never},
                              {plan_.timed, plan_.timed_loops, never},
                              {plan_.outputs, plan_.output_loops, always, true},
                              {plan_.stage, plan_.stage_loops, in_stages},
@@ -178,7 +179,8 @@ class OutputTables {
                              {plan_.crossing_outputs, plan_.crossing_loops, for_crossings},
                              {plan_.crossing_starts, plan_.crossing_start_loops, starts_crossings},
                              {plan_.event_outputs, plan_.event_loops, at_events, true},
-                             {plan_.event_befores, plan_.event_before_loops, before_guards, true}};
+                             {plan_.event_befores, plan_.event_before_loops, before_guards, true},
+                             {plan_.sides, plan_.side_loops, on_sides}};
   OutputTable &once_ = tables_[0], &timed_ = tables_[1];
 };
 

@@ -25,6 +25,9 @@ void refuse_taken(const plan::Plan& plan, const std::string& name, const diagram
 
 LoopFile signals_file(const plan::Plan& plan, std::size_t index, yaml::Faults& faults) {
   const diagram::RecordRequest& request = plan.diagram.records[index];
+  if (request.instants)
+    faults.add(plan.diagram.fault(request.origin, "record",
+                                  "a loop by the clock records at ticks alone; leave 'instants' out"));
   LoopFile file{io::numbered("signals", index, ".csv"),
                 {{"time", "s", {}}, {"tick", "", {}}, {"wall", "s", {}}}};
   for (const diagram::RecordedSignal& signal : request.signals)

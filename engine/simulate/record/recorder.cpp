@@ -1,5 +1,6 @@
 #include "engine/simulate/record/recorder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -38,24 +39,56 @@ std::vector<table::Column> empty_columns(const plan::Plan& plan, const diagram::
 
 Recorder::Recorder(const plan::Plan& plan, const diagram::RecordRequest& request,
                    std::vector<double*> columns)
-    : every_(ticks_between_rows(plan, request)), columns_(std::move(columns)) {
+    : step_(plan.diagram.step), every_(ticks_between_rows(plan, request)), columns_(std::move(columns)) {
   for (const RecordedColumn& column : recorded_columns(plan, request)) offsets_.push_back(column.offset);
 }
 
+Recorder::Recorder(const plan::Plan& plan, const diagram::RecordRequest& request,
+                   std::vector<std::vector<double>*> columns)
+    : Recorder(plan, request, std::vector<double*>()) {
+  grown_ = std::move(columns);
+}
+
+void Recorder::record_side(const double* values, Side side) {
+  const bool again = filled_ > 0 && side_ == side && grown_.front()->back() == values[offsets_.front()];
+  if (side == Side::after && again) return;
+  for (std::size_t i = 0; i < offsets_.size(); ++i) grown_[i]->push_back(values[offsets_[i]]);
+  side_ = side;
+  ++filled_;
+}
+
+/// Keeps the row just before the tick.
+void Recorder::go_back_to_side(std::int64_t tick) {
+  const std::vector<double>& times = *grown_.front();
+  const auto at = std::ranges::lower_bound(times, static_cast<double>(tick) * step_);
+  filled_ = std::min(times.size(), static_cast<std::size_t>(at - times.begin()) + (tick > 0 ? 1 : 0));
+  side_ = Side::before;
+  for (std::vector<double>* column : grown_) column->resize(filled_);
+}
+
 RunRecording::RunRecording(const plan::Plan& plan, bool last_only) {
-  for (const diagram::RecordRequest& request : plan.diagram.records) {
-    rows_.push_back(last_only ? 1 : max_rows(plan, request));
-    Recording recording;
-    recording.table.columns = empty_columns(plan, request);
-    std::vector<double*> columns;
-    for (table::Column& column : recording.table.columns) {
-      column.values.resize(rows_.back());
-      columns.push_back(column.values.data());
-    }
-    recordings_.push_back(std::move(recording));
-    recorders_.emplace_back(plan, request, std::move(columns));
+  recordings_.resize(plan.diagram.records.size());  // which stay where they are
+  for (std::size_t i = 0; i < recordings_.size(); ++i) {
+    const diagram::RecordRequest& request = plan.diagram.records[i];
+    recordings_[i].table.columns = empty_columns(plan, request);
+    rows_.push_back(request.instants ? 0 : last_only ? 1 : max_rows(plan, request));
+    add(plan, request, recordings_[i]);
     if (last_only) recorders_.back().keep_last_only();
   }
+}
+
+void RunRecording::add(const plan::Plan& plan, const diagram::RecordRequest& request, Recording& recording) {
+  std::vector<double*> columns;
+  std::vector<std::vector<double>*> grown;
+  for (table::Column& column : recording.table.columns) {
+    column.values.resize(rows_.back());
+    columns.push_back(column.values.data());
+    grown.push_back(&column.values);
+  }
+  if (request.instants)
+    recorders_.emplace_back(plan, request, std::move(grown));
+  else
+    recorders_.emplace_back(plan, request, std::move(columns));
 }
 
 const std::vector<Recording>& RunRecording::finished() {

@@ -19,26 +19,37 @@ struct RecordedColumn {
 /// In their order, the time first.
 std::vector<RecordedColumn> recorded_columns(const plan::Plan& plan, const diagram::RecordRequest& request);
 
-/// Ticks between two rows of a recording.
+/// Ticks between two rows of a recording; 1 where both sides of instants are recorded.
 std::int64_t ticks_between_rows(const plan::Plan& plan, const diagram::RecordRequest& request);
 /// Rows of a run that goes on to its stop time, whose last tick makes one, too, where the period skips it.
+/// With both sides of instants there may be more.
 std::size_t max_rows(const plan::Plan& plan, const diagram::RecordRequest& request);
 /// Columns without rows, with names and units.
 std::vector<table::Column> empty_columns(const plan::Plan& plan, const diagram::RecordRequest& request);
 
-/// Writes chosen signals of one run at one period, each number once: into the place where it stays.
+/// Writes chosen signals of one run at one period, each number once: into the place where it stays. Or on
+/// both sides of each instant.
 class Recorder {
  public:
   /// Writes from the first row of these columns on, which have room for max_rows().
   Recorder(const plan::Plan& plan, const diagram::RecordRequest& request, std::vector<double*> columns);
+  /// Writes both sides of instants to these columns, which grow.
+  Recorder(const plan::Plan& plan, const diagram::RecordRequest& request,
+           std::vector<std::vector<double>*> columns);
 
   /// Keeps the signals of this tick, if it is one of the recorder's or the last one of the run.
   void record(std::int64_t tick, const double* values, bool last = false) {
+    if (records_instants()) return record_side(values, Side::after);
     if (tick != next_tick_ && !last) return;
     next_tick_ += every_;
     for (std::size_t i = 0; i < offsets_.size(); ++i) columns_[i][filled_] = values[offsets_[i]];
     ++filled_;
   }
+
+  bool records_instants() const { return !grown_.empty(); }
+  enum class Side { before, after };
+  /// Keeps the signals of one side of an instant. That after it is kept once, also where the run ends there.
+  void record_side(const double* values, Side side);
 
   /// Keeps the last row of the run alone, from now on.
   void keep_last_only() {
@@ -63,6 +74,7 @@ class Recorder {
   std::size_t rows() const { return filled_; }
   /// Goes back to just before a tick that was reached: what is recorded from there on replaces what was kept.
   void go_back_to(std::int64_t tick) {
+    if (records_instants()) return go_back_to_side(tick);
     if (last_only_) {
       filled_ = 0;
       return keep_last_only();
@@ -72,11 +84,16 @@ class Recorder {
   }
 
  private:
+  void go_back_to_side(std::int64_t tick);
+
   bool last_only_ = false;
+  Side side_ = Side::before;  ///< of the last row
+  double step_;               ///< [s]
   std::int64_t every_, next_tick_ = 0;
   std::size_t filled_ = 0;
   std::vector<std::size_t> offsets_;  ///< in the workspace, the time first
   std::vector<double*> columns_;
+  std::vector<std::vector<double>*> grown_;  ///< in place of them, for both sides of instants
 };
 
 /// The recordings of one run, or of several ones after each other, with their recorders.
@@ -95,6 +112,8 @@ class RunRecording {
   void restart();
 
  private:
+  void add(const plan::Plan& plan, const diagram::RecordRequest& request, Recording& recording);
+
   std::vector<std::size_t> rows_;  ///< for which there is room
   std::vector<Recording> recordings_;
   std::vector<Recorder> recorders_;

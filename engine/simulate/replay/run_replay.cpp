@@ -46,6 +46,7 @@ void compare(const RecordedRows& rows, const table::Table& computed, Earliest& e
 /// Ticks until each table would have one row more than it has: whether the run went on shows there.
 std::int64_t ticks_to_replay(const plan::Plan& plan, const std::vector<RecordedRows>& rows) {
   std::int64_t ticks = 0;
+  if (plan.records_instants()) return plan.steps;
   for (std::size_t i = 0; i < rows.size(); ++i)
     ticks = std::max(ticks, static_cast<std::int64_t>(rows[i].count) *
                                 record::ticks_between_rows(plan, plan.diagram.records[i]));
@@ -85,8 +86,10 @@ std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector
     // A run that broke off before its first row has left none: these are the next one's.
     used.push_back(computed.rows() == 0 ? 0 : rows[i].count);
     verification.rows += used.back();
+    const diagram::RecordRequest& request = plan.diagram.records[i];
     if (computed.rows() > used.back())
-      verification.missing_rows += record::max_rows(plan, plan.diagram.records[i]) - used.back();
+      verification.missing_rows +=
+          (request.instants ? computed.rows() : record::max_rows(plan, request)) - used.back();
     compare({rows[i].recorded, rows[i].first, used.back()}, computed, earliest);
   }
   verification.difference = earliest.text();

@@ -9,6 +9,7 @@ Drive::End Drive::run() {
   if (!watched_) {
     watched_.emplace(ObservedRun{index, simulation_}, observers, shows_rows);
     watched_->begin();
+    simulation_.show_sides(this);
   }
   while (true) {
     if (!observers.empty())
@@ -20,13 +21,22 @@ Drive::End Drive::run() {
     if (!observers.empty()) watched_->evaluated(last);
     for (record::Recorder& recorder : recorders_)
       recorder.record(simulation_.tick(), simulation_.values(), last);
-    if (last) return end(End::finished);
+    if (last) {
+      simulation_.look_at_end();
+      return end(End::finished);
+    }
     simulation_.advance();
     if (!simulation_.healthy()) return end(End::finished);
     if (simulation_.tick() % ticks_between_looks != 0) continue;
     if (look) look();
     if (interrupt && *interrupt) return end(End::interrupted);
   }
+}
+
+void Drive::record_side(const double* values, record::Recorder::Side side) {
+  for (record::Recorder& recorder : recorders_)
+    if (recorder.records_instants()) recorder.record_side(values, side);
+  watched_->side(values);
 }
 
 Flow Drive::show_tick() {

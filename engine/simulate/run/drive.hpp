@@ -13,7 +13,7 @@
 namespace stepwire::run {
 
 /// Goes through the ticks of a run: records, stops where the diagram says, shows observers what happens.
-class Drive {
+class Drive : SideObserver {
  public:
   /// Ticks between two looks at the interrupt flag.
   static constexpr std::int64_t ticks_between_looks = 256;
@@ -26,6 +26,9 @@ class Drive {
   };
 
   Drive(Executor& simulation, std::vector<record::Recorder>& recorders);
+  ~Drive() { simulation_.show_sides(nullptr); }
+  Drive(const Drive&) = delete;
+  Drive& operator=(const Drive&) = delete;
 
   std::size_t index = 0;                         ///< of the run, for observers
   std::span<RunObserver* const> observers;       ///< must outlive the drive
@@ -37,6 +40,9 @@ class Drive {
   End run();
 
  private:
+  void before_instant(const double* values) override { record_side(values, record::Recorder::Side::before); }
+  void after_event(const double* values) override { record_side(values, record::Recorder::Side::after); }
+  void record_side(const double* values, record::Recorder::Side side);
   Flow show_tick();
   End end(End how);
 

@@ -35,12 +35,14 @@ struct EventStepper::BetweenTicks {
   void crossings(double* numbers) const { of.looks_.find(numbers); }
   double edge() const { return of.looks_.next_edge(); }
   void before() const {
+    if (of.sides_) of.sides_->before(of.values_[plan::Layout::time]);
     of.stepper_.follow_time();
     of.phase_.begin_event();
   }
   void round() const { of.phase_.round(); }
   bool after() const {
     settle();
+    if (of.sides_) of.sides_->after_event();
     return of.looks_.stops();
   }
 
@@ -52,11 +54,13 @@ struct EventStepper::BetweenTicks {
   }
 };
 
-EventStepper::EventStepper(BoundBlocks& blocks, Participants& who, Stepper& stepper, DiscretePhase& phase)
+EventStepper::EventStepper(BoundBlocks& blocks, Participants& who, Stepper& stepper, DiscretePhase& phase,
+                           BothSides* sides)
     : plan_(blocks.plan()),
       values_(blocks.values()),
       stepper_(stepper),
       phase_(phase),
+      sides_(sides),
       ahead_(plan_.ahead, blocks, who),
       crossing_outputs_(plan_.crossing_outputs, blocks, who),
       crossing_starts_(plan_.crossing_starts, blocks, who),

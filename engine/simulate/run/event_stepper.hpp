@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/simulate/run/both_sides.hpp"
 #include "engine/simulate/run/crossing_looks.hpp"
 #include "engine/simulate/run/discrete_phase.hpp"
 #include "engine/simulate/run/event_count.hpp"
@@ -17,7 +18,9 @@ namespace stepwire::run {
 /// changed twice, it is taken again from event to event.
 class EventStepper {
  public:
-  EventStepper(BoundBlocks& blocks, Participants& who, Stepper& stepper, DiscretePhase& phase);
+  /// `sides`: is shown what happens; may be null.
+  EventStepper(BoundBlocks& blocks, Participants& who, Stepper& stepper, DiscretePhase& phase,
+               BothSides* sides);
 
   void step(std::int64_t tick);
   /// True once `stop_when` has ended the run at an event.
@@ -49,6 +52,7 @@ class EventStepper {
   double* const values_;
   Stepper& stepper_;
   DiscretePhase& phase_;
+  BothSides* const sides_;
   CallTable ahead_, crossing_outputs_, crossing_starts_;
   CrossingLooks looks_;
   /// The numbers of crossings at the start and at the end of a step, and the states at that of the last one.

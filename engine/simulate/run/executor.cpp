@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/simulate/run/step_probe.hpp"
+
 namespace stepwire::run {
 
 Executor::Executor(const plan::Plan& plan)
@@ -14,11 +16,13 @@ Executor::Executor(const plan::Plan& plan)
       stepper_(blocks_, who_),
       setter_(blocks_),
       health_(blocks_) {
-  if (plan.splits_steps()) events_.emplace(blocks_, who_, stepper_, phase_);
+  if (plan.records_instants()) sides_.emplace(blocks_, who_, stepper_);
+  if (plan.splits_steps()) events_.emplace(blocks_, who_, stepper_, phase_, sides_ ? &*sides_ : nullptr);
   reset();
 }
 
 void Executor::use(const plan::CompiledPlan& code) {
+  if (sides_) return;
   numbers_.emplace(plan_, code.variable, [this](std::size_t block) { return blocks_.memory(block); });
   code_ = &code;
   for (const auto& [block, written] : setter_.written()) read_numbers(block);
@@ -100,6 +104,12 @@ void Executor::evaluate() {
   health_.look_at_outputs();
 }
 
+void Executor::look_at_end() {
+  if (!healthy()) return;
+  find_unstable_steps(blocks_, stepper_);
+  health_.look_at_step();
+}
+
 void Executor::find_outputs() {
   workspace_.values[plan::Layout::time] = plan_.time_of(workspace_.tick);
   stepper_.follow_time();
@@ -114,6 +124,7 @@ void Executor::advance() {
     else
       take_step();
     health_.look_at_step();
+    if (sides_ && healthy() && !has_stopped()) sides_->before(plan_.time_of(workspace_.tick + 1));
   }
   ++workspace_.tick;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/model/plan/compiled_plan.hpp"
+#include "engine/simulate/run/both_sides.hpp"
 #include "engine/simulate/run/discrete_phase.hpp"
 #include "engine/simulate/run/event_stepper.hpp"
 #include "engine/simulate/run/health.hpp"
@@ -36,7 +37,8 @@ class Executor {
   Executor& operator=(const Executor&) = delete;
 
   /// From now on steps with compiled code, which must outlive this; call it between advance() and evaluate().
-  /// Code that has other numbers than this run is not used.
+  /// Code that has other numbers than this run is not used, and none where both sides of instants are
+  /// recorded.
   void use(const plan::CompiledPlan& code);
   bool compiled() const { return code_ != nullptr; }
   /// Adds what code must read from a table for the values that are set now.
@@ -73,6 +75,8 @@ class Executor {
   void evaluate();
   /// Takes the run to the next tick: updates, then the solver. evaluate() comes first.
   void advance();
+  /// Looks at the end of a run whether its steps were far too long, once its last tick is evaluated.
+  void look_at_end();
   /// False after a value that is not finite, a step that the solver finds wrong or a diagnostic that ends the
   /// run.
   bool healthy() const { return health_.fine(); }
@@ -91,6 +95,10 @@ class Executor {
   void write_input(std::size_t input, const double* numbers) { blocks_.write_input(input, numbers); }
   /// Who is told of a stretch of batches, from now on; null: nobody.
   void watch(ScheduleProbe* probe) { who_.probe = probe; }
+  /// Shows both sides of instants from now on, in a plan that records them; to null, no longer.
+  void show_sides(SideObserver* observer) {
+    if (sides_) sides_->observer = observer;
+  }
   /// Returns to a kept moment (as it was between advance() and evaluate()), with the values that are set now.
   void restore(const Workspace& workspace);
 
@@ -132,6 +140,7 @@ class Executor {
   DiscretePhase phase_;
   Stepper stepper_;
   std::optional<EventStepper> events_;  ///< where steps are split
+  std::optional<BothSides> sides_;      ///< where both sides of instants are recorded
   ValueSetter setter_;
   Health health_;
   const plan::CompiledPlan* code_ = nullptr;  ///< none while interpreted

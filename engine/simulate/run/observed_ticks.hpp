@@ -19,14 +19,19 @@ class ObservedTicks {
   Flow before_tick() const;
   /// After the outputs of the tick are computed; shows the rows that are due, at the last tick all.
   void evaluated(bool last = false);
+  /// Shows a row of one side of an instant, where both are recorded.
+  void side(const double* values);
   void end() const;
 
  private:
   struct Row {
-    std::int64_t every = 1;            ///< period [ticks]
+    std::int64_t every = 1;  ///< period [ticks]
+    bool instants = false;
     std::vector<std::size_t> offsets;  ///< in the workspace, the time first
     std::vector<double> numbers;
   };
+
+  void show(std::size_t recording, const double* values);
 
   ObservedRun run_;
   std::span<RunObserver* const> observers_;

@@ -23,7 +23,8 @@ RunEnd end_of(const Executor& simulation) {
 }
 
 RunResult run_plan(const plan::Plan& plan, const RunOptions& options) {
-  TieredExecution changeover(options.engine, options.code, {{&plan, {}}}, static_cast<double>(plan.steps));
+  const ExecutionMode engine = plan.records_instants() ? ExecutionMode::interpreted : options.engine;
+  TieredExecution changeover(engine, options.code, {{&plan, {}}}, static_cast<double>(plan.steps));
   Executor simulation(plan);
   record::RunRecording recording(plan);
   RunResult result{run_simulation(simulation, recording.recorders(), options, changeover, 0, 0), {}};

@@ -1,11 +1,20 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "engine/simulate/run/faults.hpp"
 #include "engine/simulate/solve/step_report.hpp"
 
 namespace stepwire::run {
 
 namespace {
+
+/// To two digits.
+double rounded_down(double value) {
+  if (!(value > 0.0)) return 0.0;
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return digit * std::floor(value / digit * (1.0 + 1e-6));
+}
 
 /// Of a step to the tick at `end`, which has come to `now`.
 std::string text_of_step(const diagram::Diagram& diagram, const double* report, double now, double end) {
@@ -21,6 +30,15 @@ std::string text_of_step(const diagram::Diagram& diagram, const double* report, 
         "ends here. A stiff solver (radau, auto), a larger 'relative' or 'absolute', or a law without jumps "
         "helps",
         now, end, report[1]);
+  if (report[0] == solve::StepReport::unstable) {
+    const double longest = rounded_down(report[solve::StepReport::longest_step]);
+    return fmt::format(
+        "{} with steps of {:g} s makes this state {:.3g} times as large at each step, while the equations do "
+        "not "
+        "let it grow: what was recorded is wrong. {}, solver: auto, or a stiff one (rosenbrock, sdirk) helps",
+        diagram.solver, diagram.step, report[1],
+        longest > 0.0 ? fmt::format("A step of at most {:g} s", longest) : "A solver of higher order");
+  }
   return fmt::format(
       "the step to {:.12g} s errs by {:.2g} of the size of this state, and 'tolerance' is {:g}; the run ends "
       "here. A smaller step{} helps",

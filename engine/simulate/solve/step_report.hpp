@@ -7,8 +7,9 @@ namespace stepwire::solve {
 
 /// A fault of a step, as its method finds it: numbers of the workspace.
 struct StepReport {
-  static constexpr double fine = 0.0, inaccurate = 1.0, unsolved = 2.0, too_many_steps = 3.0;
+  static constexpr double fine = 0.0, inaccurate = 1.0, unsolved = 2.0, too_many_steps = 3.0, unstable = 4.0;
   static constexpr std::size_t count = 3;
+  static constexpr std::size_t longest_step = 3;  ///< [s]; of a fixed step that is unstable
 
   double* numbers = nullptr;  ///< what is wrong, how large, and in which state; null: nothing is looked for
   double tolerance = 2.0;     ///< largest error of a step, in sizes of its state

@@ -1,0 +1,168 @@
+#include "engine/simulate/run/step_probe.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+namespace stepwire::run {
+
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double large = 1e3;  // of a state, in its own SI unit
+constexpr Eigen::Index most_states = 400;
+
+/// The factor that a method gives to x of x' = lambda x in a step h, with z = h lambda: Hairer and Wanner,
+/// Solving Ordinary Differential Equations II, IV.2.
+double stability(const solve::Tableau& tableau, Complex z) {
+  std::vector<Complex> slopes = {1.0};
+  const auto sum = [&](const std::vector<double>& weights) {
+    Complex total = 0.0;
+    for (std::size_t j = 0; j < weights.size(); ++j) total += weights[j] * slopes[j];
+    return total;
+  };
+  for (const std::vector<double>& row : tableau.a) slopes.push_back(1.0 + z * sum(row));
+  return std::abs(1.0 + z * sum(tableau.b));
+}
+
+/// The mode that grows most by the method, of those that do not by themselves.
+struct Mode {
+  double growth = 1.0;  ///< in a step
+  Complex rate = 0.0;   ///< [1/s]
+};
+
+class StepProbe {
+ public:
+  StepProbe(BoundBlocks& blocks, Stepper& stepper, solve::Tableau tableau)
+      : plan_(blocks.plan()),
+        values_(blocks.values()),
+        stepper_(stepper),
+        tableau_(std::move(tableau)),
+        kept_(values_, values_ + plan_.layout.size),
+        states_(values_ + plan_.layout.states, static_cast<Eigen::Index>(plan_.layout.state_count)),
+        start_(states_),
+        time_(values_[plan::Layout::time]) {}
+
+  void look() {
+    const auto mode = find_mode();
+    std::ranges::copy(kept_, values_);
+    if (mode) write(*mode);
+  }
+
+ private:
+  std::optional<Mode> find_mode() {
+    if (!errs()) return std::nullopt;
+    const Mode mode = worst_mode();
+    if (mode.growth > 1.0 && grows(mode.growth)) return mode;
+    return std::nullopt;
+  }
+
+  void find_slopes(double time) {
+    values_[plan::Layout::time] = time;
+    stepper_.follow_time();
+    stepper_.find_outputs();
+    stepper_.find_slopes();
+  }
+  void step(double time, double length) {
+    find_slopes(time);
+    stepper_.advance({time, time + length, length});
+  }
+
+  /// True where a whole step and two halves differ by a tenth of a state.
+  bool errs() {
+    const double h = plan_.diagram.step;
+    step(time_, h);
+    const Eigen::VectorXd whole = states_;
+    states_ = start_;
+    step(time_, 0.5 * h);
+    step(time_ + 0.5 * h, 0.5 * h);
+    const Eigen::ArrayXd size = whole.cwiseAbs().cwiseMax(start_.cwiseAbs()).array();
+    const Eigen::ArrayXd error = (states_ - whole).cwiseAbs().array();
+    return (size >= large && !(error <= 0.1 * size)).any();
+  }
+
+  Eigen::MatrixXd jacobian() {
+    const Eigen::Map<Eigen::VectorXd> slopes(values_ + plan_.layout.derivatives, states_.size());
+    Eigen::MatrixXd A(states_.size(), states_.size());
+    states_ = start_;
+    find_slopes(time_);
+    const Eigen::VectorXd base = slopes;
+    for (Eigen::Index i = 0; i < states_.size(); ++i) {
+      const double little = 1e-7 * std::max(std::abs(start_[i]), 1e-3);
+      states_[i] = start_[i] + little;
+      find_slopes(time_);
+      A.col(i) = (slopes - base) / (states_[i] - start_[i]);
+      states_[i] = start_[i];
+    }
+    return A;
+  }
+
+  Mode worst_mode() {
+    Mode worst;
+    const Eigen::MatrixXd A = jacobian();
+    if (!A.allFinite()) return worst;
+    for (const Complex rate : A.eigenvalues()) {
+      const double growth = stability(tableau_, plan_.diagram.step * rate);
+      if (rate.real() <= 1e-6 * std::abs(rate) && growth > worst.growth) worst = {growth, rate};
+    }
+    return worst;
+  }
+
+  /// True where further steps make the states grow, in the time in which the mode doubles.
+  bool grows(double growth) {
+    states_ = start_;
+    const double h = plan_.diagram.step;
+    const auto steps = static_cast<int>(std::clamp(std::log(2.0) / std::log(growth), 1.0, 2000.0));
+    for (int k = 0; k < steps; ++k) step(time_ + k * h, h);
+    const double size = states_.lpNorm<Eigen::Infinity>();
+    return !(size <= 1.4 * start_.lpNorm<Eigen::Infinity>());
+  }
+
+  /// The longest step [s] with which a mode does not grow by the method; 0 where there is none.
+  double longest_step(Complex rate) const {
+    double low = plan_.diagram.step, high = low;
+    for (int k = 0; stability(tableau_, low * rate) > 1.0; ++k) {
+      if (k == 60) return 0.0;
+      high = low;
+      low *= 0.5;
+    }
+    for (int k = 0; k < 30; ++k) {
+      const double middle = 0.5 * (low + high);
+      (stability(tableau_, middle * rate) > 1.0 ? high : low) = middle;
+    }
+    return low;
+  }
+
+  void write(const Mode& mode) {
+    Eigen::Index largest = 0;
+    start_.cwiseAbs().maxCoeff(&largest);
+    double* const report = values_ + plan_.layout.report;
+    solve::StepReport{report}.write(solve::StepReport::unstable, mode.growth, largest);
+    report[solve::StepReport::longest_step] = longest_step(mode.rate);
+  }
+
+  const plan::Plan& plan_;
+  double* const values_;
+  Stepper& stepper_;
+  const solve::Tableau tableau_;
+  const std::vector<double> kept_;  ///< the whole workspace
+  Eigen::Map<Eigen::VectorXd> states_;
+  const Eigen::VectorXd start_;
+  const double time_;
+};
+
+}  // namespace
+
+void find_unstable_steps(BoundBlocks& blocks, Stepper& stepper) {
+  const plan::Plan& plan = blocks.plan();
+  const double* const states = blocks.values() + plan.layout.states;
+  const auto is_small = [](double x) { return std::abs(x) < large; };
+  if (std::all_of(states, states + plan.layout.state_count, is_small)) return;
+  if (plan.diagram.error_control || plan.layout.state_count > most_states) return;
+  if (auto tableau = solve::find_tableau(plan.diagram.solver))
+    StepProbe(blocks, stepper, std::move(*tableau)).look();
+}
+
+}  // namespace stepwire::run

@@ -1,0 +1,101 @@
+// Fixed steps of an explicit solver that are far too long.
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/run/code_trial.hpp"
+#include "engine/simulate/run/run.hpp"
+#include "tests/support/plan_text.hpp"
+#include "tests/support/run_text.hpp"
+
+namespace stepwire::run {
+
+namespace {
+
+std::string message_of(const std::string& text) {
+  const RunResult result = result_of(text);
+  return result.faults.empty() ? "" : result.faults.front().fault.text();
+}
+
+std::string lag(const std::string& solver, const std::string& step) {
+  return "blocks:\n  u: {block: Step, time: 0.1 s}\n  lag: {block: Lag, tau: 1 ms, u: u}\nsolver: " + solver +
+         "\nstep: " + step + "\nstop: 0.5 s\nrecord: lag\n";
+}
+
+}  // namespace
+
+TEST_CASE("a run ends with a sentence where only its steps make a state grow") {
+  // Limits of stability on the real axis: Hairer and Wanner II, IV.2.
+  const std::pair<const char*, const char*> limits[] = {{"euler", "0.002 s"},
+                                                        {"heun", "0.002 s"},
+                                                        {"bogacki_shampine", "0.0025 s"},
+                                                        {"rk4", "0.0027 s"},
+                                                        {"dormand_prince", "0.0033 s"}};
+  for (const auto& [solver, limit] : limits) {
+    INFO(solver);
+    const std::string message = message_of(lag(solver, "5 ms"));
+    CHECK_THAT(message, Catch::Contains("lag.x: ") &&
+                            Catch::Contains(std::string("A step of at most ") + limit) &&
+                            Catch::Contains(solver));
+  }
+}
+
+TEST_CASE("steps that are short enough end no run") {
+  for (const char* solver : {"euler", "heun", "bogacki_shampine", "rk4", "dormand_prince"})
+    CHECK(message_of(lag(solver, "1 ms")) == "");
+}
+
+TEST_CASE("what grows in the equations ends no run") {
+  CHECK(
+      message_of("blocks:\n  x: {block: Integrator, u: x, initial: 1}\nsolver: euler\nstep: 1 s\nstop: 60 s\n"
+                 "record: x\n") == "");
+}
+
+TEST_CASE("what a sampled controller makes grow ends no run") {
+  CHECK(message_of(R"(blocks:
+  control: {block: Gain, gain: -40, u: x, every: 0.1 s}
+  rate: {block: Sum, u: [control, fade]}
+  fade: {block: Gain, gain: -1, u: x}
+  x: {block: Integrator, u: rate, initial: 1}
+solver: rk4
+step: 0.1 s
+stop: 3 s
+record: x
+)") == "");
+}
+
+TEST_CASE("an oscillator that the method of Euler blows up is named, too") {
+  const std::string message = message_of(R"(blocks:
+  force: {block: Gain, gain: -100, u: x}
+  v: {block: Integrator, u: force}
+  x: {block: Integrator, u: v, initial: 1}
+solver: euler
+step: 0.1 s
+stop: 10 s
+record: x
+)");
+  CHECK_THAT(message, Catch::Contains("is wrong. A solver of higher order"));
+}
+
+TEST_CASE("runs of a sweep are judged alike in lanes and alone") {
+  const DiagramFolder folder;
+  folder.write(
+      "sweep.yaml",
+      "stepwire: 1\nparameters: {tau: 10 ms}\nsweep: {tau: [10 ms, 1 ms, 20 ms, 5 ms, 2 ms]}\nblocks:\n"
+      "  u: {block: Step, time: 0.1 s}\n  lag: {block: Lag, tau: $tau, u: u}\nsolver: rk4\n"
+      "step: 5 ms\nstop: 2 s\nrecord: lag\n");
+  diagram::Loader loader(library());
+  const Job job = make_job(loader, folder.path("sweep.yaml"));
+  codegen::GeneratedCode code{code_trial()};
+  for (const LaneUse lanes : {LaneUse::never, LaneUse::at_once}) {
+    RunOptions options;
+    options.engine = ExecutionMode::compiled;
+    options.code = &code;
+    options.lanes = lanes;
+    const RunResult result = run_job(job, options);
+    REQUIRE(result.faults.size() == 1);
+    CHECK_THAT(result.faults.front().fault.text(), Catch::Contains("A step of at most 0.0027 s"));
+  }
+}
+
+}  // namespace stepwire::run
