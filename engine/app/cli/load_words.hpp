@@ -11,8 +11,7 @@ class App;
 
 namespace stepwire::cli {
 
-/// What a call says of reading diagram files: --set, --set-from, --parts, --large, and --stop where a verb
-/// has it.
+/// Options for reading diagram files: --set, --set-from, --parts, --large, and --stop of some verbs.
 struct LoadWords {
   std::vector<std::string> set;
   std::vector<std::string> set_from;
