@@ -33,9 +33,7 @@ class GraphWriter {
     return drawn.set("groups", std::move(groups));
   }
 
-  const std::vector<std::string>& signals() const {
-    return signals_;
-  }  ///< that have a place in what was drawn
+  const std::vector<std::string>& signals() const { return signals_; }
 
  private:
   void require_few(const Hierarchy& hierarchy) {
@@ -254,8 +252,8 @@ class GraphWriter {
   const diagram::Diagram& diagram_;
   const GraphOptions& options_;
   Selection selection_;
-  std::vector<std::string> signals_;
-  std::size_t drawn_ = 0;  ///< blocks and parts
+  std::vector<std::string> signals_;  ///< that have a place in what was drawn
+  std::size_t drawn_ = 0;             ///< blocks and parts
 };
 
 }  // namespace
