@@ -6,6 +6,7 @@
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/session/fault_json.hpp"
+#include "engine/base/data_file/reading_log.hpp"
 #include "engine/model/diagram/unread.hpp"
 
 namespace stepwire::cli {
@@ -37,6 +38,7 @@ ExitCode each_model(const ModelCall& call, const Registry& registry, const Model
     Json faults;
     const ExitCode one = guarded(
         [&] {
+          const data_file::ReadingLog log;
           session::LoadedModel model = session::load_model(registry, file, options);
           return action(model, results);
         },
