@@ -62,7 +62,7 @@ bool is_other_word(std::string_view ending) {
   return ending == "in" || ending == "min" || ending.size() < 2;
 }
 
-/// The unit that a name ends in, as `x_mm`, where it is another one than SI; empty where there is none.
+/// The unit at the end of a name, as `x_mm`, that is not SI; empty without one.
 std::string unit_in_name(const std::string& name) {
   const std::string ending = name.substr(name.rfind('_') + 1);
   if (ending.size() == name.size() || is_other_word(ending)) return "";
@@ -74,8 +74,8 @@ bool is_time_word(const std::string& name) {
   return name == "Time" || name == "TIME";
 }
 
-/// The column with the times: as the block says, else `time`, that beside the column in its group or around
-/// it, or `t`.
+/// The column with the times: the one of the block's key, else `time`, the one beside the column in its group
+/// or around it, or `t`.
 std::string time_name(const FromFile& asked, const table::RecordTable& table) {
   const std::string name(asked.time);
   if (name != "time" || table.find(name)) return name;
@@ -91,8 +91,8 @@ std::string time_name(const FromFile& asked, const table::RecordTable& table) {
   return other == table.columns.end() ? name : other->name;
 }
 
-/// The unit that the name of a column with times says, where it is another one than seconds: `t_ms`, `ms`, or
-/// `millis` as of loggers on microcontrollers; empty where it says none.
+/// The unit in the name of a column with times that is not seconds: `t_ms`, `ms`, or `millis` of loggers on
+/// microcontrollers; empty without one.
 std::string unit_of_time_in_name(const std::string& name) {
   if (name == "millis") return "ms";
   if (name == "micros") return "us";
@@ -132,8 +132,8 @@ std::vector<double> times(const FromFile& asked, const Configure& is, const tabl
   return result;
 }
 
-/// The unit of a column: as the block says, else as the header says, else SI. A name that says another one is
-/// not passed over.
+/// The unit of a column: that of the block's key, else of the header, else SI. A name with another unit is
+/// refused.
 std::string unit_of(const FromFile& asked, const Configure& is, const table::Column& column,
                     std::size_t index) {
   if (!asked.unit.empty()) return asked.unit.size() == 1 ? asked.unit.front() : asked.unit[index];
@@ -172,7 +172,7 @@ RecordColumn read_column(const FromFile& asked, const Configure& is, const Recor
   return result;
 }
 
-/// Takes the times that the block asks for as the record's rows.
+/// Takes the rows between `from` and `to`.
 CutRows cut(const FromFile& asked, const Configure& is, const std::vector<double>& time,
             std::vector<std::size_t> rows, Record& record) {
   if (time.size() < 2)

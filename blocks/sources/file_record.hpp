@@ -15,8 +15,8 @@ struct FileRecord {
   std::vector<std::string> notes;
 };
 
-/// Takes the columns, times and rows of a table that a FromFile asks for; refuses its parameters where the
-/// table does not fit them.
+/// Takes columns, times and rows of a table by the parameters of a FromFile. Refuses a parameter that does
+/// not fit the table.
 FileRecord read_file_record(const FromFile& asked, const Configure& is, const table::RecordTable& table);
 
 }  // namespace stepwire

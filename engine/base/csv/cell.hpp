@@ -8,7 +8,7 @@ namespace stepwire::csv {
 /// The mark between whole numbers and fractions in a file; `detect`: that of its numbers.
 enum class Decimal { detect, comma, point };
 
-/// What the marks of a cell say.
+/// Kinds of cells by their marks.
 enum class Shape {
   other,          ///< no number of digits: a text, a time, a missing value, infinity
   plain,          ///< no mark at all, 12
@@ -29,7 +29,7 @@ struct CellNumber {
 };
 
 /// A number of digits under a decimal mark, with exponents of Fortran (1.0D+03, 1.0-104) and of C. Empty for
-/// what is none, also where its marks say the other decimal mark.
+/// other texts, also for a number with the other decimal mark.
 std::optional<CellNumber> cell_number(const std::string& text, Decimal decimal);
 
 /// True for an empty cell and the words of other programs for one: NaN, NA, N/A, #N/A, null, None.

@@ -15,10 +15,10 @@ struct SeenCell {
   std::string text;
 };
 
-/// What the numbers of a file say of its decimal mark.
+/// Decimal mark of a file by its numbers.
 struct DecimalVerdict {
   Decimal decimal = Decimal::point;
-  /// By column: the reason why its numbers cannot be told, with the line of a cell.
+  /// By column: the reason why its numbers are open, with the line of a cell.
   struct Problem {
     SeenCell cell;
     std::string reason;
@@ -28,8 +28,8 @@ struct DecimalVerdict {
 
 /// Finds the decimal mark of a file in all its cells. A cell like 0,2 or 1.234,5 proves a comma, one like 0.2
 /// or 1,234.5 a point; 1,234 and 1.234 alone prove none. The mark that more columns prove holds for the file.
-/// A column that proves the other one is refused, and so is one in which a mark may part thousands or be
-/// decimal: then a number could be wrong by a factor of 1000 in silence. Columns with texts do not count.
+/// A column that proves the other one is refused. So is a column in which a mark may part thousands or be
+/// decimal, since its numbers could be wrong by a factor of 1000. Columns with texts do not count.
 class DecimalSurvey {
  public:
   explicit DecimalSurvey(std::size_t columns) : columns_(columns) {}
@@ -39,7 +39,7 @@ class DecimalSurvey {
   DecimalVerdict verdict(bool comma_separated) const;
 
  private:
-  /// First cells of a column that say something.
+  /// First cells of a column of each kind.
   struct Column {
     bool has_text = false;
     std::optional<SeenCell> comma, point, grouped_comma, grouped_point, either_comma, either_point;

@@ -224,8 +224,7 @@ class RecordReader {
       column.keep_rows(filled_rows_);
       if (!column.problem().empty()) table.problems.emplace(column.name(), column.problem());
       if (!column.first_stamp().empty())
-        notes_.push_back(
-            fmt::format("'{}' in seconds from {}", column.name(), column.first_stamp()));
+        notes_.push_back(fmt::format("'{}' in seconds from {}", column.name(), column.first_stamp()));
       table.columns.push_back(column.finished());
     }
     table.lines = std::move(row_lines_);

@@ -24,7 +24,7 @@ void RecordColumn::add(const std::string& text, const std::string& place) {
   column_.values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
 }
 
-/// Infinity is a number, too, which whoever plays the column refuses.
+/// Infinity is a number here; FromFile refuses it.
 std::optional<double> RecordColumn::number_of(const std::string& text) {
   if (const auto cell = cell_number(text, decimal_)) {
     grouped_ = grouped_ || cell->grouped;

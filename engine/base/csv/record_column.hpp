@@ -14,7 +14,7 @@ namespace stepwire::csv {
 /// which become seconds from the earliest one.
 class RecordColumn {
  public:
-  /// `wrong`: the reason why the column cannot be read, with its place; empty where it can.
+  /// `wrong`: the reason why the column cannot be read, with its place; empty for a good one.
   RecordColumn(table::Column column, Decimal decimal, std::string wrong)
       : column_(std::move(column)), decimal_(decimal), problem_(std::move(wrong)) {}
 

@@ -19,7 +19,7 @@ table::Column titled_column(const std::string& title);
 /// units, their names are the whole titles. Fails where the line has numbers only, or a name twice.
 std::vector<table::Column> columns_of(const std::vector<std::string>& titles, const table::CsvLines& lines);
 
-/// The units in the row below the names, as in `s;mm;N`; empty where that row holds values. It is a row of
+/// The units in the row below the names, as in `s;mm;N`; empty for a row of values. It is a row of
 /// units where it has no number but 1, and a unit above the values of a column; beside as many ones, one of
 /// time.
 std::optional<std::vector<std::string>> units_below(const std::vector<std::string>& row,

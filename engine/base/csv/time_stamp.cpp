@@ -23,7 +23,7 @@ class StampText {
     return true;
   }
 
-  /// A number of exactly so many digits.
+  /// Takes a number of this many digits.
   std::optional<int> number(std::size_t digits) {
     if (digits_ahead() < digits) return std::nullopt;
     int value = 0;

@@ -19,7 +19,7 @@ class ReadingLog {
   ReadingLog(const ReadingLog&) = delete;
   ReadingLog& operator=(const ReadingLog&) = delete;
 
-  /// Adds what the log does not have yet; does nothing where there is no log.
+  /// Adds notes that the log does not have yet; without a log there is no effect.
   static void add(const std::string& file, const std::vector<std::string>& done);
   /// Files of the log that was made last, in the order in which they were read first.
   static std::vector<FileReading> files();

@@ -122,7 +122,7 @@ class MatlabReading {
     return objects;
   }
 
-  /// Texts of a list that is asked for.
+  /// Reads the texts of a cell array in `text_lists_`.
   void take_cell(const Handle& set, const std::string& path, std::size_t depth) {
     if (std::ranges::find(text_lists_, path) == text_lists_.end()) {
       if (depth == 0) note(path, Kind::cell);

@@ -21,7 +21,7 @@ std::vector<std::string> links_of(const Handle& group);
 /// Address of an object in its file: one group may have several names, also one inside of itself.
 std::uint64_t place_of(const Handle& object);
 
-/// Text of an attribute; empty where there is none or it is no single text.
+/// Text of an attribute; empty without such an attribute, and for a list of texts.
 std::string text_attribute(std::int64_t object, const char* name);
 
 }  // namespace stepwire::hdf5

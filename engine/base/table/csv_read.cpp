@@ -12,8 +12,8 @@
 namespace stepwire::table {
 namespace {
 
-/// A CSV file whose fields are numbers, or words in the columns that are given as such. Files as other programs leave them
-/// have a reader of their own.
+/// A CSV file whose fields are numbers, or words in the columns that are given as such. Files as other
+/// programs leave them have a reader of their own.
 class Csv {
  public:
   Csv(const std::string& path, std::string_view text, ColumnWords& words)

@@ -159,8 +159,7 @@ TEST_CASE("times of the calendar become seconds from the first row") {
   CHECK(column("t;x\n2026-11-27T10:00:00,250Z;0\n2026-11-27T11:00:00,5+01:00;1,5\n", "t") ==
         Values{0.0, 0.25});
   CHECK(column("t;x\n2026-11-27T10:00:01Z;0\n2026-11-27T10:00:00Z;1\n", "t") == Values{1.0, 0.0});
-  CHECK(read("t;x\n2026-11-27T10:00:00Z;0\n").notes.back() ==
-        "'t' in seconds from 2026-11-27T10:00:00Z");
+  CHECK(read("t;x\n2026-11-27T10:00:00Z;0\n").notes.back() == "'t' in seconds from 2026-11-27T10:00:00Z");
 }
 
 TEST_CASE("times of several forms in a column are refused") {

@@ -25,7 +25,8 @@ matvar_t* structs(const char* name, std::size_t count, std::vector<const char*> 
   return Mat_VarCreateStruct(name, 2, size.data(), fields.data(), static_cast<unsigned>(fields.size()));
 }
 
-/// What Simulink's block To Workspace saves as "Structure With Time": two signals of one and two columns.
+/// Writes the file that Simulink's block To Workspace saves as "Structure With Time": two signals of one and
+/// two columns.
 void write_structure_with_time(const std::string& path, mat_ft version) {
   mat_t* const file = Mat_CreateVer(path.c_str(), nullptr, version);
   REQUIRE(file);
