@@ -8,7 +8,8 @@ namespace stepwire::diagram {
 namespace {
 
 const std::string pendulum =
-    "solver: rk4\nblocks:\n  x: {block: Ramp, slope: 1 mm/s}\n  theta: {block: Ramp, slope: 2 deg/s}\n"
+    "step: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  hold: {block: Mass, mass: 1 kg, force: 1 N}\n  x: "
+    "{block: Ramp, slope: 1 mm/s}\n  theta: {block: Ramp, slope: 2 deg/s}\n"
     "  y: {block: Mux, u: [x, theta]}\n";
 const std::string filter =
     "  kf: {block: KalmanFilter, measured: y, every: 1 ms, A: [[1, 0], [0, 1]], C: [[1, 0], [0, 1]], "
@@ -35,7 +36,7 @@ TEST_CASE("a Mux joins signals of different units, and each element keeps its ow
   CHECK(units_of(pendulum + "  late: {block: UnitDelay, u: y, every: 1 ms}\n", "late") == "m, rad");
   CHECK(units_of(pendulum + "  one: {block: Gain, u: y.1, gain: 2 N/m}\n", "one") == "N");
   CHECK(faults_of(pendulum + "  f: {block: Mass, mass: 1 kg, force: y.1}\n").at(0) ==
-        "test.yaml:6:38: f.force: y is in m, but f.force is in N");
+        "test.yaml:9:42: f.force: y is in m, but f.force is in N");
   CHECK(faults_of(pendulum + "  c: {block: Compare, u: y, operator: greater, to: 1 N}\n").size() == 1);
 }
 
@@ -50,7 +51,8 @@ TEST_CASE("the section units gives units to the elements of an estimate") {
 
 TEST_CASE("a signal whose block cannot know its unit has that of what it feeds") {
   const std::string root =
-      "solver: rk4\nblocks:\n  n: {block: Ramp, slope: 1 mm/s}\n"
+      "solver: rk4\nblocks:\n  hold: {block: Mass, mass: 1 kg, force: 1 N}\n  n: {block: Ramp, slope: 1 "
+      "mm/s}\n"
       "  f: {block: Expression, u: n, expression: 4*u}\n";
   CHECK(units_of(root, "f") == "?");
   CHECK(units_of(root + "  m: {block: Mass, mass: 1 kg, force: f}\n", "f") == "N");
@@ -77,7 +79,7 @@ TEST_CASE("coefficients of a transfer function fall by one second from power to 
   CHECK(units_of(tank(mass) + "  v: {block: Derivative, u: x, tau: 1 ms}\n", "v") == "?");
   CHECK(units_of("units: {x: m}\n" + tank(mass), "x") == "m");
   CHECK(faults_of(tank("[2 kg, 8 N/m, 200 N/m]")).at(0) ==
-        "test.yaml:4:80: x.denominator: 8 N/m is in N/m; beside the coefficients before it, it must be in N "
+        "test.yaml:4:86: x.denominator: 8 N/m is in N/m; beside the coefficients before it, it must be in N "
         "s/m");
 }
 

@@ -7,7 +7,8 @@ namespace stepwire::diagram {
 namespace {
 
 const std::string rooms =
-    "blocks:\n  room: {block: Constant, value: 30 degC}\n  oven: {block: Constant, value: 200 degC}\n"
+    "solver: euler\nblocks:\n  hold: {block: Mass, mass: 1 kg, force: 1 N}\n  room: {block: Constant, value: "
+    "30 degC}\n  oven: {block: Constant, value: 200 degC}\n"
     "  gap: {block: Sum, signs: \"+-\", u: [oven, room]}\n";
 
 std::vector<std::string> faults(const std::string& blocks) {
@@ -69,7 +70,7 @@ TEST_CASE("temperatures follow the wires through blocks with a memory, and initi
   const std::string heated =
       "  rate: {block: Gain, u: gap, gain: 0.1 1/s}\n"
       "  t: {block: Integrator, u: rate, initial: 20 degC}\n";
-  CHECK(faults_of("solver: euler\n" + rooms + heated +
+  CHECK(faults_of(rooms + heated +
                   "  e: {block: Sum, signs: \"+-\", u: [room, t]}\n"
                   "  r: {block: Relay, u: e, switch_on: 1 degC, switch_off: -1 K}\n")
             .size() == 1);
