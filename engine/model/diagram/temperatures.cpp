@@ -238,7 +238,9 @@ class Temperatures {
     for (std::size_t i = 0; i < goes_on.size(); ++i)
       for (std::size_t o = 0; o < goes_on[i].size(); ++o)
         if (const Zeros zeros = zeros_of(diagram_.output_dimensions[i][o]); zeros && !goes_on[i][o])
-          complain({block(i).origin, block(i).type().outputs[o].name, "its sum", *zeros}, *zeros, i);
+          complain({block(i).origin, block(i).type().outputs[o].name,
+                    output_name(block(i).name, block(i).type(), o), *zeros},
+                   *zeros, i);
   }
 
   Report& report_;
