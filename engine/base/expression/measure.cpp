@@ -153,7 +153,15 @@ class MakeMeasure {
       throw ExpressionError(fmt::format("'{}' joins {} and {}; they must have the same unit", sign,
                                         unit::si_name(*x.dimension), unit::si_name(*y.dimension)),
                             place);
-    return differ ? Piece{} : Piece{{x.dimension, x.sure || y.sure}};
+    if (differ) return {beside_unknown(x, y)};
+    return {{x.dimension, x.sure || y.sure}};
+  }
+
+  /// What is added to metres, without a unit of its own, is in metres; of two units that differ none is known.
+  static Measure beside_unknown(const Measure& x, const Measure& y) {
+    if (!x.dimension && y.sure) return {y.dimension, false};
+    if (!y.dimension && x.sure) return {x.dimension, false};
+    return {};
   }
 
   /// "3 + 10*current" may well be a force.

@@ -184,7 +184,11 @@ class Temperatures {
   void check_group(std::size_t index, const std::string& unit) {
     const Group group = known(index, unit);
     if (group.empty()) return;
-    const double wanted = unit.starts_with(difference_prefix) ? 0.0 : group.front().zeros;
+    const auto usual = std::ranges::find_if(group, [](const Known& one) {
+      return unit::are_zeros(one.zeros, 0.0) || unit::are_zeros(one.zeros, 1.0);
+    });
+    const Known& first = usual == group.end() ? group.front() : *usual;
+    const double wanted = unit.starts_with(difference_prefix) ? 0.0 : first.zeros;
     for (const Known& one : group) complain(one, wanted, index);
   }
 
