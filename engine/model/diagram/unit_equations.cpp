@@ -113,7 +113,6 @@ int UnitEquations::step(UnitEquation& equation, const Complain& complain) {
     else
       unknown = &term;
   }
-  const double exponent = unknown ? unknown->exponent : 1.0;
   if (!unknown) {
     const auto wrong = known.other_than_one();
     if (wrong && !follows_from_another(equation)) complain(equation, *wrong);
@@ -121,7 +120,13 @@ int UnitEquations::step(UnitEquation& equation, const Complain& complain) {
   }
   if (!is_due(equation, *unknown) || (!unknown->elements.is_whole() && !known.is_one())) return -1;
   if (known.is_one() && !known.one()) return -1;
-  const int solved = unknown->variable;
+  return solve(equation, *unknown, known);
+}
+
+/// Gives the unknown of an equation the unit for which the known rest of the product is 1.
+int UnitEquations::solve(UnitEquation& equation, const UnitTerm& unknown, ElementUnits known) {
+  const int solved = unknown.variable;
+  const double exponent = unknown.exponent;
   const Elements kind = kinds_[static_cast<std::size_t>(solved)];
   if (!known.is_one() && kind == Elements::scaled) {
     equation.terms.clear();  // the factor has other units for other elements

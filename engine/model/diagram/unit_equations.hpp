@@ -83,6 +83,7 @@ class UnitEquations {
   void find_users();
   void drain(const Complain& complain);
   int step(UnitEquation& equation, const Complain& complain);
+  int solve(UnitEquation& equation, const UnitTerm& unknown, ElementUnits known);
   void set(int variable, ElementUnits units);
   bool join_known();
   bool join_rest();
