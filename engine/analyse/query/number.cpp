@@ -25,7 +25,7 @@ std::string unit_phrase(const unit::Dimension& dimension) {
   return dimension == unit::Dimension{} ? "has no unit" : "is in " + unit::si_name(dimension);
 }
 
-/// Says why a number with a unit cannot be held against `what`; empty where it can.
+/// The fault of a number with a unit that cannot be compared with `what`; an empty text where it can.
 std::string number_fault(const WantedNumber& number, const unit::Dimension& dimension,
                          const std::string& what) {
   if (*number.dimension != dimension)

@@ -13,7 +13,7 @@
 namespace stepwire::query {
 namespace {
 
-/// Why a value cannot be drawn in a unit of the same dimension, and what to draw; empty where it can.
+/// The fault of a value that cannot be drawn in a unit of its dimension; an empty text where it can.
 std::string drawn_fault(const unit::Dimension& given, const unit::Dimension& wanted) {
   const std::string other = unit::other_meaning(given, wanted);
   if (other.empty()) return "";

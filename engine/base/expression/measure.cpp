@@ -157,7 +157,7 @@ class MakeMeasure {
     return {{x.dimension, x.sure || y.sure}};
   }
 
-  /// What is added to metres, without a unit of its own, is in metres; of two units that differ none is known.
+  /// A value without a unit, added to metres, is in metres. Of two units that differ none is known.
   static Measure beside_unknown(const Measure& x, const Measure& y) {
     if (!x.dimension && y.sure) return {y.dimension, false};
     if (!y.dimension && x.sure) return {x.dimension, false};

@@ -21,7 +21,7 @@ query::SymbolTable rooms() {
           {{"allowed", 273.25, of("degC")}}};
 }
 
-/// What is wrong with a claim; empty where nothing is.
+/// The fault of a claim; an empty text where it has none.
 std::string fault(const std::string& text) {
   const yaml::Document document = yaml::parse_document("- {that: a, " + text + "}", "d.yaml");
   yaml::Faults faults;
