@@ -12,14 +12,14 @@ namespace stepwire::unit {
 // - An angle per time (rad/s, rpm) is no number of periods per time (Hz). 1/s is either.
 // - A temperature (degC, degF) is no difference of temperatures (delta_degC). K is either.
 
-/// The reason why a value cannot have the wanted meaning: "is an angle per time, and a period has 2*pi rad".
-/// An empty text where it can, and where a meaning is unknown.
+/// The reason why a value cannot have the wanted meaning. An empty text where it can, and where a meaning is
+/// unknown.
 std::string other_meaning(const Dimension& given, const Dimension& wanted);
 
 /// The same of a number with its unit, with the unit to write instead.
 std::string other_meaning_of_number(const Dimension& given, const Dimension& wanted);
 
-/// The factor between a value and the wanted rate, in words: "divide by 2*pi".
+/// The factor from a value to the wanted rate, in words.
 std::string cure_of_rate(const Dimension& wanted);
 
 /// True for the quotient of an angle per time and a number of periods per time.
