@@ -9,17 +9,18 @@ void TransferFunction::declare(Declare<TransferFunction>& is) {
            {.doc = "Y(s) / U(s) = numerator / denominator for one signal. Coefficients stand highest power "
                    "of s first: "
                    "[1, 0.2, 4] is s^2 + 0.2 s + 4. The numerator's degree may not exceed the denominator's. "
-                   "Units are "
-                   "not checked through it.",
+                   "Each coefficient may carry its unit, which falls by one s from power to power: "
+                   "[2 kg, 8 N s/m, 200 N/m].",
             .source = "controllable canonical form, e.g. Ogata, Modern Control Engineering, section 9-2",
             .symbol = {.text = "{numerator:s|num(s)} / {denominator:s|den(s)}"},
             .smooth = true});
-  is.parameter<&TransferFunction::numerator>({.unit = "*", .doc = "coefficients, highest power of s first"});
+  is.parameter<&TransferFunction::numerator>(
+      {.unit = "'n by s", .doc = "coefficients, highest power of s first"});
   is.parameter<&TransferFunction::denominator>(
-      {.unit = "*", .doc = "coefficients, highest power of s first"});
+      {.unit = "'d by s", .doc = "coefficients, highest power of s first"});
   is.input<&TransferFunction::u>(
-      {.unit = "*", .doc = "input; felt at once only where both degrees are equal"});
-  is.output<&TransferFunction::y>({.unit = "*", .doc = "output"});
+      {.unit = "'u", .doc = "input; felt at once only where both degrees are equal"});
+  is.output<&TransferFunction::y>({.unit = "'n 'u/'d", .doc = "output"});
   is.state<&TransferFunction::x>(
       {.unit = "*", .shape = "n", .doc = "states of the canonical form, highest derivative first"});
   declare_reset(is, "*", "the states", "n");

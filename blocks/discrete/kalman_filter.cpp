@@ -37,8 +37,8 @@ void KalmanFilter::declare(Declare<KalmanFilter>& is) {
               "x + K (y - C x - D u) with K = P C' (C P C' + R)^-1, and both go on: x = A estimate + B u, "
               "P = A (I - K C) P A' + Q (computed in Joseph's form). The gain varies from P0 on. Its numbers "
               "are "
-              "SI of what is wired; units are not checked through it. A constant gain: "
-              "DiscreteLuenbergerObserver.",
+              "SI of what is wired; the section `units` says what its estimates are in, as units: "
+              "{kf.estimate.1: m}. A constant gain: DiscreteLuenbergerObserver.",
        .source = "R. E. Kalman, J. Basic Eng. 82 (1960) 35; Joseph's form: Bucy, Joseph, Filtering for "
                  "Stochastic Processes, 1968",
        .symbol = {.text = "Kalman"}});

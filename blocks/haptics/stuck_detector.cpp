@@ -14,7 +14,7 @@ void StuckDetector::declare(Declare<StuckDetector>& is) {
   is.parameter<&StuckDetector::time>(
       {.unit = "s", .doc = "for which nothing changes at most", .at_least = 0.0});
   is.parameter<&StuckDetector::tolerance>(
-      {.unit = "'u", .doc = "change that does not count as one; none where left out", .at_least = 0.0});
+      {.unit = "delta 'u", .doc = "change that does not count as one; none where left out", .at_least = 0.0});
   is.input<&StuckDetector::u>({.unit = "'u", .doc = "what is read from the sensor"});
   is.input<&StuckDetector::moving>({.unit = "*", .doc = "true while it should change"});
   is.output<&StuckDetector::y>({.doc = "1 while it is stuck, else 0"});

@@ -48,9 +48,10 @@ void Sensor::declare(Declare<Sensor>& is) {
            "at its ends and in its middle (assumed)",
        .below = 0.15,
        .at_least = 0.0});
-  is.parameter<&Sensor::noise>({.unit = "'u", .doc = "standard deviation of normal noise", .at_least = 0.0});
+  is.parameter<&Sensor::noise>(
+      {.unit = "delta 'u", .doc = "standard deviation of normal noise", .at_least = 0.0});
   is.parameter<&Sensor::converter_range>(
-      {.unit = "'u",
+      {.unit = "delta 'u",
        .doc = "what the whole range of the converter, of all its levels, measures",
        .at_least = 0.0});
   is.parameter<&Sensor::bits>({.doc = "of the converter; 0: no converter", .at_least = 0.0, .at_most = 32.0});

@@ -90,7 +90,7 @@ void declare_block(Declare<ExpressionBlock>& is) {
            "A formula over its inputs, element by element. u1 is the first of the list u, u2 the second, "
            "and u is "
            "another name for u1. Numbers of the formula may carry units (`u1 > 4 mm`); its value is taken "
-           "as SI. "
+           "as SI, in the unit of what it feeds or of the section `units`. "
            "For the time feed the output of a Clock. Blocks of their own are faster and check units. With "
            "`events: locate` the first four places where it breaks are located: conditions, and the jumps "
            "and bends of abs, sign, floor, ceil, round, min, max and mod (not the jump of atan2). A formula "

@@ -12,7 +12,7 @@ void Backlash::declare(Declare<Backlash>& is) {
               "push at the same tick and is held between ticks. Before the first tick it is at `initial`.",
        .source = "play operator, e.g. Visintin, Differential Models of Hysteresis, 1994, chapter III",
        .symbol = {.curve = "M-1 -.8H-.1L.9 .8M1 .8H.1L-.9 -.8", .axes = true}});
-  is.parameter<&Backlash::width>({.unit = "'u", .doc = "the whole gap", .at_least = 0.0});
+  is.parameter<&Backlash::width>({.unit = "delta 'u", .doc = "the whole gap", .at_least = 0.0});
   is.input<&Backlash::u>({.unit = "'u", .doc = "position of the driving side"});
   is.crossing<&Backlash::reset>("the reset signal becomes true or false", "1");
   is.crossing<&Backlash::u>("the gap closes on the upper side");

@@ -24,7 +24,8 @@ void DeadZone::declare(Declare<DeadZone>& is) {
   is.input<&DeadZone::upper_>({.unit = "'u", .doc = "upper end as a signal", .optional = true});
   is.crossing<&DeadZone::u, &DeadZone::lower_>("u reaches the lower end of the zone");
   is.crossing<&DeadZone::u, &DeadZone::upper_>("u reaches the upper end");
-  is.output<&DeadZone::y>({.unit = "'u", .doc = "how far the signal lies outside of the zone, with sign"});
+  is.output<&DeadZone::y>(
+      {.unit = "delta 'u", .doc = "how far the signal lies outside of the zone, with sign"});
 }
 
 }  // namespace stepwire

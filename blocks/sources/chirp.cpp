@@ -23,7 +23,7 @@ void Chirp::declare(Declare<Chirp>& is) {
                       "-1.2 .5 0C.56 1.2 .62 1.2 .67 0C.72 -1.2 .77 -1.2 .82 0C.88 1.2 .94 1.2 1 0"},
        .at_events = true,
        .smooth = true});
-  is.parameter<&Chirp::amplitude>({.unit = "'u", .doc = "half of the distance between the peaks"});
+  is.parameter<&Chirp::amplitude>({.unit = "delta 'u", .doc = "half of the distance between the peaks"});
   is.parameter<&Chirp::frequency>({.unit = "Hz", .doc = "frequency at t = 0", .at_least = 0.0});
   is.parameter<&Chirp::target_frequency>({.unit = "Hz", .doc = "frequency at target_time", .at_least = 0.0});
   is.parameter<&Chirp::target_time>({.unit = "s", .doc = "how long the frequency moves", .above = 0.0});

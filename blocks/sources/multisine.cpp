@@ -115,9 +115,10 @@ void Multisine::declare(Declare<Multisine>& is) {
        .words = {"all", "odd"}});
   is.parameter<&Multisine::frequencies>(
       {.unit = "Hz", .doc = "of each line, in place of period, lowest, highest and lines", .above = 0.0});
-  is.parameter<&Multisine::amplitude>({.unit = "'u", .doc = "of the lines: one number, or one for each"});
+  is.parameter<&Multisine::amplitude>(
+      {.unit = "delta 'u", .doc = "of the lines: one number, or one for each"});
   is.parameter<&Multisine::rms>(
-      {.unit = "'u",
+      {.unit = "delta 'u",
        .doc = "if above 0, all amplitudes are scaled so that the signal has this rms",
        .at_least = 0.0});
   is.parameter<&Multisine::phase>({.doc = "schroeder: low peaks; random: even over the circle, from the "

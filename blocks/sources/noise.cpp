@@ -29,7 +29,8 @@ void Noise::declare(Declare<Noise>& is) {
       {.doc = "of a sample: normal, or uniform within mean +- sqrt(3) deviation",
        .words = {"normal", "uniform"}});
   is.parameter<&Noise::mean>({.unit = "'u", .doc = "mean of a sample"});
-  is.parameter<&Noise::deviation>({.unit = "'u", .doc = "standard deviation of a sample", .at_least = 0.0});
+  is.parameter<&Noise::deviation>(
+      {.unit = "delta 'u", .doc = "standard deviation of a sample", .at_least = 0.0});
   is.parameter<&Noise::power>(
       {.unit = "'u^2 s",
        .doc = "two-sided spectral density well below the tick frequency, in place of deviation: "

@@ -15,7 +15,7 @@ void Pulse::declare(Declare<Pulse>& is) {
               "period and y = bias otherwise. With `phase` the train begins within a period.",
        .symbol = {.curve = "M-1 -.6H-.7V.6H-.2V-.6H.3V.6H.8V-.6H1"},
        .at_events = true});
-  is.parameter<&Pulse::amplitude>({.unit = "'u", .doc = "height of a pulse above the bias"});
+  is.parameter<&Pulse::amplitude>({.unit = "delta 'u", .doc = "height of a pulse above the bias"});
   is.parameter<&Pulse::period>({.unit = "s", .doc = "from one rising edge to the next", .above = 0.0});
   is.parameter<&Pulse::width>(
       {.doc = "share of the period that is high: 0.3 or 30 %", .at_least = 0.0, .at_most = 1.0});

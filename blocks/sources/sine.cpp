@@ -13,7 +13,7 @@ void Sine::declare(Declare<Sine>& is) {
                     .symbol = {.curve = "M-1 0C-.75 1.05 -.25 1.05 0 0C.25 -1.05 .75 -1.05 1 0"},
                     .at_events = true,
                     .smooth = true});
-  is.parameter<&Sine::amplitude>({.unit = "'u", .doc = "half of the distance between the peaks"});
+  is.parameter<&Sine::amplitude>({.unit = "delta 'u", .doc = "half of the distance between the peaks"});
   is.parameter<&Sine::frequency>({.unit = "Hz", .doc = "periods per second (not radians)"});
   is.parameter<&Sine::phase>({.unit = "rad", .doc = "angle at t = 0; a cosine has 90 deg"});
   is.parameter<&Sine::bias>({.unit = "'u", .doc = "mean value"});

@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "engine/analyse/claim/claim.hpp"
+#include "engine/analyse/claim/claim_comparison.hpp"
 #include "engine/analyse/claim/claim_range.hpp"
 #include "engine/analyse/claim/claim_words.hpp"
 #include "engine/analyse/claim/run_formula.hpp"
 #include "engine/analyse/claim/step_reductions.hpp"
 #include "engine/analyse/query/number.hpp"
+#include "engine/analyse/query/series.hpp"
 
 namespace stepwire::claim {
 
@@ -29,8 +31,28 @@ std::optional<query::Formula> read_of_run(const yaml::Node& node, Claim& claim,
   return value;
 }
 
+/// A value with the unit behind it, as `x in mm`, in which it is shown.
+std::optional<query::Formula> read_with_unit(const yaml::Node& node, Claim& claim,
+                                             const query::NamesReading& read) {
+  auto series = query::read_series(node, read.names, read.subject, read.faults);
+  if (!series) return std::nullopt;
+  claim.comparison.unit = series->unit_text;
+  series->formula.dimension = series->unit.dimension;
+  return std::move(series->formula);
+}
+
+bool names_unit(const yaml::Node& node) {
+  return node.is_scalar() && node.text.find(" in ") != std::string::npos;
+}
+
+std::optional<query::Formula> read_value(const yaml::Node& node, Claim& claim,
+                                         const query::NamesReading& read) {
+  if (is_of_runs(claim.reduction)) return read_of_run(node, claim, read);
+  return names_unit(node) ? read_with_unit(node, claim, read) : read.formula(node);
+}
+
 void add_value(const yaml::Node& node, Claim& claim, const query::NamesReading& read) {
-  auto value = is_of_runs(claim.reduction) ? read_of_run(node, claim, read) : read.formula(node);
+  auto value = read_value(node, claim, read);
   if (!value) return;
   const bool counts = claim.reduction == Reduction::fraction || claim.reduction == Reduction::count ||
                       claim.reduction == Reduction::fraction_of_runs;
@@ -79,61 +101,14 @@ ClaimRow reduction(Reduction kind, std::string name, std::string doc, yaml::Key 
                                             }});
 }
 
-std::optional<double> compared(const yaml::Node& node, Claim& claim, const query::NamesReading& read) {
-  auto number = query::read_number(node, read.names, read.subject, read.faults);
-  if (!number) return std::nullopt;
-  if (claim.reduction == Reduction::fit && number->unit == "%") return 100.0 * number->value;
-  query::check_dimension(*number, reduced_dimension(claim), "the claim's value", node, read.names,
-                         read.subject, read.faults);
-  if (claim.comparison.unit.empty()) claim.comparison.unit = number->unit;
-  return number->value;
-}
-
-/// A number as it is written, with the SI unit that one without a unit has.
-std::string text_of(const yaml::Node& node, const Claim& claim) {
-  const auto number = unit::parse_quantity(node.text);
-  const auto dimension = reduced_dimension(claim);
-  if (!number || number->dimension || !dimension || *dimension == unit::Dimension{}) return node.text;
-  return node.text + " " + unit::si_name(*dimension);
-}
-
-void read_between(const yaml::Node& node, Claim& claim, const query::NamesReading& read) {
-  const auto* ends = read.pair(node, yaml::like("[3.1 N, 3.3 N]", {}));
-  if (!ends) return;
-  const yaml::Node &first = ends->front(), &second = ends->back();
-  const auto low = compared(first, claim, read), high = compared(second, claim, read);
-  if (low && high && *low > *high)
-    read.fault(node.mark,
-               fmt::format("{} is above {}; the smaller number comes first", first.text, second.text));
-  claim.comparison.low = low.value_or(0.0);
-  claim.comparison.high = high.value_or(0.0);
-  claim.comparison.text = fmt::format("between {} and {}", text_of(first, claim), text_of(second, claim));
-}
-
 ClaimRow comparison(Comparison::Kind kind, std::string name, std::string sign, std::string doc) {
   return yaml::one_of("comparison",
                       ClaimRow{std::move(name), std::move(doc), form::computed(),
                                [=](Claim& claim, const yaml::Node& node, const query::NamesReading& read) {
                                  claim.comparison.kind = kind;
-                                 claim.comparison.low = compared(node, claim, read).value_or(0.0);
-                                 claim.comparison.text = sign + " " + text_of(node, claim);
+                                 claim.comparison.low = read_compared(node, claim, read).value_or(0.0);
+                                 claim.comparison.text = sign + " " + written_number(node, claim);
                                }});
-}
-
-void read_within(Claim& claim, const yaml::Node& node, const query::NamesReading& read) {
-  Comparison& comparison = claim.comparison;
-  const auto number = query::read_number(node, read.names, read.subject, read.faults);
-  if (!number || comparison.kind != Comparison::Kind::equals) return;
-  const bool relative = number->unit == "%";
-  if (!relative)
-    query::check_dimension(*number, reduced_dimension(claim), "the claim's value", node, read.names,
-                           read.subject, read.faults);
-  comparison.within = relative ? number->value * std::abs(comparison.low) : number->value;
-  comparison.text += " within " + text_of(node, claim);
-  if (relative && comparison.low == 0.0)
-    read.fault(node.mark,
-               fmt::format("{} of 0 is 0; give a tolerance with the unit of the value", node.text));
-  if (comparison.within < 0.0) read.fault(node.mark, "a tolerance is not negative");
 }
 
 void read_disagreement(Claim& claim, const yaml::Node& node, const query::NamesReading& read) {

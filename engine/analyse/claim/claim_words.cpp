@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "engine/analyse/query/number.hpp"
+#include "engine/base/unit/meaning.hpp"
 
 namespace stepwire::claim {
 namespace {
@@ -56,6 +57,15 @@ double resolved(const Comparison& comparison, double value, double magnitude) {
   return alike && std::abs(value) <= resolution * scale ? 0.0 : value;
 }
 
+std::optional<unit::Dimension> value_dimension(const Claim& claim) {
+  return claim.values.empty() ? std::nullopt : claim.values.front().dimension;
+}
+
+std::optional<unit::Dimension> as_difference(std::optional<unit::Dimension> dimension) {
+  if (dimension && unit::is_temperature(*dimension)) dimension->zeros = 0.0;
+  return dimension;
+}
+
 }  // namespace
 
 const std::vector<std::string>& reduction_names() {
@@ -84,9 +94,16 @@ std::optional<unit::Dimension> reduced_dimension(const Claim& claim) {
     case Reduction::iae:
       if (claim.values.empty() || !claim.values.front().dimension) return std::nullopt;
       return *claim.values.front().dimension * unit::parse_unit("s")->dimension;
+    case Reduction::spread:
+    case Reduction::rms:
+      return as_difference(value_dimension(claim));
     default:
-      return claim.values.empty() ? std::nullopt : claim.values.front().dimension;
+      return value_dimension(claim);
   }
+}
+
+std::optional<unit::Dimension> difference_dimension(const Claim& claim) {
+  return as_difference(reduced_dimension(claim));
 }
 
 std::string check_text(const Claim& claim, const std::string& time) {

@@ -14,6 +14,9 @@ const std::vector<std::string>& reduction_names();
 /// Dimension of the reduced value, where it is known.
 std::optional<unit::Dimension> reduced_dimension(const Claim& claim);
 
+/// The same of a difference of two such values, as a tolerance is: of temperatures in K, not in degC.
+std::optional<unit::Dimension> difference_dimension(const Claim& claim);
+
 /// The condition of a claim as text; `time` is the time of `at` as written.
 std::string check_text(const Claim& claim, const std::string& time);
 

@@ -59,6 +59,7 @@ diagram::Diagram without_blocks(diagram::Diagram diagram) {
   diagram.outputs.clear();
   diagram.output_dimensions.clear();
   diagram.state_dimensions.clear();
+  diagram.element_dimensions.clear();
   return diagram;
 }
 

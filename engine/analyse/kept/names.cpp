@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <set>
 #include <string_view>
@@ -33,11 +34,24 @@ std::vector<double> few_values(const diagram::Sweep::Axis& axis) {
   return {values.begin(), values.end()};
 }
 
+/// The unit behind the first number that is written with one; empty where none is.
+std::string written_unit(const diagram::SweptValues& values) {
+  if (values.empty()) return "";
+  const std::string text = values.text(0);
+  const auto quantity = unit::parse_quantity(text);
+  double number = 0.0;
+  const std::size_t sign = text.starts_with('+') ? 1 : 0;
+  const char* rest = std::from_chars(text.data() + sign, text.data() + text.size(), number).ptr;
+  while (*rest == ' ') ++rest;
+  return quantity && quantity->dimension ? rest : "";
+}
+
 void add_swept_names(const run::Job& job, query::SymbolTable& names) {
   if (job.points.empty()) return;
   for (const diagram::Sweep::Axis& axis : job.plan.diagram.sweep->axes) {
     query::RecordedName name{axis.parameter, std::nullopt, std::nullopt};
     name.values = few_values(axis);
+    name.unit = written_unit(axis.values);
     if (axis.label) name.words = run::words_of(axis);
     for (const diagram::DiagramParameter& parameter : job.plan.diagram.parameters) {
       if (parameter.name != axis.parameter) continue;

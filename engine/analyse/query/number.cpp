@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "engine/analyse/query/formula.hpp"
+#include "engine/base/unit/meaning.hpp"
 
 namespace stepwire::query {
 namespace {
@@ -22,6 +23,18 @@ std::string unit_after_number(const std::string& text) {
 
 std::string unit_phrase(const unit::Dimension& dimension) {
   return dimension == unit::Dimension{} ? "has no unit" : "is in " + unit::si_name(dimension);
+}
+
+/// The fault of a number with a unit that cannot be compared with `what`; an empty text where it can.
+std::string number_fault(const WantedNumber& number, const unit::Dimension& dimension,
+                         const std::string& what) {
+  if (*number.dimension != dimension)
+    return fmt::format("{} {}, but {} {}", number.text, unit_phrase(*number.dimension), what,
+                       unit_phrase(dimension));
+  std::string other = unit::other_meaning_of_number(*number.dimension, dimension);
+  if (!other.empty()) return fmt::format("{} {}", number.text, other);
+  other = unit::other_meaning(dimension, *number.dimension);
+  return other.empty() ? "" : fmt::format("{} {}", what, other);
 }
 
 }  // namespace
@@ -45,18 +58,17 @@ std::optional<WantedNumber> read_number(const yaml::Node& node, const SymbolTabl
                 {}});
     return std::nullopt;
   }
-  return WantedNumber{formula->expression({}), std::nullopt, "", formula->text};
+  const bool is_temperature = formula->dimension && formula->dimension->zeros;
+  return WantedNumber{formula->expression({}), is_temperature ? formula->dimension : std::nullopt, "",
+                      formula->text};
 }
 
 void check_dimension(const WantedNumber& number, const std::optional<unit::Dimension>& dimension,
                      const std::string& what, const yaml::Node& node, const SymbolTable& names,
                      const std::string& subject, yaml::Faults& faults) {
-  if (!number.dimension || !dimension || *number.dimension == *dimension) return;
-  faults.add({{names.file, node.mark},
-              subject,
-              fmt::format("{} {}, but {} {}", number.text, unit_phrase(*number.dimension), what,
-                          unit_phrase(*dimension)),
-              {}});
+  if (!number.dimension || !dimension) return;
+  const std::string fault = number_fault(number, *dimension, what);
+  if (!fault.empty()) faults.add({{names.file, node.mark}, subject, fault, {}});
 }
 
 void add_unknown_key(const yaml::Entry& entry, const std::vector<std::string>& known,

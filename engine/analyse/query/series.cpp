@@ -8,9 +8,17 @@
 #include "engine/analyse/query/names_reading.hpp"
 #include "engine/analyse/query/number.hpp"
 #include "engine/base/text/characters.hpp"
+#include "engine/base/unit/meaning.hpp"
 
 namespace stepwire::query {
 namespace {
+
+/// The fault of a value that cannot be drawn in a unit of its dimension; an empty text where it can.
+std::string drawn_fault(const unit::Dimension& given, const unit::Dimension& wanted) {
+  const std::string other = unit::other_meaning(given, wanted);
+  if (other.empty()) return "";
+  return other + "; " + (unit::is_temperature(wanted) ? "draw it in K" : unit::cure_of_rate(wanted));
+}
 
 /// Reads the unit behind " in " and checks that the formula can be drawn in it.
 bool read_unit(const yaml::Node& node, std::string_view text, std::size_t offset, Series& series,
@@ -23,6 +31,9 @@ bool read_unit(const yaml::Node& node, std::string_view text, std::size_t offset
   else if (dimension && *dimension != unit->dimension)
     message = fmt::format("'{}' is in {} and cannot be drawn in {}", series.formula.text,
                           unit::si_name(*dimension), text);
+  else if (const std::string other = dimension ? drawn_fault(*dimension, unit->dimension) : "";
+           !other.empty())
+    message = fmt::format("'{}' {}", series.formula.text, other);
   if (!message.empty()) {
     faults.add({place_in(node, offset, names), subject, message, {}});
     return false;
@@ -79,6 +90,13 @@ std::string printed_unit(const std::string& unit) {
   if (text == "deg") return "°";
   if (text == "um") return "µm";
   return text;
+}
+
+std::string unit_cure(const Formula& formula) {
+  const bool bare = formula.columns.size() == 1 && formula.columns.front() == formula.text;
+  const bool is_signal = bare && formula.recording;
+  const std::string head = is_signal ? fmt::format(", or in the head units: {{{}: m}}", formula.text) : "";
+  return fmt::format("name its SI unit behind it, as '{} in m'{}", formula.text, head);
 }
 
 std::string Series::axis_label() const {

@@ -24,6 +24,9 @@ struct Series {
   std::string axis_label() const;
 };
 
+/// How to give a formula a unit: "write '(x + y) in m', or units: {..} in the head".
+std::string unit_cure(const Formula& formula);
+
 /// Reads "EXPR", "EXPR in UNIT" or {signal: ..., label: ...}.
 std::optional<Series> read_series(const yaml::Node& node, const SymbolTable& names,
                                   const std::string& subject, yaml::Faults& faults);

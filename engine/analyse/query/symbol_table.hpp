@@ -30,6 +30,7 @@ struct RecordedName {
   std::string column{};  ///< its name in the table where that differs ("lag" for "lag.y"); else empty
   std::vector<std::string> words{};  ///< that its numbers 0, 1, ... stand for; empty: they are numbers
   std::vector<double> values{};      ///< SI, of a swept parameter with few of them, ascending; else empty
+  std::string unit{};  ///< in which the file writes the numbers of a swept parameter; else empty
 };
 
 /// A parameter of the diagram, used in figures and claims as "$name".

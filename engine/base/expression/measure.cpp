@@ -6,6 +6,7 @@
 #include <array>
 
 #include "engine/base/expression/fold.hpp"
+#include "engine/base/unit/meaning.hpp"
 
 namespace stepwire::expression {
 namespace {
@@ -31,6 +32,21 @@ std::optional<double> folded(const Operation& operation, const std::vector<Piece
     numbers.push_back(*value.number);
   }
   return operation.value(numbers.data(), static_cast<int>(numbers.size()));
+}
+
+using Zeros = std::optional<double>;
+
+Zeros zeros_of(const Piece& piece) {
+  return piece.measure.dimension ? piece.measure.dimension->zeros : std::nullopt;
+}
+
+/// The dimension of a value times a bare number, which can be 2 pi rad for each period.
+unit::Dimension scaled(unit::Dimension dimension, const Zeros& zeros, const std::optional<double>& by,
+                       bool divided) {
+  dimension.cycles = 0.0;
+  if (dimension.exponents[2] != 0.0) dimension.angle = 0.0;
+  if (zeros && by && *by != 0.0) dimension.zeros = divided ? *zeros / *by : *zeros * *by;
+  return dimension;
 }
 
 class MakeMeasure {
@@ -63,10 +79,29 @@ class MakeMeasure {
  private:
   static Piece unit_of(const Operation& operation, const std::vector<Piece>& values, std::size_t place) {
     const Piece& a = values.front();
-    if (operation.binding == Binding::prefix) return {a.measure, a.bare};
+    if (operation.binding == Binding::prefix) return negative(a);
     if (operation.binding == Binding::product) return product(operation.name, a, values[1]);
     if (operation.binding == Binding::power) return to_the(a, values[1]);
-    return join(a, values[1], operation.name, place);
+    if (operation.binding == Binding::comparison) refuse_meanings(a, values[1], operation.name, place);
+    Piece joined = join(a, values[1], operation.name, place);
+    if (operation.binding == Binding::sum && joined.measure.dimension)
+      joined.measure.dimension->zeros =
+          unit::joined_zeros(zeros_of(a), zeros_of(values[1]), operation.name == "-");
+    return joined;
+  }
+
+  static Piece negative(const Piece& value) {
+    Piece result{value.measure, value.bare};
+    if (const Zeros zeros = zeros_of(value)) result.measure.dimension->zeros = -*zeros;
+    return result;
+  }
+
+  static void refuse_meanings(const Piece& a, const Piece& b, std::string_view sign, std::size_t place) {
+    if (a.bare || b.bare || !a.measure.sure || !b.measure.sure) return;
+    const unit::Dimension &x = *a.measure.dimension, &y = *b.measure.dimension;
+    std::string other = unit::other_meaning(y, x);
+    if (other.empty()) other = unit::other_meaning(x, y);
+    if (!other.empty()) throw ExpressionError(fmt::format("a value beside '{}' {}", sign, other), place);
   }
 
   /// A matrix has one unit, or none that is known.
@@ -94,7 +129,10 @@ class MakeMeasure {
     const Piece& first = values.front();
     if (is_one_of(function, {"min", "max", "mod", "hypot", "atan2"})) {
       Piece all = first;
-      for (std::size_t i = 1; i < values.size(); ++i) all = join(all, values[i], function, place);
+      for (std::size_t i = 1; i < values.size(); ++i) {
+        refuse_meanings(all, values[i], function, place);
+        all = join(all, values[i], function, place);
+      }
       return function == "atan2" ? truth : all;
     }
     if (is_one_of(function, {"sign", "uniform", "normal", "lognormal"})) return truth;
@@ -115,7 +153,15 @@ class MakeMeasure {
       throw ExpressionError(fmt::format("'{}' joins {} and {}; they must have the same unit", sign,
                                         unit::si_name(*x.dimension), unit::si_name(*y.dimension)),
                             place);
-    return differ ? Piece{} : Piece{{x.dimension, x.sure || y.sure}};
+    if (differ) return {beside_unknown(x, y)};
+    return {{x.dimension, x.sure || y.sure}};
+  }
+
+  /// A value without a unit, added to metres, is in metres. Of two units that differ none is known.
+  static Measure beside_unknown(const Measure& x, const Measure& y) {
+    if (!x.dimension && y.sure) return {y.dimension, false};
+    if (!y.dimension && x.sure) return {x.dimension, false};
+    return {};
   }
 
   /// "3 + 10*current" may well be a force.
@@ -128,7 +174,10 @@ class MakeMeasure {
     };
     const auto x = one(a), y = one(b);
     if (!x || !y) return {};
-    return {{sign == "*" ? *x * *y : *x / *y, a.measure.sure && b.measure.sure}};
+    const unit::Dimension unit = sign == "*" ? *x * *y : *x / *y;
+    const bool sure = a.measure.sure && b.measure.sure;
+    if (b.bare) return {{scaled(unit, zeros_of(a), b.number, sign == "/"), sure}};
+    return {{a.bare ? scaled(unit, zeros_of(b), a.number, false) : unit, sure}};
   }
 
   static Piece to_the(const Piece& a, const Piece& b) {

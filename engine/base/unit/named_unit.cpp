@@ -23,14 +23,17 @@ constexpr std::size_t max_words = 10'000;  // a bound on the cache, whatever tex
 constexpr std::array<std::string_view, 6> refused{"e", "u", "a", "b", "R", "pi"};
 
 /// What udunits2 lacks, or, as mph and kph, reads as a thousandth and a thousand of a phot.
-constexpr std::array<std::pair<const char*, const char*>, 8> added{{{"deg", "degree"},
-                                                                    {"rev", "revolution"},
-                                                                    {"Nm", "N.m"},
-                                                                    {"Wh", "W.h"},
-                                                                    {"Ah", "A.h"},
-                                                                    {"mph", "mile/hour"},
-                                                                    {"kph", "km/hour"},
-                                                                    {"gn", "9.80665 m/s2"}}};
+constexpr std::array<std::pair<const char*, const char*>, 11> added{{{"deg", "degree"},
+                                                                     {"rev", "revolution"},
+                                                                     {"Nm", "N.m"},
+                                                                     {"Wh", "W.h"},
+                                                                     {"Ah", "A.h"},
+                                                                     {"mph", "mile/hour"},
+                                                                     {"kph", "km/hour"},
+                                                                     {"gn", "9.80665 m/s2"},
+                                                                     {"delta_degC", "K"},
+                                                                     {"delta_degF", "0.5555555555555556 K"},
+                                                                     {"temperature_K", "K"}}};
 
 struct Free {
   void operator()(ut_system* system) const { ut_free_system(system); }
@@ -93,6 +96,16 @@ ut_status visit(const ut_unit* parsed, Unit& unit) {
   return ut_accept_visitor(parsed, &visitor, &unit);
 }
 
+/// delta_degC is a difference of temperatures. temperature_K, in which numbers of parameters are put into
+/// formulas, is none, as degC.
+void add_meaning(std::string_view word, Unit& unit) {
+  if (word.starts_with("delta_deg"))
+    unit.dimension.zeros = 0.0;
+  else if (unit.offset != 0.0L || word == "temperature_K")
+    unit.dimension.zeros = 1.0;
+  if (word.ends_with("Hz") || word.ends_with("hertz")) unit.dimension.cycles = 1.0;
+}
+
 /// The database is read once, at the first use, and what was asked is kept; udunits2 itself knows no threads.
 class Words {
  public:
@@ -109,6 +122,7 @@ class Words {
     const Parsed parsed(ut_parse(system_.get(), word.c_str(), UT_UTF8));
     Unit unit;
     if (!parsed || visit(parsed.get(), unit) != UT_SUCCESS) return std::nullopt;
+    add_meaning(word, unit);
     return unit;
   }
 

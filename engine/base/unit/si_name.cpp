@@ -62,9 +62,15 @@ bool is_angular(const Dimension& dimension) {
   return dimension.angle == 1.0 && others == Exponents{} && (time == 0.0 || time == -1.0 || time == -2.0);
 }
 
+/// A number of periods per time.
+bool is_frequency(const Dimension& dimension) {
+  return dimension.cycles == 1.0 && dimension.angle == 0.0 && dimension.exponents == Exponents{0, 0, -1};
+}
+
 }  // namespace
 
 std::string si_name(const Dimension& dimension) {
+  if (is_frequency(dimension)) return "Hz";
   if (is_angular(dimension)) {
     const double time = -dimension.exponents[2];
     return time == 0.0 ? "rad" : time == 1.0 ? "rad/s" : "rad/s^2";

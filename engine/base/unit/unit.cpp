@@ -15,6 +15,7 @@ Dimension combine(const Dimension& a, const Dimension& b, Combine&& with) {
     result.exponents[i] = with(a.exponents[i], b.exponents[i]);
   }
   result.angle = with(a.angle, b.angle);
+  result.cycles = with(a.cycles, b.cycles);
   return result;
 }
 

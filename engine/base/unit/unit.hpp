@@ -9,11 +9,18 @@
 
 namespace stepwire::unit {
 
-/// Exponents of m, kg, s, A, K, mol, cd. Halves occur (square roots). Angles have none: a radian is 1, and
-/// `angle` only says that a number is shown as one.
+/// Exponents of m, kg, s, A, K, mol, cd. Halves occur (square roots). Angles have none: a radian is 1. The
+/// other members are the meaning of a number; two dimensions that differ in them alone are equal, see
+/// meaning.hpp.
 struct Dimension {
   std::array<double, 7> exponents{};
-  double angle = 0.0;  ///< exponent of rad; two dimensions that differ in it alone are equal
+  double angle = 0.0;   ///< exponent of rad
+  double cycles = 0.0;  ///< exponent of Hz; 1/s has none
+
+  /// The zeros of temperature scales in a sum of temperatures: 1 in a temperature (degC), 0 in a difference
+  /// of two (delta_degC). Products and powers have none.
+  std::optional<double> zeros{};
+
   bool operator==(const Dimension& other) const { return exponents == other.exponents; }
 };
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <regex>
 
 #include "engine/base/expression/expression.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/yaml/message.hpp"
+#include "engine/model/diagram/coefficients.hpp"
 #include "engine/model/diagram/parameters.hpp"
 #include "engine/model/diagram/quoted_number.hpp"
 #include "engine/model/diagram/report.hpp"
@@ -72,8 +72,8 @@ std::string unknown_unit(const std::string& text) {
   return end == text.c_str() || unit.empty() || unit::parse_unit(unit) ? "" : unit;
 }
 
-/// What is wrong with a formula where a number is needed: a name that stands for no parameter, "3*kk", or that
-/// it is the text of a parameter, for want of a '='; nothing where the text is no formula.
+/// The fault of a formula in the place of a number: an unknown parameter ("3*kk"), or a missing '='. Nullopt
+/// where the text is no formula.
 std::optional<yaml::Message> formula_fault(const std::string& text, const yaml::Node& node,
                                            const ParameterScope& parameters) {
   try {
@@ -81,8 +81,7 @@ std::optional<yaml::Message> formula_fault(const std::string& text, const yaml::
     if (!node.is_scalar() || node.quoted || formula.variables().empty()) return std::nullopt;
     for (const std::string& name : formula.variables())
       if (!parameters.knows(name) && name != text)
-        return fmt::format("there is no parameter '{}'", name) +
-               yaml::did_you_mean(name, parameters.names());
+        return fmt::format("there is no parameter '{}'", name) + yaml::did_you_mean(name, parameters.names());
     if (node.text.starts_with('$') && formula.variables().front() != text)
       return yaml::fault_text("'{0}' is a text there; a formula of parameters is written '= {0}'", text);
   } catch (const expression::ExpressionError&) {
@@ -98,20 +97,6 @@ bool is_text(ParameterKind kind) {
 yaml::Message other_word(const std::string& text, const std::vector<std::string>& words) {
   const std::string choice = fmt::format("It must be one of: {}", fmt::join(words, ", "));
   return fmt::format("'{}' is not allowed", text) + yaml::did_you_mean(text, words, choice);
-}
-
-/// What is wrong with an angle per time where periods per time are meant, or the other way round. A radian
-/// counts as 1, so that both have one dimension, and a wire does not tell them apart; a number with its unit
-/// does.
-std::string mixed_rates(const std::string& written, const std::string& unit) {
-  static const std::regex angles(R"((?:^|[^A-Za-z])(?:rad|deg|rev|rpm)(?:$|[^A-Za-z]))");
-  static const std::regex periods(R"(Hz(?:$|[^A-Za-z]))");
-  if (written.starts_with('=')) return "";
-  if (unit == "Hz" && std::regex_search(written, angles))
-    return "is an angle per time, and a period has 2*pi rad";
-  if (unit == "rad/s" && std::regex_search(written, periods))
-    return "counts periods per time, of which each has 2*pi rad";
-  return "";
 }
 
 /// What is wrong with a value that is none of the kind.
@@ -148,12 +133,12 @@ std::optional<WrittenValue> ValueReader::read_for(const ParameterSpec& spec,
                                                   const std::optional<unit::Dimension>& demanded,
                                                   const yaml::Node& node, const std::string& subject) const {
   if (is_text(spec.kind)) return read_words(spec, node, subject);
-  auto written = read(with_formulas(node, spec.kind != ParameterKind::flag), subject);
+  const yaml::Node value_node = with_formulas(node, spec.kind != ParameterKind::flag);
+  auto written = are_coefficients(spec) ? read_coefficients(*this, report_, spec, value_node, subject)
+                                        : read(value_node, subject);
   if (!written) return std::nullopt;
   const std::string complaint = unit_complaint(written->dimension, demanded);
   if (!complaint.empty()) return refuse(node, subject, fmt::format("{} {}", written->text, complaint));
-  if (const std::string mixed = mixed_rates(written->text, spec.unit); !mixed.empty())
-    return refuse(node, subject, yaml::fault_text("{} {}; write it in {}", written->text, mixed, spec.unit));
   auto value = convert(spec, *written, node, subject);
   if (!value) return std::nullopt;
   if (const auto* matrix = std::get_if<Eigen::MatrixXd>(&written->value.content);

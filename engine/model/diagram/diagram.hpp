@@ -22,6 +22,12 @@ struct Bindings;
 /// Units of ports, [block][port], where known.
 using PortUnits = std::vector<std::vector<std::optional<unit::Dimension>>>;
 
+/// An output whose elements have different units.
+struct ElementDimensions {
+  int block = -1, output = -1;
+  std::vector<std::optional<unit::Dimension>> each;
+};
+
 /// A file as it is used at one place of a diagram: the diagram itself (scope 0), or a part inside of it.
 struct ScopeInfo {
   std::string file;
@@ -235,6 +241,7 @@ struct Diagram {
   std::shared_ptr<const Bindings> bindings;  ///< how its values follow from the parameters
   PortUnits output_dimensions;               ///< see infer_units
   PortUnits state_dimensions;                ///< of the states
+  std::vector<ElementDimensions> element_dimensions;  ///< where output_dimensions has no unit for all
   std::optional<Sweep> sweep;
   std::optional<StopCondition> stop_when;
   yaml::Node figure, claims, invariants;  ///< as written, read by the figure room; empty where absent

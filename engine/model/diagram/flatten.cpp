@@ -169,7 +169,7 @@ class Flattener {
     std::set<std::string> said;
     for (const UnitDemand& demand : diagram_.unit_demands) {
       if (demand.source.block < 0) continue;
-      std::string signal = name({demand.source.block, demand.source.output});
+      std::string signal = name({demand.source.block, demand.source.output, -1, demand.source.element});
       if (said.insert(signal).second)
         add_key(map, std::move(signal), written_text(unit::si_name(demand.dimension)));
     }

@@ -96,7 +96,9 @@ class NumbersReading {
     const auto value = value_of(node);
     if (!value) return false;
     const bool is_ratio = argument.of == Argument::Of::ratio;
-    const auto demanded = is_ratio ? unit::Dimension{} : dimension_.value_or(unit::Dimension{});
+    unit::Dimension demanded;
+    if (!is_ratio && dimension_) demanded = *dimension_;
+    if (argument.of == Argument::Of::way && demanded.zeros) demanded.zeros = 0.0;
     if (const std::string complaint = unit_complaint(value->dimension, demanded); !complaint.empty()) {
       refuse(node.mark, fmt::format("'{}' {}", argument.name, complaint));
       return false;

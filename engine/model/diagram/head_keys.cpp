@@ -131,7 +131,8 @@ const std::vector<HeadRow>& head_rows() {
          form::names(form::section("input"), 0, name_pattern)},
         {"outputs", "ports: signals that the file that uses this one as a part sees, or a program reads",
          form::names(form::section("output"), 0, name_pattern)},
-        {"units", "units that signals have, where their blocks do not say: {pull: N}",
+        {"units",
+         "units of signals and their elements whose blocks cannot tell: {pull: N, kf.estimate.2: rad}",
          form::naming(yaml::Key::Names::signal, form::names(form::unit()))},
         yaml::needed(HeadRow{"blocks", "the blocks by name; an input is a key of its block",
                              form::names(form::section("block"), 1, dotted_pattern)})};

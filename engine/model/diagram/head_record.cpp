@@ -13,6 +13,7 @@
 #include "engine/model/diagram/named_parameters.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/record_parameter.hpp"
+#include "engine/model/diagram/units.hpp"
 
 namespace stepwire::diagram {
 
@@ -238,11 +239,7 @@ void check_stop_condition(Report& report) {
   std::vector<expression::Measure> measures;
   for (const SignalRef& signal : diagram.stop_when->variables) {
     std::optional<unit::Dimension> dimension = unit::parse_unit("s")->dimension;
-    const auto block = static_cast<std::size_t>(signal.block);
-    if (signal.block >= 0 && signal.output >= 0)
-      dimension = diagram.output_dimensions[block][static_cast<std::size_t>(signal.output)];
-    else if (signal.block >= 0)
-      dimension = diagram.state_dimensions[block][static_cast<std::size_t>(signal.state)];
+    if (signal.block >= 0) dimension = dimension_of(diagram, signal);
     measures.push_back({dimension, dimension.has_value()});
   }
   try {
@@ -255,15 +252,14 @@ void check_stop_condition(Report& report) {
 namespace {
 
 /// Of what a condition calls by this name.
-std::optional<unit::Dimension> dimension_of(const std::string& name, const DiagramBlock& block,
-                                            const Diagram& diagram) {
+std::optional<unit::Dimension> dimension_of_name(const std::string& name, const DiagramBlock& block,
+                                                 const Diagram& diagram) {
   const auto& variables = static_cast<const Condition*>(block.block.get())->variables;
   const auto index = static_cast<std::size_t>(std::ranges::find(variables, name) - variables.begin());
   if (index >= block.inputs.front().size()) return unit::parse_unit("s")->dimension;  // the time
   const Source& source = block.inputs.front()[index];
-  return source.block < 0 ? source.dimension
-                          : diagram.output_dimensions[static_cast<std::size_t>(source.block)]
-                                                     [static_cast<std::size_t>(source.output)];
+  if (source.block < 0) return source.dimension;
+  return dimension_of(diagram, {source.block, source.output, -1, source.element});
 }
 
 }  // namespace
@@ -276,7 +272,7 @@ void check_conditions(Report& report) {
           static_cast<const Condition*>(block.block.get())->expression.view());
       std::vector<expression::Measure> measures;
       for (const std::string& name : formula.variables()) {
-        const auto dimension = dimension_of(name, block, report.diagram());
+        const auto dimension = dimension_of_name(name, block, report.diagram());
         measures.push_back({dimension, dimension.has_value()});
       }
       static_cast<void>(formula.measure(measures));

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "engine/base/unit/meaning.hpp"
 #include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/quoted_number.hpp"
 #include "engine/model/diagram/report.hpp"
@@ -56,7 +57,8 @@ std::optional<std::string> inserted_text(const Value& value) {
 
 std::string unit_complaint(const std::optional<unit::Dimension>& written,
                            const std::optional<unit::Dimension>& demanded) {
-  if (!written || !demanded || *written == *demanded) return "";
+  if (!written || !demanded) return "";
+  if (*written == *demanded) return unit::other_meaning_of_number(*written, *demanded);
   if (*demanded == unit::Dimension{})
     return fmt::format("is in {}; it must be a pure number, without a unit", unit::si_name(*written));
   return fmt::format("is in {}; it must be in {}", unit::si_name(*written), unit::si_name(*demanded));

@@ -1,26 +1,72 @@
 #include "engine/model/diagram/type_units.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace stepwire::diagram {
 
 namespace {
 
 UnitExpression read(const std::string& text, TypeUnits& units) {
-  auto expression = parse_unit_expression(text).value_or(UnitExpression{true, {}, {}});
+  auto expression = parse_unit_expression(text).value_or(UnitExpression{true, false, {}, {}});
   for (auto& [name, exponent] : expression.variables)
     if (std::find(units.variables.begin(), units.variables.end(), name) == units.variables.end())
       units.variables.push_back(name);
   return expression;
 }
 
+bool has(const UnitExpression& expression, const std::string& variable) {
+  return std::ranges::any_of(expression.variables, [&](const auto& term) { return term.first == variable; });
+}
+
 }  // namespace
+
+bool joins_pieces(const InputSpec& spec) {
+  return spec.list && spec.shape.starts_with('+') && spec.shape.find(" x ") == std::string::npos;
+}
 
 TypeUnits::TypeUnits(const BlockType& type) {
   for (const auto& spec : type.parameters) parameters.push_back(read(spec.unit, *this));
   for (const auto& spec : type.inputs) inputs.push_back(read(spec.unit, *this));
   for (const auto& spec : type.outputs) outputs.push_back(read(spec.unit, *this));
   for (const auto& spec : type.states) states.push_back(read(spec.unit, *this));
+  take_products();
+  for (const std::string& variable : variables) elements.push_back(elements_of(variable, type));
+}
+
+void TypeUnits::take_products() {
+  for (std::size_t o = 0; o < outputs.size(); ++o) {
+    if (outputs[o].variables.size() < 2) continue;
+    variables.push_back("=" + std::to_string(o));
+    products.push_back({o, outputs[o]});
+    outputs[o] = {false, false, {}, {{variables.back(), 1.0}}};
+  }
+}
+
+/// A variable has a unit for each element where all of its ports have one shape.
+Elements TypeUnits::elements_of(const std::string& variable, const BlockType& type) const {
+  std::set<std::string> shapes;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const InputSpec& spec = type.inputs[i];
+    if (has(inputs[i], variable)) shapes.insert(joins_pieces(spec) ? spec.shape.substr(1) : spec.shape);
+  }
+  for (std::size_t i = 0; i < outputs.size(); ++i)
+    if (has(outputs[i], variable)) shapes.insert(type.outputs[i].shape);
+  for (const Product& product : products)
+    if (has(product.unit, variable)) shapes.insert(type.outputs[product.output].shape);
+  if (shapes.size() <= 1) return Elements::own;
+  return is_scaled(variable) ? Elements::scaled : Elements::alike;
+}
+
+/// True where each output with this variable has a factor that is the unit of no input.
+bool TypeUnits::is_scaled(const std::string& variable) const {
+  const auto is_factor = [&](const auto& term) {
+    return std::ranges::none_of(inputs, [&](const UnitExpression& input) { return has(input, term.first); });
+  };
+  return std::ranges::none_of(outputs, [&](const UnitExpression& one) { return has(one, variable); }) &&
+         std::ranges::all_of(products, [&](const Product& one) {
+           return !has(one.unit, variable) || std::ranges::any_of(one.unit.variables, is_factor);
+         });
 }
 
 }  // namespace stepwire::diagram

@@ -1,116 +1,222 @@
 #include "engine/model/diagram/unit_equations.hpp"
 
-#include <deque>
+#include <algorithm>
+
+#include "engine/base/unit/meaning.hpp"
 
 namespace stepwire::diagram {
 
 void UnitEquations::add(UnitEquation equation, std::string what) {
-  std::erase_if(equation.terms, [](const auto& term) { return term.second == 0.0; });
+  std::erase_if(equation.terms, [](const UnitTerm& term) { return term.exponent == 0.0; });
   equation.what = std::move(what);
   equations_.push_back(std::move(equation));
 }
 
-/// The equations in which each variable stands.
-std::vector<std::vector<int>> UnitEquations::users() const {
-  std::vector<std::vector<int>> users(values_.size());
+void UnitEquations::find_users() {
+  users_.resize(values_.size());
   for (std::size_t i = 0; i < equations_.size(); ++i)
-    for (const auto& [variable, exponent] : equations_[i].terms)
-      users[static_cast<std::size_t>(variable)].push_back(static_cast<int>(i));
-  return users;
+    for (const UnitTerm& term : equations_[i].terms)
+      users_[static_cast<std::size_t>(term.variable)].push_back(static_cast<int>(i));
 }
 
 void UnitEquations::solve(std::size_t variables, const Complain& complain) {
   values_.resize(variables);
   in_question_.resize(variables);
-  const std::vector<std::vector<int>> users = this->users();
-  std::deque<int> queue;
-  for (std::size_t i = 0; i < equations_.size(); ++i) queue.push_back(static_cast<int>(i));
-  while (!queue.empty()) {
-    UnitEquation& equation = equations_[static_cast<std::size_t>(queue.front())];
-    queue.pop_front();
-    equation.queued = false;
-    const int solved = step(equation, complain);
-    if (solved < 0) continue;
-    for (int user : users[static_cast<std::size_t>(solved)]) {
-      UnitEquation& other = equations_[static_cast<std::size_t>(user)];
-      if (other.queued || &other == &equation) continue;
-      other.queued = true;
-      queue.push_back(user);
-    }
-  }
+  kinds_.resize(variables, Elements::own);
+  defined_first_.resize(variables);
+  for (const int variable : defined_) defined_first_[static_cast<std::size_t>(variable)] = true;
+  find_users();
+  for (std::size_t i = 0; i < equations_.size(); ++i) queue_.push_back(static_cast<int>(i));
+  do drain(complain);
+  while (join_known() || solve_late(Stage::products, complain) || join_rest() ||
+         solve_late(Stage::elements, complain));
   find_angles();
+  check_rates(complain);
+}
+
+void UnitEquations::drain(const Complain& complain) {
+  while (!queue_.empty()) {
+    UnitEquation& equation = equations_[static_cast<std::size_t>(queue_.front())];
+    queue_.pop_front();
+    equation.queued = false;
+    step(equation, complain);
+  }
+}
+
+void UnitEquations::set(int variable, ElementUnits units) {
+  const auto index = static_cast<std::size_t>(variable);
+  values_[index] = std::move(units);
+  for (const int user : users_[index]) {
+    UnitEquation& other = equations_[static_cast<std::size_t>(user)];
+    if (!other.queued) queue_.push_back(user);
+    other.queued = true;
+  }
 }
 
 /// Lets numbers that are a pure ratio or a rate be angles where their equations hold only so: rad is 1, so
 /// that no equation is wrong without. Each becomes one once.
 void UnitEquations::find_angles() {
-  const std::vector<std::vector<int>> users = this->users();
   std::deque<int> queue;
   for (std::size_t i = 0; i < equations_.size(); ++i) queue.push_back(static_cast<int>(i));
   while (!queue.empty()) {
     const int turned = turn_to_angle(equations_[static_cast<std::size_t>(queue.front())]);
     queue.pop_front();
     if (turned < 0) continue;
-    for (const int user : users[static_cast<std::size_t>(turned)]) queue.push_back(user);
+    for (const int user : users_[static_cast<std::size_t>(turned)]) queue.push_back(user);
   }
 }
 
 /// The variable that is an angle now; -1 where none is.
 int UnitEquations::turn_to_angle(const UnitEquation& equation) {
-  const auto sum = dimension_of(equation);
+  const auto product = dimension_of(equation);
+  const auto sum = product ? product->one() : std::nullopt;
   if (!sum || sum->angle == 0.0) return -1;
-  for (const auto& [variable, exponent] : equation.terms) {
-    auto& value = values_[static_cast<std::size_t>(variable)];
-    if (value->angle != 0.0 || sum->angle + exponent != 0.0) continue;
-    unit::Dimension rate = *value;
+  for (const UnitTerm& term : equation.terms) {
+    auto& value = values_[static_cast<std::size_t>(term.variable)];
+    const auto unit = value->one();
+    if (!unit || unit->angle != 0.0 || unit->cycles != 0.0 || sum->angle + term.exponent != 0.0) continue;
+    unit::Dimension rate = *unit;
     rate.exponents[2] = 0.0;
-    if (rate != unit::Dimension{} || value->exponents[2] > 0.0) continue;
-    value->angle = 1.0;
-    return variable;
+    if (rate != unit::Dimension{} || unit->exponents[2] > 0.0) continue;
+    unit::Dimension turned = *unit;
+    turned.angle = 1.0;
+    value = turned;
+    return term.variable;
   }
   return -1;
 }
 
+void UnitEquations::check_rates(const Complain& complain) {
+  for (const UnitEquation& equation : equations_) {
+    const auto product = dimension_of(equation);
+    const auto sum = product ? product->one() : std::nullopt;
+    if (sum && *sum == unit::Dimension{} && unit::mixes_rates(*sum) && !follows_from_another(equation))
+      complain(equation, *sum);
+  }
+}
+
+void UnitEquations::restrict_elements(int variable, Elements kind) {
+  kinds_.resize(std::max(kinds_.size(), static_cast<std::size_t>(variable) + 1), Elements::own);
+  kinds_[static_cast<std::size_t>(variable)] = kind;
+}
+
 /// Solves for the only unknown variable and returns it; checks where none is unknown; -1 where nothing is
 /// learnt.
-int UnitEquations::step(const UnitEquation& equation, const Complain& complain) {
-  unit::Dimension known = equation.constant;
-  int unknown = -1;
-  double exponent = 0.0;
-  for (const auto& [variable, power_of] : equation.terms) {
-    const auto& value = values_[static_cast<std::size_t>(variable)];
-    if (value) {
-      known = known * unit::power(*value, power_of);
-    } else {
-      if (unknown >= 0) return -1;
-      unknown = variable;
-      exponent = power_of;
-    }
+int UnitEquations::step(UnitEquation& equation, const Complain& complain) {
+  ElementUnits known = equation.constant;
+  const UnitTerm* unknown = nullptr;
+  for (const UnitTerm& term : equation.terms) {
+    const auto& value = values_[static_cast<std::size_t>(term.variable)];
+    if (!value && unknown) return -1;
+    if (value)
+      known = known.times(value->elements(term.elements), term.exponent);
+    else
+      unknown = &term;
   }
-  if (unknown < 0) {
-    if (known != unit::Dimension{} && !follows_from_another(equation)) complain(equation, known);
+  if (!unknown) {
+    const auto wrong = known.other_than_one();
+    if (wrong && !follows_from_another(equation)) complain(equation, *wrong);
     return -1;
   }
-  values_[static_cast<std::size_t>(unknown)] = unit::power(known, -1.0 / exponent);
-  return unknown;
+  if (!is_due(equation, *unknown) || (!unknown->elements.is_whole() && !known.is_one())) return -1;
+  if (known.is_one() && !known.one()) return -1;
+  return solve(equation, *unknown, known);
+}
+
+/// Gives the unknown of an equation the unit for which the known rest of the product is 1.
+int UnitEquations::solve(UnitEquation& equation, const UnitTerm& unknown, ElementUnits known) {
+  const int solved = unknown.variable;
+  const double exponent = unknown.exponent;
+  const Elements kind = kinds_[static_cast<std::size_t>(solved)];
+  if (!known.is_one() && kind == Elements::scaled) {
+    equation.terms.clear();  // the factor has other units for other elements
+    equation.constant = {};
+    known = ElementUnits();
+  } else if (!known.is_one() && kind == Elements::alike) {
+    known = ElementUnits::unknown();
+  }
+  set(solved, ElementUnits().times(known, -1.0 / exponent));
+  return solved;
+}
+
+/// The units of a join; nullopt where they do not follow yet. With `all_known` the units of its pieces are
+/// all that will be known of them.
+std::optional<ElementUnits> UnitEquations::joined(const UnitJoin& join, bool all_known) const {
+  ElementUnits::Each each;
+  std::optional<ElementUnits> common;
+  bool differ = false, sized = true, some_unknown = false;
+  for (const UnitJoin::Piece& piece : join.pieces) {
+    const auto units = piece.is_bare ? std::nullopt : dimension_of(piece.unit);
+    if (!units && !piece.is_bare && !all_known) return std::nullopt;
+    some_unknown = some_unknown || (!units && piece.any);
+    if (units && !common) common = units;
+    differ = differ || (units && (!units->is_one() || !agree(*units, *common)));
+    sized = sized && piece.size > 0;
+    for (std::size_t k = 0; k < piece.size; ++k) each.push_back(units ? units->of(k) : std::nullopt);
+  }
+  if (!common) return std::nullopt;
+  if (!differ && !some_unknown && common->one()) return common->one();
+  return sized ? ElementUnits(std::move(each)) : ElementUnits::unknown();
+}
+
+bool UnitEquations::join_known() {
+  bool any = false;
+  for (const UnitJoin& join : joins_) {
+    if (values_[static_cast<std::size_t>(join.variable)]) continue;
+    auto units = joined(join, false);
+    if (!units) continue;
+    set(join.variable, std::move(*units));
+    any = true;
+  }
+  return any;
+}
+
+bool UnitEquations::join_rest() {
+  for (const UnitJoin& join : joins_) {
+    if (values_[static_cast<std::size_t>(join.variable)]) continue;
+    auto units = joined(join, true);
+    if (!units) continue;
+    set(join.variable, std::move(*units));
+    return true;
+  }
+  return false;
+}
+
+/// Solves what was left to this stage.
+bool UnitEquations::solve_late(Stage stage, const Complain& complain) {
+  bool any = false;
+  stage_ = stage;
+  for (UnitEquation& equation : equations_)
+    if (equation.terms.size() > 0) any = step(equation, complain) >= 0 || any;
+  stage_ = Stage::whole;
+  return any;
+}
+
+/// True where an equation gives its only unknown a unit at this stage.
+bool UnitEquations::is_due(const UnitEquation& equation, const UnitTerm& unknown) const {
+  if (equation.only_checks || equation.joins == unknown.variable) return false;
+  const bool is_defined =
+      defined_first_[static_cast<std::size_t>(unknown.variable)] && equation.defines != unknown.variable;
+  if (!unknown.elements.is_whole()) return stage_ == Stage::elements;
+  return !is_defined || stage_ != Stage::whole;
 }
 
 /// Once a unit is in question, all that it is held against would be told as well.
 bool UnitEquations::follows_from_another(const UnitEquation& equation) {
   bool known = false;
-  for (const auto& [variable, exponent] : equation.terms) {
-    known = known || in_question_[static_cast<std::size_t>(variable)];
-    in_question_[static_cast<std::size_t>(variable)] = true;
+  for (const UnitTerm& term : equation.terms) {
+    known = known || in_question_[static_cast<std::size_t>(term.variable)];
+    in_question_[static_cast<std::size_t>(term.variable)] = true;
   }
   return known;
 }
 
-std::optional<unit::Dimension> UnitEquations::dimension_of(const UnitEquation& product) const {
-  unit::Dimension result = product.constant;
-  for (const auto& [variable, exponent] : product.terms) {
-    const auto& value = values_[static_cast<std::size_t>(variable)];
+std::optional<ElementUnits> UnitEquations::dimension_of(const UnitEquation& product) const {
+  ElementUnits result = product.constant;
+  for (const UnitTerm& term : product.terms) {
+    const auto& value = values_[static_cast<std::size_t>(term.variable)];
     if (!value) return std::nullopt;
-    result = result * unit::power(*value, exponent);
+    result = result.times(value->elements(term.elements), term.exponent);
   }
   return result;
 }

@@ -40,7 +40,10 @@ std::optional<UnitExpression> parse_unit_expression(std::string_view text) {
     result.any = true;
     return result;
   }
-  for (const Factor& factor : split(text)) {
+  constexpr std::string_view difference = "delta ";
+  result.is_difference = text.starts_with(difference);
+  if (result.is_difference) text.remove_prefix(difference.size());
+  for (const Factor& factor : split(text.substr(0, text.find(" by ")))) {
     if (factor.text.front() != '\'') {
       const auto unit = unit::parse_unit(factor.text);
       if (!unit) return std::nullopt;

@@ -12,13 +12,15 @@ namespace stepwire::diagram {
 
 /// The unit of a port as a block declares it: a constant dimension times powers of unit variables.
 struct UnitExpression {
-  bool any = false;  ///< declared "*": nothing is known and nothing is checked
+  bool any = false;            ///< declared "*": nothing is known and nothing is checked
+  bool is_difference = false;  ///< declared "delta 'u": a difference of two values in 'u
   unit::Dimension constant;
   std::vector<std::pair<std::string, double>> variables;  ///< name without the quote, exponent
 };
 
-/// Reads "N m/s", "'u", "'k 'u", "'u/s", "'u^0.5", "*"; '/' turns only what follows it. Nothing if it cannot
-/// be read.
+/// Reads "N m/s", "'u", "'k 'u", "'u/s", "'u^0.5", "delta 'u", "'n by s" (of
+/// the last of some coefficients), "*"; '/' turns only what follows it. Nothing
+/// if it cannot be read.
 std::optional<UnitExpression> parse_unit_expression(std::string_view text);
 
 }  // namespace stepwire::diagram

@@ -84,7 +84,8 @@ class Changing {
   /// The units of wires are those of the plan; a bare number is in the unit that was there before.
   void check_unit(const diagram::ChangedValue& value, const std::optional<unit::Dimension>& known,
                   const std::string& name) {
-    if (value.value.dimension && value.value.dimension != known)
+    const auto& given = value.value.dimension;
+    if (given && (given != known || (given->zeros && given->zeros != known->zeros)))
       refuse_structure(static_cast<std::size_t>(value.target.block), name,
                        "the value has another unit, or one where it had none");
   }

@@ -33,6 +33,12 @@ std::string element_name(const std::string& signal, const SignalSlot& whole, Eig
   return fmt::format("{}.{}.{}", signal, k % whole.rows() + 1, k / whole.rows() + 1);
 }
 
+diagram::SignalRef element_of(const diagram::SignalRef& signal, const SignalSlot& slot, Eigen::Index k) {
+  diagram::SignalRef element = signal;
+  if (slot.size > 1) element.element = {k % slot.rows() + 1, slot.columns > 1 ? k / slot.rows() + 1 : 0};
+  return element;
+}
+
 std::string shape_text(Eigen::Index size, Eigen::Index columns) {
   return columns == 1 ? fmt::format("{}", size) : fmt::format("{} x {}", size / columns, columns);
 }

@@ -16,6 +16,8 @@ std::string missing_element(const diagram::ElementIndex& element, const SignalSl
                             const std::string& name);
 /// The name of number k of a signal: its own where it has but one, "v.2", or "R.2.3" of a matrix.
 std::string element_name(const std::string& signal, const SignalSlot& whole, Eigen::Index k);
+/// Element k of a signal.
+diagram::SignalRef element_of(const diagram::SignalRef& signal, const SignalSlot& slot, Eigen::Index k);
 /// "3" or "3 x 2"
 std::string shape_text(Eigen::Index size, Eigen::Index columns);
 

@@ -1,5 +1,7 @@
 #include "engine/model/plan/plan.hpp"
 
+#include <algorithm>
+
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/units.hpp"
 #include "engine/model/plan/canonical_order.hpp"
@@ -17,9 +19,11 @@ SignalSlot Plan::slot(const diagram::SignalRef& signal) const {
 }
 
 std::optional<unit::Dimension> Plan::dimension(const diagram::SignalRef& signal) const {
-  const auto block = static_cast<std::size_t>(signal.block);
-  return signal.output >= 0 ? diagram.output_dimensions[block][static_cast<std::size_t>(signal.output)]
-                            : diagram.state_dimensions[block][static_cast<std::size_t>(signal.state)];
+  if (signal.output < 0) return diagram::dimension_of(diagram, signal);
+  const SignalSlot& whole =
+      blocks[static_cast<std::size_t>(signal.block)].outputs[static_cast<std::size_t>(signal.output)];
+  return diagram::dimension_of(
+      diagram, signal, {static_cast<std::size_t>(whole.size), static_cast<std::size_t>(whole.columns)});
 }
 
 const std::vector<LoopCall>& Plan::loops_of(const std::vector<KernelCall>& table) const {
@@ -53,6 +57,18 @@ bool Draft::is_state(std::size_t block, std::size_t output) const {
          (!blocks[block].computes && !type(block).outputs[output].state.empty());
 }
 
+/// The shapes of all outputs; an empty list where some were refused.
+static diagram::OutputShapes output_shapes(const Draft& draft) {
+  diagram::OutputShapes shapes;
+  for (const Draft::Block& block : draft.blocks) {
+    auto& of_block = shapes.emplace_back();
+    for (std::size_t o = 0; o < block.output_sizes.size(); ++o)
+      of_block.push_back({static_cast<std::size_t>(block.output_sizes[o]),
+                          static_cast<std::size_t>(std::max<Eigen::Index>(block.output_columns[o], 1))});
+  }
+  return draft.report.faults().empty() ? shapes : diagram::OutputShapes{};
+}
+
 Plan make_plan(diagram::Diagram diagram) {
   Plan plan;
   plan.diagram = std::move(diagram);
@@ -61,8 +77,8 @@ Plan make_plan(diagram::Diagram diagram) {
   plan_rates(draft);
   configure_blocks(draft);
   draft.report.faults().throw_if_any();
-  diagram::infer_units(draft.report);
   plan_shapes(draft);
+  diagram::infer_units(draft.report, output_shapes(draft));
   draft.report.faults().throw_if_any();
   prepare_blocks(draft);
   find_timed(draft);

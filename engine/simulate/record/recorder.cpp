@@ -13,10 +13,10 @@ std::vector<RecordedColumn> recorded_columns(const plan::Plan& plan, const diagr
   columns.push_back({"time", unit::parse_unit("s")->dimension, plan::Layout::time});
   for (const diagram::RecordedSignal& signal : request.signals) {
     const plan::SignalSlot slot = plan.slot(signal.signal);
-    const auto dimension = plan.dimension(signal.signal);
     for (Eigen::Index k = 0; k < slot.size; ++k)
-      columns.push_back(
-          {plan::element_name(signal.name, slot, k), dimension, slot.offset + static_cast<std::size_t>(k)});
+      columns.push_back({plan::element_name(signal.name, slot, k),
+                         plan.dimension(plan::element_of(signal.signal, slot, k)),
+                         slot.offset + static_cast<std::size_t>(k)});
   }
   return columns;
 }

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/view/plot/panel_reading.hpp"
 
 #include "engine/base/yaml/message.hpp"
@@ -30,13 +32,26 @@ class AxisChecks {
   void check_units(const std::string& axis) {
     const auto found = panel_.series.find(axis);
     if (found == panel_.series.end()) return;
-    const query::Series& first = found->second.front();
-    for (const query::Series& series : found->second) {
-      // A sum with a bare number has no known unit; it is drawn as the others are.
-      if (series.unit_text.empty() || first.unit_text.empty() || series.unit_text == first.unit_text)
-        continue;
-      two_units(axis, series, first);
+    const auto with_unit = std::ranges::find_if(found->second, has_unit);
+    if (with_unit == found->second.end()) return;
+    for (query::Series& series : found->second) {
+      if (&series == &*with_unit || series.unit_text == with_unit->unit_text) continue;
+      if (is_bare(series))
+        series.unit = with_unit->unit;
+      else if (series.unit_text.empty())
+        no_unit(axis, series, *with_unit);
+      else
+        two_units(axis, series, *with_unit);
     }
+  }
+
+  static bool has_unit(const query::Series& series) {
+    return !series.unit_text.empty() && series.unit_text != "1";
+  }
+
+  /// A number that is SI of what it meets.
+  static bool is_bare(const query::Series& series) {
+    return series.unit_text.empty() && series.formula.columns.empty();
   }
 
   void check_number_of_x(const std::vector<query::Series>& y) {
@@ -53,8 +68,16 @@ class AxisChecks {
     for (query::Series& reference : references->second) {
       const auto &ours = reference.formula.dimension, &axis = first.formula.dimension;
       if (ours && axis && *ours != *axis) two_units("reference", reference, first);
+      if (!is_bare(reference) && has_unit(first) && reference.unit_text.empty())
+        no_unit("reference", reference, first);
       reference.unit = first.unit;
     }
+  }
+
+  void no_unit(const std::string& key, const query::Series& series, const query::Series& first) {
+    fault(series.formula.mark, key,
+          yaml::fault_text("'{}' is drawn in {}, but the unit of '{}' is not known; {}", first.formula.text,
+                           first.unit_text, series.formula.text, query::unit_cure(series.formula)));
   }
 
   void two_units(const std::string& key, const query::Series& series, const query::Series& first) {

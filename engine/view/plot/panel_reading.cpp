@@ -107,8 +107,21 @@ class PanelReader {
     if (entry.value.is_list() && entry.value.items.empty())
       return fault(entry.value.mark, subject, "the list is empty");
     for (const yaml::Node& item : entry.value.as_list())
-      if (auto series = query::read_series(item, names_, subject, faults_))
+      if (auto series = query::read_series(item, names_, subject, faults_)) {
+        if (entry.key == "by") show_as_written(*series);
         panel_.series[entry.key].push_back(std::move(*series));
+      }
+  }
+
+  /// A legend shows a swept parameter in the unit in which the file has its numbers.
+  void show_as_written(query::Series& by) const {
+    const query::RecordedName* name = names_.find(by.formula.text);
+    const auto unit = name ? unit::parse_unit(name->unit) : std::nullopt;
+    if (!unit || name->unit.empty() || !by.formula.dimension || unit->dimension != *by.formula.dimension ||
+        by.unit_text != unit::si_name(*by.formula.dimension))
+      return;
+    by.unit = *unit;
+    by.unit_text = name->unit;
   }
 
   /// What counts where the file does not have a channel, as if it stood there.
@@ -187,6 +200,12 @@ std::optional<double> read_axis_number(const yaml::Node& node, const Panel& pane
   if (series == nullptr) return read->value;
   query::check_dimension(*read, series->formula.dimension, fmt::format("'{}'", series->formula.text), node,
                          names, subject, faults);
+  if (read->dimension && *read->dimension != unit::Dimension{} && series->unit_text.empty())
+    faults.add({{names.file, node.mark},
+                subject,
+                fmt::format("{} has a unit, but that of '{}' is not known; {}", read->text,
+                            series->formula.text, query::unit_cure(series->formula)),
+                {}});
   return series->unit.from_si(read->value);
 }
 

@@ -41,7 +41,8 @@ query::SymbolTable SignalList::names(const plan::Plan& plan) const {
 }
 
 std::string unit_text(const std::optional<unit::Dimension>& dimension) {
-  return dimension && *dimension != unit::Dimension{} ? unit::si_name(*dimension) : "";
+  const bool has_unit = dimension && (*dimension != unit::Dimension{} || dimension->angle == 1.0);
+  return has_unit ? unit::si_name(*dimension) : "";
 }
 
 }  // namespace stepwire::live

@@ -31,6 +31,20 @@ TEST_CASE("the SI unit of an expression is its unit where none is given") {
         "rig.x + 5 mm [m]");
 }
 
+TEST_CASE("on an axis with a unit a formula without one is refused") {
+  CHECK(faults_of("{plot: lines, x: time, y: [push.force, 3 + 10*current]}") ==
+        "d.yaml:1:40: figure.y: 'push.force' is drawn in N, but the unit of '3 + 10*current' is not known; "
+        "name "
+        "its SI unit behind it, as '3 + 10*current in m'\n");
+  CHECK(faults_of("{plot: lines, x: time, y: [3 + 10*current, push.force in kN]}") != "");
+  CHECK(faults_of("{plot: lines, x: time, y: [push.force, 3 + 10*current in N]}").empty());
+  CHECK(faults_of("{plot: lines, x: time, y: 3 + 10*current}").empty());
+  CHECK(faults_of("{plot: lines, x: time, y: 3 + 10*current, y_range: [0 N, 5 N]}") != "");
+  CHECK(faults_of("{plot: lines, x: time, y: rig.x in mm, reference: 3 + 10*current}") != "");
+  CHECK(panel_of("{plot: lines, x: time, y: [rig.x in mm, 0.02]}").series.at("y")[1].unit.from_si(0.02) ==
+        20.0);
+}
+
 TEST_CASE("ranges and options become the unit of their axis") {
   const Panel panel = panel_of(
       "{plot: map, x: rig.x in mm, y: rig.x, color: push.force, x_range: [-5 mm, 0.01], gap: 2 mm, "

@@ -1,0 +1,273 @@
+// A signal in kelvin has a number of zeros, those of the scales (degC) that were added up in it. A
+// temperature has 1, a difference of two has 0. A sum adds the zeros of its inputs, a gain multiplies them. A
+// mean of temperatures has 1 again. Any other number at the end of a chain has no meaning: 20 degC plus 30
+// degC is 596 K. Values spread forward from numbers that are written in degC or delta_degC. Within a block
+// all ports with the same declared unit have the same zeros.
+#include "engine/model/diagram/temperatures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "engine/base/unit/meaning.hpp"
+#include "engine/model/diagram/output_names.hpp"
+#include "engine/model/diagram/type_units.hpp"
+
+namespace stepwire::diagram {
+
+namespace {
+
+using Zeros = std::optional<double>;
+
+constexpr std::string_view difference_prefix = "delta ";
+
+Zeros zeros_of(const std::optional<unit::Dimension>& dimension) {
+  return dimension ? dimension->zeros : std::nullopt;
+}
+
+/// Something at a port of a block whose zeros are known.
+struct Known {
+  Origin origin;
+  std::string port, what;
+  double zeros = 0.0;
+};
+
+/// The known ports of one unit of one block.
+using Group = std::vector<Known>;
+
+class Temperatures {
+ public:
+  explicit Temperatures(Report& report) : report_(report), diagram_(report.diagram()) {}
+
+  void run() {
+    for (const UnitDemand& demand : diagram_.unit_demands) take(demand);
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t i = 0; i < diagram_.blocks.size(); ++i) changed = spread(i) || changed;
+    }
+    for (std::size_t i = 0; i < diagram_.blocks.size(); ++i) check(i);
+    for (const UnitDemand& demand : diagram_.unit_demands) check(demand);
+    check_ends();
+  }
+
+ private:
+  const DiagramBlock& block(std::size_t index) const { return diagram_.blocks[index]; }
+
+  /// The unit that the section `units` gives to an output is known with its zeros.
+  void take(const UnitDemand& demand) {
+    if (demand.source.block >= 0 && demand.dimension.zeros)
+      set(static_cast<std::size_t>(demand.source.block), static_cast<std::size_t>(demand.source.output),
+          demand.dimension.zeros);
+  }
+
+  bool set(std::size_t block, std::size_t output, const Zeros& zeros) {
+    auto& dimension = diagram_.output_dimensions[block][output];
+    if (!zeros || !dimension || !unit::is_temperature(*dimension) || dimension->zeros) return false;
+    dimension->zeros = zeros;
+    return true;
+  }
+
+  Zeros zeros_of_source(const Source& source) const {
+    if (source.block < 0) return zeros_of(source.dimension);
+    return zeros_of(diagram_.output_dimensions[static_cast<std::size_t>(source.block)]
+                                              [static_cast<std::size_t>(source.output)]);
+  }
+
+  std::string name_of(const Source& source) const {
+    if (source.block < 0) return "the number";
+    const DiagramBlock& owner = block(static_cast<std::size_t>(source.block));
+    return output_name(owner.name, owner.type(), static_cast<std::size_t>(source.output));
+  }
+
+  /// The known ports whose unit is declared by this text.
+  Group known(std::size_t index, const std::string& unit) const {
+    const DiagramBlock& block = this->block(index);
+    Group group;
+    for (std::size_t i = 0; i < block.inputs.size(); ++i)
+      if (const InputSpec& spec = block.type().inputs[i]; spec.unit == unit)
+        for (const Source& source : block.inputs[i])
+          if (const Zeros zeros = zeros_of_source(source))
+            group.push_back({source.origin, spec.name, name_of(source), *zeros});
+    for (std::size_t i = 0; i < block.type().parameters.size(); ++i)
+      if (const Zeros zeros = zeros_of(block.parameter_dimensions[i]);
+          zeros && block.type().parameters[i].unit == unit)
+        group.push_back({{block.origin.scope, block.parameter_marks[i]},
+                         block.type().parameters[i].name,
+                         "the number",
+                         *zeros});
+    for (const InitialValue& initial : block.initial)
+      if (const Zeros zeros = zeros_of(initial.dimension);
+          zeros && block.type().states[static_cast<std::size_t>(initial.state)].unit == unit)
+        group.push_back({initial.origin, "initial", "the initial value", *zeros});
+    return group;
+  }
+
+  bool spread(std::size_t index) {
+    bool changed = false;
+    const auto& outputs = block(index).type().outputs;
+    for (std::size_t o = 0; o < outputs.size(); ++o)
+      if (const auto& dimension = diagram_.output_dimensions[index][o];
+          dimension && unit::is_temperature(*dimension) && !dimension->zeros)
+        changed = set(index, o, zeros_of_output(index, outputs[o])) || changed;
+    return changed;
+  }
+
+  Zeros zeros_of_output(std::size_t index, const OutputSpec& output) const {
+    const BlockType& type = block(index).type();
+    if (output.unit.starts_with(difference_prefix)) return 0.0;
+    if (!type.symbol.signs.empty()) return zeros_of_sum(index);
+    if (const auto scaled = zeros_of_gain(index, output.unit)) return scaled;
+    const Group group = known(index, output.unit);
+    if (group.empty()) return std::nullopt;
+    const bool differ = std::ranges::any_of(
+        group, [&](const Known& one) { return !unit::are_zeros(one.zeros, group.front().zeros); });
+    return differ ? std::nullopt : Zeros(group.front().zeros);
+  }
+
+  Zeros zeros_of_sum(std::size_t index) const {
+    const DiagramBlock& block = this->block(index);
+    const BlockType& type = block.type();
+    const std::string signs = *type.parameter(type.symbol.signs)->get(block.block.get()).text();
+    Zeros sum = 0.0;
+    for (std::size_t i = 0; i < block.inputs.front().size(); ++i)
+      sum = unit::joined_zeros(sum, zeros_of_source(block.inputs.front()[i]),
+                               i < signs.size() && signs[i] == '-');
+    return sum;
+  }
+
+  /// Of an output that is declared as a product of an input and a parameter, which is a pure number here.
+  Zeros zeros_of_gain(std::size_t index, const std::string& unit) const {
+    const DiagramBlock& block = this->block(index);
+    for (std::size_t p = 0; p < block.type().parameters.size(); ++p) {
+      const ParameterSpec& factor = block.type().parameters[p];
+      for (std::size_t i = 0; i < block.inputs.size(); ++i) {
+        if (unit != factor.unit + " " + block.type().inputs[i].unit || block.inputs[i].size() != 1) continue;
+        const auto& dimension = block.parameter_dimensions[p];
+        const Zeros zeros = zeros_of_source(block.inputs[i].front());
+        const Zeros number = number_of(factor.get(block.block.get()));
+        if (zeros && number && (!dimension || *dimension == unit::Dimension{})) return *zeros * *number;
+      }
+    }
+    return std::nullopt;
+  }
+
+  static Zeros number_of(const Value& value) {
+    if (const auto* number = std::get_if<double>(&value.content)) return *number;
+    const auto* list = std::get_if<Eigen::VectorXd>(&value.content);
+    const bool alike = list && list->size() > 0 && (list->array() == (*list)[0]).all();
+    return alike ? Zeros((*list)[0]) : std::nullopt;
+  }
+
+  /// A sum and a gain take what has another number of zeros.
+  bool takes_any_zeros(std::size_t index) const {
+    const BlockType& type = block(index).type();
+    if (!type.symbol.signs.empty()) return true;
+    return std::ranges::any_of(type.inputs, joins_pieces) ||
+           std::ranges::any_of(type.outputs, [&](const OutputSpec& output) {
+             return zeros_of_gain(index, output.unit).has_value();
+           });
+  }
+
+  void check(std::size_t index) {
+    const BlockType& type = block(index).type();
+    check_factors(index);
+    if (takes_any_zeros(index)) return;
+    std::map<std::string, bool> units;
+    for (const InputSpec& spec : type.inputs) units[spec.unit] = true;
+    for (const ParameterSpec& spec : type.parameters) units[spec.unit] = true;
+    for (const auto& [unit, used] : units)
+      if (unit.find('\'') != std::string::npos) check_group(index, unit);
+  }
+
+  void check_group(std::size_t index, const std::string& unit) {
+    const Group group = known(index, unit);
+    if (group.empty()) return;
+    const auto usual = std::ranges::find_if(group, [](const Known& one) {
+      return unit::are_zeros(one.zeros, 0.0) || unit::are_zeros(one.zeros, 1.0);
+    });
+    const Known& first = usual == group.end() ? group.front() : *usual;
+    const double wanted = unit.starts_with(difference_prefix) ? 0.0 : first.zeros;
+    for (const Known& one : group) complain(one, wanted, index);
+  }
+
+  /// A factor is neither a temperature nor a difference; one in degC is meant as a difference.
+  void check_factors(std::size_t index) {
+    const DiagramBlock& block = this->block(index);
+    const BlockType& type = block.type();
+    for (std::size_t p = 0; p < type.parameters.size(); ++p) {
+      const std::string& unit = type.parameters[p].unit;
+      const auto has_unit = [&](const auto& spec) { return spec.unit == unit; };
+      const Zeros zeros = zeros_of(block.parameter_dimensions[p]);
+      if (zeros && unit.find('\'') != std::string::npos && std::ranges::none_of(type.inputs, has_unit) &&
+          std::ranges::none_of(type.outputs, has_unit))
+        complain(
+            {{block.origin.scope, block.parameter_marks[p]}, type.parameters[p].name, "the number", *zeros},
+            0.0, index);
+    }
+  }
+
+  static unit::Dimension kelvin(double zeros) {
+    unit::Dimension dimension{{0, 0, 0, 0, 1}};
+    dimension.zeros = zeros;
+    return dimension;
+  }
+
+  void complain(const Known& one, double wanted, std::size_t index) {
+    const bool is_number = one.what.starts_with("the ");
+    const std::string other = is_number ? unit::other_meaning_of_number(kelvin(one.zeros), kelvin(wanted))
+                                        : unit::other_meaning(kelvin(one.zeros), kelvin(wanted));
+    if (!other.empty())
+      report_.add(one.origin, block(index).name + "." + one.port, fmt::format("{} {}", one.what, other));
+  }
+
+  void check(const UnitDemand& demand) {
+    const Zeros zeros = zeros_of_source(demand.source);
+    if (!zeros || !demand.dimension.zeros) return;
+    const std::string other = unit::other_meaning(kelvin(*zeros), demand.dimension);
+    if (!other.empty())
+      report_.add(demand.origin, demand.port, fmt::format("{} {}", name_of(demand.source), other));
+  }
+
+  /// Refuses the last of a chain of sums and gains that is neither a temperature nor a difference.
+  void check_ends() {
+    std::vector<std::vector<bool>> goes_on(diagram_.blocks.size());
+    for (std::size_t i = 0; i < goes_on.size(); ++i) goes_on[i].resize(diagram_.output_dimensions[i].size());
+    for (std::size_t i = 0; i < diagram_.blocks.size(); ++i)
+      for (const auto& sources : block(i).inputs)
+        for (const Source& source : sources)
+          if (source.block >= 0)
+            goes_on[static_cast<std::size_t>(source.block)][static_cast<std::size_t>(source.output)] = true;
+    for (std::size_t i = 0; i < goes_on.size(); ++i)
+      for (std::size_t o = 0; o < goes_on[i].size(); ++o)
+        if (const Zeros zeros = zeros_of(diagram_.output_dimensions[i][o]); zeros && !goes_on[i][o])
+          complain({block(i).origin, block(i).type().outputs[o].name,
+                    output_name(block(i).name, block(i).type(), o), *zeros},
+                   *zeros, i);
+  }
+
+  Report& report_;
+  Diagram& diagram_;
+};
+
+bool has_zeros(const DiagramBlock& block) {
+  const auto known = [](const auto& dimension) { return zeros_of(dimension).has_value(); };
+  return std::ranges::any_of(block.parameter_dimensions, known) ||
+         std::ranges::any_of(block.initial,
+                             [&](const InitialValue& initial) { return known(initial.dimension); }) ||
+         std::ranges::any_of(block.inputs, [&](const auto& sources) {
+           return std::ranges::any_of(sources, [&](const Source& source) { return known(source.dimension); });
+         });
+}
+
+}  // namespace
+
+void check_temperatures(Report& report) {
+  const Diagram& diagram = report.about();
+  const bool demanded = std::ranges::any_of(
+      diagram.unit_demands, [](const UnitDemand& demand) { return demand.dimension.zeros.has_value(); });
+  if (demanded || std::ranges::any_of(diagram.blocks, has_zeros)) Temperatures(report).run();
+}
+
+}  // namespace stepwire::diagram

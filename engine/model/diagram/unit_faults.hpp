@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/model/diagram/report.hpp"
+#include "engine/model/diagram/unit_equations.hpp"
+
+namespace stepwire::diagram {
+
+/// Reports equations of units that do not hold.
+class UnitFaults {
+ public:
+  explicit UnitFaults(Report& report) : report_(report) {}
+
+  /// `wrong` is what the product is in, `taken` the unit that the port takes, where it is known.
+  void add(const UnitEquation& equation, const unit::Dimension& wrong,
+           const std::optional<unit::Dimension>& taken);
+  /// The unit that a port of a part or the section `units` demands.
+  std::optional<unit::Dimension> demanded(const UnitEquation& equation) const;
+  std::string name_of(const Source& source) const;
+
+ private:
+  const DiagramBlock& block(int index) const;
+  std::string subject_of(const UnitEquation& equation) const;
+
+  Report& report_;
+};
+
+}  // namespace stepwire::diagram

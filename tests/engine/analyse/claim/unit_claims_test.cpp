@@ -1,0 +1,97 @@
+#include "tests/engine/view/plot/samples.hpp"
+
+namespace stepwire::claim {
+using namespace testing;
+
+namespace {
+
+unit::Dimension of(const char* unit) {
+  return unit::parse_unit(unit)->dimension;
+}
+
+query::SymbolTable rooms() {
+  return {"d.yaml",
+          {{"time", of("s"), {}},
+           {"room", of("degC"), 0},
+           {"gap", of("delta_degC"), 0},
+           {"heat", of("K"), 0},
+           {"speed", of("rpm"), 0},
+           {"beat", of("Hz"), 0},
+           {"guess", {}, 0}},
+          {{"allowed", 273.25, of("degC")}}};
+}
+
+/// The fault of a claim; an empty text where it has none.
+std::string fault(const std::string& text) {
+  const yaml::Document document = yaml::parse_document("- {that: a, " + text + "}", "d.yaml");
+  yaml::Faults faults;
+  static_cast<void>(read_claims(document.root, Claim::Kind::statement, rooms(), faults));
+  const std::string all = all_text(faults);
+  return all.empty() ? "" : all.substr(all.find(": ") + 2);
+}
+
+Claim claim(const std::string& text) {
+  const yaml::Document document = yaml::parse_document("- {that: a, " + text + "}", "d.yaml");
+  yaml::Faults faults;
+  auto claims = read_claims(document.root, Claim::Kind::statement, rooms(), faults);
+  INFO(all_text(faults));
+  REQUIRE(faults.empty());
+  return claims.at(0);
+}
+
+}  // namespace
+
+TEST_CASE("a tolerance of a temperature is a difference, in kelvin") {
+  CHECK(
+      fault("final: room, equals: 150 degC, within: 0.1 degC") ==
+      "claims.within: 0.1 degC is a temperature, but a difference of temperatures is meant; write it in K or "
+      "delta_degC\n");
+  CHECK(fault("final: heat, equals: 150 degC, within: 0.1 degF") != "");
+  CHECK(fault("final: room, equals: 150 degC, within: $allowed") != "");
+  CHECK(fault("final: room, equals: 150 degC, within: 1 %") != "");
+  CHECK(claim("final: room, equals: 20 degC, within: 0.1 K").comparison.low == 293.15);
+  CHECK(claim("final: room, equals: 20 degC, within: 0.1 delta_degC").comparison.within == 0.1);
+  CHECK(claim("final: room, equals: 68 degF, within: 9 delta_degF").comparison.within == Approx(5.0));
+}
+
+TEST_CASE("a difference of temperatures is held against kelvin") {
+  CHECK(fault("final: gap, at_most: 11 degC") != "");
+  CHECK(fault("final: gap, at_most: 11 K").empty());
+  CHECK(fault("max: abs(room - heat), at_most: 11 degC") != "");
+  CHECK(fault("max: abs(room - 20 degC), at_most: 11 K").empty());
+  CHECK(fault("spread: room, at_most: 11 degC") != "");
+  CHECK(fault("rms: heat, at_most: 11 degC") != "");
+  CHECK(fault("final: room, at_most: 11 delta_degC") != "");
+  CHECK(fault("max: room + gap, at_most: 30 degC").empty());
+  CHECK(fault("max: room + room, at_most: 600 K") != "");
+  CHECK(fault("max: (room + room)/2, at_most: 30 degC").empty());
+  CHECK(fault("fraction: gap > 10 degC, at_most: 10 %") != "");
+  CHECK(fault("fraction: room > 10 degC, at_most: 10 %").empty());
+}
+
+TEST_CASE("turns per time are held against no frequency") {
+  CHECK(fault("final: speed, equals: 1 Hz") ==
+        "claims.equals: 1 Hz counts periods per time, of which each has 2*pi rad; write it in rad/s\n");
+  CHECK(fault("final: beat, equals: 60 rpm") ==
+        "claims.equals: 60 rpm is an angle per time, and a period has 2*pi rad; write it in Hz\n");
+  CHECK(fault("final: speed, equals: 60 rpm").empty());
+  CHECK(fault("final: speed, equals: 6.28 1/s").empty());
+  CHECK(fault("final: speed/(2*pi), equals: 1 Hz").empty());
+  CHECK(fault("final: 2*pi*beat, equals: 60 rpm").empty());
+}
+
+TEST_CASE("a number with a unit is held against no value without one") {
+  CHECK(fault("final: guess, equals: 50 mm") ==
+        "claims.equals: 50 mm has a unit, but that of 'guess' is not known; name its SI unit behind it, as "
+        "'guess in m', or in the head units: {guess: m}\n");
+  CHECK(fault("final: guess, equals: 0.05").empty());
+  const Claim in_mm = claim("final: guess in mm, equals: 50 mm");
+  CHECK(in_mm.comparison.low == 0.05);
+  CHECK(in_mm.comparison.unit == "mm");
+  CHECK(fault("final: guess in mm, equals: 50") ==
+        "claims.equals: 50 has no unit, but the value is in mm; write 50 mm\n");
+  CHECK(fault("final: guess in mm, equals: 0, within: 1 mm").empty());
+  CHECK(fault("final: guess in m, equals: 3 N") != "");
+}
+
+}  // namespace stepwire::claim

@@ -1,0 +1,86 @@
+#include <catch2/catch.hpp>
+
+#include "tests/support/plan_text.hpp"
+
+namespace stepwire::diagram {
+
+namespace {
+
+const std::string rooms =
+    "solver: euler\nblocks:\n  hold: {block: Mass, mass: 1 kg, force: 1 N}\n  room: {block: Constant, value: "
+    "30 degC}\n  oven: {block: Constant, value: 200 degC}\n"
+    "  gap: {block: Sum, signs: \"+-\", u: [oven, room]}\n";
+
+std::vector<std::string> faults(const std::string& blocks) {
+  return faults_of(rooms + blocks);
+}
+
+std::string fault(const std::string& blocks) {
+  const auto all = faults(blocks);
+  REQUIRE(all.size() == 1);
+  return all[0].substr(all[0].find(": ") + 2);
+}
+
+}  // namespace
+
+TEST_CASE("a threshold of a difference of temperatures is in kelvin") {
+  CHECK(
+      fault("  r: {block: Relay, u: gap, switch_on: 1 degC, switch_off: -1 K}\n") ==
+      "r.switch_on: the number is a temperature, but a difference of temperatures is meant; write it in K or "
+      "delta_degC");
+  CHECK(faults("  r: {block: Relay, u: gap, switch_on: 1 degC, switch_off: -1 degC}\n").size() == 2);
+  CHECK(faults("  r: {block: Relay, u: gap, switch_on: 1 K, switch_off: -1 K}\n").empty());
+  CHECK(faults("  r: {block: Relay, u: gap, switch_on: 1 delta_degC, switch_off: -1 K}\n").empty());
+  CHECK(faults("  r: {block: Relay, u: room, switch_on: 22 degC, switch_off: 20 degC}\n").empty());
+  CHECK(faults("  c: {block: Compare, u: room, operator: greater, to: 22 degC}\n").empty());
+  CHECK(faults("  s: {block: Saturation, u: room, lower: 0 degC, upper: 100 degC}\n").empty());
+  CHECK(faults("  c: {block: Compare, u: gap, operator: greater, to: 22 degC}\n").size() == 1);
+}
+
+TEST_CASE("what only a difference can be is refused in degC") {
+  CHECK(faults("  s: {block: Sine, amplitude: 1 degC, bias: 20 degC, frequency: 1 Hz}\n").size() == 1);
+  CHECK(faults("  s: {block: Sine, amplitude: 1 K, bias: 20 degC, frequency: 1 Hz}\n").empty());
+  CHECK(faults("  b: {block: Backlash, u: room, width: 1 degC}\n").size() == 1);
+  CHECK(faults("  g: {block: Gain, u: room, gain: 2 degC}\n").size() == 1);
+  CHECK(faults("  z: {block: DeadZone, u: gap, lower: -1 degC, upper: 1 degC}\n").size() == 2);
+  CHECK(faults("  z: {block: DeadZone, u: room, lower: 18 degC, upper: 22 degC}\n"
+               "  c: {block: Compare, u: z, operator: greater, to: 1 K}\n")
+            .empty());
+  CHECK(faults("  z: {block: DeadZone, u: room, lower: 18 degC, upper: 22 degC}\n"
+               "  c: {block: Compare, u: z, operator: greater, to: 1 degC}\n")
+            .size() == 1);
+}
+
+TEST_CASE("a sum of temperatures is a temperature where it is a mean, a difference where it subtracts") {
+  const std::string warm = "  c: {block: Compare, operator: greater, to: 22 degC, u: ";
+  CHECK(faults("  s: {block: Sum, u: [room, oven]}\n").size() == 1);
+  CHECK(faults("  g: {block: Gain, u: room, gain: 2}\n" + warm + "g}\n").size() == 1);
+  CHECK(faults("  s: {block: Sum, u: [room, oven]}\n  mean: {block: Gain, u: s, gain: 0.5}\n" + warm +
+               "mean}\n")
+            .empty());
+  CHECK(faults("  s: {block: Sum, u: [room, oven]}\n  l: {block: Lag, u: s, tau: 1 s}\n" + warm + "l}\n")
+            .size() == 1);
+  CHECK(faults("  warmer: {block: Sum, u: [room, gap]}\n" + warm + "warmer}\n").empty());
+}
+
+TEST_CASE("temperatures follow the wires through blocks with a memory, and initial values") {
+  CHECK(faults("  l: {block: Lag, u: gap, tau: 1 s}\n"
+               "  c: {block: Compare, u: l, operator: greater, to: 1 degC}\n")
+            .size() == 1);
+  const std::string heated =
+      "  rate: {block: Gain, u: gap, gain: 0.1 1/s}\n"
+      "  t: {block: Integrator, u: rate, initial: 20 degC}\n";
+  CHECK(faults_of(rooms + heated +
+                  "  e: {block: Sum, signs: \"+-\", u: [room, t]}\n"
+                  "  r: {block: Relay, u: e, switch_on: 1 degC, switch_off: -1 K}\n")
+            .size() == 1);
+}
+
+TEST_CASE("conditions hold a difference against a difference") {
+  CHECK(faults_of("stop_when: gap > 10 degC\n" + rooms).size() == 1);
+  CHECK(faults_of("stop_when: gap > 10 K\n" + rooms).empty());
+  CHECK(faults_of("stop_when: room > 40 degC\n" + rooms).empty());
+  CHECK(faults_of("stop_when: oven - room > 10 degC\n" + rooms).size() == 1);
+}
+
+}  // namespace stepwire::diagram
