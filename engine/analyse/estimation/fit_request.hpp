@@ -88,7 +88,7 @@ struct FitRequest {
   std::optional<std::size_t> follow;  ///< how many of them go on after the first steps; a quarter if absent
   std::uint64_t seed = 1;
   std::size_t iterations = 200;  ///< of one start, at most
-  double tolerance = 1e-7;       ///< change of an unknown at which a search ends, see refine()
+  double tolerance = 1e-8;       ///< change of an unknown at which a search ends, see refine()
   StandardErrors standard_errors = StandardErrors::automatic;
   std::string records = "record";  ///< what pictures call the records: measured, simulated
   std::optional<GlobalSearch> global;

@@ -24,7 +24,6 @@ namespace {
 constexpr double poor = 0.25, good = 0.75;  // share of the expected gain that a step has
 constexpr double probe = 0.1;               // of a step, for the second derivative along it
 constexpr double most_bend = 0.15;          // acceleration over the step
-constexpr double worth_bending = 1e-6;      // expected gain over the cost
 constexpr double shortest = 1e-10;          // step over the size of the unknowns
 
 /// Residuals after the loss, their slopes, and half the sum of their squares.
@@ -136,14 +135,15 @@ class Descent {
     const Eigen::VectorXd whole = model.step(radius_);
     KnownPoint next = at(end_of(whole));
     const Eigen::VectorXd step = (next.x - found_.x).cwiseProduct(metric_);
-    const double expected = model.gain(step), length = step.norm(), reached = cost(next);
+    const double expected = model.gain(step), length = step.norm();
+    if (expected > gain * found_.cost && (step - whole).norm() <= 1e-6 * length)
+      next = bent(std::move(next), model, step);
+    const double reached = cost(next);
     const bool small = length <= shortest * metric_.cwiseProduct(found_.x).norm();
     const bool flat = std::abs(found_.cost - reached) <= gain * found_.cost && expected <= gain * found_.cost;
     found_.converged = small || flat;
     resize(expected > 0.0 ? (found_.cost - reached) / expected : -1.0, length);
-    if (expected > worth_bending * found_.cost && (step - whole).norm() <= 1e-9 * length)
-      next = bent(std::move(next), model, step);
-    if (cost(next) < found_.cost && differentiate(next.x, next.residuals, next.slopes)) take(std::move(next));
+    if (reached < found_.cost && differentiate(next.x, next.residuals, next.slopes)) take(std::move(next));
   }
 
   void resize(double share, double length) {

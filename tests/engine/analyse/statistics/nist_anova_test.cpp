@@ -1,4 +1,5 @@
-// Reference datasets of NIST for one-way analysis of variance (public domain, itl.nist.gov/div898/strd).
+// Reference datasets of NIST for one-way analysis of variance (public domain, itl.nist.gov/div898/strd);
+// SmLs01 to SmLs09 are in anova_test.cpp.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -9,21 +10,6 @@ namespace stepwire::statistics {
 using namespace textbook;
 
 namespace {
-
-/// The sets SmLs01 to SmLs09 by their published rule: nine treatments with means 1.4, 1.3, 1.5, 1.3, ...
-/// above an offset; the first value is the mean, the others are the mean -+ 0.1 by turns.
-Observations small_least(double offset, std::size_t replicates) {
-  Observations set{"response", {}, {running("treatment", 9, replicates, 9 * replicates)}};
-  for (int treatment = 0; treatment < 9; ++treatment) {
-    const int mean = treatment == 0 ? 14 : treatment % 2 == 1 ? 13 : 15;  // tenths
-    for (std::size_t k = 0; k < replicates; ++k) {
-      const int tenths = k == 0 ? mean : k % 2 == 1 ? mean - 1 : mean + 1;
-      set.values.push_back(std::stod(std::to_string(static_cast<long long>(offset) + tenths / 10) + "." +
-                                     std::to_string(tenths % 10)));
-    }
-  }
-  return set;
-}
 
 double digits_of(double value, double certified) {
   return value == certified ? 15.0 : -std::log10(std::abs(value - certified) / std::abs(certified));
@@ -63,27 +49,6 @@ TEST_CASE("The atomic weight of silver is analysed to the digits that doubles le
   CHECK(digits_of(found.terms[0].sum_of_squares, 3.63834187500000E-09) >= 8.5);
   CHECK(digits_of(found.terms[0].f, 1.59467335677930E+01) >= 8.5);
   CHECK(digits_of(found.residual.mean_square, 1.04951729166667E-08 / 46.0) >= 8.5);
-}
-
-TEST_CASE("Nine treatments of many replicates are analysed to the digits that doubles leave") {
-  // SmLs01 to SmLs09. Certified F = 21, 201, 2001 for 21, 201 and 2001 replicates, whatever the offset.
-  // Behind an offset of 1e6 tenths keep 9 digits, behind 1e12 they keep 3; of squares half a digit less.
-  const std::pair<double, double> offsets[]{{0.0, 9.0}, {1e6, 8.5}, {1e12, 2.5}};
-  for (const auto& [offset, digits] : offsets)
-    for (const std::size_t replicates : {21U, 201U, 2001U}) {
-      INFO("offset " << offset << ", " << replicates << " replicates");
-      const Anova found = anova(small_least(offset, replicates), additive_terms({"treatment"}));
-      CHECK(digits_of(found.terms[0].f, static_cast<double>(replicates)) >= digits);
-      CHECK(digits_of(found.terms[0].sum_of_squares, 0.08 * static_cast<double>(replicates)) >= digits);
-      CHECK(digits_of(found.residual.sum_of_squares, 0.09 * static_cast<double>(replicates - 1)) >= digits);
-    }
-}
-
-TEST_CASE("Doubles behind a large offset are analysed to nine digits of what they are") {
-  // With offset 2^39 and steps of 2^-4 all values are exact; F of SmLs01 scaled is 21 again.
-  Observations set = small_least(0.0, 21);
-  for (double& value : set.values) value = std::ldexp(1.0, 39) + std::round(value * 10.0) / 16.0;
-  CHECK(digits_of(anova(set, additive_terms({"treatment"})).terms[0].f, 21.0) >= 9.0);
 }
 
 TEST_CASE("An interaction that the model leaves out is named with its F") {
