@@ -21,15 +21,15 @@ struct RowOrder {
 /// time series may go together over some rows; it is (J' J)^-1 S (J' J)^-1 then, with S that of the sum J' r
 /// (serial). Where they do not go together both are the same.
 struct Certainty {
-  Eigen::VectorXd standard_errors;               ///< those that are used; nan of what is not known.
-  Eigen::VectorXd classical;                     ///< Errors of independent rows.
-  Eigen::VectorXd of_series;                     ///< Serial errors; empty where the rows are no time series.
-  Eigen::VectorXd half_widths;                   ///< Of the 95 % interval by Student's t.
-  Eigen::MatrixXd covariance;                    ///< Of what is known; free directions count as fixed.
-  Eigen::MatrixXd correlation;                   ///< Nan where one of both is not known.
-  double deviation = 0.0;                        ///< s, of a weighted residual.
-  double quantile = 0.0;                         ///< Of Student's t for 95 %, by the worth of the rows.
-  SerialCorrelation serial;                      ///< Of the residuals in the order of the rows.
+  Eigen::VectorXd standard_errors;  ///< those that are used; nan of what is not known.
+  Eigen::VectorXd classical;        ///< Errors of independent rows.
+  Eigen::VectorXd of_series;        ///< Serial errors; without values for rows that are not a series.
+  Eigen::VectorXd half_widths;      ///< Of the 95 % interval by Student's t.
+  Eigen::MatrixXd covariance;       ///< Of what is known; free directions count as fixed.
+  Eigen::MatrixXd correlation;      ///< Nan where one of both is not known.
+  double deviation = 0.0;           ///< s, of a weighted residual.
+  double quantile = 0.0;            ///< Of Student's t for 95 %, by the worth of the rows.
+  SerialCorrelation serial;         ///< Of the residuals in the order of the rows.
   std::vector<Eigen::VectorXd> free_directions;  ///< relative changes of the unknowns that change nothing
 };
 

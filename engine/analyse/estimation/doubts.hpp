@@ -7,9 +7,8 @@
 
 namespace stepwire::estimation {
 
-/// Sentences on numbers and records that a reader should not trust: a standard error of more than a hundred
-/// times its value, a record that is described no better than by its mean, and rows that go together although
-/// the intervals count each.
+/// Sentences on doubtful results. A standard error is more than a hundred times its value. A record is
+/// described no better than by its mean. Rows go together under standard errors that count each.
 std::vector<std::string> doubts_of(const FitResult& result);
 
 }  // namespace stepwire::estimation

@@ -7,15 +7,14 @@ namespace stepwire::estimation {
 /// A minimum after refine().
 struct Refined {
   Minimum minimum;
-  KnownPoint at;        ///< the point with central differences; empty where these cannot be computed
-  double change = 0.0;  ///< the largest of the last step, in parts of a value or of its standard error
+  KnownPoint at;        ///< The point with central differences; without slopes where these fail.
+  double change = 0.0;  ///< The largest of the last step, in parts of a value or of its standard error.
 };
 
-/// Refines the end of a search by Gauss-Newton steps with central differences. The gradient of the cost is
-/// small beside the cost itself near a minimum, so that a search which compares costs ends early: a value
-/// that is wrong by a thousandth of its standard error changes the cost by 1e-6 of one row's part. Steps end
-/// where one changes each unknown by no more than `tolerance` of the larger of its value and its standard
-/// error, or where they no longer become smaller. Unknowns at a bound to which the cost falls are held there.
+/// Refines the end of a search by Gauss-Newton steps with central differences. A search that compares costs
+/// ends early: a thousandth of a standard error changes the cost by 1e-6 of one row's part. Steps end where one
+/// changes each unknown by no more than `tolerance` of the larger of its value and its standard error, or where
+/// they no longer become smaller. Unknowns at a bound to which the cost falls are held there.
 Refined refine(const Residuals& residuals, const FitRequest& request, Minimum found,
                const std::atomic<bool>* interrupt);
 

@@ -9,11 +9,11 @@ namespace stepwire::estimation {
 struct Resolution {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  Eigen::VectorXd lengths;            ///< of the columns
-  Eigen::MatrixXd scaled;             ///< the Jacobian over these lengths
-  Eigen::MatrixXd inverse;            ///< of the scaled J' J, the free directions left out
-  Eigen::VectorXd unknown;            ///< the largest part of each unknown in a free direction
-  std::vector<Eigen::VectorXd> free;  ///< directions of the scaled unknowns that change nothing
+  Eigen::VectorXd lengths;            ///< Of the columns.
+  Eigen::MatrixXd scaled;             ///< The Jacobian over these lengths.
+  Eigen::MatrixXd inverse;            ///< Of the scaled J' J, without the free directions.
+  Eigen::VectorXd unknown;            ///< The largest part of each unknown in a free direction.
+  std::vector<Eigen::VectorXd> free;  ///< Directions of the scaled unknowns along which all residuals keep.
 
   static Resolution of(const RowMajor& jacobian);
 };

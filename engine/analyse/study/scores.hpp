@@ -12,15 +12,15 @@ namespace stepwire::study {
 
 /// The columns of a table of scores and the model that explains them.
 struct ScoresRequest {
-  std::string score{};                 ///< column of the scores; empty: the last one
-  std::vector<std::string> factors{};  ///< columns of the factors; empty: all others but the subject
-  std::string subject{};               ///< column of the subjects; empty: all scores are independent
-  bool additive = false;               ///< main effects without interactions, of independent scores
-  statistics::SumsOfSquares sums = statistics::SumsOfSquares::partial;  ///< of independent scores
-  std::optional<std::uint64_t> power_seed{};  ///< draws what power is simulated with; none: no power
+  std::string score{};                 ///< Column of the scores; empty: the last one.
+  std::vector<std::string> factors{};  ///< Columns of the factors; empty: all others but the subject.
+  std::string subject{};               ///< Column of the subjects; empty: all scores are independent.
+  bool additive = false;               ///< Main effects without interactions, of independent scores.
+  statistics::SumsOfSquares sums = statistics::SumsOfSquares::partial;  ///< Of independent scores.
+  std::optional<std::uint64_t> power_seed{};  ///< Seed of simulated power; none: no power.
 };
 
-/// What the scores of a table say.
+/// Analysis of the scores of a table.
 struct ScoresAnalysis {
   ScoresRequest request;  ///< with the columns that were taken
   statistics::Observations observations;

@@ -41,7 +41,7 @@ TEST_CASE("a standard error of more than a hundred values and a record below its
 }
 
 TEST_CASE("a search that ends at the mean of the record is doubted, and never sent to fix a parameter") {
-  // With one step from start 1 of BoxBOD the search has not come to the minimum.
+  // One step from start 1 of BoxBOD ends far from the minimum.
   const FitResult result = fit_text(nist_diagram(small_set("BoxBOD"), 0, "  iterations: 1\n"));
   CHECK_FALSE(result.converged);
   std::string all;
