@@ -159,8 +159,8 @@ class MakeMeasure {
 
   /// A value without a unit, added to metres, is in metres. Of two units that differ none is known.
   static Measure beside_unknown(const Measure& x, const Measure& y) {
-    if (!x.dimension && y.sure) return {y.dimension, false};
-    if (!y.dimension && x.sure) return {x.dimension, false};
+    if (!x.dimension && y.sure) return y;
+    if (!y.dimension && x.sure) return x;
     return {};
   }
 

@@ -36,7 +36,7 @@ TEST_CASE("a Mux joins signals of different units, and each element keeps its ow
   CHECK(units_of(pendulum + "  late: {block: UnitDelay, u: y, every: 1 ms}\n", "late") == "m, rad");
   CHECK(units_of(pendulum + "  one: {block: Gain, u: y.1, gain: 2 N/m}\n", "one") == "N");
   CHECK(faults_of(pendulum + "  f: {block: Mass, mass: 1 kg, force: y.1}\n").at(0) ==
-        "test.yaml:9:42: f.force: y is in m, but f.force is in N");
+        "test.yaml:9:39: f.force: y is in m, but f.force is in N");
   CHECK(faults_of(pendulum + "  c: {block: Compare, u: y, operator: greater, to: 1 N}\n").size() == 1);
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("coefficients of a transfer function fall by one second from power to 
   CHECK(units_of(tank(mass) + "  v: {block: Derivative, u: x, tau: 1 ms}\n", "v") == "?");
   CHECK(units_of("units: {x: m}\n" + tank(mass), "x") == "m");
   CHECK(faults_of(tank("[2 kg, 8 N/m, 200 N/m]")).at(0) ==
-        "test.yaml:4:86: x.denominator: 8 N/m is in N/m; beside the coefficients before it, it must be in N "
+        "test.yaml:4:74: x.denominator: 8 N/m is in N/m; beside the coefficients before it, it must be in N "
         "s/m");
 }
 
