@@ -40,6 +40,15 @@ TEST_CASE("a Mux joins signals of different units, and each element keeps its ow
   CHECK(faults_of(pendulum + "  c: {block: Compare, u: y, operator: greater, to: 1 N}\n").size() == 1);
 }
 
+TEST_CASE("a Mux gives no unit to a signal without one, and a gain that is left out is a pure number") {
+  const std::string late =
+      "  late: {block: Lag, u: theta, tau: 0.1 s}\n  other: {block: Gain, u: theta, gain: 3}\n";
+  CHECK(units_of(pendulum + late, "late") == "rad");
+  CHECK(units_of(pendulum + late + "  z: {block: Mux, u: [x, late]}\n", "z") == "m, rad");
+  CHECK(units_of(pendulum + late + "  z: {block: Mux, u: [x, other, x]}\n", "z") == "m, ?, m");
+  CHECK(units_of(pendulum + late + "  m: {block: Mass, mass: 1 kg, force: late}\n", "late") == "N");
+}
+
 TEST_CASE("the section units gives units to the elements of an estimate") {
   const std::string units = "units: {kf.estimate.1: m, kf.estimate.2: rad}\n";
   CHECK(units_of(pendulum + filter, "kf") == "?, ?");
