@@ -6,6 +6,7 @@
 #include <charconv>
 #include <utility>
 
+#include "engine/base/unit/meaning.hpp"
 #include "engine/base/yaml/message.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 
@@ -98,7 +99,7 @@ class NumbersReading {
     const bool is_ratio = argument.of == Argument::Of::ratio;
     unit::Dimension demanded;
     if (!is_ratio && dimension_) demanded = *dimension_;
-    if (argument.of == Argument::Of::way && demanded.zeros) demanded.zeros = 0.0;
+    if (argument.of == Argument::Of::way && unit::is_temperature(demanded)) demanded.zeros = 0.0;
     if (const std::string complaint = unit_complaint(value->dimension, demanded); !complaint.empty()) {
       refuse(node.mark, fmt::format("'{}' {}", argument.name, complaint));
       return false;

@@ -56,7 +56,7 @@ void OpenUnits::join(UnitEquations& equations) {
     UnitJoin join;
     join.variable = variable_of(output, -1);
     for (std::size_t k = 0; k < elements; ++k) {
-      UnitJoin::Piece piece{{}, false, true, 1};
+      UnitJoin::Piece piece{{}, false, 1};
       const int element = variable_of(output, static_cast<int>(k));
       piece.unit.terms = {{element, 1.0}};
       equations.add(of_element(join.variable, element, k), "");

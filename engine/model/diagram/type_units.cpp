@@ -15,10 +15,6 @@ UnitExpression read(const std::string& text, TypeUnits& units) {
   return expression;
 }
 
-bool has(const UnitExpression& expression, const std::string& variable) {
-  return std::ranges::any_of(expression.variables, [&](const auto& term) { return term.first == variable; });
-}
-
 }  // namespace
 
 bool joins_pieces(const InputSpec& spec) {
@@ -48,24 +44,29 @@ Elements TypeUnits::elements_of(const std::string& variable, const BlockType& ty
   std::set<std::string> shapes;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const InputSpec& spec = type.inputs[i];
-    if (has(inputs[i], variable)) shapes.insert(joins_pieces(spec) ? spec.shape.substr(1) : spec.shape);
+    if (inputs[i].has(variable)) shapes.insert(joins_pieces(spec) ? spec.shape.substr(1) : spec.shape);
   }
   for (std::size_t i = 0; i < outputs.size(); ++i)
-    if (has(outputs[i], variable)) shapes.insert(type.outputs[i].shape);
+    if (outputs[i].has(variable)) shapes.insert(type.outputs[i].shape);
   for (const Product& product : products)
-    if (has(product.unit, variable)) shapes.insert(type.outputs[product.output].shape);
+    if (product.unit.has(variable)) shapes.insert(type.outputs[product.output].shape);
   if (shapes.size() <= 1) return Elements::own;
   return is_scaled(variable) ? Elements::scaled : Elements::alike;
 }
 
+bool TypeUnits::is_factor(const std::string& variable) const {
+  return !is_of_product(variable) &&
+         std::ranges::none_of(inputs, [&](const UnitExpression& input) { return input.has(variable); }) &&
+         std::ranges::any_of(products, [&](const Product& one) { return one.unit.has(variable); });
+}
+
 /// True where each output with this variable has a factor that is the unit of no input.
 bool TypeUnits::is_scaled(const std::string& variable) const {
-  const auto is_factor = [&](const auto& term) {
-    return std::ranges::none_of(inputs, [&](const UnitExpression& input) { return has(input, term.first); });
-  };
-  return std::ranges::none_of(outputs, [&](const UnitExpression& one) { return has(one, variable); }) &&
+  return std::ranges::none_of(outputs, [&](const UnitExpression& one) { return one.has(variable); }) &&
          std::ranges::all_of(products, [&](const Product& one) {
-           return !has(one.unit, variable) || std::ranges::any_of(one.unit.variables, is_factor);
+           return !one.unit.has(variable) || std::ranges::any_of(one.unit.variables, [&](const auto& term) {
+             return is_factor(term.first);
+           });
          });
 }
 

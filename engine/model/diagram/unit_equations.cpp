@@ -28,7 +28,7 @@ void UnitEquations::solve(std::size_t variables, const Complain& complain) {
   find_users();
   for (std::size_t i = 0; i < equations_.size(); ++i) queue_.push_back(static_cast<int>(i));
   do drain(complain);
-  while (join_known() || solve_late(Stage::products, complain) || join_rest() ||
+  while (join_known() || solve_late(Stage::products, complain) || assume_pure_factors() || join_rest() ||
          solve_late(Stage::elements, complain));
   find_angles();
   check_rates(complain);
@@ -148,7 +148,7 @@ std::optional<ElementUnits> UnitEquations::joined(const UnitJoin& join, bool all
   for (const UnitJoin::Piece& piece : join.pieces) {
     const auto units = piece.is_bare ? std::nullopt : dimension_of(piece.unit);
     if (!units && !piece.is_bare && !all_known) return std::nullopt;
-    some_unknown = some_unknown || (!units && piece.any);
+    some_unknown = some_unknown || (!units && !piece.is_bare);
     if (units && !common) common = units;
     differ = differ || (units && (!units->is_one() || !agree(*units, *common)));
     sized = sized && piece.size > 0;
@@ -189,6 +189,24 @@ bool UnitEquations::solve_late(Stage stage, const Complain& complain) {
   for (UnitEquation& equation : equations_)
     if (equation.terms.size() > 0) any = step(equation, complain) >= 0 || any;
   stage_ = Stage::whole;
+  return any;
+}
+
+/// Makes factors that no file gives pure numbers, where only they keep a product from being known.
+bool UnitEquations::assume_pure_factors() {
+  bool any = false;
+  const auto is_unknown = [&](int variable) { return !values_[static_cast<std::size_t>(variable)]; };
+  for (const UnitEquation& product : equations_) {
+    if (product.defines < 0 || !is_unknown(product.defines)) continue;
+    std::vector<int> factors;
+    const bool only_factors = std::ranges::all_of(product.terms, [&](const UnitTerm& term) {
+      const bool is_factor = pure_factors_.contains(term.variable) && is_unknown(term.variable);
+      if (is_factor) factors.push_back(term.variable);
+      return is_factor || term.variable == product.defines || !is_unknown(term.variable);
+    });
+    for (std::size_t i = 0; only_factors && i < factors.size(); ++i) set(factors[i], unit::Dimension{});
+    any = any || (only_factors && !factors.empty());
+  }
   return any;
 }
 

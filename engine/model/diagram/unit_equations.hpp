@@ -3,6 +3,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,7 +43,6 @@ struct UnitJoin {
   struct Piece {
     UnitEquation unit;     ///< the product that is its unit
     bool is_bare = false;  ///< a number without a unit
-    bool any = false;      ///< its unit does not follow from the join
     std::size_t size = 0;  ///< 0: not known
   };
   int variable = -1;
@@ -72,6 +72,8 @@ class UnitEquations {
   void restrict_elements(int variable, Elements kind);
   /// Lets other equations than the one that defines a variable give it a unit only where nothing else does.
   void define_first(int variable) { defined_.push_back(variable); }
+  /// Notes the unit of a factor that no file gives: a pure number where nothing else tells.
+  void assume_pure(int variable) { pure_factors_.insert(variable); }
   /// For the variables 0 to `variables` - 1.
   void solve(std::size_t variables, const Complain& complain);
   /// Of the product as far as it is solved; nothing where a variable is unknown.
@@ -87,6 +89,7 @@ class UnitEquations {
   void set(int variable, ElementUnits units);
   bool join_known();
   bool join_rest();
+  bool assume_pure_factors();
   bool solve_late(Stage stage, const Complain& complain);
   bool is_due(const UnitEquation& equation, const UnitTerm& unknown) const;
   std::optional<ElementUnits> joined(const UnitJoin& join, bool all_known) const;
@@ -103,6 +106,7 @@ class UnitEquations {
   std::vector<bool> in_question_;
   std::vector<Elements> kinds_;  ///< of the variables
   std::vector<int> defined_;
+  std::set<int> pure_factors_;
   std::vector<bool> defined_first_;
   Stage stage_ = Stage::whole;
 };

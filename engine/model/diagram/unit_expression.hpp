@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,10 @@ struct UnitExpression {
   bool is_difference = false;  ///< declared "delta 'u": a difference of two values in 'u
   unit::Dimension constant;
   std::vector<std::pair<std::string, double>> variables;  ///< name without the quote, exponent
+
+  bool has(const std::string& variable) const {
+    return std::ranges::any_of(variables, [&](const auto& term) { return term.first == variable; });
+  }
 };
 
 /// Reads "N m/s", "'u", "'k 'u", "'u/s", "'u^0.5", "delta 'u", "'n by s" (of

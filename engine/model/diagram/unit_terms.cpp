@@ -63,7 +63,6 @@ UnitJoin::Piece UnitTerms::piece_of(const Source& source) {
   piece.is_bare = !divide_by_source(piece.unit, source);
   piece.unit.constant = ElementUnits().times(piece.unit.constant, -1.0);
   for (UnitTerm& term : piece.unit.terms) term.exponent = -term.exponent;
-  piece.any = source.block >= 0 && is_open(source.block, source.output);
   if (!source.element.is_whole())
     piece.size = 1;
   else if (source.block < 0)

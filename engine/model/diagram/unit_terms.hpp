@@ -21,6 +21,9 @@ class UnitTerms {
   /// True where the unit of an output is unknown to its block, or given by element in the section `units`.
   bool is_open(int block, int output);
   OpenUnits& open() { return open_; }
+  int variable(int block, std::size_t of_type) const {
+    return first_variable_[static_cast<std::size_t>(block)] + static_cast<int>(of_type);
+  }
   std::size_t variable_count() const { return variable_count_; }
 
   void add_variables(UnitEquations& equations);

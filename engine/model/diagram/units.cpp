@@ -45,6 +45,7 @@ class Inference : UnitTerms {
     const TypeUnits& units = units_of(block.type());
     add_inputs(index, block, units);
     add_parameters(index, block, units);
+    add_pure_factors(index, block, units);
     add_products(index, block, units);
     add_opened(index, block, units);
     for (const auto& [variable, dimension] : block.known_units)
@@ -123,6 +124,17 @@ class Inference : UnitTerms {
       add(start({block.origin.scope, block.parameter_marks[i]}, index, spec.name.c_str(),
                 units.parameters[i]),
           *block.parameter_dimensions[i], "the number");
+    }
+  }
+
+  /// Factors that the file leaves at their defaults, as the gain of a Lag.
+  void add_pure_factors(int index, const DiagramBlock& block, const TypeUnits& units) {
+    for (std::size_t v = 0; v < units.variables.size(); ++v) {
+      if (!units.is_factor(units.variables[v])) continue;
+      bool given = false;
+      for (std::size_t p = 0; p < units.parameters.size(); ++p)
+        given = given || (block.parameter_marks[p].line > 0 && units.parameters[p].has(units.variables[v]));
+      if (!given) equations_.assume_pure(variable(index, v));
     }
   }
 

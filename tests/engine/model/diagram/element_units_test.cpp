@@ -36,8 +36,17 @@ TEST_CASE("a Mux joins signals of different units, and each element keeps its ow
   CHECK(units_of(pendulum + "  late: {block: UnitDelay, u: y, every: 1 ms}\n", "late") == "m, rad");
   CHECK(units_of(pendulum + "  one: {block: Gain, u: y.1, gain: 2 N/m}\n", "one") == "N");
   CHECK(faults_of(pendulum + "  f: {block: Mass, mass: 1 kg, force: y.1}\n").at(0) ==
-        "test.yaml:9:42: f.force: y is in m, but f.force is in N");
+        "test.yaml:9:39: f.force: y is in m, but f.force is in N");
   CHECK(faults_of(pendulum + "  c: {block: Compare, u: y, operator: greater, to: 1 N}\n").size() == 1);
+}
+
+TEST_CASE("a Mux gives no unit to a signal without one, and a gain that is left out is a pure number") {
+  const std::string late =
+      "  late: {block: Lag, u: theta, tau: 0.1 s}\n  other: {block: Gain, u: theta, gain: 3}\n";
+  CHECK(units_of(pendulum + late, "late") == "rad");
+  CHECK(units_of(pendulum + late + "  z: {block: Mux, u: [x, late]}\n", "z") == "m, rad");
+  CHECK(units_of(pendulum + late + "  z: {block: Mux, u: [x, other, x]}\n", "z") == "m, ?, m");
+  CHECK(units_of(pendulum + late + "  m: {block: Mass, mass: 1 kg, force: late}\n", "late") == "N");
 }
 
 TEST_CASE("the section units gives units to the elements of an estimate") {
@@ -79,7 +88,7 @@ TEST_CASE("coefficients of a transfer function fall by one second from power to 
   CHECK(units_of(tank(mass) + "  v: {block: Derivative, u: x, tau: 1 ms}\n", "v") == "?");
   CHECK(units_of("units: {x: m}\n" + tank(mass), "x") == "m");
   CHECK(faults_of(tank("[2 kg, 8 N/m, 200 N/m]")).at(0) ==
-        "test.yaml:4:86: x.denominator: 8 N/m is in N/m; beside the coefficients before it, it must be in N "
+        "test.yaml:4:74: x.denominator: 8 N/m is in N/m; beside the coefficients before it, it must be in N "
         "s/m");
 }
 
