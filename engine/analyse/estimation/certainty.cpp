@@ -52,6 +52,22 @@ void choose(const Resolution& resolved, const Eigen::MatrixXd& known, Certainty&
   result.half_widths = result.quantile * result.standard_errors;
 }
 
+/// The free directions as relative changes of the unknowns, the largest of which is 1.
+std::vector<Eigen::VectorXd> relative_directions(const Resolution& resolved, const Eigen::VectorXd& sizes) {
+  std::vector<Eigen::VectorXd> directions;
+  for (const Eigen::VectorXd& direction : resolved.free) {
+    directions.push_back(direction.cwiseQuotient(resolved.lengths).cwiseQuotient(sizes));
+    directions.back() /= directions.back().cwiseAbs().maxCoeff();
+  }
+  return directions;
+}
+
+/// Student's t for 95 %; so many rows are worth one.
+double quantile_of(double freedom, Eigen::Index rows, double inflation) {
+  const auto count = static_cast<double>(rows);
+  return statistics::student_quantile(0.975, std::max(1.0, freedom - count + count / inflation));
+}
+
 /// (J' J)^-1 S (J' J)^-1 of the scaled unknowns.
 Eigen::MatrixXd serial_covariance(const Resolution& resolved, const Eigen::VectorXd& residuals,
                                   double freedom, const SerialCorrelation& serial,
@@ -68,10 +84,7 @@ Certainty certainty_of(const Eigen::VectorXd& residuals, const RowMajorMatrix& j
   const Resolution resolved = Resolution::of(jacobian);
   Certainty result;
   result.deviation = residuals.norm() / std::sqrt(freedom);
-  for (const Eigen::VectorXd& direction : resolved.free) {
-    result.free_directions.push_back(direction.cwiseQuotient(resolved.lengths).cwiseQuotient(sizes));
-    result.free_directions.back() /= result.free_directions.back().cwiseAbs().maxCoeff();
-  }
+  result.free_directions = relative_directions(resolved, sizes);
   result.serial = SerialCorrelation::of(residuals, order.starts);
   const Eigen::MatrixXd independent = result.deviation * result.deviation * resolved.inverse;
   result.classical = errors_of(resolved, independent);
@@ -79,10 +92,8 @@ Certainty certainty_of(const Eigen::VectorXd& residuals, const RowMajorMatrix& j
   const Eigen::MatrixXd serial =
       together ? serial_covariance(resolved, residuals, freedom, result.serial, order.starts) : independent;
   if (order.in_time) result.of_series = errors_of(resolved, serial);
-  const double rows = static_cast<double>(residuals.size());
   const bool chosen = together && order.use == StandardErrors::serial;
-  const double worth = chosen ? freedom - rows + rows / result.serial.inflation : freedom;
-  result.quantile = statistics::student_quantile(0.975, std::max(1.0, worth));
+  result.quantile = quantile_of(freedom, residuals.size(), chosen ? result.serial.inflation : 1.0);
   choose(resolved, chosen ? serial : independent, result);
   return result;
 }
