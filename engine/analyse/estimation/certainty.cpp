@@ -98,6 +98,26 @@ Certainty certainty_of(const Eigen::VectorXd& residuals, const RowMajorMatrix& j
   return result;
 }
 
+namespace {
+
+/// Of parameters that change nothing together; `changes` are empty where all change by the same part.
+std::string combination_text(const std::vector<std::string>& up, const std::vector<std::string>& down,
+                             const std::vector<std::string>& all, const std::vector<std::string>& changes) {
+  const bool even = changes.empty();
+  if (even && all.size() == 2)
+    return fmt::format("only the {} of {} can be known; fix one of them",
+                       up.size() == 1 ? "product" : "ratio", listed(all));
+  if (even && (up.size() == 1 || down.size() == 1))
+    return fmt::format("only the products of {} with {} can be known; fix one of them",
+                       listed(up.size() == 1 ? up : down), listed(up.size() == 1 ? down : up));
+  if (even) return fmt::format("only combinations of {} can be known; fix one of them", listed(all));
+  return fmt::format(
+      "only combinations of {} can be known, since {} together change nothing; fix one of them", listed(all),
+      listed(changes));
+}
+
+}  // namespace
+
 std::string in_words(const Eigen::VectorXd& direction, const std::vector<std::string>& names,
                      bool known_before) {
   std::vector<std::string> up, down, changes, all;
@@ -117,15 +137,7 @@ std::string in_words(const Eigen::VectorXd& direction, const std::vector<std::st
     return fmt::format(
         "only combinations of {} can be known where the search has ended, but each at its start; {}",
         listed(all), elsewhere);
-  if (even && all.size() == 2)
-    return fmt::format("only the {} of {} can be known; fix one of them",
-                       up.size() == 1 ? "product" : "ratio", listed(all));
-  if (even && (up.size() == 1 || down.size() == 1))
-    return fmt::format("only the products of {} with {} can be known; fix one of them",
-                       listed(up.size() == 1 ? up : down), listed(up.size() == 1 ? down : up));
-  return fmt::format(
-      "only combinations of {} can be known, since {} together change nothing; fix one of them", listed(all),
-      listed(changes));
+  return combination_text(up, down, all, even ? std::vector<std::string>{} : changes);
 }
 
 }  // namespace stepwire::estimation
