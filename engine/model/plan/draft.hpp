@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/model/diagram/report.hpp"
+#include "engine/model/diagram/units.hpp"
 #include "engine/model/plan/plan.hpp"
 
 namespace stepwire::plan {
@@ -66,6 +67,8 @@ struct Draft {
   bool is_state(std::size_t block, std::size_t output) const;
 };
 
+/// The shapes of all outputs; an empty list where some were refused.
+diagram::OutputShapes output_shapes(const Draft& draft);
 /// Ticks of the run and of every period; the rate of every block, inherited where the file gives none.
 void plan_rates(Draft& draft);
 /// Asks every block that has configure().
