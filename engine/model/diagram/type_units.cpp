@@ -55,8 +55,10 @@ Elements TypeUnits::elements_of(const std::string& variable, const BlockType& ty
 }
 
 bool TypeUnits::is_factor(const std::string& variable) const {
-  return !is_of_product(variable) &&
-         std::ranges::none_of(inputs, [&](const UnitExpression& input) { return input.has(variable); }) &&
+  const auto is_alone = [&](const UnitExpression& input) {
+    return input.has(variable) && input.variables.size() == 1;
+  };
+  return !is_of_product(variable) && std::ranges::none_of(inputs, is_alone) &&
          std::ranges::any_of(products, [&](const Product& one) { return one.unit.has(variable); });
 }
 

@@ -23,7 +23,7 @@ struct TypeUnits {
   std::vector<Product> products;
   std::vector<std::string> variables;
   std::vector<Elements> elements;  ///< of the variables
-  /// True for the unit of no input that is a factor of an output.
+  /// True for a factor of an output that is the unit of no input by itself.
   bool is_factor(const std::string& variable) const;
   /// True for the variable of a product.
   static bool is_of_product(const std::string& variable) { return variable.starts_with('='); }
