@@ -36,7 +36,7 @@ std::string sweep_of_two_plans() {
       "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 500 ms\nparameters: {{gain: 1}}\n"
       "blocks: {{t: {{block: Clock}}, y: {{block: Gain, u: t, gain: $gain}}}}\nrecord: [t, y]\n"
       "sweep: {{together: true, stop: [{}], gain: [{}]}}\n"
-      "claims: [{{that: the last one, max: y, each_run: true, at_most: 100 s}}]\n",
+      "claims: [{{that: the last one, max: y in s, each_run: true, at_most: 100 s}}]\n",
       stops, gains);
 }
 

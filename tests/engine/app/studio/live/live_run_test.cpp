@@ -224,7 +224,7 @@ stop: 1 s
 parameters: {slope: {value: 2, at_most: 9}, other: 5}
 record: [line]
 blocks: {t: {block: Clock}, line: {block: Gain, u: t, gain: $slope}, idle: {block: Gain, u: t, gain: $other}}
-figure: {plot: lines, x: time in s, y: [line, $slope * time]}
+figure: {plot: lines, x: time in s, y: [line in s, $slope * time]}
 claims:
   - {that: it is a line, final: line, equals: $slope, within: 1e-9}
   - {that: it rises, final: line, at_least: 0.5}
