@@ -20,7 +20,7 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
            "Linear analyses refuse it.",
        .source = "A. Harten, B. Engquist, S. Osher, S. R. Chakravarthy 1987, J. Comput. Phys. 71",
        .timing = Timing::continuous,
-       .not_linear = "a delay has no states of a finite number",
+       .not_linear = "it has no states of a finite number beside blocks that act at ticks",
        .symbol = {.text = "e^-sT"},
        .at_events = true});
   is.parameter<&TransportDelay::longest>({.unit = "s",

@@ -18,7 +18,8 @@ std::vector<double> straight(const std::vector<double>& time, const std::vector<
   std::size_t row = 0;
   for (const double t : at) {
     while (row + 2 < time.size() && time[row + 1] <= t) ++row;
-    const double share = std::min((t - time[row]) / (time[row + 1] - time[row]), 1.0);
+    const double length = time[row + 1] - time[row];  // 0 at a jump in the last row
+    const double share = length > 0.0 ? std::min((t - time[row]) / length, 1.0) : 1.0;
     result.push_back(y[row] + share * (y[row + 1] - y[row]));
   }
   return result;

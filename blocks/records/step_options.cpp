@@ -70,11 +70,12 @@ void StepOptions::require_even(const Record& record) const {
   // Rows that a step has spaced are even, so these are rows of the file; those before them may be cut off.
   const auto in_file = std::find(record.file_times.begin(), record.file_times.end(),
                                  record.time[static_cast<std::size_t>(*row)]);
-  const Index file_row = record.first + (in_file - record.file_times.begin());
+  const std::size_t file_row =
+      record.file_rows[static_cast<std::size_t>(in_file - record.file_times.begin())];
   refuse(
       fmt::format("it needs evenly spaced rows, but {} is {:.6g} s and does not fit the mean interval of "
                   "{:.6g} s; put {{resample: {:.6g} s}} before it",
-                  place_in_file(record.file, record.time_name, static_cast<std::size_t>(file_row)),
+                  place_in_file(record.file, *record.table, record.time_name, file_row),
                   record.time[static_cast<std::size_t>(*row)], record.interval(), record.interval()));
 }
 

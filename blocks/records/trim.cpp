@@ -16,12 +16,15 @@ std::vector<double> rows_of(const Record& record, const StepOptions& given) {
   if (!column) given.refuse("trim", no_column(record.file, *record.table, name));
   if (const auto problem = record.table->problems.find(name); problem != record.table->problems.end())
     given.refuse("trim", problem->second);
-  const std::size_t first = static_cast<std::size_t>(record.first), rows = record.file_times.size();
-  if (column->values.size() < first + rows)
+  if (column->values.size() <= *std::ranges::max_element(record.file_rows))
     given.refuse("trim", fmt::format("{}: {} has {} rows, fewer than the record", record.file, name,
                                      column->values.size()));
-  const auto begin = column->values.begin() + static_cast<std::ptrdiff_t>(first);
-  return {begin, begin + static_cast<std::ptrdiff_t>(rows)};
+  const std::vector<double> values = values_of_rows(*column, record.file_rows, record.hold_missing);
+  const auto missing = std::ranges::find_if(values, [](double value) { return std::isnan(value); });
+  if (missing != values.end())
+    given.refuse("trim", missing_value(record, name,
+                                       record.file_rows[static_cast<std::size_t>(missing - values.begin())]));
+  return values;
 }
 
 struct Span {

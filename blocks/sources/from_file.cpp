@@ -57,7 +57,7 @@ void FromFile::configure(Configure& is) {
   require_start(*this, is);
   if (!periodic) require_inside(*this, is);
   configure_own_time(*this, is, !periodic && after_end == AfterEnd::refuse);
-  if (interpolation == Interpolation::hold) return;
+  if (interpolation == Interpolation::hold || samples.has_jumps()) return;
   is.smooth();
   is.skip_instants();
 }
@@ -79,17 +79,22 @@ void FromFile::declare(Declare<FromFile>& is) {
        .symbol = {.text = "{file|record}"},
        .at_events = true});
   is.parameter<&FromFile::file>(
-      {.doc = "path of a .csv, .mat, .h5 or .mcap file, beside the diagram or data/...", .required = true});
-  is.parameter<&FromFile::column>({.doc = "name of the column, or a list of names for a vector; in an HDF5 "
-                                          "or MCAP file of several runs with "
-                                          "its group or channel, as `run-1/cart.position`",
-                                   .required = true});
+      {.doc = "path of a .csv (.tsv, .txt, .dat), .mat, .h5 or .mcap file, beside the diagram or data/...",
+       .required = true});
+  is.parameter<&FromFile::column>(
+      {.doc = "name of the column, or a list of names for a vector; in an HDF5 "
+              "or MCAP file of several runs with "
+              "its group or channel, as `run-1/cart.position`, in a MAT file with its struct, "
+              "as `out.signals.values`",
+       .required = true});
   is.parameter<&FromFile::unit>(
       {.doc = "of the columns: one for all or one for each; left out: as the header says "
               "(`x [mm]`), SI where it says nothing"});
-  is.parameter<&FromFile::time>({.doc = "column with the times, which must increase; in s unless its header "
-                                        "says else. Left out: `time`, in the "
-                                        "column's group where there is none else, or `t`"});
+  is.parameter<&FromFile::time>(
+      {.doc = "column with the times, which must increase, where two rows of one time "
+              "are a jump; in s unless its header "
+              "says else; ISO 8601 counts from the first row. Left out: `time`, in the "
+              "column's group where there is none else, or `t`"});
   is.parameter<&FromFile::sample_time>(
       {.unit = "s",
        .doc = "time between rows, the first one being at 0, in place of a column of "
@@ -97,6 +102,14 @@ void FromFile::declare(Declare<FromFile>& is) {
        .at_least = 0.0});
   is.parameter<&FromFile::from>({.unit = "s", .doc = "rows before this time of the record are left out"});
   is.parameter<&FromFile::to>({.unit = "s", .doc = "rows after this time of the record are left out"});
+  is.parameter<&FromFile::decimal>({.doc = "decimal mark of a text file, where its numbers do not show which "
+                                           "one they have; the other mark then "
+                                           "parts thousands",
+                                    .words = {"detect", ",", "."}});
+  is.parameter<&FromFile::missing>({.doc = "an empty cell or NaN in the columns: refuse it, hold the value "
+                                           "of the row before, or skip the row",
+                                    .words = {"refuse", "hold", "skip"}});
+  is.parameter<&FromFile::sort>({.doc = "sorts the rows by their times; rows of one time keep their order"});
   is.parameter<&FromFile::prepare_>(
       {.doc =
            "steps, done once and in order on all rows in use before the run, so that they may look ahead: " +

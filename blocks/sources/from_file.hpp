@@ -19,12 +19,17 @@ namespace stepwire {
 struct FromFile : OwnTime {
   enum class Interpolation { linear, hold, band_limited };
   enum class AfterEnd { refuse, hold, repeat };
+  enum class Missing { refuse, hold, skip };
+  enum class Decimal { detect, comma, point };
   static constexpr double open = std::numeric_limits<double>::infinity();
 
   FilePath file{};
   std::vector<std::string> column{}, unit{};
   Text time = Text::literal<"time">();
   double sample_time = 0.0, from = -open, to = open, start_ = -open;
+  Decimal decimal = Decimal::detect;
+  Missing missing = Missing::refuse;
+  bool sort = false;
   Tree prepare_{};
   Interpolation interpolation = Interpolation::linear;
   AfterEnd after_end = AfterEnd::refuse;
@@ -56,7 +61,7 @@ struct FromFile : OwnTime {
       const Index row = samples.row_at(place(own() + offset + slack));
       for (Index k = 0; k < y.size(); ++k) y[k] = samples.value(k, row);
     } else {
-      straight(place(own() + offset));
+      straight(place(own() + offset), slack);
     }
   }
   void update() {
@@ -73,9 +78,10 @@ struct FromFile : OwnTime {
     return after_end == AfterEnd::repeat ? samples.wrapped(instant) : instant;
   }
 
-  /// After the last row comes the first one again, or nothing new.
-  void straight(double instant) {
-    const Index row = samples.row_at(instant), last = samples.rows() - 1;
+  /// After the last row comes the first one again, or nothing new. A jump is not late, as a held row is not.
+  void straight(double instant, double slack) {
+    const Index soon = samples.row_at(instant + slack), last = samples.rows() - 1;
+    const Index row = samples.is_jump(soon) ? soon : samples.row_at(instant);
     const Index next = row < last ? row + 1 : after_end == AfterEnd::repeat ? 0 : last;
     const double length = row < last ? samples.time[next] - samples.time[row] : samples.interval;
     const double share = std::clamp((instant - samples.time[row]) / length, 0.0, 1.0);

@@ -8,13 +8,20 @@ namespace stepwire {
 
 /// Rows of numbers over time, and what they are between the rows.
 struct Samples {
-  Numbers time;           ///< of each row [s], increasing
-  Matrix value;           ///< a column for each row, so that a row lies in one piece
-  double interval = 0.0;  ///< mean time between rows [s]
+  Numbers time;           ///< of each row [s], increasing, but for two rows at a jump
+  Matrix value;           ///< a column for each row: a row is one piece of memory
+  double interval = 0.0;  ///< mean time between rows of different times [s]
 
   Index rows() const { return time.size(); }
   double begin() const { return time[0]; }
   double end() const { return time[rows() - 1]; }
+  /// True for the second of two rows at one time: the values after a jump.
+  bool is_jump(Index row) const { return row > 0 && time[row] == time[row - 1]; }
+  bool has_jumps() const {
+    for (Index row = 1; row < rows(); ++row)
+      if (is_jump(row)) return true;
+    return false;
+  }
   /// After which the rows come again: the first one follows the last after one mean interval.
   double period() const { return end() - begin() + interval; }
   /// A row counts as reached this much early [s]: instants and rows are both rounded, and a held row must not

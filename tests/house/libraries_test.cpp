@@ -24,7 +24,6 @@ const std::vector<Home> homes{
     {"boost/", "engine/model/plan"},
     {"yaml-cpp/", "engine/base/yaml"},
     {"udunits2", "engine/base/unit"},
-    {"matio", "engine/base/mat"},
     {"hdf5", "engine/base/hdf5"},
     {"nlohmann/", "engine/base/json"},
     {"CLI/", "engine/app/cli"},

@@ -1,6 +1,7 @@
 #include "engine/analyse/estimation/bounded_squares.hpp"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <algorithm>
 #include <exception>
@@ -50,9 +51,15 @@ ceres::Solver::Options options_of(const BoundedSquares& problem) {
   return options;
 }
 
+/// Ceres logs points that cannot be evaluated; the result reports these.
+void keep_log_inside() {
+  FLAGS_minloglevel = google::GLOG_FATAL;
+}
+
 }  // namespace
 
 bool minimise_squares(const BoundedSquares& problem, const std::vector<double>& from) {
+  keep_log_inside();
   Asked asked(problem, from.size());
   std::vector<double> shares = from;
   ceres::Problem::Options owned;

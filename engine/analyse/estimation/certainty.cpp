@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <cmath>
 #include <limits>
 
+#include "engine/analyse/estimation/resolution.hpp"
 #include "engine/analyse/statistics/student.hpp"
 
 namespace stepwire::estimation {
@@ -16,8 +15,6 @@ namespace {
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-// Differences of runs leave some 1e-8 of a column; what is known at all stands out of that.
-constexpr double negligible = 1e-6;
 constexpr double part_of_direction = 0.02;  // below, an unknown does not take part
 
 /// "a", "a and b", "a, b and c"
@@ -26,82 +23,103 @@ std::string listed(const std::vector<std::string>& names) {
   return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
-/// Which combinations of the unknowns a Jacobian determines, with its columns scaled to length 1.
-struct Resolution {
-  Eigen::VectorXd lengths;  ///< of the columns
-  Eigen::MatrixXd scaled;
-  Eigen::MatrixXd inverse;  ///< of the scaled J' J, the free directions left out
-  Eigen::VectorXd unknown;  ///< the largest part of each unknown in a free direction
-  std::vector<Eigen::VectorXd> free;
-};
-
-Resolution resolution_of(const RowMajorMatrix& jacobian) {
-  const Eigen::Index count = jacobian.cols();
-  Resolution result;
-  result.lengths = jacobian.colwise().norm().transpose().cwiseMax(1e-300);
-  result.scaled = jacobian * result.lengths.cwiseInverse().asDiagonal();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(result.scaled);
-  const Eigen::MatrixXd triangle = qr.matrixQR().topRows(count).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullV);
-  result.inverse = Eigen::MatrixXd::Zero(count, count);
-  result.unknown = Eigen::VectorXd::Zero(count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const Eigen::VectorXd v = svd.matrixV().col(k);
-    const double value = svd.singularValues()[k];
-    if (value > negligible * svd.singularValues()[0]) {
-      result.inverse += v * v.transpose() / (value * value);
-      continue;
-    }
-    result.unknown = result.unknown.cwiseMax(v.cwiseAbs());
-    result.free.push_back(v);
-  }
-  return result;
+/// Takes part in a free direction.
+bool open(const Resolution& resolved, Eigen::Index unknown) {
+  return resolved.unknown[unknown] > part_of_direction;
 }
 
-/// What follows from the covariance of the scaled unknowns.
-void set_errors(const Resolution& resolved, const Eigen::MatrixXd& known, Certainty& result) {
-  const Eigen::VectorXd& lengths = resolved.lengths;
-  const Eigen::Index count = lengths.size();
-  result.covariance = lengths.cwiseInverse().asDiagonal() * known * lengths.cwiseInverse().asDiagonal();
+/// Standard errors of a covariance of the scaled unknowns; nan where an unknown takes part in a free
+/// direction.
+Eigen::VectorXd errors_of(const Resolution& resolved, const Eigen::MatrixXd& known) {
+  Eigen::VectorXd errors = known.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseQuotient(resolved.lengths);
+  for (Eigen::Index i = 0; i < errors.size(); ++i)
+    if (open(resolved, i)) errors[i] = nan;
+  return errors;
+}
+
+/// Sets all that follows from the chosen covariance of the scaled unknowns.
+void choose(const Resolution& resolved, const Eigen::MatrixXd& known, Certainty& result) {
+  const Eigen::VectorXd parts = resolved.lengths.cwiseInverse();
+  const Eigen::Index count = parts.size();
+  result.covariance = parts.asDiagonal() * known * parts.asDiagonal();
+  result.standard_errors = errors_of(resolved, known);
   const Eigen::VectorXd deviations = known.diagonal().cwiseMax(1e-300).cwiseSqrt();
-  const auto open = [&](Eigen::Index i) { return resolved.unknown[i] > part_of_direction; };
-  result.standard_errors.resize(count);
   result.correlation.resize(count, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    result.standard_errors[i] = open(i) ? nan : deviations[i] / lengths[i];
+  for (Eigen::Index i = 0; i < count; ++i)
     for (Eigen::Index j = 0; j < count; ++j)
-      result.correlation(i, j) = open(i) || open(j) ? nan : known(i, j) / (deviations[i] * deviations[j]);
-  }
+      result.correlation(i, j) =
+          open(resolved, i) || open(resolved, j) ? nan : known(i, j) / (deviations[i] * deviations[j]);
   result.half_widths = result.quantile * result.standard_errors;
+}
+
+/// The free directions as relative changes of the unknowns, the largest of which is 1.
+std::vector<Eigen::VectorXd> relative_directions(const Resolution& resolved, const Eigen::VectorXd& sizes) {
+  std::vector<Eigen::VectorXd> directions;
+  for (const Eigen::VectorXd& direction : resolved.free) {
+    directions.push_back(direction.cwiseQuotient(resolved.lengths).cwiseQuotient(sizes));
+    directions.back() /= directions.back().cwiseAbs().maxCoeff();
+  }
+  return directions;
+}
+
+/// Student's t for 95 %; so many rows are worth one.
+double quantile_of(double freedom, Eigen::Index rows, double inflation) {
+  const auto count = static_cast<double>(rows);
+  return statistics::student_quantile(0.975, std::max(1.0, freedom - count + count / inflation));
+}
+
+/// (J' J)^-1 S (J' J)^-1 of the scaled unknowns.
+Eigen::MatrixXd serial_covariance(const Resolution& resolved, const Eigen::VectorXd& residuals,
+                                  double freedom, const SerialCorrelation& serial,
+                                  const std::vector<Eigen::Index>& starts) {
+  const Eigen::MatrixXd terms = residuals.asDiagonal() * resolved.scaled;
+  return static_cast<double>(residuals.size()) / freedom * resolved.inverse *
+         serial.covariance_of_sum(terms, starts) * resolved.inverse;
 }
 
 }  // namespace
 
 Certainty certainty_of(const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian,
-                       const Eigen::VectorXd& sizes, double freedom,
-                       const std::vector<Eigen::Index>& starts) {
-  const Resolution resolved = resolution_of(jacobian);
+                       const Eigen::VectorXd& sizes, double freedom, const RowOrder& order) {
+  const Resolution resolved = Resolution::of(jacobian);
   Certainty result;
   result.deviation = residuals.norm() / std::sqrt(freedom);
-  for (const Eigen::VectorXd& direction : resolved.free) {
-    result.free_directions.push_back(direction.cwiseQuotient(resolved.lengths).cwiseQuotient(sizes));
-    result.free_directions.back() /= result.free_directions.back().cwiseAbs().maxCoeff();
-  }
-  result.serial = SerialCorrelation::of(residuals, starts);
-  const double rows = static_cast<double>(residuals.size());
-  const double worth = std::max(1.0, freedom - rows + rows / result.serial.inflation);
-  result.quantile = statistics::student_quantile(0.975, worth);
-  Eigen::MatrixXd known = result.deviation * result.deviation * resolved.inverse;  // of the scaled unknowns
-  if (result.serial.rows > 0) {
-    const Eigen::MatrixXd terms = residuals.asDiagonal() * resolved.scaled;
-    known =
-        rows / freedom * resolved.inverse * result.serial.covariance_of_sum(terms, starts) * resolved.inverse;
-  }
-  set_errors(resolved, known, result);
+  result.free_directions = relative_directions(resolved, sizes);
+  result.serial = SerialCorrelation::of(residuals, order.starts);
+  const Eigen::MatrixXd independent = result.deviation * result.deviation * resolved.inverse;
+  result.classical = errors_of(resolved, independent);
+  const bool together = order.in_time && result.serial.rows > 0;
+  const Eigen::MatrixXd serial =
+      together ? serial_covariance(resolved, residuals, freedom, result.serial, order.starts) : independent;
+  if (order.in_time) result.of_series = errors_of(resolved, serial);
+  const bool chosen = together && order.use == StandardErrors::serial;
+  result.quantile = quantile_of(freedom, residuals.size(), chosen ? result.serial.inflation : 1.0);
+  choose(resolved, chosen ? serial : independent, result);
   return result;
 }
 
-std::string in_words(const Eigen::VectorXd& direction, const std::vector<std::string>& names) {
+namespace {
+
+/// Of parameters that change nothing together; `changes` are empty where all change by the same part.
+std::string combination_text(const std::vector<std::string>& up, const std::vector<std::string>& down,
+                             const std::vector<std::string>& all, const std::vector<std::string>& changes) {
+  const bool even = changes.empty();
+  if (even && all.size() == 2)
+    return fmt::format("only the {} of {} can be known; fix one of them",
+                       up.size() == 1 ? "product" : "ratio", listed(all));
+  if (even && (up.size() == 1 || down.size() == 1))
+    return fmt::format("only the products of {} with {} can be known; fix one of them",
+                       listed(up.size() == 1 ? up : down), listed(up.size() == 1 ? down : up));
+  if (even) return fmt::format("only combinations of {} can be known; fix one of them", listed(all));
+  return fmt::format(
+      "only combinations of {} can be known, since {} together change nothing; fix one of them", listed(all),
+      listed(changes));
+}
+
+}  // namespace
+
+std::string in_words(const Eigen::VectorXd& direction, const std::vector<std::string>& names,
+                     bool known_before) {
   std::vector<std::string> up, down, changes, all;
   bool even = true;  // all by the same part
   for (Eigen::Index i = 0; i < direction.size(); ++i) {
@@ -112,16 +130,14 @@ std::string in_words(const Eigen::VectorXd& direction, const std::vector<std::st
     changes.push_back(fmt::format("{} {:+.2g} %", name, direction[i]));
     even = even && std::abs(std::abs(direction[i]) - 1.0) < 0.02;
   }
-  if (all.size() == 1) return fmt::format("{} moves nothing that is compared; fix it", all.front());
-  if (even && all.size() == 2)
-    return fmt::format("only the {} of {} can be known; fix one of them",
-                       up.size() == 1 ? "product" : "ratio", listed(all));
-  if (even && (up.size() == 1 || down.size() == 1))
-    return fmt::format("only the products of {} with {} can be known; fix one of them",
-                       listed(up.size() == 1 ? up : down), listed(up.size() == 1 ? down : up));
-  return fmt::format(
-      "only combinations of {} can be known, since {} together change nothing; fix one of them", listed(all),
-      listed(changes));
+  if (all.size() == 1)
+    return fmt::format("{} moves nothing that is compared where the search has ended; {}", all.front(),
+                       elsewhere);
+  if (known_before)
+    return fmt::format(
+        "only combinations of {} can be known where the search has ended, but each at its start; {}",
+        listed(all), elsewhere);
+  return combination_text(up, down, all, even ? std::vector<std::string>{} : changes);
 }
 
 }  // namespace stepwire::estimation

@@ -9,8 +9,12 @@
 #include <cmath>
 
 #include "engine/analyse/estimation/certainty.hpp"
+#include "engine/analyse/estimation/doubts.hpp"
 #include "engine/analyse/estimation/least_squares.hpp"
 #include "engine/analyse/estimation/loss.hpp"
+#include "engine/analyse/estimation/refine.hpp"
+#include "engine/analyse/estimation/resolution.hpp"
+#include "engine/analyse/estimation/row_order.hpp"
 #include "engine/analyse/estimation/searches.hpp"
 #include "engine/analyse/estimation/starts.hpp"
 
@@ -25,7 +29,10 @@ class Fit {
         request_(request),
         options_(options),
         runs_(source, job, request),
-        residuals_(runs_, request, options.threads) {}
+        residuals_(runs_, request, options.threads) {
+    result_.in_time = in_time(job.plan, request);
+    result_.standard_errors = used_errors(request, result_.in_time);
+  }
 
   FitResult result() {
     if (request_.parameters.empty())
@@ -37,6 +44,7 @@ class Fit {
     result_.in_part = runs_.in_part();
     result_.interrupted = interrupted();
     describe_numbers();
+    for (std::string& doubt : doubts_of(result_)) result_.findings.push_back(std::move(doubt));
     set_parameters();
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     return std::move(result_);
@@ -106,6 +114,10 @@ class Fit {
           yaml::Fault{request_.place, "fit", "no start can be evaluated; give a start that runs", {}});
     if (!std::isfinite(best_.cost)) best_ = {residuals_.start(), 0.0, false, 0};
     result_.converged = best_.converged;
+    if (!best_.converged || interrupted()) return;
+    Refined refined = refine(residuals_, request_, std::move(best_), source_.interrupt);
+    best_ = std::move(refined.minimum);
+    end_ = std::move(refined.at);
   }
 
   void limit(const std::string& refusal) {
@@ -157,14 +169,23 @@ class Fit {
     result_.freedom = static_cast<double>(residuals_.count() - best_.x.size()) -
                       static_cast<double>(residuals_.free_offsets());
     for (std::size_t i = 0; i < residuals_.unknowns().size(); ++i) result_.numbers.push_back(number(i));
-    Eigen::VectorXd r;
-    Jacobian slopes;
-    if (result_.numbers.empty() || interrupted() ||
-        !residuals_.evaluate(best_.x, r, slopes, Residuals::Differences::central))
-      return;
-    count(request_, r, slopes);
-    tell_slope(r, slopes);
-    describe_certainty(certainty_of(r, slopes, sizes(), result_.freedom, residuals_.stretches()));
+    if (result_.numbers.empty() || interrupted() || !differentiate()) return;
+    count(request_, end_.residuals, end_.slopes);
+    tell_slope(end_.residuals, end_.slopes);
+    describe_certainty(certainty_of(end_.residuals, end_.slopes, sizes(), result_.freedom,
+                                    {residuals_.stretches(), result_.in_time, result_.standard_errors}));
+  }
+
+  /// Derivatives at the end by central differences, where refine() has left none.
+  bool differentiate() {
+    return (end_.slopes.size() > 0 && end_.x == best_.x) ||
+           residuals_.evaluate(best_.x, end_.residuals, end_.slopes, Residuals::Differences::central);
+  }
+
+  /// True where the start has fewer directions that change nothing than the end.
+  bool known_at_start(const Certainty& certainty) const {
+    return start_.slopes.size() > 0 &&
+           Resolution::of(start_.slopes).free.size() < certainty.free_directions.size();
   }
 
   /// What relative changes of the unknowns are relative to.
@@ -185,6 +206,8 @@ class Fit {
       const auto at = static_cast<Eigen::Index>(i);
       FittedNumber& one = result_.numbers[i];
       one.standard_error = certainty.standard_errors[at];
+      one.classical_error = certainty.classical[at];
+      if (result_.in_time) one.serial_error = certainty.of_series[at];
       one.low = one.value - certainty.half_widths[at];
       one.high = one.value + certainty.half_widths[at];
     }
@@ -195,7 +218,7 @@ class Fit {
       result_.curves[i].data_range = std::move(data_range);
     }
     for (const Eigen::VectorXd& direction : certainty.free_directions)
-      result_.findings.push_back(in_words(direction, titles));
+      result_.findings.push_back(in_words(direction, titles, known_at_start(certainty)));
   }
 
   FittedNumber number(std::size_t unknown) {
@@ -206,7 +229,8 @@ class Fit {
     one.start = parameter.start;
     one.dimension = parameter.dimension;
     one.unit = parameter.unit;
-    one.standard_error = one.low = one.high = std::numeric_limits<double>::quiet_NaN();
+    one.standard_error = one.classical_error = one.serial_error = one.low = one.high =
+        std::numeric_limits<double>::quiet_NaN();
     const double near = 1e-6 * (parameter.bounded() ? parameter.upper - parameter.lower : parameter.scale);
     one.at_bound = one.value - parameter.lower <= near || parameter.upper - one.value <= near;
     if (one.at_bound)
@@ -237,6 +261,7 @@ class Fit {
   Residuals residuals_;
   KnownPoint start_;
   Minimum best_;
+  KnownPoint end_;  ///< the best point with central differences
   FitResult result_;
 };
 

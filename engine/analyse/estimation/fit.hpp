@@ -25,7 +25,9 @@ struct FittedNumber {
   std::string name;    ///< of the parameter
   std::string record;  ///< whose own it is; empty where all records share it
   double value = 0.0, start = 0.0;
-  double standard_error = 0.0;   ///< nan where the records do not tell
+  double standard_error = 0.0;   ///< that of the interval; nan where it is not known.
+  double classical_error = 0.0;  ///< Error of independent rows.
+  double serial_error = 0.0;     ///< Of a time series whose residuals go together; nan of others.
   double low = 0.0, high = 0.0;  ///< of the 95 % interval
   bool at_bound = false;
   std::optional<unit::Dimension> dimension{};
@@ -60,7 +62,9 @@ struct FitResult {
   double cost = 0.0;                  ///< half of the sum of what the weighted residuals count
   double deviation = 0.0;             ///< of a weighted residual
   double freedom = 0.0;               ///< rows less numbers found
-  Eigen::Index together = 0;          ///< rows over which residuals go together, which intervals allow for
+  Eigen::Index together = 0;          ///< rows over which residuals go together, one behind the other
+  bool in_time = false;               ///< the rows are a time series
+  StandardErrors standard_errors = StandardErrors::classical;  ///< those of the intervals
   bool converged = false, interrupted = false;
   bool limited = false;   ///< the diagram refuses what the records want
   bool compiled = false;  ///< one compilation served all runs

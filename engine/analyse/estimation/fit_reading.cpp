@@ -120,6 +120,19 @@ FitTable::Row compare_row() {
           read_comparisons};
 }
 
+FitTable::Row tolerance_row() {
+  return {"tolerance",
+          "change of a number at which a search ends, in parts of its value or of its standard error",
+          form::above_zero(form::computed()), &FitRequest::tolerance};
+}
+
+FitTable::Row standard_errors_row() {
+  return {"standard_errors",
+          "of independent rows, or of a time series whose residuals go together; automatic: the latter where "
+          "the diagram has memory",
+          form::word({"automatic", "classical", "serial"}), &FitRequest::standard_errors};
+}
+
 const FitTable& fit_table() {
   static const FitTable table(
       "the fit", "{parameters: {..}, compare: [..]}",
@@ -137,6 +150,8 @@ const FitTable& fit_table() {
         form::whole(1, 10'000), &FitRequest::follow},
        {"seed", "of what is random", form::whole(0, 1'000'000'000), &FitRequest::seed},
        {"iterations", "steps of one search, at most", form::whole(1, 100'000), &FitRequest::iterations},
+       tolerance_row(),
+       standard_errors_row(),
        {"global", "differential evolution within the bounds ahead of the rest", global_table().form,
         read_global},
        {"curves", "what follows from the fitted parameters, drawn with its 95 % interval",

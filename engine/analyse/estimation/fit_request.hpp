@@ -68,6 +68,9 @@ struct FitCurve {
 /// What residuals that are large beside `width` count.
 enum class FitLoss { none, huber, cauchy };
 
+/// Kind of the standard errors of intervals. Automatic: serial where the rows are a time series.
+enum class StandardErrors { automatic, classical, serial };
+
 /// Differential evolution ahead of the least squares.
 struct GlobalSearch {
   std::size_t population = 40, generations = 60;
@@ -84,7 +87,9 @@ struct FitRequest {
   std::size_t starts = 1;             ///< the first is the given one, the others are random within the bounds
   std::optional<std::size_t> follow;  ///< how many of them go on after the first steps; a quarter if absent
   std::uint64_t seed = 1;
-  std::size_t iterations = 100;    ///< of one start, at most
+  std::size_t iterations = 200;  ///< of one start, at most
+  double tolerance = 1e-8;       ///< change of an unknown at which a search ends, see refine()
+  StandardErrors standard_errors = StandardErrors::automatic;
   std::string records = "record";  ///< what pictures call the records: measured, simulated
   std::optional<GlobalSearch> global;
   yaml::Place place;

@@ -1,186 +1,186 @@
+// Least squares within bounds by a trust region.
+//
+// A step s makes the linear model |r + J s| least with |D s| <= radius, where D has the largest norms of the
+// columns of J so far (J. J. More 1978). The first radius is |D x|: a step moves the residuals at first by no
+// more than the unknowns' own parts do. A radius in place of a damping factor holds such a search that begins
+// far away (NIST's BoxBOD, MGH10 and MGH17, start 1) back from leaving the region where the unknowns matter.
+// In a narrow bent valley a straight step leaves the valley, and a search creeps. The geodesic acceleration
+// answers the second derivative of the residuals along the step (M. K. Transtrum, J. P. Sethna 2012). It
+// costs a run beside the step and one at its end, and is taken where it lowers the cost further. An unknown
+// at a bound to which the cost falls is held; a step that crosses a bound is cut there.
 #include "engine/analyse/estimation/least_squares.hpp"
-
-#include <ceres/ceres.h>
-#include <glog/logging.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "engine/analyse/estimation/loss.hpp"
+#include "engine/analyse/estimation/trust_region.hpp"
 
 namespace stepwire::estimation {
 
 namespace {
 
-/// The residuals as Ceres takes them, with the unknowns in parts of their scales.
-class Cost : public ceres::CostFunction {
+constexpr double poor = 0.25, good = 0.75;  // share of the expected gain that a step has
+constexpr double probe = 0.1;               // of a step, for the second derivative along it
+constexpr double most_bend = 0.15;          // acceleration over the step
+constexpr double shortest = 1e-10;          // step over the size of the unknowns
+
+/// Residuals after the loss, their slopes, and half the sum of their squares.
+struct Counts {
+  Eigen::VectorXd r;
+  Jacobian slopes;
+  double cost = std::numeric_limits<double>::infinity();
+};
+
+/// Smallest gain of a step, in parts of the cost, after which another step follows. No unknown moves by more
+/// than some hundredth of its standard error then: the cost of `freedom` rows is half of freedom s^2. One
+/// standard error costs s^2 / 2. A tolerance above that allows more, as the cost changes by its square.
+double smallest_gain(const Residuals& residuals, Eigen::Index unknowns, double tolerance) {
+  constexpr double part = 1e-4;
+  const double freedom = static_cast<double>(residuals.count() - unknowns);
+  return std::max(std::clamp(part / std::max(1.0, freedom), 1e-10, 1e-8), tolerance * tolerance);
+}
+
+class Descent {
  public:
-  Cost(const Residuals& residuals, const FitRequest& request, const Eigen::VectorXd& scales, KnownPoint known)
-      : residuals_(residuals), request_(request), scales_(scales), known_(std::move(known)) {
-    set_num_residuals(static_cast<int>(residuals.count()));
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(scales.size()));
+  Descent(const Residuals& residuals, const FitRequest& request, const LeastSquaresOptions& options)
+      : residuals_(residuals), request_(request), options_(options) {}
+
+  Minimum run(const Eigen::VectorXd& start) {
+    found_.x = start;
+    if (!begin()) return found_;
+    const double gain = smallest_gain(residuals_, start.size(), request_.tolerance);
+    while (found_.iterations < options_.iterations && !found_.converged) {
+      if (options_.watch) options_.watch(found_.iterations, found_.cost);
+      if (options_.interrupt && *options_.interrupt) break;
+      advance(gain);
+      ++found_.iterations;
+    }
+    return found_;
   }
 
-  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
-    const Eigen::VectorXd x =
-        Eigen::Map<const Eigen::VectorXd>(parameters[0], scales_.size()).cwiseProduct(scales_);
-    const bool wanted = jacobians && jacobians[0];
-    if (!know(x, wanted)) {
-      if (best_.refusal.empty()) best_.refusal = residuals_.refusal(x);  // else it blew up
-      return false;
-    }
-    Eigen::VectorXd r = known_.residuals;
-    Jacobian slopes;
-    if (wanted) slopes = known_.slopes * scales_.asDiagonal();
-    count(request_, r, slopes);
-    if (const double cost = 0.5 * r.squaredNorm(); cost < best_.cost) {
-      best_.cost = cost;
-      best_.x = x;
-    }
-    std::copy_n(r.data(), r.size(), residuals);
-    if (wanted) std::copy_n(slopes.data(), slopes.size(), jacobians[0]);
+ private:
+  const FitParameter& parameter(Eigen::Index i) const {
+    return residuals_.parameter(static_cast<std::size_t>(i));
+  }
+
+  bool begin() {
+    const Eigen::VectorXd& x = found_.x;
+    KnownPoint point = options_.known;
+    if (point.x.size() != x.size() || point.x != x) point = {x, {}, {}};
+    if (point.residuals.size() == 0 && !evaluate(x, point.residuals)) return false;
+    if (point.slopes.size() == 0 && !differentiate(x, point.residuals, point.slopes)) return false;
+    take(std::move(point));
+    Eigen::VectorXd sizes = x.cwiseAbs();
+    for (Eigen::Index i = 0; i < sizes.size(); ++i) sizes[i] = std::max(sizes[i], parameter(i).scale);
+    radius_ = metric_.cwiseProduct(sizes).norm();
     return true;
   }
 
-  /// The best point so far: a search may end at another, and Ceres takes nothing from one that failed.
-  const Minimum& best() const { return best_; }
+  bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r) {
+    if (residuals_.evaluate(x, r)) return true;
+    if (found_.refusal.empty()) found_.refusal = residuals_.refusal(x);  // else it blew up
+    return false;
+  }
 
- private:
-  bool know(const Eigen::VectorXd& x, bool slopes) const {
-    if (known_.x.size() != x.size() || known_.x != x) {
-      known_ = {};
-      if (!residuals_.evaluate(x, known_.residuals)) return false;
-      known_.x = x;
-    }
-    return !slopes || known_.slopes.size() > 0 ||
-           residuals_.differentiate(x, known_.residuals, known_.slopes, Residuals::Differences::forward);
+  bool differentiate(const Eigen::VectorXd& x, const Eigen::VectorXd& r, Jacobian& slopes) const {
+    return residuals_.differentiate(x, r, slopes, Residuals::Differences::forward);
+  }
+
+  void take(KnownPoint point) {
+    found_.x = std::move(point.x);
+    found_.cost = cost_of(point.residuals, request_);
+    here_ = {std::move(point.residuals), std::move(point.slopes), found_.cost};
+    count(request_, here_.r, here_.slopes);
+    const Eigen::VectorXd lengths = here_.slopes.colwise().norm();
+    metric_ = metric_.size() == 0 ? lengths : Eigen::VectorXd(metric_.cwiseMax(lengths));
+    for (Eigen::Index i = 0; i < metric_.size(); ++i)
+      if (!(metric_[i] > 0.0)) metric_[i] = 1.0 / parameter(i).scale;
+  }
+
+  /// The slopes after the unknowns in units of the metric; none of those that are held at a bound.
+  Eigen::MatrixXd free_slopes() const {
+    const Eigen::VectorXd gradient = here_.slopes.transpose() * here_.r;
+    Eigen::MatrixXd slopes = here_.slopes * metric_.cwiseInverse().asDiagonal();
+    for (Eigen::Index i = 0; i < gradient.size(); ++i)
+      if ((found_.x[i] <= parameter(i).lower && gradient[i] > 0.0) ||
+          (found_.x[i] >= parameter(i).upper && gradient[i] < 0.0))
+        slopes.col(i).setZero();
+    return slopes;
+  }
+
+  /// The point a step leads to, cut at the bounds.
+  Eigen::VectorXd end_of(const Eigen::VectorXd& step) const {
+    Eigen::VectorXd x = found_.x + step.cwiseQuotient(metric_);
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      x[i] = std::clamp(x[i], parameter(i).lower, parameter(i).upper);
+    return x;
+  }
+
+  KnownPoint at(Eigen::VectorXd x) {
+    KnownPoint point{std::move(x), {}, {}};
+    if (!evaluate(point.x, point.residuals)) point.residuals.resize(0);
+    return point;
+  }
+
+  double cost(const KnownPoint& point) const {
+    return point.residuals.size() == 0 ? std::numeric_limits<double>::infinity()
+                                       : cost_of(point.residuals, request_);
+  }
+
+  /// One step, which may be refused.
+  void advance(double gain) {
+    LinearModel model(free_slopes(), here_.r);
+    const Eigen::VectorXd whole = model.step(radius_);
+    KnownPoint next = at(end_of(whole));
+    const Eigen::VectorXd step = (next.x - found_.x).cwiseProduct(metric_);
+    const double expected = model.gain(step), length = step.norm();
+    if (expected > gain * found_.cost && (step - whole).norm() <= 1e-6 * length)
+      next = bent(std::move(next), model, step);
+    const double reached = cost(next);
+    const bool small = length <= shortest * metric_.cwiseProduct(found_.x).norm();
+    const bool flat = std::abs(found_.cost - reached) <= gain * found_.cost && expected <= gain * found_.cost;
+    found_.converged = small || flat;
+    resize(expected > 0.0 ? (found_.cost - reached) / expected : -1.0, length);
+    if (reached < found_.cost && differentiate(next.x, next.residuals, next.slopes)) take(std::move(next));
+  }
+
+  void resize(double share, double length) {
+    if (!(share >= poor))
+      radius_ = poor * std::min(length, radius_);
+    else if (share > good && length > 0.95 * radius_)
+      radius_ *= 2.0;
+  }
+
+  /// The end of a step with the acceleration, where that is small and lowers the cost further.
+  KnownPoint bent(KnownPoint straight, const LinearModel& model, const Eigen::VectorXd& step) {
+    Eigen::VectorXd beside;
+    if (!residuals_.evaluate(end_of(probe * step), beside)) return straight;
+    Jacobian none;
+    count(request_, beside, none);
+    const Eigen::VectorXd along = here_.slopes * step.cwiseQuotient(metric_);
+    const Eigen::VectorXd change = 2.0 / probe * ((beside - here_.r) / probe - along);
+    const Eigen::VectorXd answer = 0.5 * model.answer(change);
+    if (!(answer.norm() <= most_bend * step.norm())) return straight;
+    KnownPoint end = at(end_of(step + answer));
+    return cost(end) < cost(straight) ? end : straight;
   }
 
   const Residuals& residuals_;
   const FitRequest& request_;
-  const Eigen::VectorXd& scales_;
-  mutable Minimum best_;
-  mutable KnownPoint known_;  ///< the last one; Ceres asks for the cost of a step first, for its slopes later
-};
-
-class Watch : public ceres::IterationCallback {
- public:
-  /// `before`: steps that have been done already.
-  Watch(const LeastSquaresOptions& options, std::size_t before) : options_(options), before_(before) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
-    if (options_.watch) options_.watch(before_ + static_cast<std::size_t>(summary.iteration), summary.cost);
-    return options_.interrupt && *options_.interrupt ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
-                                                     : ceres::SOLVER_CONTINUE;
-  }
-
- private:
   const LeastSquaresOptions& options_;
-  std::size_t before_;
+  Minimum found_;
+  Counts here_;
+  Eigen::VectorXd metric_;
+  double radius_ = 0.0;
 };
-
-/// A part of a search: how far a step may go at first (in Ceres' measure), and the part of the cost that a
-/// step must gain for the next one to be tried.
-struct Phase {
-  double radius, gain;
-};
-/// Far from a minimum, long steps leave its valley. Near it, where one step gains little of the cost, they
-/// are right, and short ones creep along what the records tell little of: two parameters that go together.
-constexpr double near_minimum = 0.1, short_steps = 1e4, long_steps = 1e10;
-
-/// What a step may still gain, in parts of the cost: so little that no unknown moves by more than some
-/// hundredth of its standard error. (The cost of `freedom` rows is half of freedom s^2, and one standard
-/// error costs s^2 / 2.)
-double smallest_gain(const Residuals& residuals, Eigen::Index unknowns) {
-  constexpr double part = 1e-4;
-  const double freedom = static_cast<double>(residuals.count() - unknowns);
-  return std::clamp(part / std::max(1.0, freedom), 1e-10, 1e-8);
-}
-
-ceres::Solver::Options solver_options(const Phase& phase, std::size_t iterations, Watch& watch) {
-  ceres::Solver::Options result;
-  result.linear_solver_type = ceres::DENSE_QR;
-  result.max_num_iterations = static_cast<int>(iterations);
-  result.initial_trust_region_radius = phase.radius;
-  result.function_tolerance = phase.gain;
-  // Where bounds shorten a step, Ceres would look at the slopes of each length that it tries.
-  result.line_search_interpolation_type = ceres::QUADRATIC;
-  result.max_num_consecutive_invalid_steps = 20;  // a step may lead where the model blows up
-  result.parameter_tolerance = 1e-10;
-  result.gradient_tolerance = 1e-14;
-  result.logging_type = ceres::SILENT;
-  result.update_state_every_iteration = true;
-  result.callbacks.push_back(&watch);
-  return result;
-}
-
-/// What Ceres writes of points that cannot be evaluated is not for people: a fit says what it found.
-void keep_log_inside() {
-  FLAGS_minloglevel = google::GLOG_FATAL;
-}
-
-void set_bounds(const Residuals& residuals, Eigen::VectorXd& scaled, ceres::Problem& problem) {
-  for (int at = 0; at < static_cast<int>(scaled.size()); ++at) {
-    const FitParameter& parameter = residuals.parameter(static_cast<std::size_t>(at));
-    if (parameter.lower > -FitParameter::open)
-      problem.SetParameterLowerBound(scaled.data(), at, parameter.lower / parameter.scale);
-    if (parameter.upper < FitParameter::open)
-      problem.SetParameterUpperBound(scaled.data(), at, parameter.upper / parameter.scale);
-  }
-}
-
-/// Scaling may round beyond a bound.
-void keep_within_bounds(const Residuals& residuals, Eigen::VectorXd& x) {
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const FitParameter& parameter = residuals.parameter(static_cast<std::size_t>(i));
-    x[i] = std::clamp(x[i], parameter.lower, parameter.upper);
-  }
-}
-
-struct Descent {
-  std::size_t steps = 0;
-  bool converged = false;
-};
-
-/// Both phases of a search, up to a step that gains less than `gain` of the cost.
-Descent descend(ceres::Problem& problem, double gain, const LeastSquaresOptions& options) {
-  Descent done;
-  for (const Phase& phase : {Phase{short_steps, near_minimum}, Phase{long_steps, gain}}) {
-    Watch watch(options, done.steps);
-    ceres::Solver::Summary summary;
-    ceres::Solve(solver_options(phase, options.iterations - done.steps, watch), &problem, &summary);
-    done.steps += summary.iterations.size() - std::min<std::size_t>(1, summary.iterations.size());
-    done.converged = summary.termination_type == ceres::CONVERGENCE;
-    if (!done.converged) break;
-  }
-  return done;
-}
 
 }  // namespace
 
 Minimum minimise(const Residuals& residuals, const FitRequest& request, const Eigen::VectorXd& start,
                  const LeastSquaresOptions& options) {
-  keep_log_inside();
-  Eigen::VectorXd scales(start.size());
-  for (Eigen::Index i = 0; i < start.size(); ++i)
-    scales[i] = residuals.parameter(static_cast<std::size_t>(i)).scale;
-  Eigen::VectorXd scaled = start.cwiseQuotient(scales);
-  Cost cost(residuals, request, scales, options.known);
-  ceres::Problem::Options kept;
-  kept.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem problem(kept);
-  problem.AddResidualBlock(&cost, nullptr, scaled.data());
-  set_bounds(residuals, scaled, problem);
-  const Descent descent = descend(problem, smallest_gain(residuals, start.size()), options);
-  Minimum found = cost.best();
-  found.iterations = descent.steps;
-  if (!std::isfinite(found.cost)) {  // not even the start could be evaluated
-    found.x = start;
-    return found;
-  }
-  keep_within_bounds(residuals, found.x);
-  found.converged = descent.converged;
-  return found;
+  return Descent(residuals, request, options).run(start);
 }
 
 }  // namespace stepwire::estimation

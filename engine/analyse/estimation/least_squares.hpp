@@ -37,7 +37,7 @@ struct Minimum {
 };
 
 /// Minimises the cost within the bounds, and within what the diagram takes, by Levenberg-Marquardt from a
-/// start; the cost stays infinite where nothing could be evaluated at the start.
+/// start; the cost stays infinite where nothing could be evaluated at the start. See least_squares.cpp.
 Minimum minimise(const Residuals& residuals, const FitRequest& request, const Eigen::VectorXd& start,
                  const LeastSquaresOptions& options);
 

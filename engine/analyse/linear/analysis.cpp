@@ -19,7 +19,7 @@ Analysis analyse(Linearization linearization, std::optional<double> feedback) {
   const StateSpace& system = analysis.system;
   analysis.modes = modes_of(system);
   analysis.zeros = zeros_of(system.connected());
-  analysis.stable = is_stable(eigenvalues(system.A), system.sample_time);
+  analysis.stable = is_stable(system);
   analysis.controllable = controllability(system);
   analysis.observable = observability(system);
   for (std::size_t i = 0; i < system.inputs.size(); ++i)

@@ -1,60 +1,28 @@
 #include "engine/analyse/linear/frequency_response.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-
-#include "engine/analyse/linear/balance.hpp"
 
 namespace stepwire::linear {
 
-namespace {
-
-/// Solves (point - H) x = b for H in upper Hessenberg form by elimination with row exchanges.
-Eigen::VectorXcd solve(const Complex& point, const Eigen::MatrixXd& H, Eigen::VectorXcd b) {
-  const Eigen::Index n = H.rows();
-  Eigen::MatrixXcd M = -H.cast<Complex>();
-  M.diagonal().array() += point;
-  for (Eigen::Index k = 0; k + 1 < n; ++k) {
-    if (std::abs(M(k + 1, k)) > std::abs(M(k, k))) {
-      M.row(k).tail(n - k).swap(M.row(k + 1).tail(n - k));
-      std::swap(b[k], b[k + 1]);
-    }
-    if (M(k, k) == 0.0) continue;
-    const Complex factor = M(k + 1, k) / M(k, k);
-    M.row(k + 1).tail(n - k) -= factor * M.row(k).tail(n - k);
-    b[k + 1] -= factor * b[k];
-  }
-  M.triangularView<Eigen::Upper>().solveInPlace(b);
-  return b;
-}
-
-}  // namespace
-
 FrequencyResponse::FrequencyResponse(const StateSpace& system)
-    : D_(system.D(0, 0)), sample_time_(system.sample_time), corners_(modes_of(system)) {
+    : response_(system), sample_time_(system.sample_time), corners_(modes_of(system)) {
   for (const Complex& zero : zeros_of(system)) {
     const Complex s = system.is_sampled() ? std::log(zero) / system.sample_time : zero;
     corners_.push_back({zero, std::abs(s), std::abs(s) > 0.0 ? -s.real() / std::abs(s) : 0.0});
   }
-  if (system.A.rows() == 0) return;
-  const Eigen::VectorXd scale = balancing(system.A);
-  const Eigen::MatrixXd A = scale.cwiseInverse().asDiagonal() * system.A * scale.asDiagonal();
-  const Eigen::HessenbergDecomposition<Eigen::MatrixXd> reduced(A);
-  const Eigen::MatrixXd Q = reduced.matrixQ();
-  hessenberg_ = reduced.matrixH();
-  B_ = Q.transpose() * (scale.cwiseInverse().asDiagonal() * system.B.col(0));
-  C_ = (system.C.row(0) * scale.asDiagonal()) * Q;
+  for (const InnerDelay& delay : system.delays) delay_ += delay.time;
 }
 
 Complex FrequencyResponse::at(double frequency) const {
-  return at_point(sample_time_ > 0.0 ? std::polar(1.0, frequency * sample_time_) : Complex(0.0, frequency));
+  return response_.at(sample_time_ > 0.0 ? std::polar(1.0, frequency * sample_time_)
+                                         : Complex(0.0, frequency));
 }
 
-Complex FrequencyResponse::at_point(const Complex& point) const {
-  if (hessenberg_.rows() == 0) return D_;
-  return (C_.cast<Complex>() * solve(point, hessenberg_, B_.cast<Complex>()))(0) + D_;
+double FrequencyResponse::last_followed() const {
+  return delay_ > 0.0 ? 500.0 / delay_ : std::numeric_limits<double>::infinity();
 }
 
 std::array<double, 2> FrequencyResponse::range() const {
@@ -67,7 +35,10 @@ std::array<double, 2> FrequencyResponse::range() const {
   }
   if (high == 0.0) low = high = half > 0.0 ? half : 1.0;
   const double first = std::pow(10.0, std::floor(std::log10(low)) - 2.0);
-  return {first, half > 0.0 ? half : std::pow(10.0, std::ceil(std::log10(high)) + 2.0)};
+  if (half > 0.0) return {first, half};
+  constexpr double turns = 12.0;  // of all delays together, that are shown [rad]
+  if (delay_ > 0.0) return {first, std::min(last_followed(), std::max(10.0 * high, turns / delay_))};
+  return {first, std::pow(10.0, std::ceil(std::log10(high)) + 2.0)};
 }
 
 /// Beyond all corners the gain is a power of the frequency, and the phase is constant. Up to there, and where
@@ -82,6 +53,13 @@ bool FrequencyResponse::may_cross_beyond(double frequency, double decade) const 
   return std::abs(gain) < clear || gain * change < 0.0;
 }
 
+/// Steps in which the phase of all delays together turns by 0.1 rad.
+void FrequencyResponse::add_turns(double first, double last, std::vector<double>& frequencies) const {
+  if (delay_ == 0.0) return;
+  const double step = 0.1 / delay_;
+  for (double w = first + step; w < std::min(last, last_followed()); w += step) frequencies.push_back(w);
+}
+
 std::vector<double> FrequencyResponse::frequencies_across_one(std::size_t per_decade) const {
   constexpr int decades = 100;
   std::vector<double> all = frequencies(per_decade);
@@ -93,6 +71,7 @@ std::vector<double> FrequencyResponse::frequencies_across_one(std::size_t per_de
   };
   extend(lowest, 0.1);
   if (sample_time_ == 0.0) extend(highest, 10.0);
+  add_turns(highest, all.back(), all);
   std::ranges::sort(all);
   return all;
 }
@@ -100,7 +79,7 @@ std::vector<double> FrequencyResponse::frequencies_across_one(std::size_t per_de
 /// Near to rest the gain is constant, or grows with the order of the pole there.
 double FrequencyResponse::at_rest() const {
   const auto near = [&](double s) {
-    return at_point(sample_time_ > 0.0 ? std::exp(s * sample_time_) : s).real();
+    return response_.at(sample_time_ > 0.0 ? std::exp(s * sample_time_) : s).real();
   };
   double lowest = sample_time_ > 0.0 ? 1.0 / sample_time_ : 1.0;
   for (const Mode& corner : corners_)
@@ -108,7 +87,7 @@ double FrequencyResponse::at_rest() const {
   const double far = near(1e-5 * lowest), closer = near(1e-7 * lowest);
   if (std::abs(closer) > 30.0 * std::abs(far))
     return std::copysign(std::numeric_limits<double>::infinity(), closer);
-  return at_point(sample_time_ > 0.0 ? 1.0 : 0.0).real();
+  return response_.at(sample_time_ > 0.0 ? 1.0 : 0.0).real();
 }
 
 std::vector<double> FrequencyResponse::frequencies(std::size_t per_decade) const {
@@ -120,6 +99,7 @@ std::vector<double> FrequencyResponse::frequencies(std::size_t per_decade) const
   for (const Mode& corner : corners_)
     for (int k = -20; k <= 20; ++k)
       all.push_back(corner.frequency * (1.0 + 0.25 * k * std::min(0.1, std::abs(corner.damping))));
+  add_turns(0.0, last, all);
   std::erase_if(all, [first = first, last = last](double w) { return !(w >= first && w <= last); });
   std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end()), all.end());

@@ -137,7 +137,9 @@ std::string method_text(const WorkingPoint& point, const plan::Plan& plan, const
   const std::string how = request.size
                               ? fmt::format("central differences of {:g} of each number", *request.size)
                               : "central differences, extrapolated";
-  if (!point.sampled()) return how;
+  if (!point.sampled())
+    return point.delays().empty() ? how
+                                  : how + "; delays are exact, and lie between their own outputs and inputs";
   const bool stepped = !plan.diagram.solver.empty() && plan.layout.state_count > 0;
   return fmt::format("map of one base period of {:g} s by {}; inputs are held over it{}",
                      static_cast<double>(point.base_ticks()) * plan.diagram.step, how,
@@ -164,9 +166,28 @@ StateSpace parted(const WorkingPoint& point, const std::vector<Slopes>& all,
                     {},
                     0.0};
   for (const StatePlace& state : point.states()) system.states.push_back(state.channel);
-  for (const Place& input : point.inputs()) system.inputs.push_back(input.channel);
-  for (const Place& output : point.outputs()) system.outputs.push_back(output.channel);
+  const std::size_t delays = point.delays().size(), inputs = point.inputs().size() - delays,
+                    outputs = point.outputs().size() - delays;
+  for (std::size_t i = 0; i < inputs; ++i) system.inputs.push_back(point.inputs()[i].channel);
+  for (std::size_t o = 0; o < outputs; ++o) system.outputs.push_back(point.outputs()[o].channel);
+  for (std::size_t k = 0; k < delays; ++k)
+    system.delays.push_back({0.0, point.outputs()[outputs + k].channel, point.inputs()[inputs + k].channel});
   return system;
+}
+
+void put_delays(WorkingPoint& point, Linearization& result) {
+  for (std::size_t k = 0; k < point.delays().size(); ++k) {
+    const TakenDelay& taken = point.delays()[k];
+    InnerDelay& delay = result.system.delays[k];
+    delay.time = std::max(taken.shortest, point.number(taken.length));
+    if (taken.source >= 0 && point.paths().from_inputs[static_cast<std::size_t>(taken.source)])
+      result.notes.push_back(
+          fmt::format("the time between {} and {} is held at {:g} s, though it depends on the inputs",
+                      delay.out.name, delay.in.name, delay.time));
+  }
+  if (!point.delays().empty())
+    result.notes.push_back(
+        "a delay has poles and zeros without end: the poles nearest to 0 are found, and no zeros or ranks");
 }
 
 void put_point(WorkingPoint& point, Linearization& result) {
@@ -177,9 +198,9 @@ void put_point(WorkingPoint& point, Linearization& result) {
     const double going = here[static_cast<Eigen::Index>(s)];
     result.rates.push_back(point.sampled() ? going - point.value(s) : going);
   }
-  for (std::size_t i = 0; i < point.inputs().size(); ++i)
+  for (std::size_t i = 0; i < result.system.inputs.size(); ++i)
     result.inputs.push_back({point.inputs()[i].channel, point.value(states + i)});
-  for (std::size_t o = 0; o < point.outputs().size(); ++o)
+  for (std::size_t o = 0; o < result.system.outputs.size(); ++o)
     result.outputs.push_back({point.outputs()[o].channel, here[static_cast<Eigen::Index>(states + o)]});
 }
 
@@ -213,6 +234,7 @@ Linearization linearize(diagram::Diagram diagram, const Request& request) {
   if (point.sampled())
     result.system.sample_time = static_cast<double>(point.base_ticks()) * prepared.plan.diagram.step;
   result.method = method_text(point, prepared.plan, request);
+  put_delays(point, result);
   put_point(point, result);
   note_roughness(point, all, result.notes);
   std::ranges::move(columns.notes, std::back_inserter(result.notes));

@@ -1,5 +1,6 @@
 #include "engine/analyse/linear/margins.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -46,10 +47,14 @@ class Loop {
       // At a pole on the axis the sign changes, too.
       if (is_real(value, 1e-6)) add_real(w, value, found);
     }
-    if (system.is_sampled())
+    if (system.is_sampled()) {
       add_real(rows_.back().frequency, rows_.back().value, found);
-    else
+    } else if (system.delays.empty()) {
       add_real(infinite, sign_ * system.D(0, 0), found);
+    } else {
+      add_not_followed(found);
+      if (const double direct = direct_gain(system); direct > 0.0) found.push_back({infinite, 1.0 / direct});
+    }
     return found;
   }
 
@@ -86,6 +91,24 @@ class Loop {
     double frequency;
     Complex value;
   };
+
+  /// Where turns of delays are no longer followed, the loop is taken to be real and negative at its largest.
+  void add_not_followed(std::vector<Crossing>& found) const {
+    const Row* largest = nullptr;
+    for (const Row& row : rows_)
+      if (row.frequency >= response_.last_followed() &&
+          (largest == nullptr || std::abs(row.value) > std::abs(largest->value)))
+        largest = &row;
+    if (largest != nullptr) found.push_back({largest->frequency, 1.0 / std::abs(largest->value)});
+  }
+  /// A bound of the gain at frequencies without end, which passes at once or by delays.
+  static double direct_gain(const StateSpace& system) {
+    const Eigen::MatrixXd D = system.D.cwiseAbs();
+    const Eigen::Index d = D.rows() - 1;
+    const double around = D.bottomRightCorner(d, d).operatorNorm();
+    const double ways = D.row(0).tail(d).norm() * D.col(0).tail(d).norm();
+    return D(0, 0) + (around < 1.0 ? ways / (1.0 - around) : ways > 0.0 ? infinite : 0.0);
+  }
 
   static bool is_real(const Complex& value, double share) {
     return std::abs(value.imag()) <= share * std::abs(value.real());
@@ -142,7 +165,7 @@ std::optional<Complex> growing(const StateSpace& closed) {
   constexpr double rounding = 1e-8;
   std::optional<Complex> found;
   double largest = 0.0, fastest = 0.0;
-  const std::vector<Complex> poles = eigenvalues(closed.A);
+  const std::vector<Complex> poles = poles_of(closed);
   for (const Complex& pole : poles) largest = std::max(largest, std::abs(pole));
   for (const Complex& pole : poles) {
     const double growth = closed.is_sampled() ? std::abs(pole) - 1.0 : pole.real();
@@ -163,8 +186,8 @@ Margins margins_of(const StateSpace& all, double feedback) {
   margins.phase = loop.phase_margins();
   loop.find_modulus(margins);
   const StateSpace closed = system.closed(feedback);
-  if (closed.A.allFinite()) margins.closed_poles = eigenvalues(closed.A);
-  margins.stable = closed.A.allFinite() && is_stable(margins.closed_poles, system.sample_time);
+  if (closed.A.allFinite()) margins.closed_poles = poles_of(closed);
+  margins.stable = is_stable(closed);
   if (!margins.stable || system.states.size() == all.states.size()) return margins;
   margins.hidden = growing(all.closed(feedback));
   margins.stable = !margins.hidden;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/analyse/linear/balance.hpp"
+#include "engine/analyse/linear/delay_system.hpp"
 
 namespace stepwire::linear {
 
@@ -34,15 +35,15 @@ Eigen::MatrixXd balanced(const Eigen::MatrixXd& A) {
   return scale.cwiseInverse().asDiagonal() * A * scale.asDiagonal();
 }
 
-void sort(std::vector<Complex>& values) {
+}  // namespace
+
+void sort_by_size(std::vector<Complex>& values) {
   std::ranges::sort(values, [](const Complex& a, const Complex& b) {
     const double size_a = std::abs(a), size_b = std::abs(b);
     if (std::abs(size_a - size_b) > 1e-12 * std::max(size_a, size_b)) return size_a < size_b;
     return a.real() != b.real() ? a.real() < b.real() : a.imag() > b.imag();
   });
 }
-
-}  // namespace
 
 std::vector<Complex> eigenvalues(const Eigen::MatrixXd& A) {
   std::vector<Complex> values;
@@ -55,13 +56,17 @@ std::vector<Complex> eigenvalues(const Eigen::MatrixXd& A) {
     const Eigen::VectorXcd found = balanced(block).eigenvalues();
     values.insert(values.end(), found.begin(), found.end());
   }
-  sort(values);
+  sort_by_size(values);
   return values;
+}
+
+std::vector<Complex> poles_of(const StateSpace& system) {
+  return system.delays.empty() ? eigenvalues(system.A) : delay_poles(system);
 }
 
 std::vector<Mode> modes_of(const StateSpace& system) {
   std::vector<Mode> modes;
-  for (const Complex& pole : eigenvalues(system.A)) {
+  for (const Complex& pole : poles_of(system)) {
     const Complex s = system.is_sampled() ? std::log(pole) / system.sample_time : pole;
     const double frequency = std::abs(s);
     if (!std::isfinite(frequency))  // gone within a sample
@@ -72,12 +77,15 @@ std::vector<Mode> modes_of(const StateSpace& system) {
   return modes;
 }
 
-bool is_stable(const std::vector<Complex>& poles, double sample_time) {
+bool is_stable(const StateSpace& system) {
+  if (!system.A.allFinite()) return false;
+  if (!system.delays.empty()) return count_unstable(system) == 0;
+  const std::vector<Complex> poles = eigenvalues(system.A);
   double largest = 0.0;
   for (const Complex& pole : poles) largest = std::max(largest, std::abs(pole));
   return std::ranges::all_of(poles, [&](const Complex& pole) {
     if (!std::isfinite(std::abs(pole))) return false;
-    return sample_time > 0.0 ? std::abs(pole) < 1.0 - 1e-12 : pole.real() < -1e-12 * largest;
+    return system.is_sampled() ? std::abs(pole) < 1.0 - 1e-12 : pole.real() < -1e-12 * largest;
   });
 }
 

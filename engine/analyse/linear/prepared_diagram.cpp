@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/analyse/linear/junction.hpp"
+#include "engine/analyse/linear/paths.hpp"
 
 namespace stepwire::linear {
 
@@ -131,10 +132,69 @@ std::string unit_of(const plan::Plan& plan, const diagram::SignalRef& signal) {
   return !dimension || *dimension == unit::Dimension{} ? std::string{} : unit::si_name(*dimension);
 }
 
+namespace {
+
+bool delays_time(const diagram::DiagramBlock& block) {
+  return block.type().name == "TransportDelay";
+}
+
+/// The delays of a diagram, where nothing else on the way from inputs to outputs acts at ticks alone: blocks.
+std::vector<int> delays_to_take(const diagram::Diagram& diagram, const Touched& touched,
+                                const PreparedDiagram& prepared, const Request& request) {
+  if (request.whole || std::ranges::none_of(diagram.blocks, delays_time)) return {};
+  const plan::Plan plan = plan::make_plan(diagram);
+  std::vector<int> from, to, found;
+  for (const Met& met : touched.from) from.push_back(met.block);
+  for (const Met& met : touched.to) to.push_back(met.block);
+  const Paths paths = find_paths(plan, from, to, prepared.cut);
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b)
+    if (delays_time(plan.diagram.blocks[b]))
+      found.push_back(static_cast<int>(b));
+    else if (paths.on_way(b) && paths.samples[b])
+      return {};
+  return found;
+}
+
+int source_of(const diagram::DiagramBlock& block, const std::string& input) {
+  const auto& sources = block.inputs[static_cast<std::size_t>(block.type().input(input))];
+  return sources.empty() ? -1 : sources.front().block;
+}
+
+/// Adds the places of a delay: behind its output, and at what it is fed by.
+void take_delay(int block, int junction, PreparedDiagram& prepared) {
+  const plan::Plan& plan = prepared.plan;
+  const auto index = static_cast<std::size_t>(block), cut = static_cast<std::size_t>(junction);
+  const diagram::DiagramBlock& delay = plan.diagram.blocks[index];
+  const plan::SignalSlot &added = plan.blocks[cut].states[Junction::added_state],
+                         &wire = plan.blocks[cut].inputs[0][0],
+                         &fed =
+                             plan.blocks[index].inputs[static_cast<std::size_t>(delay.type().input("u"))][0];
+  const std::string unit = unit_of(plan, {block, 0, -1});
+  for (std::size_t k = 0; k < static_cast<std::size_t>(fed.size); ++k) {
+    const std::string element = fed.size > 1 ? fmt::format(".{}", k + 1) : "";
+    prepared.inputs.push_back({added.offset + k, {delay.name + ".y" + element, unit}, wire.offset + k});
+    prepared.outputs.push_back({fed.offset + k, {delay.name + ".u" + element, unit}, 0});
+    const plan::SignalSlot& length =
+        plan.blocks[index].inputs[static_cast<std::size_t>(delay.type().input("delay"))][0];
+    prepared.delays.push_back({length.offset, plan.diagram.step, source_of(delay, "delay")});
+  }
+  prepared.input_blocks.push_back(junction);
+  if (const int source = source_of(delay, "u"); source >= 0) prepared.output_blocks.push_back(source);
+}
+
+}  // namespace
+
 PreparedDiagram prepare(diagram::Diagram diagram, const Request& request) {
   Touched touched = find_touched(diagram, request);
   PreparedDiagram prepared;
   put_junctions(diagram, touched, prepared);
+  const std::vector<int> delays = delays_to_take(diagram, touched, prepared, request);
+  Junctions junctions(diagram);
+  for (const int block : delays) {
+    prepared.cut.push_back(junctions.at({block, 0, -1}));
+    for (Met& met : touched.to)
+      if (met.block == block) met.block = prepared.cut.back();
+  }
   diagram::Diagram stepped = diagram;
   if (!stepped.solver.empty()) stepped.solver = "euler";
   stepped.events.locate = false;  // a step that is split leaves the derivatives of its last part
@@ -146,6 +206,7 @@ PreparedDiagram prepare(diagram::Diagram diagram, const Request& request) {
   for (std::size_t i = 0; i < touched.to.size(); ++i)
     add_output(touched.to[i], request.to[i], prepared, faults);
   faults.throw_if_any();
+  for (std::size_t i = 0; i < delays.size(); ++i) take_delay(delays[i], junctions.blocks()[i], prepared);
   return prepared;
 }
 

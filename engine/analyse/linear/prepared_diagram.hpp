@@ -15,6 +15,14 @@ struct Place {
   std::size_t wire = 0;  ///< of an input the offset of the signal to which it is added
 };
 
+/// A delay of a continuous signal that an analysis takes out of its diagram: what comes out of it is cut and
+/// becomes an input, and what goes into it an output.
+struct TakenDelay {
+  std::size_t length = 0;  ///< offset of the time by which it delays [s]
+  double shortest = 0.0;   ///< that it can be [s]
+  int source = -1;         ///< the block that gives the time; -1: a constant
+};
+
 /// A diagram with a junction in each wire that an analysis touches, and where its numbers lie. Both plans
 /// have one layout.
 struct PreparedDiagram {
@@ -24,6 +32,7 @@ struct PreparedDiagram {
   std::vector<int> cut;                ///< those of them that are cut
   std::vector<Place> inputs, outputs;  ///< what is added at junctions; signals
   std::vector<int> input_blocks, output_blocks;
+  std::vector<TakenDelay> delays;  ///< their places are the last ones of inputs and of outputs
   /// By which what is put out comes in again when the loop is closed: what a cut wire gives comes back as it
   /// is, and of any other the negative.
   double feedback = -1.0;

@@ -44,8 +44,10 @@ void require_linear(const plan::Plan& plan) {
     if (const BlockType& type = block.type(); !type.not_linear.empty())
       faults.add(plan.diagram.fault(
           block.origin, block.name,
-          fmt::format("{} cannot be linearised: {}; put a TransferFunction that approximates it in its place",
-                      type.name, type.not_linear)));
+          fmt::format(
+              "{} cannot be linearised here: {}; put a Delay of whole sample times in its place, or a "
+              "TransferFunction that approximates it",
+              type.name, type.not_linear)));
   faults.throw_if_any();
 }
 

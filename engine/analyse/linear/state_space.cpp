@@ -4,10 +4,35 @@
 
 namespace stepwire::linear {
 
+namespace {
+
+/// Places from `first` on, one for each delay, behind one of the system's own.
+std::vector<Eigen::Index> places(std::size_t own, std::size_t first, std::size_t delays) {
+  std::vector<Eigen::Index> all{static_cast<Eigen::Index>(own)};
+  for (std::size_t i = 0; i < delays; ++i) all.push_back(static_cast<Eigen::Index>(first + i));
+  return all;
+}
+
+}  // namespace
+
+std::vector<Channel> StateSpace::all_inputs() const {
+  std::vector<Channel> all = inputs;
+  for (const InnerDelay& delay : delays) all.push_back(delay.in);
+  return all;
+}
+
+std::vector<Channel> StateSpace::all_outputs() const {
+  std::vector<Channel> all = outputs;
+  for (const InnerDelay& delay : delays) all.push_back(delay.out);
+  return all;
+}
+
 StateSpace StateSpace::channel(std::size_t input, std::size_t output) const {
-  const auto i = static_cast<Eigen::Index>(input), o = static_cast<Eigen::Index>(output);
-  return {A,      B.col(i),        C.row(o),          D.block(o, i, 1, 1),
-          states, {inputs[input]}, {outputs[output]}, sample_time};
+  const auto columns = places(input, inputs.size(), delays.size());
+  const auto rows = places(output, outputs.size(), delays.size());
+  return {A,      B(Eigen::all, columns), C(rows, Eigen::all), D(rows, columns),
+          states, {inputs[input]},        {outputs[output]},   sample_time,
+          delays};
 }
 
 namespace {
@@ -32,31 +57,67 @@ std::vector<char> rows_in_use(const Eigen::MatrixXd& matrix) {
   return used;
 }
 
+/// The nodes, states and delays, that inputs reach and that reach outputs.
+std::vector<char> nodes_between(const StateSpace& system) {
+  const auto n = system.A.rows(), d = static_cast<Eigen::Index>(system.delays.size()),
+             own_in = static_cast<Eigen::Index>(system.inputs.size()),
+             own_out = static_cast<Eigen::Index>(system.outputs.size());
+  Eigen::MatrixXd inner(n + d, n + d), into(n + d, own_in), out_of(own_out, n + d);
+  inner.topLeftCorner(n, n) = system.A;
+  inner.topRightCorner(n, d) = system.B.rightCols(d);
+  inner.bottomLeftCorner(d, n) = system.C.bottomRows(d);
+  inner.bottomRightCorner(d, d) = system.D.bottomRightCorner(d, d);
+  into.topRows(n) = system.B.leftCols(own_in);
+  into.bottomRows(d) = system.D.bottomLeftCorner(d, own_in);
+  out_of.leftCols(n) = system.C.topRows(own_out);
+  out_of.rightCols(d) = system.D.topRightCorner(own_out, d);
+  auto nodes = spread(inner, rows_in_use(into));
+  const auto shown = spread(inner.transpose(), rows_in_use(out_of.transpose()));
+  for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = nodes[i] && shown[i];
+  return nodes;
+}
+
+std::vector<Eigen::Index> first_places(std::size_t count) {
+  std::vector<Eigen::Index> all;
+  for (std::size_t i = 0; i < count; ++i) all.push_back(static_cast<Eigen::Index>(i));
+  return all;
+}
+
 }  // namespace
 
 StateSpace StateSpace::connected() const {
-  const auto reached = spread(A, rows_in_use(B)), shown = spread(A.transpose(), rows_in_use(C.transpose()));
-  std::vector<Eigen::Index> kept;
+  const auto nodes = nodes_between(*this);
   StateSpace part = *this;
   part.states.clear();
+  part.delays.clear();
+  std::vector<Eigen::Index> kept, rows = first_places(outputs.size()), columns = first_places(inputs.size());
   for (std::size_t i = 0; i < states.size(); ++i) {
-    if (!reached[i] || !shown[i]) continue;
+    if (!nodes[i]) continue;
     kept.push_back(static_cast<Eigen::Index>(i));
     part.states.push_back(states[i]);
   }
+  for (std::size_t i = 0; i < delays.size(); ++i) {
+    if (!nodes[states.size() + i]) continue;
+    rows.push_back(static_cast<Eigen::Index>(outputs.size() + i));
+    columns.push_back(static_cast<Eigen::Index>(inputs.size() + i));
+    part.delays.push_back(delays[i]);
+  }
   part.A = A(kept, kept);
-  part.B = B(kept, Eigen::all);
-  part.C = C(Eigen::all, kept);
+  part.B = B(kept, columns);
+  part.C = C(rows, kept);
+  part.D = D(rows, columns);
   return part;
 }
 
 StateSpace StateSpace::closed(double feedback) const {
   StateSpace loop = *this;
   const double share = 1.0 / (1.0 - feedback * D(0, 0));
-  loop.A = A + B * (feedback * share) * C;
-  loop.B = B * share;
-  loop.C = C * share;
-  loop.D = D * share;
+  const Eigen::RowVectorXd C_own = C.row(0), D_own = D.row(0);
+  const Eigen::VectorXd B_own = B.col(0) * (feedback * share), D_in = D.col(0) * (feedback * share);
+  loop.A += B_own * C_own;
+  loop.B += B_own * D_own;
+  loop.C += D_in * C_own;
+  loop.D += D_in * D_own;
   return loop;
 }
 

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "engine/analyse/linear/delay_system.hpp"
+#include "engine/analyse/linear/delayed_step.hpp"
 #include "engine/analyse/linear/margins.hpp"
 
 namespace stepwire::linear {
@@ -53,10 +56,30 @@ std::vector<double> locus_gains() {
   return gains;
 }
 
+ResponseCurve delayed_response(const StateSpace& system, double step) {
+  ResponseCurve curve{{}, delayed_step(system, step, steps + 1)};
+  for (int k = 0; k <= steps; ++k) curve.x.push_back(k * step);
+  return curve;
+}
+
+/// Poles of a loop, as many for each gain. Those of delays that lines of this many nodes do not show are not
+/// numbers.
+std::vector<Complex> locus_poles(const StateSpace& loop) {
+  if (loop.delays.empty()) return eigenvalues(loop.A);
+  constexpr Eigen::Index nodes = 20;
+  double longest = 0.0;
+  for (const InnerDelay& delay : loop.delays) longest = std::max(longest, delay.time);
+  std::vector<Complex> poles = eigenvalues(with_lines(loop, nodes).A);
+  for (Complex& pole : poles)
+    if (std::abs(pole) * longest > 0.4 * nodes) pole = std::numeric_limits<double>::quiet_NaN();
+  return poles;
+}
+
 }  // namespace
 
 ResponseCurve step_response(const StateSpace& system) {
   const double step = system.is_sampled() ? system.sample_time : duration_of(system) / steps;
+  if (!system.delays.empty()) return delayed_response(system, step);
   const int count =
       system.is_sampled()
           ? static_cast<int>(std::clamp(std::ceil(duration_of(system) / step), 10.0, double{most_steps}))
@@ -77,7 +100,7 @@ RootLocus root_locus(const StateSpace& system, double feedback) {
   const std::vector<double> gains = locus_gains();
   std::vector<std::vector<Complex>> rows;
   for (const double gain : gains) {
-    std::vector<Complex> poles = eigenvalues(system.closed(feedback * gain).A);
+    std::vector<Complex> poles = locus_poles(system.closed(feedback * gain));
     if (!rows.empty()) sort_like(rows.back(), poles);
     rows.push_back(std::move(poles));
   }

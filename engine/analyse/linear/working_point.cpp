@@ -25,7 +25,7 @@ WorkingPoint::WorkingPoint(const PreparedDiagram& diagram, const Request& reques
     : diagram_(diagram),
       paths_(find_paths(diagram.plan, diagram.input_blocks, diagram.output_blocks, diagram.cut)),
       sampled_(paths_.sampled()) {
-  require_linear(diagram.plan);
+  if (diagram.delays.empty()) require_linear(diagram.plan);
   if (request.whole) {
     paths_.from_inputs.assign(diagram.plan.blocks.size(), 1);
     paths_.to_outputs = paths_.from_inputs;
@@ -43,8 +43,10 @@ WorkingPoint::WorkingPoint(const PreparedDiagram& diagram, const Request& reques
   find_states();
 }
 
-double WorkingPoint::time() const {
-  return diagram_.plan.time_of(point_.tick);
+double WorkingPoint::number(std::size_t offset) {
+  run_->restore(point_);
+  run_->evaluate();
+  return run_->values()[offset];
 }
 
 void WorkingPoint::run_to(double time, const Request& request) {

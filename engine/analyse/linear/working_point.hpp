@@ -38,7 +38,10 @@ class WorkingPoint {
   const std::vector<Place>& outputs() const { return diagram_.outputs; }
   bool sampled() const { return sampled_; }
   std::int64_t base_ticks() const { return base_ticks_; }
-  double time() const;
+  double time() const { return diagram_.plan.time_of(point_.tick); }
+  const std::vector<TakenDelay>& delays() const { return diagram_.delays; }
+  /// A number of the workspace at the point.
+  double number(std::size_t offset);
   const Paths& paths() const { return paths_; }
   /// Counters and marks of sampled blocks on the way, which stay as the run has them.
   const std::vector<std::string>& counts() const { return counts_; }

@@ -135,6 +135,7 @@ Matrices with_full_rows(Matrices m) {
 }  // namespace
 
 std::vector<Complex> zeros_of(const StateSpace& system) {
+  if (!system.delays.empty()) return {};
   if (system.A.size() == 0 || system.B.size() == 0 || system.C.size() == 0) return {};
   Matrices m{system.A, system.B, system.C, system.D};
   const double rate = scale(m);

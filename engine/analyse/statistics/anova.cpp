@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/analyse/statistics/equal_variances.hpp"
+#include "engine/analyse/statistics/anova_rows.hpp"
 #include "engine/analyse/statistics/linear_model.hpp"
 #include "engine/analyse/statistics/no_number.hpp"
-#include "engine/analyse/statistics/rounding.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
-#include "engine/analyse/statistics/tail.hpp"
 
 namespace stepwire::statistics {
 namespace {
@@ -45,15 +43,6 @@ double sum_of_squares(const Eigen::VectorXd& response, const std::vector<TermCol
   return (explained(response, terms) - without).squaredNorm();
 }
 
-/// A sum of squares; 0 where it is but the rounding of scores whose squares sum to `all`.
-double beyond_rounding(double sum, double all) {
-  return is_rounding(std::sqrt(sum), std::sqrt(all)) ? 0.0 : sum;
-}
-
-AnovaRow line(const std::string& name, double freedom, double sum) {
-  return {name, freedom, sum, freedom > 0.0 ? sum / freedom : no_number, no_number, no_number, no_number, ""};
-}
-
 /// The sums of squares of all terms, of what they leave and of both; `squares` is that of the scores.
 void add_rows(Anova& result, const Eigen::VectorXd& response, double squares,
               const std::vector<TermColumns>& model) {
@@ -64,23 +53,14 @@ void add_rows(Anova& result, const Eigen::VectorXd& response, double squares,
     const auto freedom = static_cast<double>(model[i].columns.cols());
     const double sum =
         freedom > 0.0 ? beyond_rounding(sum_of_squares(response, model, i, result.sums), squares) : no_number;
-    result.terms.push_back(line(model[i].term.name(), freedom, sum));
+    result.terms.push_back(anova_row(model[i].term.name(), freedom, sum));
     all.push_back(&model[i]);
     left -= freedom;
   }
   const double rest = left > 0.0 ? (response - explained(response, all)).squaredNorm() : 0.0;
-  result.residual = line("residual", left, beyond_rounding(rest, squares));
-  result.total = line("total", freedom_of_all,
-                      beyond_rounding((response.array() - response.mean()).square().sum(), squares));
-}
-
-void judge(AnovaRow& row, const AnovaRow& error) {
-  row.against = error.name;
-  if (row.freedom <= 0.0 || error.freedom <= 0.0) return;
-  if (error.sum_of_squares <= 0.0) return;  // nothing to compare with, as a t test of equal differences
-  row.f = row.mean_square / error.mean_square;
-  row.p = fisher_tail(row.f, row.freedom, error.freedom);
-  row.partial_eta_squared = row.sum_of_squares / (row.sum_of_squares + error.sum_of_squares);
+  result.residual = anova_row("residual", left, beyond_rounding(rest, squares));
+  result.total = anova_row("total", freedom_of_all,
+                           beyond_rounding((response.array() - response.mean()).square().sum(), squares));
 }
 
 void judge_terms(Anova& result, const std::vector<Term>& terms) {
@@ -96,19 +76,6 @@ void judge_terms(Anova& result, const std::vector<Term>& terms) {
           fmt::format("'{}' is compared with '{}', which is no term of the model", terms[i].name(), name));
     judge(result.terms[i], *error);
   }
-}
-
-/// Names the terms without F because what they are compared with does not vary.
-void warn_of_missing_f(Anova& result) {
-  std::vector<std::string> names;
-  for (const AnovaRow& row : result.terms) {
-    const AnovaRow* error = row.against == result.residual.name ? &result.residual : result.find(row.against);
-    if (error && row.freedom > 0.0 && error->freedom > 0.0 && std::isnan(row.f)) names.push_back(row.name);
-  }
-  if (!names.empty())
-    result.warnings.push_back(
-        fmt::format("F of {} has no value: what it is compared with varies by no more than rounding",
-                    fmt::join(names, ", ")));
 }
 
 void warn_of_lost_terms(Anova& result, const std::vector<TermColumns>& model) {
@@ -139,31 +106,35 @@ std::vector<std::string> treatments(const Observations& observations, const std:
   return names;
 }
 
-void describe_design(Anova& result, const Observations& observations, const std::vector<std::string>& names) {
-  const auto all = cells(observations, names);
-  std::size_t least = observations.values.size(), most = 0, empty = 0;
-  for (const Cell& cell : all) {
-    if (cell.values.empty()) ++empty;
-    most = std::max(most, cell.values.size());
-    if (!cell.values.empty()) least = std::min(least, cell.values.size());
-  }
-  result.balanced = empty == 0 && least == most;
-  const std::string each = least == most ? fmt::format("{}", most) : fmt::format("{} to {}", least, most);
-  result.design =
-      fmt::format("{} values in {} cells of {}", observations.values.size(), all.size() - empty, each);
-  if (empty > 0) result.design += fmt::format("; {} of {} combinations were not observed", empty, all.size());
+/// The interactions of the treatments that are no term of the model.
+std::vector<Term> pooled_terms(const std::vector<std::string>& treatments, const std::vector<Term>& terms) {
+  std::vector<Term> pooled;
+  for (const Term& term : crossed_terms(treatments))
+    if (std::none_of(terms.begin(), terms.end(),
+                     [&](const Term& one) { return contains(one, term) && contains(term, one); }))
+      pooled.push_back(term);
+  return pooled;
 }
 
-void warn_of_variances(Anova& result, const Observations& observations,
-                       const std::vector<std::string>& names) {
-  std::vector<std::vector<double>> groups;
-  for (Cell& cell : cells(observations, names)) groups.push_back(std::move(cell.values));
-  const auto test = variance_test(groups);
-  if (test && test->p < 0.05)
-    result.warnings.push_back(fmt::format(
-        "the variances of the cells differ (Brown-Forsythe F({:g}, {:g}) = {:.3g}, P = {:.2g}); an "
-        "analysis of variance takes them for equal",
-        test->above, test->below, test->f, test->p));
+/// Names interactions that the model leaves in the residual, and their F as terms beside the others.
+void warn_of_pooled_terms(Anova& result, const Observations& observations, const Eigen::VectorXd& response,
+                          double squares, std::vector<Term> terms,
+                          const std::vector<std::string>& treatments) {
+  const auto pooled = pooled_terms(treatments, terms);
+  if (pooled.empty()) return;
+  terms.insert(terms.end(), pooled.begin(), pooled.end());
+  Anova whole;
+  whole.sums = result.sums;
+  add_rows(whole, response, squares, model_columns(observations, terms));
+  for (const Term& term : pooled)
+    for (AnovaRow& row : whole.terms) {
+      if (row.name != term.name() || row.freedom <= 0.0) continue;
+      judge(row, whole.residual);
+      if (std::isnan(row.f)) continue;
+      result.warnings.push_back(fmt::format(
+          "the interaction {} is part of the residual; as a term it has F({:g}, {:g}) = {:.3g}, P = {:.2g}",
+          row.name, row.freedom, whole.residual.freedom, row.f, row.p));
+    }
 }
 
 }  // namespace
@@ -205,6 +176,7 @@ Anova anova(const Observations& observations, const std::vector<Term>& terms, Su
   warn_of_missing_f(result);
   warn_of_lost_terms(result, model);
   const auto names = treatments(observations, terms);
+  warn_of_pooled_terms(result, observations, response, scores.squaredNorm(), terms, names);
   describe_design(result, observations, names);
   warn_of_variances(result, observations, names);
   return result;

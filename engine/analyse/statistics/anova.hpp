@@ -25,10 +25,6 @@ std::vector<Term> additive_terms(const std::vector<std::string>& factors);
 /// Every factor and every interaction of them, main effects first.
 std::vector<Term> crossed_terms(const std::vector<std::string>& factors);
 
-/// Every term of the factors within subjects, each against its interaction with the subject; the subject and
-/// these interactions stand behind them.
-std::vector<Term> within_subject_terms(const std::vector<std::string>& within, const std::string& subject);
-
 /// What a sum of squares tells of a term. In balanced data all three are the same; without interactions the
 /// last two are.
 /// - sequential (type I): beyond the terms before it;

@@ -24,15 +24,4 @@ std::vector<Term> crossed_terms(const std::vector<std::string>& factors) {
   return terms;
 }
 
-std::vector<Term> within_subject_terms(const std::vector<std::string>& within, const std::string& subject) {
-  std::vector<Term> terms = crossed_terms(within), errors{{{subject}, {}}};
-  for (Term& term : terms) {
-    term.against = term.factors;
-    term.against.push_back(subject);
-    errors.push_back({term.against, {}});
-  }
-  terms.insert(terms.end(), errors.begin(), errors.end());
-  return terms;
-}
-
 }  // namespace stepwire::statistics

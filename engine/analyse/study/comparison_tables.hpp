@@ -22,7 +22,7 @@ text::TextTable comparison_table(const std::string& name, const statistics::With
 /// Which assumptions hold, in words, and what to read where one does not.
 text::TextTable assumptions_table(const statistics::WithinSubjects& within, const std::string& title);
 
-/// All of them for programs; what does not exist is null.
-json::Json comparisons_json(const statistics::WithinSubjects& within, std::uint64_t seed);
+/// All of them for programs; what does not exist is null. Without a seed there is no power.
+json::Json comparisons_json(const statistics::WithinSubjects& within, std::optional<std::uint64_t> seed);
 
 }  // namespace stepwire::study

@@ -88,7 +88,7 @@ Json power_json(const statistics::WithinSubjects& within, std::uint64_t seed) {
 
 }  // namespace
 
-Json comparisons_json(const statistics::WithinSubjects& within, std::uint64_t seed) {
+Json comparisons_json(const statistics::WithinSubjects& within, std::optional<std::uint64_t> seed) {
   Json comparisons = Json::list(), terms = Json::list();
   for (const statistics::PairComparison& one : within.comparisons) comparisons.push(comparison_json(one));
   for (const statistics::TermEffect& one : within.effects) terms.push(term_json(one, within));
@@ -96,14 +96,14 @@ Json comparisons_json(const statistics::WithinSubjects& within, std::uint64_t se
   if (within.variances)
     assumptions.set("equal_variances",
                     Json::object().set("F", within.variances->f).set("P", within.variances->p));
-  return Json::object()
-      .set("subjects", Json::list_of(within.table.subjects))
+  Json json = Json::object();
+  json.set("subjects", Json::list_of(within.table.subjects))
       .set("left_out", Json::list_of(within.table.left_out))
       .set("means", means_json(within))
       .set("comparisons", std::move(comparisons))
-      .set("terms", std::move(terms))
-      .set("power", power_json(within, seed))
-      .set("assumptions", std::move(assumptions));
+      .set("terms", std::move(terms));
+  if (seed) json.set("power", power_json(within, *seed));
+  return json.set("assumptions", std::move(assumptions));
 }
 
 }  // namespace stepwire::study

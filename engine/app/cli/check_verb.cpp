@@ -1,4 +1,6 @@
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
+
 #include <memory>
 
 #include "engine/app/cli/console.hpp"
@@ -8,12 +10,26 @@
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/cli/watch.hpp"
 #include "engine/app/report/run_text.hpp"
+#include "engine/base/data_file/reading_log.hpp"
 
 namespace stepwire::cli {
 
 using json::Json;
 
 namespace {
+
+/// How data files were read.
+Json files_json() {
+  Json all = Json::list();
+  for (const data_file::FileReading& file : data_file::ReadingLog::files())
+    all.push(Json::object().set("file", file.file).set("done", Json::list_of(file.done)));
+  return all;
+}
+
+void say_files() {
+  for (const data_file::FileReading& file : data_file::ReadingLog::files())
+    if (!file.done.empty()) say("  {}: {}\n", file.file, fmt::join(file.done, ", "));
+}
 
 ExitCode check(const session::LoadedModel& model, const ModelCall& call, Json& results) {
   const diagram::Diagram& diagram = model.job.plan.diagram;
@@ -22,13 +38,15 @@ ExitCode check(const session::LoadedModel& model, const ModelCall& call, Json& r
                      .set("file", model.file)
                      .set("blocks", diagram.blocks.size())
                      .set("claims", model.claims.size())
-                     .set("figures", model.figures.size()));
+                     .set("figures", model.figures.size())
+                     .set("data_files", files_json()));
     return ExitCode::done;
   }
   print_notes(model);
   if (call.units) put_text(report::units_text(model.job.plan));
   say("{}: {} blocks, {} claims, {} figures: nothing wrong\n", model.file, diagram.blocks.size(),
       model.claims.size(), model.figures.size());
+  say_files();
   return ExitCode::done;
 }
 
@@ -39,6 +57,7 @@ void check_again(const std::string& file, const ModelCall& call, const Registry&
                          call.words.large ? load_options(call.words).limits : yaml::DocumentLimits{});
   watched.add(file);
   Json none;
+  const data_file::ReadingLog log;
   const ExitCode code = guarded([&] {
     const session::LoadedModel model = session::load_model(loader, file, load_options(call.words));
     watched.add(model.job.plan.diagram);

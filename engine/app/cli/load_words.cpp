@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 
 namespace stepwire::cli {
 
@@ -30,18 +31,32 @@ void append_file(const std::string& path, std::vector<diagram::Setting>& setting
   }
 }
 
+/// Child processes look there, too.
+void look_for_parts(const std::vector<std::string>& folders) {
+  if (folders.empty()) return;
+  const char* known = std::getenv("STEPWIRE_PARTS");
+  std::string all = fmt::format("{}", fmt::join(folders, ":"));
+  if (known && *known) all += std::string(":") + known;
+  ::setenv("STEPWIRE_PARTS", all.c_str(), 1);
+}
+
 }  // namespace
 
 void add_load_options(CLI::App& verb, LoadWords& words) {
   verb.add_option("--set", words.set,
                   "a parameter in place of the file's: name=value; reaches into parts (rig.mass=2kg)")
       ->allow_extra_args(false);
-  verb.add_option("--set-from", words.set_from, "a file with such values, as 'name: value'; fit and tune write one")
+  verb.add_option("--set-from", words.set_from,
+                  "a file with such values, as 'name: value'; fit and tune write one")
+      ->allow_extra_args(false);
+  verb.add_option("--parts", words.parts,
+                  "a folder in which parts are looked for, before those of STEPWIRE_PARTS")
       ->allow_extra_args(false);
   verb.add_flag("--large", words.large, "read files above 8 MB, up to 512 MB");
 }
 
 session::LoadOptions load_options(const LoadWords& words) {
+  look_for_parts(words.parts);
   session::LoadOptions options;
   for (const std::string& path : words.set_from) append_file(path, options.settings);
   for (const std::string& text : words.set) options.settings.push_back(parse_setting(text));

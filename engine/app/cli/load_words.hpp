@@ -11,10 +11,11 @@ class App;
 
 namespace stepwire::cli {
 
-/// What a call says of reading diagram files: --set, --set-from, --large, and --stop where a verb has it.
+/// Options for reading diagram files: --set, --set-from, --parts, --large, and --stop of some verbs.
 struct LoadWords {
   std::vector<std::string> set;
   std::vector<std::string> set_from;
+  std::vector<std::string> parts;  ///< folders
   std::string stop;
   bool large = false;
 };
@@ -22,8 +23,9 @@ struct LoadWords {
 /// Declares all of them but --stop.
 void add_load_options(CLI::App& verb, LoadWords& words);
 
-/// Settings of files come first, so that the call's own win. Throws Error for what is not "name=value" and
-/// for a file that is no flat list of values, EnvironmentError for one that cannot be read.
+/// Folders of parts come before those of $STEPWIRE_PARTS. Settings of files come first, so that the call's
+/// own win. Throws Error for what is not "name=value" and for a file that is no flat list of values,
+/// EnvironmentError for one that cannot be read.
 session::LoadOptions load_options(const LoadWords& words);
 
 }  // namespace stepwire::cli

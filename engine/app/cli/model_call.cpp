@@ -6,6 +6,7 @@
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/session/fault_json.hpp"
+#include "engine/base/data_file/reading_log.hpp"
 #include "engine/model/diagram/unread.hpp"
 
 namespace stepwire::cli {
@@ -19,6 +20,18 @@ void add_model_options(CLI::App& verb, ModelCall& call) {
   verb.add_flag("--units", call.units, "print the unit of every wire");
   verb.add_flag("--json", call.json, "print the result as JSON");
 }
+
+namespace {
+
+/// Loads a file and does the action with it. How its data files are read is logged meanwhile.
+ExitCode load_and_act(const Registry& registry, const std::string& file, const session::LoadOptions& options,
+                      const ModelAction& action, Json& results) {
+  const data_file::ReadingLog log;
+  session::LoadedModel model = session::load_model(registry, file, options);
+  return action(model, results);
+}
+
+}  // namespace
 
 ExitCode each_model(const ModelCall& call, const Registry& registry, const ModelAction& action) {
   Json results = Json::list();
@@ -35,12 +48,8 @@ ExitCode each_model(const ModelCall& call, const Registry& registry, const Model
   for (const std::string& file : call.files) {
     if (interrupted()) break;
     Json faults;
-    const ExitCode one = guarded(
-        [&] {
-          session::LoadedModel model = session::load_model(registry, file, options);
-          return action(model, results);
-        },
-        &faults);
+    const ExitCode one =
+        guarded([&] { return load_and_act(registry, file, options, action, results); }, &faults);
     if (faults.is_list()) results.push(Json::object().set("file", file).set("faults", std::move(faults)));
     code = worst(code, one);
   }

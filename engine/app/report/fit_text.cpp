@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/analyse/query/number.hpp"
 #include "engine/app/session/fitting.hpp"
@@ -33,6 +34,13 @@ class Shown {
   std::string name_;
 };
 
+/// The standard errors that there are, each by its name.
+std::string errors_of(const estimation::FittedNumber& number, const Shown& shown) {
+  const std::string classical = fmt::format("{:.2g} classical", shown.width(number.classical_error));
+  if (!std::isfinite(number.serial_error)) return classical;
+  return fmt::format("{:.2g} serial, {}", shown.width(number.serial_error), classical);
+}
+
 std::string number_line(const estimation::FittedNumber& number, std::size_t width) {
   const Shown shown(number);
   const std::string unit = shown.unit().empty() ? "" : " " + shown.unit();
@@ -41,8 +49,8 @@ std::string number_line(const estimation::FittedNumber& number, std::size_t widt
     return fmt::format("  {:<{}}  {:<22} at its bound\n", number.title(), width, value);
   if (!std::isfinite(number.standard_error))
     return fmt::format("  {:<{}}  {}\n", number.title(), width, value);
-  return fmt::format("  {:<{}}  {:<22} +- {:.2g} (95 %: {} to {})\n", number.title(), width, value,
-                     shown.width(number.standard_error), query::short_number(shown.value(number.low), 6),
+  return fmt::format("  {:<{}}  {:<22} +- {} (95 %: {} to {})\n", number.title(), width, value,
+                     errors_of(number, shown), query::short_number(shown.value(number.low), 6),
                      query::short_number(shown.value(number.high), 6));
 }
 
@@ -55,6 +63,24 @@ std::string correlations(const estimation::FitResult& result) {
                             result.numbers[static_cast<std::size_t>(j)].title(),
                             result.numbers[static_cast<std::size_t>(i)].title(), result.correlation(i, j));
   return text;
+}
+
+/// The standard errors that the intervals are made of, where there are two kinds.
+std::string errors_line(const estimation::FitResult& result) {
+  if (!result.in_time || result.together == 0) return "";
+  const bool serial = result.standard_errors == estimation::StandardErrors::serial;
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (const estimation::FittedNumber& one : result.numbers) {
+    const double factor = one.serial_error / one.classical_error;
+    if (!std::isfinite(factor)) continue;
+    least = std::min(least, factor);
+    most = std::max(most, factor);
+  }
+  std::string text = fmt::format("  residuals go together over {} rows; intervals by the {} standard errors",
+                                 result.together, serial ? "serial" : "classical");
+  if (most > 0.0)
+    text += fmt::format(", serial ones are {:.2f} to {:.2f} times the classical ones", least, most);
+  return text + "\n";
 }
 
 std::string record_line(const estimation::FittedRecord& record, std::size_t width) {
@@ -94,9 +120,7 @@ std::string fit_text(const estimation::FitResult& result) {
     labels = std::max(labels, record.label.size());
   std::string text = summary(result);
   for (const estimation::FittedNumber& number : result.numbers) text += number_line(number, names);
-  if (result.together > 0)
-    text +=
-        fmt::format("  residuals go together over {} rows, which widens the intervals\n", result.together);
+  text += errors_line(result);
   text += correlations(result);
   for (const estimation::FittedRecord& record : result.records) text += record_line(record, labels);
   for (const std::string& finding : result.findings)

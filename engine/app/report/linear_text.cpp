@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,6 +17,7 @@ using linear::Complex;
 using query::short_number;
 
 constexpr Eigen::Index most_printed = 12;
+constexpr std::size_t most_crossings = 8;
 
 std::string complex_text(const Complex& number) {
   if (number.imag() == 0.0) return short_number(number.real(), 6);
@@ -71,10 +73,14 @@ std::string margins_text(const linear::Margins& margins, double feedback) {
                                  : margins.hidden ? fmt::format("not stable: {} grows outside of the loop",
                                                                 complex_text(*margins.hidden))
                                                   : "not stable");
-  for (const linear::Crossing& crossing : margins.gain)
+  for (std::size_t i = 0; i < std::min(margins.gain.size(), most_crossings); ++i)
     text += fmt::format("  gain margin {} dB (factor {}) at {} rad/s\n",
-                        short_number(decibels(crossing.margin), 6), short_number(crossing.margin, 6),
-                        short_number(crossing.frequency, 6));
+                        short_number(decibels(margins.gain[i].margin), 6),
+                        short_number(margins.gain[i].margin, 6), short_number(margins.gain[i].frequency, 6));
+  if (margins.gain.size() > most_crossings)
+    text += fmt::format(
+        "  and {} more, up to {} dB\n", margins.gain.size() - most_crossings,
+        short_number(decibels(std::ranges::max(margins.gain, {}, &linear::Crossing::margin).margin), 6));
   for (const linear::Crossing& crossing : margins.phase)
     text += fmt::format("  phase margin {} deg at {} rad/s\n", short_number(degrees(crossing.margin), 6),
                         short_number(crossing.frequency, 6));
@@ -86,11 +92,15 @@ std::string margins_text(const linear::Margins& margins, double feedback) {
                             short_number(margins.modulus_frequency, 6));
 }
 
-std::string channel_text(const linear::ChannelAnalysis& channel, double feedback) {
+std::string zeros_text(const linear::Analysis& analysis, const std::vector<Complex>& zeros) {
+  return analysis.system.delays.empty() ? list_text(zeros) : "not found with delays";
+}
+
+std::string channel_text(const linear::ChannelAnalysis& channel, const linear::Analysis& analysis) {
   return fmt::format("{} -> {}: zeros {}; gain at rest {}; bandwidth {} rad/s\n", channel.input,
-                     channel.output, list_text(channel.zeros), short_number(channel.gain_at_rest, 6),
-                     short_number(channel.bandwidth, 6)) +
-         margins_text(channel.margins, feedback);
+                     channel.output, zeros_text(analysis, channel.zeros),
+                     short_number(channel.gain_at_rest, 6), short_number(channel.bandwidth, 6)) +
+         margins_text(channel.margins, analysis.feedback);
 }
 
 std::string rank_text(const char* what, const linear::Rank& rank, std::size_t states) {
@@ -111,14 +121,16 @@ std::string linear_text(const std::string& file, const linear::Analysis& analysi
                           : "continuous",
       analysis.method);
   text += matrix_text("A", system.A, system.states, system.states) +
-          matrix_text("B", system.B, system.states, system.inputs) +
-          matrix_text("C", system.C, system.outputs, system.states) +
-          matrix_text("D", system.D, system.outputs, system.inputs);
+          matrix_text("B", system.B, system.states, system.all_inputs()) +
+          matrix_text("C", system.C, system.all_outputs(), system.states) +
+          matrix_text("D", system.D, system.all_outputs(), system.all_inputs());
+  for (const linear::InnerDelay& delay : system.delays)
+    text += fmt::format("{} comes in as {} after {} s\n", delay.out.name, delay.in.name,
+                        short_number(delay.time, 6));
   if (!analysis.modes.empty()) text += modes_text(analysis);
-  text += fmt::format("zeros: {}\n\n", list_text(analysis.zeros));
-  for (const linear::ChannelAnalysis& channel : analysis.channels)
-    text += channel_text(channel, analysis.feedback);
-  if (!system.states.empty())
+  text += fmt::format("zeros: {}\n\n", zeros_text(analysis, analysis.zeros));
+  for (const linear::ChannelAnalysis& channel : analysis.channels) text += channel_text(channel, analysis);
+  if (!system.states.empty() && system.delays.empty())
     text += "\n" + rank_text("controllable", analysis.controllable, system.states.size()) +
             rank_text("observable", analysis.observable, system.states.size());
   for (const std::string& note : analysis.notes) text += fmt::format("note: {}\n", note);

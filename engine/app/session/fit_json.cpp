@@ -20,6 +20,8 @@ Json number_json(const estimation::FittedNumber& number) {
       .set("unit", number.dimension ? Json(unit::si_name(*number.dimension)) : Json())
       .set("start", number.start)
       .set("standard_error", number.standard_error)
+      .set("standard_error_classical", number.classical_error)
+      .set("standard_error_serial", number.serial_error)
       .set("interval", Json::list({number.low, number.high}))
       .set("at_bound", number.at_bound);
 }
@@ -84,6 +86,9 @@ Json fit_json(const LoadedModel& model, const estimation::FitResult& result) {
       .set("cost", result.cost)
       .set("deviation", result.deviation)
       .set("degrees_of_freedom", result.freedom)
+      .set("standard_errors",
+           result.standard_errors == estimation::StandardErrors::serial ? "serial" : "classical")
+      .set("rows_in_time", result.in_time)
       .set("residuals_together", static_cast<std::size_t>(result.together))
       .set("records", records_json(result))
       .set("curves", curves_json(result))

@@ -76,20 +76,25 @@ Json margins_json(const linear::Margins& margins, double feedback) {
       .set("closed_poles", complex_list(margins.closed_poles));
 }
 
+Json zeros_json(const Analysis& analysis, const std::vector<Complex>& zeros) {
+  return analysis.system.delays.empty() ? complex_list(zeros) : Json();
+}
+
 Json channels_json(const Analysis& analysis) {
   Json list = Json::list();
   for (const linear::ChannelAnalysis& channel : analysis.channels)
     list.push(Json::object()
                   .set("input", channel.input)
                   .set("output", channel.output)
-                  .set("zeros", complex_list(channel.zeros))
+                  .set("zeros", zeros_json(analysis, channel.zeros))
                   .set("gain_at_rest", channel.gain_at_rest)
                   .set("bandwidth", channel.bandwidth)
                   .set("margins", margins_json(channel.margins, analysis.feedback)));
   return list;
 }
 
-Json rank_json(const linear::Rank& rank) {
+Json rank_json(const Analysis& analysis, const linear::Rank& rank) {
+  if (!analysis.system.delays.empty()) return Json();
   return Json::object().set("rank", rank.rank).set("singular_values", Json::list_of(rank.singular_values));
 }
 
@@ -116,11 +121,20 @@ Json error_json(const linear::StateSpace& error) {
       .set("D", matrix_json(error.D));
 }
 
+/// Each comes out at an output and in at an input, behind those of the system.
+Json delays_json(const linear::StateSpace& system) {
+  Json list = Json::list();
+  for (const linear::InnerDelay& delay : system.delays)
+    list.push(
+        Json::object().set("time", delay.time).set("output", delay.out.name).set("input", delay.in.name));
+  return list;
+}
+
 Json units_json(const linear::StateSpace& system) {
   return Json::object()
       .set("states", Json::list_of(units_of(system.states)))
-      .set("inputs", Json::list_of(units_of(system.inputs)))
-      .set("outputs", Json::list_of(units_of(system.outputs)));
+      .set("inputs", Json::list_of(units_of(system.all_inputs())))
+      .set("outputs", Json::list_of(units_of(system.all_outputs())));
 }
 
 mat::NamedMatrix named(const char* name, const Eigen::MatrixXd& matrix) {
@@ -128,6 +142,12 @@ mat::NamedMatrix named(const char* name, const Eigen::MatrixXd& matrix) {
           static_cast<std::size_t>(matrix.rows()),
           static_cast<std::size_t>(matrix.cols()),
           {matrix.data(), matrix.data() + matrix.size()}};
+}
+
+std::vector<double> delay_times(const linear::StateSpace& system) {
+  std::vector<double> times;
+  for (const linear::InnerDelay& delay : system.delays) times.push_back(delay.time);
+  return times;
 }
 
 /// Complex numbers as rows [re, im].
@@ -138,29 +158,33 @@ mat::NamedMatrix named(const char* name, const std::vector<Complex>& numbers) {
   return named(name, rows);
 }
 
+Json system_json(const std::string& file, const linear::StateSpace& system) {
+  return Json::object()
+      .set("file", file)
+      .set("A", matrix_json(system.A))
+      .set("B", matrix_json(system.B))
+      .set("C", matrix_json(system.C))
+      .set("D", matrix_json(system.D))
+      .set("states", Json::list_of(names_of(system.states)))
+      .set("inputs", Json::list_of(names_of(system.all_inputs())))
+      .set("outputs", Json::list_of(names_of(system.all_outputs())))
+      .set("delays", delays_json(system))
+      .set("units", units_json(system))
+      .set("sample_time", system.sample_time);
+}
+
 }  // namespace
 
 Json linear_json(const std::string& file, const Analysis& analysis) {
-  const linear::StateSpace& system = analysis.system;
-  Json result = Json::object()
-                    .set("file", file)
-                    .set("A", matrix_json(system.A))
-                    .set("B", matrix_json(system.B))
-                    .set("C", matrix_json(system.C))
-                    .set("D", matrix_json(system.D))
-                    .set("states", Json::list_of(names_of(system.states)))
-                    .set("inputs", Json::list_of(names_of(system.inputs)))
-                    .set("outputs", Json::list_of(names_of(system.outputs)))
-                    .set("units", units_json(system))
-                    .set("sample_time", system.sample_time)
+  Json result = system_json(file, analysis.system)
                     .set("poles", complex_list(poles_of(analysis)))
-                    .set("zeros", complex_list(analysis.zeros))
+                    .set("zeros", zeros_json(analysis, analysis.zeros))
                     .set("modes", modes_json(analysis.modes))
                     .set("stable", analysis.stable)
-                    .set("controllability", rank_json(analysis.controllable))
-                    .set("observability", rank_json(analysis.observable))
+                    .set("controllability", rank_json(analysis, analysis.controllable))
+                    .set("observability", rank_json(analysis, analysis.observable))
                     .set("channels", channels_json(analysis));
-  if (system.has_one_channel())
+  if (analysis.system.has_one_channel())
     result.set("margins", margins_json(analysis.channels[0].margins, analysis.feedback));
   return result.set("point", point_json(analysis))
       .set("error", error_json(analysis.error))
@@ -178,13 +202,14 @@ void write_linear(const std::string& folder, const std::string& file, const Anal
                   named("D", system.D),
                   named("poles", poles_of(analysis)),
                   named("zeros", analysis.zeros),
-                  {"sample_time", 1, 1, {system.sample_time}}},
+                  {"sample_time", 1, 1, {system.sample_time}},
+                  {"delays", system.delays.size(), 1, delay_times(system)}},
                  {{"states", names_of(system.states)},
-                  {"inputs", names_of(system.inputs)},
-                  {"outputs", names_of(system.outputs)},
+                  {"inputs", names_of(system.all_inputs())},
+                  {"outputs", names_of(system.all_outputs())},
                   {"state_units", units_of(system.states)},
-                  {"input_units", units_of(system.inputs)},
-                  {"output_units", units_of(system.outputs)}});
+                  {"input_units", units_of(system.all_inputs())},
+                  {"output_units", units_of(system.all_outputs())}});
 }
 
 }  // namespace stepwire::session

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "engine/base/csv/read_record.hpp"
 #include "engine/base/hdf5/hdf5_read.hpp"
 #include "engine/base/mat/mat_file.hpp"
 #include "engine/base/mcap/mcap_read.hpp"
@@ -14,16 +15,25 @@ namespace stepwire::data_file {
 
 namespace {
 
-using Read = table::RecordTable (*)(const std::string& path);
+using Read = table::RecordTable (*)(const std::string& path, Decimal decimal);
+
+/// For files whose numbers have no decimal mark.
+template <auto read>
+table::RecordTable read_numbers(const std::string& path, Decimal) {
+  return read(path);
+}
 
 /// By the ending of the file, in lower case.
 const std::map<std::string, Read>& readers() {
   static const std::map<std::string, Read> all{
-      {".csv", table::read_record_csv},
-      {".mat", [](const std::string& path) { return table::RecordTable{mat::read_mat(path)}; }},
-      {".h5", hdf5::read_hdf5},
-      {".hdf5", hdf5::read_hdf5},
-      {".mcap", mcap::read_mcap},
+      {".csv", csv::read_record},
+      {".tsv", csv::read_record},
+      {".txt", csv::read_record},
+      {".dat", csv::read_record},
+      {".mat", read_numbers<mat::read_mat>},
+      {".h5", read_numbers<hdf5::read_hdf5>},
+      {".hdf5", read_numbers<hdf5::read_hdf5>},
+      {".mcap", read_numbers<mcap::read_mcap>},
   };
   return all;
 }
@@ -36,16 +46,20 @@ std::string lower(std::string text) {
 
 }  // namespace
 
-table::RecordTable read_data_file(const std::string& path) {
+table::RecordTable read_data_file(const std::string& path, Decimal decimal) {
   const std::string ending = std::filesystem::path(path).extension().string();
   const auto reader = readers().find(lower(ending));
   if (reader == readers().end())
-    throw table::TableError(fmt::format("{}: a table is a .csv, .mat, .h5 or .mcap file, not '{}'", path, ending));
-  return reader->second(path);
+    throw table::TableError(
+        fmt::format("{}: a table is a .csv, .tsv, .txt, .dat, .mat, .h5 or .mcap file, not "
+                    "'{}'; save a workbook as CSV",
+                    path, ending));
+  return reader->second(path, decimal);
 }
 
 bool has_lines(const std::string& path) {
-  return lower(std::filesystem::path(path).extension().string()) == ".csv";
+  const auto reader = readers().find(lower(std::filesystem::path(path).extension().string()));
+  return reader != readers().end() && reader->second == Read(csv::read_record);
 }
 
 }  // namespace stepwire::data_file

@@ -2,7 +2,6 @@
 
 #include <chrono>
 
-#include "engine/base/data_file/data_file.hpp"
 #include "engine/base/io/file.hpp"
 
 namespace stepwire::data_file {
@@ -34,14 +33,15 @@ TableCache::Stamp TableCache::stamp_of(const std::string& path) {
   return stamp;
 }
 
-std::shared_ptr<const table::RecordTable> TableCache::read(const std::string& path) {
+std::shared_ptr<const table::RecordTable> TableCache::read(const std::string& path, Decimal decimal) {
   const Stamp stamp = stamp_of(path);
-  auto known = recent_.find(path, [&](const Known& one) { return one.stamp == stamp; });
+  const std::string name = path + '\0' + static_cast<char>('0' + static_cast<int>(decimal));
+  auto known = recent_.find(name, [&](const Known& one) { return one.stamp == stamp; });
   if (!known) {
-    known = std::make_shared<const Known>(Known{stamp, read_data_file(path)});
+    known = std::make_shared<const Known>(Known{stamp, read_data_file(path, decimal)});
     const bool may_change_unseen =
         stamp.changed + coarsest_clock > std::filesystem::file_time_type::clock::now();
-    if (!may_change_unseen && stamp_of(path) == stamp) recent_.keep(path, known, numbers_in(known->table));
+    if (!may_change_unseen && stamp_of(path) == stamp) recent_.keep(name, known, numbers_in(known->table));
   }
   return {known, &known->table};
 }

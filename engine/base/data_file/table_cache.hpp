@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/base/data_file/data_file.hpp"
 #include "engine/base/data_file/recent.hpp"
 #include "engine/base/table/record_table.hpp"
 
@@ -20,7 +21,7 @@ class TableCache {
   /// The table in a data file, as read_data_file() reads it and with its errors. What was read
   /// before is given, the same object, as long as the file has the same size and time of change; a file that
   /// changed within the last two seconds is read anew, since clocks of file systems are coarse.
-  std::shared_ptr<const table::RecordTable> read(const std::string& path);
+  std::shared_ptr<const table::RecordTable> read(const std::string& path, Decimal decimal = Decimal::detect);
   /// Of this process, for 64 MB of numbers.
   static TableCache& of_process();
 
@@ -39,7 +40,7 @@ class TableCache {
 
   static Stamp stamp_of(const std::string& path);
 
-  Recent<Known> recent_;  ///< by path
+  Recent<Known> recent_;  ///< by path and decimal mark
 };
 
 }  // namespace stepwire::data_file

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/hdf5/handle.hpp"
+#include "engine/base/hdf5/objects.hpp"
 #include "engine/base/table/table_file.hpp"
 
 namespace stepwire::hdf5 {
@@ -15,25 +16,6 @@ namespace stepwire::hdf5 {
 namespace {
 
 constexpr std::size_t max_words = 1'000'000;  // of a column
-
-/// Text of an attribute; empty where there is none or it is no single text.
-std::string text_attribute(hid_t object, const char* name) {
-  if (H5Aexists(object, name) <= 0) return "";
-  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
-  const Handle type(H5Aget_type(attribute.id()), H5Tclose), space(H5Aget_space(attribute.id()), H5Sclose);
-  if (!attribute || H5Tget_class(type.id()) != H5T_STRING || H5Sget_simple_extent_npoints(space.id()) != 1)
-    return "";
-  if (H5Tis_variable_str(type.id()) <= 0) {
-    std::string text(H5Tget_size(type.id()), '\0');
-    if (H5Aread(attribute.id(), type.id(), text.data()) < 0) return "";
-    return text.substr(0, text.find('\0'));
-  }
-  char* text = nullptr;
-  if (H5Aread(attribute.id(), type.id(), &text) < 0 || !text) return "";
-  const std::string result = text;
-  H5free_memory(text);
-  return result;
-}
 
 /// The texts of an attribute that lists some of any length; none where it is no such list.
 std::vector<std::string> texts_attribute(hid_t object, const char* name) {
@@ -62,8 +44,13 @@ struct Size {
 class Dataset {
  public:
   Dataset(hid_t set, const std::string& name, table::RecordTable& table, std::size_t& budget)
-      : set_(set), name_(name), table_(table), budget_(budget), type_(H5Dget_type(set), H5Tclose),
-        space_(H5Dget_space(set), H5Sclose), unit_(text_attribute(set, "units")) {
+      : set_(set),
+        name_(name),
+        table_(table),
+        budget_(budget),
+        type_(H5Dget_type(set), H5Tclose),
+        space_(H5Dget_space(set), H5Sclose),
+        unit_(text_attribute(set, "units")) {
     if (!type_ || !space_) Session::refuse(fmt::format("'{}' is damaged", name));
     if (unit_.empty()) unit_ = text_attribute(set, "unit");
   }
@@ -107,8 +94,8 @@ class Dataset {
           fmt::format("'{}' has {} columns; at most {} are read", name, size.columns, max_columns));
     if (size.rows > most / size.columns || size.rows * size.columns * sizeof(double) > budget_)
       throw table::TableError(
-          fmt::format("'{}' has {} x {} numbers, more than a file of this size may unpack to", name, size.rows,
-                      size.columns));
+          fmt::format("'{}' has {} x {} numbers, more than a file of this size may unpack to", name,
+                      size.rows, size.columns));
     budget_ -= size.rows * size.columns * sizeof(double);
   }
 

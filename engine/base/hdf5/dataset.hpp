@@ -8,8 +8,6 @@
 
 namespace stepwire::hdf5 {
 
-inline constexpr std::size_t max_columns = 20'000;  // of a file
-
 /// Appends the columns of a dataset to the table; its numbers take their bytes from the budget. What is none
 /// of numbers, or not to be read, is a problem of a column without rows. Throws TableError, without the name
 /// of the file, where it is damaged or the budget is spent.

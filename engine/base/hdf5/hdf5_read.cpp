@@ -11,6 +11,7 @@
 
 #include "engine/base/hdf5/dataset.hpp"
 #include "engine/base/hdf5/handle.hpp"
+#include "engine/base/hdf5/objects.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/temporary.hpp"
 #include "engine/base/table/isolated_table.hpp"
@@ -21,24 +22,6 @@ namespace stepwire::hdf5 {
 namespace {
 
 constexpr int max_depth = 16;  // groups in groups
-
-/// Names of the links of a group into this file, in the order in which they were made where the group has
-/// kept it. Others may lead to any file of the machine.
-std::vector<std::string> links_of(const Handle& group) {
-  const Handle properties(H5Gget_create_plist(group.id()), H5Pclose);
-  unsigned kept = 0;
-  H5Pget_link_creation_order(properties.id(), &kept);
-  const H5_index_t order = (kept & H5P_CRT_ORDER_INDEXED) != 0 ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
-  std::vector<std::string> names;
-  const auto take = [](hid_t, const char* name, const H5L_info_t* link, void* to) -> herr_t {
-    auto& all = *static_cast<std::vector<std::string>*>(to);
-    if (link->type == H5L_TYPE_HARD) all.emplace_back(name);
-    return all.size() > max_columns ? 1 : 0;
-  };
-  if (H5Literate(group.id(), order, H5_ITER_INC, nullptr, take, &names) < 0)
-    Session::refuse("the file is damaged");
-  return names;
-}
 
 /// Walks through the groups of one file.
 class Reading {
@@ -75,15 +58,8 @@ class Reading {
       throw table::TableError(fmt::format("it has more than {} columns", max_columns));
   }
 
-  /// One group may have several names, also one inside of itself.
-  static haddr_t place_of(const Handle& group) {
-    H5O_info_t info{};
-    if (H5Oget_info2(group.id(), &info, H5O_INFO_BASIC) < 0) Session::refuse("the file is damaged");
-    return info.addr;
-  }
-
   std::size_t budget_;
-  std::set<haddr_t> seen_;
+  std::set<std::uint64_t> seen_;
   table::RecordTable table_;
 };
 
@@ -94,15 +70,6 @@ std::size_t size_of(const std::string& path) {
   if (error) io::refuse_file(path, error.value());
   if (::access(path.c_str(), R_OK) != 0) io::refuse_file(path, errno);
   return size;
-}
-
-Handle opened(const std::string& path) {
-  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (!file) {
-    const bool begins_well = H5Fis_hdf5(path.c_str()) > 0;
-    Session::refuse(begins_well ? "the file is damaged or cut off" : "this is no HDF5 file");
-  }
-  return file;
 }
 
 table::RecordTable read_all(const Handle& root, Reading& reading) {
@@ -116,7 +83,7 @@ table::RecordTable read_all(const Handle& root, Reading& reading) {
 template <class Read>
 table::RecordTable read_file(const std::string& path, std::size_t file_size, const Read& read) {
   try {
-    const Handle file = opened(path);
+    const Handle file = open_file(path);
     Reading reading(file_size);
     table::RecordTable table = read({H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose}, reading);
     for (auto& [column, problem] : table.problems) problem = fmt::format("{}: {}", path, problem);

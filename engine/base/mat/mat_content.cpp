@@ -1,5 +1,7 @@
 #include "engine/base/mat/mat_content.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -79,6 +81,10 @@ std::size_t mat_count(const std::vector<std::size_t>& size) {
     count *= one;
   }
   return count;
+}
+
+std::string mat_element(const std::string& path, std::size_t index, std::size_t count) {
+  return count == 1 ? path : fmt::format("{}({})", path, index + 1);
 }
 
 }  // namespace stepwire::mat

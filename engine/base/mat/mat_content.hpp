@@ -35,11 +35,25 @@ struct MatVariable {
   std::vector<double> values;
 };
 
-/// What a MAT file holds for us: real arrays, and of files of our own the names and units of the columns.
+/// A variable that is no real array, and the sentence for people about it.
+struct MatProblem {
+  std::string name, text;
+};
+
+constexpr std::size_t max_structs = 1000;  ///< of an array of structs that is read
+constexpr std::size_t max_depth = 16;      ///< of structs in structs
+
+/// Contents of a MAT file: real arrays, those of structs with the path of their field as
+/// `out.signals.values`, and of files of our own the names and units of the columns.
 struct MatContent {
   std::vector<MatVariable> variables;
+  std::vector<MatProblem> problems;
+  bool has_foreign = false;  ///< of level 7.3: datasets that other programs wrote
   std::vector<std::string> names, units;
 };
+
+/// The name of an element of an array of structs, "out.signals(2)"; that of the array where it has one.
+std::string mat_element(const std::string& path, std::size_t index, std::size_t count);
 
 /// The product of sizes. Throws TableError where it is beyond any memory.
 std::size_t mat_count(const std::vector<std::size_t>& size);

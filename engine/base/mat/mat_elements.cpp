@@ -24,8 +24,9 @@ void append_utf8(std::string& text, std::uint32_t code) {
   }
 }
 
-/// Two halves of a character beyond 16 bits are joined.
-std::string utf8_of(const std::vector<double>& units) {
+}  // namespace
+
+std::string utf16_text(const std::vector<double>& units) {
   std::string text;
   for (std::size_t i = 0; i < units.size(); ++i) {
     auto code = static_cast<std::uint32_t>(units[i]);
@@ -38,8 +39,6 @@ std::string utf8_of(const std::vector<double>& units) {
   }
   return text;
 }
-
-}  // namespace
 
 MatElement MatElements::tag() const {
   if (rest_.size() < tag_size) throw table::TableError("the file is damaged or cut off");
@@ -74,7 +73,7 @@ std::vector<double> MatElements::numbers(const MatElement& element) const {
 
 std::string mat_text(const MatElements& of, const MatElement& element) {
   const auto with = [&](MatNumber kind) {
-    return utf8_of(of.numbers({MatElement::of(kind), element.length, element.bytes}));
+    return utf16_text(of.numbers({MatElement::of(kind), element.length, element.bytes}));
   };
   if (element.type == MatElement::utf16) return with(MatNumber::uint16);
   if (element.type == MatElement::utf32) return with(MatNumber::uint32);

@@ -42,6 +42,9 @@ class MatElements {
   bool swap_;
 };
 
+/// UTF-8 of units of UTF-16 or UTF-32; two halves of a character beyond 16 bits are joined.
+std::string utf16_text(const std::vector<double>& units);
+
 /// The text of an element of characters, as UTF-8. Throws TableError as MatElements::numbers.
 std::string mat_text(const MatElements& of, const MatElement& element);
 

@@ -3,15 +3,17 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/table/table.hpp"
+#include "engine/base/table/record_table.hpp"
 
 namespace stepwire::mat {
 
 /// Every real vector of a MATLAB file (level 4, 5 or 7.3), one column each; a matrix gives columns "name(1)",
-/// "name(2)", ... Columns may differ in length here. Errors as read_csv. A damaged
-/// file is an error, except that inside a file of level 7.3 only the HDF5 library can tell; it reads in a
-/// process of its own.
-table::Table read_mat(const std::string& path);
+/// "name(2)", ..., and a field of a struct "out.signals.values", as Simulink's structure with time has it.
+/// Columns may differ in length here. A variable that is no real array, as a complex one or an object, is a
+/// problem that names the cure in MATLAB. Errors as read_csv; an HDF5 file under this name is read as one. A
+/// damaged file is an error, except that inside a file of level 7.3 only the HDF5 library can tell; it reads
+/// in a process of its own.
+table::RecordTable read_mat(const std::string& path);
 
 inline constexpr std::size_t max_bytes_of_level_5 = 0x7FFF'FFFF;  ///< of a variable
 

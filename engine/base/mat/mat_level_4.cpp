@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "engine/base/mat/mat_content.hpp"
+#include "engine/base/mat/mat_unreadable.hpp"
 #include "engine/base/table/table_file.hpp"
 
 // Layout: "MAT-File Format", The MathWorks, appendix on level 4. Type, rows, columns, whether complex, length
@@ -58,10 +59,12 @@ class Level4 {
     const std::string_view name = take(name_length);
     const std::size_t count = mat_count({rows, columns});
     const std::string_view numbers = take(count * (1 + complex) * mat_number_size(kinds[kind]));
-    if (form != 0 || complex == 1 || count == 0) return;  // a text, a sparse matrix, no real one
-    content_.variables.push_back({std::string(name.substr(0, name.find('\0'))),
-                                  {rows, columns},
-                                  mat_numbers(numbers, kinds[kind], swap)});
+    if (form == 1 || count == 0) return;  // a text
+    const std::string text(name.substr(0, name.find('\0')));
+    if (form == 2 || complex == 1)
+      return content_.problems.push_back(
+          {text, unreadable_text(text, form == 2 ? MatUnreadable::sparse : MatUnreadable::complex)});
+    content_.variables.push_back({text, {rows, columns}, mat_numbers(numbers, kinds[kind], swap)});
   }
 
   std::string_view rest_;

@@ -6,6 +6,7 @@
 #include "engine/base/mat/inflate.hpp"
 #include "engine/base/mat/mat_content.hpp"
 #include "engine/base/mat/mat_elements.hpp"
+#include "engine/base/mat/mat_unreadable.hpp"
 #include "engine/base/table/table_file.hpp"
 
 namespace stepwire::mat {
@@ -16,11 +17,16 @@ constexpr std::size_t longest_head = 4096;  // of a matrix: flags, dimensions an
 
 enum ArrayClass : unsigned {
   cell = 1,
+  structure = 2,
+  object = 3,
   text = 4,
+  sparse = 5,
   first_number = 6,
   single = 7,
   first_integer = 8,
-  last_number = 15
+  last_number = 15,
+  function = 16,
+  opaque = 17  ///< objects of newer classes, as timeseries
 };
 
 /// What a matrix begins with.
@@ -30,12 +36,43 @@ struct Head {
   std::vector<std::size_t> size;
   std::string name;
 
-  bool is_real() const {
-    return type >= first_number && type <= last_number && !complex && mat_count(size) > 0;
-  }
+  std::string class_name{};  ///< of an opaque object
+
+  bool is_number() const { return type >= first_number && type <= last_number && mat_count(size) > 0; }
+  bool is_real() const { return is_number() && !complex; }
   bool is_list(std::string_view wanted) const { return type == cell && name == wanted; }
-  bool counts() const { return !name.empty() && (is_real() || is_list("names") || is_list("units")); }
+  bool is_structure() const { return type == structure && mat_count(size) <= max_structs; }
+  bool counts() const {
+    return !name.empty() && (is_real() || is_structure() || is_list("names") || is_list("units"));
+  }
 };
+
+/// The sentence about a variable that is no real array; empty for a text.
+std::string problem_of(const Head& head, const std::string& name) {
+  if (head.is_number() && head.complex) return unreadable_text(name, MatUnreadable::complex);
+  switch (head.type) {
+    case cell:
+      return unreadable_text(name, MatUnreadable::cell);
+    case sparse:
+      return unreadable_text(name, MatUnreadable::sparse);
+    case function:
+      return unreadable_text(name, MatUnreadable::function);
+    case structure:
+      return unreadable_text(name, MatUnreadable::struct_array);
+    case object:
+    case opaque:
+      return unreadable_text(name, MatUnreadable::object, head.class_name);
+    default:
+      return "";
+  }
+}
+
+/// Of an opaque object: its name, the system of its type and its class.
+void read_opaque(MatElements& parts, Head& head) {
+  head.name = parts.next().bytes;
+  parts.next();
+  if (!parts.empty()) head.class_name = parts.next().bytes;
+}
 
 Head head_of(MatElements& parts) {
   Head head;
@@ -45,6 +82,7 @@ Head head_of(MatElements& parts) {
   const auto flag = static_cast<std::uint32_t>(parts.numbers(flags).front());
   head.type = flag & 0xFF;
   head.complex = (flag & 0x800) != 0;
+  if (head.type == opaque) return read_opaque(parts, head), head;
   const MatElement size = parts.next();
   if (size.type != MatElement::of(MatNumber::int32) || size.bytes.size() < 8)
     throw table::TableError("the dimensions of a variable are damaged");
@@ -100,6 +138,21 @@ std::vector<std::string> texts_of(const Head& head, MatElements& parts) {
   return texts;
 }
 
+/// Names of the fields of a struct: their room, and each filled up with zeros.
+std::vector<std::string> fields_of(MatElements& parts) {
+  const std::vector<double> room = parts.numbers(parts.next());
+  const MatElement names = parts.next();
+  if (room.size() != 1 || !(room[0] >= 1.0) || names.bytes.size() % static_cast<std::size_t>(room[0]) != 0)
+    throw table::TableError("the names of its fields are damaged");
+  const auto length = static_cast<std::size_t>(room[0]);
+  std::vector<std::string> fields;
+  for (std::size_t at = 0; at < names.bytes.size(); at += length) {
+    const std::string_view one = names.bytes.substr(at, length);
+    fields.emplace_back(one.substr(0, one.find('\0')));
+  }
+  return fields;
+}
+
 /// What is wrong with a variable, with its name.
 template <class Action>
 auto named(const Head& head, const Action& action) {
@@ -137,7 +190,7 @@ class Level5 {
     if (tag.type != MatElement::matrix) throw table::TableError("what is packed is no variable");
     MatElements front(std::string_view(start).substr(8), swap_);
     const Head head = head_of(front);
-    if (!head.counts()) return;
+    if (!head.counts()) return note_problem(head, head.name);
     const std::size_t size = 8 + tag.length;
     if (size > budget_)
       throw table::TableError(
@@ -149,17 +202,46 @@ class Level5 {
     take(MatElements(std::string_view(all).substr(8), swap_));
   }
 
+  void note_problem(const Head& head, const std::string& name) {
+    if (head.name.empty() && name.empty()) return;
+    if (std::string problem = problem_of(head, name); !problem.empty())
+      content_.problems.push_back({name, std::move(problem)});
+  }
+
   void take(MatElements parts) {
     if (parts.empty()) return;
     const Head head = head_of(parts);
-    if (!head.counts()) return;
+    if (!head.counts()) return note_problem(head, head.name);
     named(head, [&] {
-      if (head.is_real())
-        content_.variables.push_back({head.name, head.size, values_of(head, parts)});
-      else
+      if (head.type == cell)
         (head.name == "names" ? content_.names : content_.units) = texts_of(head, parts);
+      else
+        take_value(head, parts, head.name, 0);
       return 0;
     });
+  }
+
+  /// A variable, or a field of a struct by its path.
+  void take_value(const Head& head, MatElements& parts, const std::string& path, std::size_t depth) {
+    if (head.is_real()) return content_.variables.push_back({path, head.size, values_of(head, parts)});
+    if (head.is_structure()) return take_fields(head, parts, path, depth);
+    if (depth == 0 || (head.type != cell && head.type != text)) note_problem(head, path);
+  }
+
+  void take_fields(const Head& head, MatElements& parts, const std::string& path, std::size_t depth) {
+    if (depth > max_depth)
+      throw table::TableError(fmt::format("its structs are deeper than {} in each other", max_depth));
+    const std::vector<std::string> fields = fields_of(parts);
+    const std::size_t count = mat_count(head.size);
+    for (std::size_t i = 0; i < count; ++i)
+      for (const std::string& field : fields) {
+        const MatElement value = parts.next();
+        if (value.type != MatElement::matrix) throw table::TableError("a field is no array");
+        MatElements inside = parts.inside(value);
+        if (inside.empty()) continue;
+        const Head of_field = head_of(inside);
+        take_value(of_field, inside, fmt::format("{}.{}", mat_element(path, i, count), field), depth + 1);
+      }
   }
 
   bool swap_;

@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "engine/base/hdf5/handle.hpp"
+#include "engine/base/hdf5/hdf5_read.hpp"
 #include "engine/base/mat/mat_content.hpp"
 #include "engine/base/mat/mat_file.hpp"
 #include "engine/base/mat/mat_names.hpp"
@@ -37,9 +38,11 @@ Header header_of(std::string_view file) {
 
 /// What it throws begins with the name of the file.
 template <class Read>
-table::Table named(const std::string& path, const Read& read) {
+table::RecordTable named(const std::string& path, const Read& read) {
   try {
-    return read();
+    table::RecordTable table = read();
+    for (auto& [column, problem] : table.problems) problem = fmt::format("{}: {}", path, problem);
+    return table;
   } catch (const table::TableError& error) {
     throw table::TableError(fmt::format("{}: {}", path, error.what()));
   }
@@ -85,44 +88,76 @@ void require_names(const table::Table& table) {
       throw table::TableError(fmt::format("two columns are named '{}'", column.name));
 }
 
-table::Table table_of(MatContent content) {
-  table::Table table;
+/// Variables that cannot be read are columns without rows.
+void append_problems(table::RecordTable& table, const MatContent& content) {
+  for (const MatProblem& problem : content.problems) {
+    table.columns.push_back({problem.name, "", {}});
+    table.problems.emplace(problem.name, problem.text);
+  }
+}
+
+table::RecordTable table_of(MatContent content) {
+  table::RecordTable table;
   for (MatVariable& variable : content.variables) append_columns(table, variable);
+  if (table.columns.empty() && !content.problems.empty())
+    throw table::TableError(content.problems.front().text);
   if (table.columns.empty()) throw table::TableError("there is no real vector in the file");
   restore_names(table, content);
+  append_problems(table, content);
   require_names(table);
   return table;
 }
 
 /// Levels 4 and 5 are read by us.
-table::Table read_own(const std::string& path) {
+table::RecordTable read_own(const std::string& path) {
   const std::string file = io::read_file(path);
   const Header header = header_of(file);
   return table_of(header.version == 0x0100 ? read_mat_level_5(file, header.swap) : read_mat_level_4(file));
 }
 
-table::Table read_by_library(const std::string& path) {
+/// Of level 7.3. A file without variables of MATLAB is read as the HDF5 file that it is.
+table::RecordTable read_by_library(const std::string& path) {
   std::error_code none;
   const std::size_t size = std::filesystem::file_size(path, none);
-  const hdf5::Session session;  // no other thread is in the library while it is copied
-  return table::read_isolated(path, size, [&] {
-    return table::RecordTable{named(path, [&] { return table_of(read_mat_level_7(path, size)); })};
-  });
+  table::RecordTable table;
+  {
+    const hdf5::Session session;  // no other thread is in the library while it is copied
+    table = table::read_isolated(path, size, [&] {
+      return named(path, [&] {
+        MatContent content = read_mat_level_7(path, size);
+        const bool foreign = content.has_foreign && content.variables.empty() && content.problems.empty();
+        return foreign ? table::RecordTable{} : table_of(std::move(content));
+      });
+    });
+  }
+  return table.columns.empty() ? hdf5::read_hdf5(path) : table;
 }
 
-bool is_level_7(const std::string& path) {
+enum class Level { own, by_library, hdf5 };
+
+Level level_of(const std::string& path) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return Level::own;
   std::array<char, 128> start{};
   std::ifstream file(path, std::ios::binary);
   file.read(start.data(), start.size());
-  return header_of({start.data(), static_cast<std::size_t>(file.gcount())}).version == 0x0200;
+  const std::string_view bytes(start.data(), static_cast<std::size_t>(file.gcount()));
+  if (bytes.starts_with("\x89HDF\r\n")) return Level::hdf5;
+  return header_of(bytes).version == 0x0200 ? Level::by_library : Level::own;
 }
 
 }  // namespace
 
-table::Table read_mat(const std::string& path) {
-  std::error_code none;
-  const bool regular = std::filesystem::is_regular_file(path, none);
-  return regular && is_level_7(path) ? read_by_library(path) : named(path, [&] { return read_own(path); });
+table::RecordTable read_mat(const std::string& path) {
+  switch (level_of(path)) {
+    case Level::hdf5:
+      return hdf5::read_hdf5(path);
+    case Level::by_library:
+      return read_by_library(path);
+    case Level::own:
+      break;
+  }
+  return named(path, [&] { return read_own(path); });
 }
 
 }  // namespace stepwire::mat

@@ -11,6 +11,7 @@
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/open.hpp"
+#include "engine/model/diagram/part_file.hpp"
 #include "engine/model/diagram/resolve.hpp"
 
 namespace stepwire::diagram {
@@ -19,10 +20,6 @@ namespace {
 
 constexpr std::size_t deepest_nesting = 32;
 constexpr std::size_t max_parts = 100'000;  // parts that use parts twice grow without end
-
-std::string part_path(const std::string& user, const std::string& path) {
-  return (std::filesystem::path(user).parent_path() / path).lexically_normal().string();
-}
 
 std::vector<std::string> keys_of_map(const yaml::Node& root, const char* key) {
   std::vector<std::string> names;
@@ -121,9 +118,10 @@ void Opener::declare_output(Scope& scope, const yaml::Entry& port) {
   if (!signal || !signal->is_scalar()) {
     const bool is_bus = port.value.is_map() && port.value.find("fields") && !signal;
     report_.add(scope.at(port.value.mark), scope.prefix + port.key,
-                is_bus ? "names no signal; a bus is made among the blocks, 'wrench: {fields: {force: f}}', and "
-                         "named here"
-                       : "names no signal; write the output of a block, as lag.y");
+                is_bus
+                    ? "names no signal; a bus is made among the blocks, 'wrench: {fields: {force: f}}', and "
+                      "named here"
+                    : "names no signal; write the output of a block, as lag.y");
     signal = nullptr;
   }
   const yaml::Node* safe = port.value.is_map() ? port.value.find("safe") : nullptr;
@@ -196,7 +194,7 @@ bool Opener::refuse_nesting(Scope& scope, const yaml::Entry& entry, const yaml::
 
 void Opener::open_part(Scope& scope, const yaml::Entry& entry, const yaml::Node& path) {
   if (!path.is_scalar()) return fail(scope, entry, path.mark, "'diagram:' names a file, as parts/rig.yaml");
-  const std::string file = part_path(scope.document->file, path.text);
+  const std::string file = part_file(scope.document->file, path.text);
   if (refuse_nesting(scope, entry, path, file)) return;
   auto named = scope_of_part(scope, entry, scope.at(path.mark), file, report_.diagram());
   Scope& part = *named;
@@ -228,7 +226,8 @@ bool Opener::read_part(Scope& scope, const yaml::Entry& entry, const yaml::Node&
       if (fault.place.mark.line > 0) {
         report_.add(part.at(fault.place.mark), scope.prefix + entry.key, fault.message);
       } else {
-        report_.add(scope.at(path.mark), scope.prefix + entry.key, path.text + ": " + fault.message);
+        yaml::Message why = path.text + ": " + fault.message;
+        report_.add(scope.at(path.mark), scope.prefix + entry.key, why += other_part_places(path.text));
       }
     return false;
   }

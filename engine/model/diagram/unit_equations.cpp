@@ -1,3 +1,4 @@
+// More than 300 lines with its header: the equations of units, angles and temperatures are solved together.
 #include "engine/model/diagram/unit_equations.hpp"
 
 #include <algorithm>

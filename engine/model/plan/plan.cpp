@@ -1,3 +1,4 @@
+// More than 300 lines with its header: a plan is one list of what runs walk.
 #include "engine/model/plan/plan.hpp"
 
 #include <algorithm>

@@ -109,6 +109,7 @@ class Profiler {
     Segment segment(tick);
     run::RunObserver* const observer = &segment;
     run::Drive drive(simulation_, recorders());
+    drive.judges_steps = false;
     drive.observers = {&observer, 1};
     drive.shows_rows = false;
     ended_ = drive.run() != run::Drive::End::paused;

@@ -22,7 +22,7 @@ Drive::End Drive::run() {
     for (record::Recorder& recorder : recorders_)
       recorder.record(simulation_.tick(), simulation_.values(), last);
     if (last) {
-      simulation_.look_at_end();
+      if (judges_steps) simulation_.look_at_end();
       return end(End::finished);
     }
     simulation_.advance();

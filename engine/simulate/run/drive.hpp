@@ -33,6 +33,7 @@ class Drive : SideObserver {
   std::size_t index = 0;                         ///< of the run, for observers
   std::span<RunObserver* const> observers;       ///< must outlive the drive
   bool shows_rows = true;                        ///< do the observers read what is recorded?
+  bool judges_steps = true;                      ///< looks at the end whether they were far too long
   const std::atomic<bool>* interrupt = nullptr;  ///< once true, the run ends and keeps what it has
   std::function<void()> look;                    ///< called every `ticks_between_looks` ticks
 

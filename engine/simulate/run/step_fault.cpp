@@ -16,6 +16,16 @@ double rounded_down(double value) {
   return digit * std::floor(value / digit * (1.0 + 1e-6));
 }
 
+std::string text_of_unstable(const diagram::Diagram& diagram, const double* report) {
+  const double longest = rounded_down(report[solve::StepReport::longest_step]);
+  return fmt::format(
+      "{} with steps of {:g} s makes this state {:.3g} times as large at each step, while the equations do "
+      "not "
+      "let it grow: what was recorded is wrong. {}, solver: auto, or a stiff one (rosenbrock, sdirk) helps",
+      diagram.solver, diagram.step, report[1],
+      longest > 0.0 ? fmt::format("A step of at most {:g} s", longest) : "A solver of higher order");
+}
+
 /// Of a step to the tick at `end`, which has come to `now`.
 std::string text_of_step(const diagram::Diagram& diagram, const double* report, double now, double end) {
   if (report[0] == solve::StepReport::unsolved)
@@ -30,15 +40,7 @@ std::string text_of_step(const diagram::Diagram& diagram, const double* report, 
         "ends here. A stiff solver (radau, auto), a larger 'relative' or 'absolute', or a law without jumps "
         "helps",
         now, end, report[1]);
-  if (report[0] == solve::StepReport::unstable) {
-    const double longest = rounded_down(report[solve::StepReport::longest_step]);
-    return fmt::format(
-        "{} with steps of {:g} s makes this state {:.3g} times as large at each step, while the equations do "
-        "not "
-        "let it grow: what was recorded is wrong. {}, solver: auto, or a stiff one (rosenbrock, sdirk) helps",
-        diagram.solver, diagram.step, report[1],
-        longest > 0.0 ? fmt::format("A step of at most {:g} s", longest) : "A solver of higher order");
-  }
+  if (report[0] == solve::StepReport::unstable) return text_of_unstable(diagram, report);
   return fmt::format(
       "the step to {:.12g} s errs by {:.2g} of the size of this state, and 'tolerance' is {:g}; the run ends "
       "here. A smaller step{} helps",

@@ -124,7 +124,7 @@ class StepProbe {
   double longest_step(Complex rate) const {
     double low = plan_.diagram.step, high = low;
     for (int k = 0; stability(tableau_, low * rate) > 1.0; ++k) {
-      if (k == 60) return 0.0;
+      if (k == 10) return 0.0;
       high = low;
       low *= 0.5;
     }

@@ -24,7 +24,7 @@ class GraphWriter {
 
   /// The whole, with the groups of its blocks.
   Json whole(const Hierarchy& hierarchy) {
-    for (const std::string& input : hierarchy.inputs) signals_.push_back(input);
+    signals_.insert(signals_.end(), hierarchy.inputs.begin(), hierarchy.inputs.end());
     Json drawn = graph(hierarchy, hierarchy.inputs, selection_.own_outputs(hierarchy), 0);
     if (options_.groups.empty()) return drawn;
     Json groups = Json::list();
@@ -33,7 +33,6 @@ class GraphWriter {
     return drawn.set("groups", std::move(groups));
   }
 
-  /// The signals that have a place in what was drawn.
   const std::vector<std::string>& signals() const { return signals_; }
 
  private:
@@ -178,6 +177,7 @@ class GraphWriter {
     if (!symbol.curve.empty()) node.set("curve", symbol.curve);
     if (symbol.axes) node.set("axes", true);
     if (block.type().has_continuous_state()) node.set("state", true);
+    if (const auto every = sample_time_text(block, *child.written); !every.empty()) node.set("every", every);
   }
 
   /// The ports that lead into what is in a frame: not those of the condition on which it runs.
@@ -252,8 +252,8 @@ class GraphWriter {
   const diagram::Diagram& diagram_;
   const GraphOptions& options_;
   Selection selection_;
-  std::vector<std::string> signals_;
-  std::size_t drawn_ = 0;  ///< blocks and parts
+  std::vector<std::string> signals_;  ///< that have a place in what was drawn
+  std::size_t drawn_ = 0;             ///< blocks and parts
 };
 
 }  // namespace

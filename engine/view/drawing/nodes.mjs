@@ -19,6 +19,9 @@ function constantNode(wire, nodes) {
   return {node: id, port: "y"};
 }
 
+/** A block that has a sample time of its own shows it behind its name. */
+const nameAndTime = ({name, every}) => (every ? `${name}, ${every}` : name);
+
 /** True for an opened part in which a signal carries this name, so that its open end needs none. */
 const isNamedWithin = ({graph}, mark) => Boolean(mark) && Boolean(graph?.nodes.some(({outputs}) => outputs.some((port) => port.mark === mark)));
 
@@ -26,7 +29,7 @@ const isNamedWithin = ({graph}, mark) => Boolean(mark) && Boolean(graph?.nodes.s
 export function nodesAndWires(whole, isRoot) {
   const graph = grouped(whole);
   const copy = (ports) => ports.map((port) => ({...port}));
-  const inner = graph.nodes.map((node) => drawnOutline({...node, inputs: copy(node.inputs), outputs: copy(node.outputs)}));
+  const inner = graph.nodes.map((node) => drawnOutline({...node, name: nameAndTime(node), inputs: copy(node.inputs), outputs: copy(node.outputs)}));
   const nodes = [
     ...graph.inputs.map((port) => ownPort(port, "input", isRoot)), ...inner,
     ...graph.outputs.map((port) => ownPort(port, "output", isRoot)),

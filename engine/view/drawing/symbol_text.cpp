@@ -244,4 +244,18 @@ SymbolText symbol_text(const diagram::DiagramBlock& block, const yaml::Node& wri
   return result;
 }
 
+std::string sample_time_text(const diagram::DiagramBlock& block, const yaml::Node& written) {
+  const yaml::Node* const every = written.find("every");
+  if (!every || !block.every) return "";
+  const auto text_of = [](const yaml::Node* node, double seconds) {
+    const bool plain = node && node->is_scalar() && node->text.find_first_of("$=") == std::string::npos;
+    if (plain) return node->text;
+    return seconds < 1.0 ? fmt::format("{:g} ms", 1e3 * seconds) : fmt::format("{:g} s", seconds);
+  };
+  if (every->is_scalar()) return text_of(every, block.every->period);
+  const std::string period = text_of(every->find("period"), block.every->period);
+  if (block.every->offset == 0.0) return period;
+  return period + " + " + text_of(every->find("offset"), block.every->offset);
+}
+
 }  // namespace stepwire::drawing

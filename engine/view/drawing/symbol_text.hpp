@@ -20,4 +20,8 @@ std::string printed_value(const yaml::Node& node);
 /// symbol has neither text nor curve. `written` are the keys of the block in its file.
 SymbolText symbol_text(const diagram::DiagramBlock& block, const yaml::Node& written);
 
+/// The sample time that a block has of its own, as its file writes it: "50 ms", "3 ms + 1 ms" with an offset.
+/// Empty without one.
+std::string sample_time_text(const diagram::DiagramBlock& block, const yaml::Node& written);
+
 }  // namespace stepwire::drawing

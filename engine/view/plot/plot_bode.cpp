@@ -47,13 +47,22 @@ void add_text(const std::string& text, double x, double y, PlotBuilder& plot) {
                              .rim = true});
 }
 
+/// The first distance that makes at most 8 ticks; none beyond the last.
+std::optional<double> tick_step(double range, std::initializer_list<double> distances) {
+  for (const double distance : distances)
+    if (range <= 8.0 * distance) return distance;
+  return std::nullopt;
+}
+
 /// Along the frequency, as far as one of both axes has rows.
-void finish(const char* label, const char* unit, double level, PlotBuilder& plot) {
+void finish(const char* label, const char* unit, double level, std::initializer_list<double> distances,
+            PlotBuilder& plot) {
   name_axis(plot.spec.x, "frequency", "rad/s");
   name_axis(plot.spec.y, label, unit);
   if (plot.x.empty()) return;
   plot.add_below(LineMark{{{{plot.x.low, plot.x.high}, {level, level}, {}, {}}}, zero_border});
   plot.y.add(level);
+  plot.spec.y.step = tick_step(plot.y.high - plot.y.low, distances);
   plot.range("x", plot.x);
   plot.range("y", plot.y.padded(0.06));
   plot.height = 0.45 * plot.width;
@@ -69,7 +78,7 @@ void draw_magnitude(const Panel& panel, std::span<const record::Recording> recor
     plot.add(segment(at, -margin, 0.0, margin_line));
     add_text(fmt::format("{} dB", query::short_number(margin, 3)), at, -0.5 * margin, plot);
   }
-  finish("gain", "dB", 0.0, plot);
+  finish("gain", "dB", 0.0, {1.0, 2.0, 5.0, 10.0, 20.0, 40.0, 60.0, 100.0}, plot);
 }
 
 void draw_phase(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
@@ -90,7 +99,7 @@ void draw_phase(const Panel& panel, std::span<const record::Recording> recording
     plot.add(segment(at, level, level + margin, margin_line));
     add_text(fmt::format("{} deg", query::short_number(margin, 3)), at, level + 0.5 * margin, plot);
   }
-  finish("phase", "deg", level, plot);
+  finish("phase", "deg", level, {1.0, 5.0, 15.0, 45.0, 90.0, 180.0, 360.0, 720.0, 3600.0}, plot);
 }
 
 }  // namespace

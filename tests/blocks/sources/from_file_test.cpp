@@ -90,7 +90,7 @@ TEST_CASE("what nobody reads of a record may be no numbers, and times may be cal
   require_near(played(file, "column: x", "0.4 s"), {0, 2, 4, 3, 2});
   REQUIRE_THAT(refused(file, "column: x, unit: '1'"),
                Catch::Contains("'1' is not what the header of") && Catch::Contains("of 'x', which is in mm"));
-  REQUIRE_THAT(refused(file, "column: F"), Catch::Contains("press.csv:2: '' is no number (column 'F')"));
+  REQUIRE_THAT(refused(file, "column: F"), Catch::Contains("press.csv:3: 'off' is no number (column 'F')"));
   REQUIRE_THAT(refused(file, "column: x, prepare: [{trim: by}]"),
                Catch::Contains("press.csv:2: 'Ann' is no number (column 'by')"));
 }
@@ -174,7 +174,8 @@ TEST_CASE("what is wrong in a record is told with the file and the row") {
   const std::string back = folder.file("back.csv", "time,x\n0,1\n0.2,2\n0.1,3\n");
   REQUIRE_THAT(refused(back, "column: x"), Catch::Contains("back.csv:4") && Catch::Contains("must increase"));
   const std::string hole = folder.file("hole.csv", "time,x\n0,1\n0.2,nan\n0.3,3\n");
-  REQUIRE_THAT(refused(hole, "column: x"), Catch::Contains("hole.csv:3") && Catch::Contains("finite"));
+  REQUIRE_THAT(refused(hole, "column: x"),
+               Catch::Contains("hole.csv:3: x has no value; say `missing: hold`"));
   const std::string uneven = folder.file("uneven.csv", "time,x\n0,1\n0.2,2\n0.3,3\n");
   REQUIRE_THAT(refused(uneven, "column: x, interpolation: band_limited"), Catch::Contains("evenly spaced"));
 }
@@ -196,6 +197,10 @@ TEST_CASE("a column whose name says a unit that nothing else says is not taken f
   REQUIRE(refused(file, "column: u_in").empty());
   const std::string fast = folder.file("fast.csv", "t_ms,x\n0,1\n400,5\n");
   REQUIRE_THAT(refused(fast, "column: x, time: t_ms"), Catch::Contains("t_ms [ms]"));
+  const std::string logger = folder.file("logger.csv", "millis,ms,time,x\n0,0,0,1\n400,400,0.4,5\n");
+  REQUIRE_THAT(refused(logger, "column: x, time: millis"), Catch::Contains("write `millis [ms]` there"));
+  REQUIRE_THAT(refused(logger, "column: x, time: ms"), Catch::Contains("write `ms [ms]` there"));
+  REQUIRE(refused(logger, "column: x").empty());
 }
 
 TEST_CASE("rows that are no numbers, no rows, and times that stand still are told with their place") {
@@ -203,12 +208,14 @@ TEST_CASE("rows that are no numbers, no rows, and times that stand still are tol
   const auto message = [&](const std::string& rows) {
     return refused(folder.file("bad.csv", rows), "column: x");
   };
-  REQUIRE_THAT(message("time,x\n0,1\n0.1,\n0.2,3\n"), Catch::Contains("bad.csv:3: '' is no number"));
+  REQUIRE_THAT(message("time,x\n0,1\n0.1,\n0.2,3\n"), Catch::Contains("bad.csv:3: x has no value"));
   REQUIRE_THAT(message("time,x\n0,1\n0.1,off\n0.2,3\n"), Catch::Contains("bad.csv:3: 'off' is no number"));
   REQUIRE_THAT(message("time,x\n0,1\n0.1\n0.2,3\n"), Catch::Contains("bad.csv:3: 1 value where"));
-  REQUIRE_THAT(message("time,x\n0,1\n0.1,2\n0.1,3\n"),
-               Catch::Contains("bad.csv:4: time is 0.1, after 0.1 in the row before"));
-  REQUIRE_THAT(message("time,x\nnan,1\n0.1,2\n"), Catch::Contains("bad.csv:2: time is nan"));
+  REQUIRE_THAT(message("time,x\n0,1\n0.1,2\n0.1,3\n0.1,4\n"),
+               Catch::Contains("bad.csv:5: time is 0.1, as in the two rows before"));
+  REQUIRE_THAT(message("time,x\n0,1\n0.1,inf\n"),
+               Catch::Contains("bad.csv:3: x is inf; every row must be a finite"));
+  REQUIRE_THAT(message("time,x\nnan,1\n0.1,2\n"), Catch::Contains("bad.csv:2: time has no value"));
   REQUIRE_THAT(message("time,x\n0,1\n"), Catch::Contains("1 rows in use"));
   REQUIRE_THAT(message("time,x\n"), Catch::Contains("no rows below the header"));
   REQUIRE_THAT(message(""), Catch::Contains("the file is empty"));

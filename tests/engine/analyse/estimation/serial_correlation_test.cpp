@@ -55,7 +55,7 @@ TEST_CASE("Intervals of a mean hold the truth as often as they say, although res
     const Eigen::VectorXd noise = autoregressive(0.8, rows, random);
     const double mean = noise.mean();
     const Certainty certainty =
-        certainty_of((noise.array() - mean).matrix(), ones, Eigen::VectorXd::Ones(1), rows - 1.0, {0});
+        certainty_of((noise.array() - mean).matrix(), ones, Eigen::VectorXd::Ones(1), rows - 1.0, {{0}});
     held += std::abs(mean) <= certainty.half_widths[0];
   }
   CHECK(held >= 0.90 * 400);

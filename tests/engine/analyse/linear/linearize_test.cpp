@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "engine/analyse/linear/analysis.hpp"
+#include "engine/analyse/linear/frequency_response.hpp"
 #include "tests/support/plan_text.hpp"
 
 using Catch::Contains;
@@ -198,6 +199,46 @@ TEST_CASE("limits, play and friction at the point are told") {
   CHECK(mentions(with("{block: Saturation, u: c, lower: -1, upper: 1}"), "not smooth"));
   CHECK_FALSE(mentions(with("{block: Saturation, u: c, lower: -2, upper: 2}"), "not smooth"));
   CHECK(mentions(with("{block: Quantizer, u: c, interval: 1e-5}"), "sizes disagree"));
+}
+
+TEST_CASE("a transport delay among continuous blocks is exact, wherever it lies") {
+  const std::string diagram = R"(step: 1 ms
+stop: 1 s
+solver: rk4
+inputs: {push: {default: 0}}
+blocks:
+  sum: {block: Sum, signs: "+-", u: [push, late]}
+  lag: {block: Lag, u: sum, tau: 0.5 s}
+  late: {block: TransportDelay, u: lag, delay: 0.3 s}
+  shown: {block: TransportDelay, u: lag, delay: 0.1 s}
+)";
+  const auto response = [&](const std::string& to, double w) {
+    return FrequencyResponse(linear(diagram, {"push"}, {to}, {}, 0.2).system).at(w);
+  };
+  for (const double w : {0.1, 3.0, 40.0}) {
+    const std::complex<double> s(0.0, w), lag = 1.0 / (0.5 * s + 1.0),
+                                          loop = lag / (1.0 + lag * std::exp(-0.3 * s));
+    CHECK(std::abs(response("lag", w) - loop) < 1e-9);
+    CHECK(std::abs(response("late", w) - loop * std::exp(-0.3 * s)) < 1e-9);
+    CHECK(std::abs(response("shown", w) - loop * std::exp(-0.1 * s)) < 1e-9);
+  }
+  const Linearization at_delay = linear(diagram, {"late"}, {"late"}, {"late"});
+  const std::complex<double> s(0.0, 2.0);
+  CHECK(std::abs(FrequencyResponse(at_delay.system.channel(0, 0)).at(2.0) +
+                 std::exp(-0.3 * s) / (0.5 * s + 1.0)) < 1e-9);
+}
+
+TEST_CASE("a transport delay beside blocks that act at ticks is refused with the block that is right there") {
+  CHECK_THROWS_WITH(linear(R"(step: 1 ms
+stop: 1 s
+solver: rk4
+inputs: {push: {default: 0}}
+blocks:
+  held: {block: Gain, gain: 2, u: push, every: 10 ms}
+  late: {block: TransportDelay, u: held, delay: 0.3 s}
+)",
+                           {"push"}, {"late"}),
+                    Contains("late: TransportDelay cannot be linearised here") && Contains("put a Delay"));
 }
 
 }  // namespace stepwire::linear

@@ -110,4 +110,41 @@ TEST_CASE("a design that is not complete is refused with the cell that is missin
   CHECK_THROWS_WITH(repeated_measures(alone, {"condition"}, "subject"), Contains("two subjects or more"));
 }
 
+TEST_CASE("groups of unequal size are compared between subjects, and occasions within them") {
+  // Numbers of numpy 1.24 and scipy 1.10: least squares of the four occasions' orthonormal contrasts on a
+  // constant and two columns that sum to zero (type III), and f_oneway of the subjects' means.
+  const std::vector<double> scores{0,    3,    12,  10,   7.5,  15.5, 12.5, 4.5, 15,   11,   2,    16,
+                                   5.5,  12.5, 8.5, 16.5, 13,   10,   2,    17,  3.5,  11.5, 8.5,  11.5,
+                                   8,    4,    12,  9,    15.5, 7.5,  5.5,  9.5, 6,    3,    12,   4,
+                                   13.5, 4.5,  1.5, 4.5,  4,    17,   8,    16,  11.5, 18.5, 14.5, 16.5};
+  std::vector<std::string> groups;
+  for (int subject = 0; subject < 12; ++subject)
+    for (int k = 0; k < 4; ++k) groups.emplace_back(subject < 4 ? "a" : subject < 7 ? "b" : "c");
+  const Observations data{
+      "score",
+      scores,
+      {make_factor("group", groups), running("time", 4, 1, 48), running("who", 12, 4, 48, true)}};
+  const Anova all = repeated_measures(data, {"time"}, "who", {"group"});
+  CHECK(all.find("group")->f == Approx(0.02600694064925129).epsilon(1e-10));
+  CHECK(all.find("group")->p == Approx(0.9744012709067388).epsilon(1e-10));
+  CHECK(all.find("group")->against == "who");
+  CHECK(all.find("who")->freedom == 9.0);
+  const AnovaRow &time = *all.find("time"), &both = *all.find("group:time");
+  CHECK(time.sum_of_squares == Approx(77.24042553191475).epsilon(1e-12));
+  CHECK(time.f == Approx(0.8928382093337182).epsilon(1e-10));
+  CHECK(time.against == "time:who");
+  CHECK(both.f == Approx(0.24710217056254855).epsilon(1e-10));
+  CHECK(both.p == Approx(0.9562899199350239).epsilon(1e-10));
+  REQUIRE(both.sphericity.has_value());
+  CHECK(both.sphericity->epsilon == Approx(0.8245357485775276).epsilon(1e-10));
+  CHECK(both.sphericity->p_corrected == Approx(0.9356531537119656).epsilon(1e-10));
+  CHECK(time.sphericity->mauchly == Approx(0.6745762530129663).epsilon(1e-10));
+  CHECK_FALSE(all.balanced);
+}
+
+TEST_CASE("a subject under two levels of a factor between subjects is refused by name") {
+  CHECK_THROWS_WITH(repeated_measures(sleep(), {}, "ID", {"group"}),
+                    Contains("ID 1 has values under two levels of 'group', 1 and 2"));
+}
+
 }  // namespace stepwire::statistics

@@ -26,7 +26,7 @@ std::string claimed_yaml() {
     "  - {that: g, count: lag > 0.5, equals: 12}\n"
     "  - {that: h, at: {time: 100 ms, value: lag}, at_least: 0.1}\n"
     "  - {that: i, fraction_of_runs: rise_time(lag) < 100 ms, at_least: 0.1}\n"
-    "  - {that: j, quantile_of_runs: {share: 50 %, value: final(lag)*tau in s}, at_least: 0 s}\n";
+    "  - {that: j, quantile_of_runs: {share: 50 %, value: final(lag)*tau}, at_least: 0}\n";
 }
 
 void check_same(const Scratch& folder, const std::string& file, const std::string& a, const std::string& b) {

@@ -22,8 +22,11 @@ using Values = std::vector<double>;
 void check_library_file(mat_ft version) {
   const Scratch scratch;
   write_by_library(scratch.path("a.mat"), version);
-  const table::Table table = read_mat(scratch.path("a.mat"));
-  CHECK(table.columns.size() == (version == MAT_FT_MAT4 ? 5 : 7));
+  const table::RecordTable table = read_mat(scratch.path("a.mat"));
+  CHECK_THAT(table.problems.at("complex"),
+             Catch::EndsWith("a.mat: 'complex' is complex; save numbers in MATLAB: `re = real(complex); im = "
+                             "imag(complex); save('f.mat', 't', 're', 'im', '-v7')`"));
+  CHECK(table.columns.size() == (version == MAT_FT_MAT4 ? 6 : 8));
   CHECK(table.find("column")->values == Values{1.5, 2.5, 3.5});
   CHECK(table.find("row")->values == Values{1.5, 2.5, 3.5});
   CHECK(table.find("matrix(1)")->values == Values{1.5, 2.5});

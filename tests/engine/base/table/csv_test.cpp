@@ -6,7 +6,6 @@
 #include <random>
 
 #include "engine/base/data_file/data_file.hpp"
-#include "engine/base/table/record_table.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 
@@ -127,33 +126,14 @@ TEST_CASE("what is wrong in a CSV file is said with its line") {
         "press.csv:2: '" + std::string(40, 'y') + "...' is no number (column 'a')");
 }
 
-TEST_CASE("in a record as other programs leave it only what is read must be numbers") {
-  const Scratch scratch;
-  const stepwire::table::RecordTable table = stepwire::table::read_record_csv(scratch.file(
-      "press.csv",
-      ",t [s],x [mm],note,\n0,0,1,begins,\n1,0.1,2,\"\",\n2,0.2,off,,\n3,0.3,4,ends\n,,,,\n,,\n"));
-  REQUIRE(table.columns.size() == 3);  // that of the row numbers and that of the trailing comma have no names
-  CHECK(table.find("t")->values == Values{0.0, 0.1, 0.2, 0.3});
-  CHECK(table.find("x")->values.at(3) == 4.0);
-  CHECK(std::isnan(table.find("x")->values.at(2)));
-  CHECK_THAT(table.problems.at("x"), Catch::EndsWith("press.csv:4: 'off' is no number (column 'x')"));
-  CHECK_THAT(table.problems.at("note"),
-             Catch::EndsWith("press.csv:2: 'begins' is no number (column 'note')"));
-  CHECK(table.problems.count("t") == 0);
-  CHECK_THROWS_WITH(stepwire::table::read_record_csv(scratch.file("a.csv", "a,b\n1,2,3\n")),
-                    Catch::Contains("a.csv:2: 3 values where the header names 2"));
-  CHECK_THROWS_WITH(stepwire::table::read_record_csv(scratch.file("a.csv", "a,b\n1\n")),
-                    Catch::Contains("a.csv:2: 1 value where the header names 2"));
-}
-
 TEST_CASE("a missing file is a matter of the surroundings and keeps the system's reason") {
   const Scratch scratch;
   CHECK_THROWS_WITH(read_csv(scratch.path("none.csv")),
                     Catch::Contains("none.csv: No such file or directory"));
   CHECK_THROWS_AS(read_csv(scratch.path("none.csv")), stepwire::io::EnvironmentError);
   CHECK_THROWS_WITH(read_csv(scratch.path("")), Catch::Contains("Is a directory"));
-  CHECK_THROWS_WITH(stepwire::data_file::read_data_file(scratch.file("a.txt", "")),
-                    Catch::Contains("not '.txt'"));
+  CHECK_THROWS_WITH(stepwire::data_file::read_data_file(scratch.file("a.xlsx", "")),
+                    Catch::Contains("not '.xlsx'; save a workbook as CSV"));
 }
 
 TEST_CASE("numbers are written in the fewest digits") {

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "engine/base/csv/read_record.hpp"
 #include "engine/base/fmi/description.hpp"
 #include "engine/base/json/json.hpp"
 #include "engine/base/mat/mat_file.hpp"
@@ -54,7 +55,7 @@ TEST_CASE("a CSV file of many columns is read, and so is one with many empty lin
   for (int i = 0; i < many; ++i) head += ",c" + std::to_string(i), row += ",1";
   CHECK(read_csv(scratch.file("wide.csv", head + "\n" + row + "\n")).columns.size() == many + 1);
   const RecordTable gaps =
-      read_record_csv(scratch.file("gaps.csv", "time,x\n0,1\n" + std::string(many, '\n') + "1,2\n"));
+      csv::read_record(scratch.file("gaps.csv", "time,x\n0,1\n" + std::string(many, '\n') + "1,2\n"));
   REQUIRE(gaps.rows() == many + 2);
   CHECK(gaps.columns[1].values.back() == 2.0);
   CHECK(std::isnan(gaps.columns[1].values[1]));
@@ -65,7 +66,7 @@ TEST_CASE("empty lines of a CSV file of many columns are refused before they fil
   std::string head = "time";
   for (int i = 0; i < 20'000; ++i) head += ",c" + std::to_string(i);
   const std::string path = scratch.file("a.csv", head + std::string(20'000, '\n') + "x\n");
-  CHECK_THROWS_WITH(read_record_csv(path),
+  CHECK_THROWS_WITH(csv::read_record(path),
                     Contains("rows of 20001 columns are more than a file of this size may have"));
 }
 

@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <cstdlib>
 
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
@@ -131,6 +132,38 @@ TEST_CASE("ends that do not fit are refused at the wire, whether it enters a par
                head + "solver: rk4\nblocks:\n" + mass + "1 N}\n  p: {diagram: part.yaml, f: m.position}\n");
   CHECK(folder.faults("in.yaml") ==
         Lines{"in.yaml:7:30: p.m.force: m.position is in m, but p.m.force is in N"});
+}
+
+TEST_CASE("a part that is not beside its user is found in the first folder of STEPWIRE_PARTS that has it") {
+  const std::string part = "stepwire: 1\noutputs: {y: c}\nblocks:\n  c: {block: Constant, value: ";
+  const DiagramFolder users, first, second;
+  users.write("main.yaml", head +
+                               "blocks:\n  a: {diagram: one.yaml}\n  b: {diagram: two.yaml}\n  c: {diagram: "
+                               "three.yaml}\nrecord: [a.y, b.y, c.y]\n");
+  users.write("three.yaml", part + "30}\n");
+  first.write("one.yaml", part + "1}\n");
+  first.write("three.yaml", part + "31}\n");
+  second.write("one.yaml", part + "10}\n");
+  second.write("two.yaml", part + "20}\n");
+  const std::string folders = first.path("") + ":" + second.path("");
+  ::setenv("STEPWIRE_PARTS", folders.c_str(), 1);
+  const table::Table run = users.run("main.yaml");
+  users.write("none.yaml", head + "blocks:\n  a: {diagram: nowhere.yaml}\n");
+  const auto refused = users.faults("none.yaml");
+  ::unsetenv("STEPWIRE_PARTS");
+  CHECK(column(run, "a.y").back() == 1.0);
+  CHECK(column(run, "b.y").back() == 20.0);
+  CHECK(column(run, "c.y").back() == 30.0);
+  REQUIRE(refused.size() == 1);
+  CHECK_THAT(refused[0], Catch::Contains("no such file; it is not in ") && Catch::Contains(first.path("")));
+}
+
+TEST_CASE("parts that come with the program are named by stepwire/") {
+  const DiagramFolder folder;
+  folder.write(
+      "main.yaml",
+      head + "blocks:\n  swing: {diagram: stepwire/oscillator, force: 1 N}\nsolver: rk4\nrecord: swing.x\n");
+  CHECK(folder.faults("main.yaml").empty());
 }
 
 }  // namespace stepwire::diagram

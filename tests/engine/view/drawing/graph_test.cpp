@@ -241,4 +241,19 @@ TEST_CASE("a label on a signal that is not drawn, or on a block with several, is
   CHECK(faults_with({.labels = {{"body", "x"}}}).size() == 1);
 }
 
+TEST_CASE("a block with a sample time of its own carries it as the file writes it") {
+  const Scratch folder;
+  folder.file(
+      "rig.yaml",
+      "stepwire: 1\ntitle: a rig\nstep: 1 ms\nstop: 0.1 s\nparameters: {turn: 2 ms}\nblocks:\n"
+      "  a: {block: Gain, gain: 1, u: 1, every: 50 ms}\n"
+      "  b: {block: Gain, gain: 1, u: a, every: {period: 4 ms, offset: 1 ms}}\n"
+      "  c: {block: Gain, gain: 1, u: b, every: $turn}\n  d: {block: Gain, gain: 1, u: c}\nrecord: d\n");
+  std::map<std::string, std::string> times;
+  const json drawn = graph(folder.path("rig.yaml"));
+  for (const json& node : drawn["nodes"])
+    if (node.contains("every")) times[node["id"]] = node["every"];
+  CHECK(times == std::map<std::string, std::string>{{"a", "50 ms"}, {"b", "4 ms + 1 ms"}, {"c", "2 ms"}});
+}
+
 }  // namespace stepwire::drawing

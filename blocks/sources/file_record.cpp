@@ -1,0 +1,246 @@
+#include "blocks/sources/file_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "blocks/records/row_order.hpp"
+#include "engine/base/unit/unit.hpp"
+#include "engine/model/block/configure.hpp"
+
+namespace stepwire {
+
+namespace {
+
+constexpr double longest = 1e12,
+                 shortest = 1e-12;  // [s]; far beyond, places in the record would not be numbers
+
+/// All rows of a file that are in order, and the first of these that a record takes.
+struct CutRows {
+  std::vector<std::size_t> all_rows;
+  std::size_t first;
+};
+
+/// The reason why a column cannot be read, or one of the variable that it would be a part of, as `ts.Data`.
+const std::string* problem_of(const table::RecordTable& table, std::string name) {
+  while (!name.empty()) {
+    if (const auto problem = table.problems.find(name); problem != table.problems.end())
+      return &problem->second;
+    const std::size_t mark = name.find_last_of(".(");
+    name.resize(mark == std::string::npos ? 0 : mark);
+  }
+  return nullptr;
+}
+
+template <auto parameter>
+const table::Column& find_column(const FromFile& asked, const Configure& is, const table::RecordTable& table,
+                                 const std::string& name, const char* cure) {
+  const table::Column* column = table.find(name);
+  if (!column) column = table.find_titled(name);
+  if (const std::string* problem = problem_of(table, column ? column->name : name))
+    is.refuse<parameter>(*problem);
+  if (!column) is.refuse<parameter>(no_column(asked.file.string(), table, name) + cure);
+  for (std::size_t row = 0; row < column->values.size(); ++row)
+    if (std::isinf(column->values[row]))
+      is.refuse<parameter>(fmt::format("{} is {}; every row must be a finite number",
+                                       place_in_file(asked.file.string(), table, column->name, row),
+                                       column->values[row]));
+  return *column;
+}
+
+template <auto parameter>
+unit::Unit read_unit(const Configure& is, const std::string& text) {
+  const auto unit = unit::parse_unit(text);
+  if (!unit)
+    is.refuse<parameter>(fmt::format("'{}' is no unit; name the one of the column, as `unit: mm`", text));
+  return *unit;
+}
+
+/// Names that end in the word of a unit and mean something else: what comes in, the least.
+bool is_other_word(std::string_view ending) {
+  return ending == "in" || ending == "min" || ending.size() < 2;
+}
+
+/// The unit at the end of a name, as `x_mm`, that is not SI; empty without one.
+std::string unit_in_name(const std::string& name) {
+  const std::string ending = name.substr(name.rfind('_') + 1);
+  if (ending.size() == name.size() || is_other_word(ending)) return "";
+  const auto unit = unit::parse_unit(ending);
+  return unit && (unit->scale != 1.0L || unit->offset != 0.0L) ? ending : "";
+}
+
+bool is_time_word(const std::string& name) {
+  return name == "Time" || name == "TIME";
+}
+
+/// The column with the times: the one of the block's key, else `time`, the one beside the column in its group
+/// or around it, or `t`.
+std::string time_name(const FromFile& asked, const table::RecordTable& table) {
+  const std::string name(asked.time);
+  if (name != "time" || table.find(name)) return name;
+  std::string group = asked.column.front();
+  for (std::size_t mark = group.find_last_of("/."); mark != std::string::npos;
+       mark = group.find_last_of("/.")) {
+    group.resize(mark);
+    for (const char between : {'/', '.'})
+      if (table.find(group + between + name)) return group + between + name;
+  }
+  if (table.find("t")) return "t";
+  const auto other = std::ranges::find_if(table.columns, is_time_word, &table::Column::name);
+  return other == table.columns.end() ? name : other->name;
+}
+
+/// The unit in the name of a column with times that is not seconds: `t_ms`, `ms`, or `millis` of loggers on
+/// microcontrollers; empty without one.
+std::string unit_of_time_in_name(const std::string& name) {
+  if (name == "millis") return "ms";
+  if (name == "micros") return "us";
+  const auto unit = unit::parse_unit(name);
+  const bool whole = name.size() > 1 && unit && unit->dimension == time_dimension && unit->scale != 1.0L;
+  return whole ? name : unit_in_name(name);
+}
+
+/// The column with the times; nullptr where rows are evenly spaced.
+const table::Column* time_column(const FromFile& asked, const Configure& is,
+                                 const table::RecordTable& table) {
+  if (asked.sample_time > 0.0) return nullptr;
+  const table::Column& column = find_column<&FromFile::time>(
+      asked, is, table, time_name(asked, table), "; name the one with the times, or give sample_time");
+  if (const std::string told = unit_of_time_in_name(column.name); column.unit.empty() && !told.empty())
+    is.refuse<&FromFile::time>(
+        fmt::format("in {} the header gives no unit of '{}', which would be seconds, but its name says {}; "
+                    "write `{} [{}]` there",
+                    asked.file.string(), column.name, told, column.name, told));
+  return &column;
+}
+
+/// Times of rows [s]. A column without a unit is in seconds.
+std::vector<double> times(const FromFile& asked, const Configure& is, const table::Column* column,
+                          const std::vector<std::size_t>& rows) {
+  std::vector<double> result;
+  result.reserve(rows.size());
+  if (!column) {
+    for (const std::size_t row : rows) result.push_back(asked.sample_time * static_cast<double>(row));
+    return result;
+  }
+  const unit::Unit unit = read_unit<&FromFile::time>(is, column->unit.empty() ? "s" : column->unit);
+  if (unit.dimension != time_dimension)
+    is.refuse<&FromFile::time>(
+        fmt::format("column '{}' is in {}, not in a unit of time", column->name, column->unit));
+  for (const std::size_t row : rows) result.push_back(unit.to_si(column->values[row]));
+  return result;
+}
+
+/// The unit of a column: that of the block's key, else of the header, else SI. A name with another unit is
+/// refused.
+std::string unit_of(const FromFile& asked, const Configure& is, const table::Column& column,
+                    std::size_t index) {
+  if (!asked.unit.empty()) return asked.unit.size() == 1 ? asked.unit.front() : asked.unit[index];
+  if (const std::string told = unit_in_name(column.name); column.unit.empty() && !told.empty())
+    is.refuse<&FromFile::column>(fmt::format(
+        "in {} the header gives no unit of '{}', which would be SI, but its name says {}; say `unit: {}`",
+        asked.file.string(), column.name, told, told));
+  return column.unit;
+}
+
+/// A column with its unit, and without rows.
+RecordColumn titled_column(const FromFile& asked, const Configure& is, const table::Column& column,
+                           const std::string& text, const unit::Unit& unit) {
+  if (const auto header = unit::parse_unit(column.unit);
+      !column.unit.empty() && header && header->dimension != unit.dimension)
+    is.refuse<&FromFile::unit>(fmt::format("'{}' is not what the header of {} says of '{}', which is in {}",
+                                           text, asked.file.string(), column.name, column.unit));
+  RecordColumn result{column.name, std::nullopt, {}};
+  if (!text.empty()) result.dimension = unit.dimension;
+  return result;
+}
+
+/// The part of the rows from `first` on that the record has, in SI.
+RecordColumn read_column(const FromFile& asked, const Configure& is, const Record& record,
+                         const table::Column& column, std::size_t index, const CutRows& cut) {
+  const std::string text = unit_of(asked, is, column, index);
+  const unit::Unit unit = read_unit<&FromFile::unit>(is, text);
+  RecordColumn result = titled_column(asked, is, column, text, unit);
+  const std::vector<double> all = values_of_rows(column, cut.all_rows, record.hold_missing);
+  for (std::size_t i = 0; i < record.file_rows.size(); ++i) {
+    const double value = all[cut.first + i];
+    if (std::isnan(value))
+      is.refuse<&FromFile::column>(missing_value(record, column.name, record.file_rows[i]));
+    result.values.push_back(unit.to_si(value));
+  }
+  return result;
+}
+
+/// Takes the rows between `from` and `to`.
+CutRows cut(const FromFile& asked, const Configure& is, const std::vector<double>& time,
+            std::vector<std::size_t> rows, Record& record) {
+  if (time.size() < 2)
+    is.refuse<&FromFile::file>(
+        fmt::format("{} has {} rows in use; two or more are needed", record.file, time.size()));
+  const double slack = 1e-6 * (time.back() - time.front()) / static_cast<double>(time.size());
+  const auto below = [&](double limit) { return std::lower_bound(time.begin(), time.end(), limit); };
+  const auto first = below(asked.from - slack), end = below(asked.to + slack);
+  if (end - first < 2)
+    is.refuse<&FromFile::file>(fmt::format("{} has {} rows in use, from {} s to {} s; two or more are needed",
+                                           record.file, std::max<Index>(end - first, 0), time.front(),
+                                           time.back()));
+  record.time = record.file_times = std::vector<double>(first, end);
+  record.file_rows = {rows.begin() + (first - time.begin()), rows.begin() + (end - time.begin())};
+  if (!(record.interval() >= shortest && *first >= -longest && record.time.back() <= longest))
+    is.refuse<&FromFile::time>(
+        fmt::format("{}: times beyond {} s, or closer than {} s in the mean, are no record", record.file,
+                    longest, shortest));
+  return {std::move(rows), static_cast<std::size_t>(first - time.begin())};
+}
+
+RowOrder rows_of(const FromFile& asked, const Configure& is, const table::RecordTable& table,
+                 const table::Column* time, const std::vector<const table::Column*>& columns) {
+  const std::size_t rows = (time ? time : columns.front())->values.size();
+  for (const table::Column* column : columns)
+    if (column->values.size() != rows)
+      is.refuse<&FromFile::column>(fmt::format("{}: {} has {} rows, but there are {} times",
+                                               asked.file.string(), column->name, column->values.size(),
+                                               rows));
+  try {
+    return ordered_rows(
+        {asked.file.string(), table, time, columns, asked.missing == FromFile::Missing::skip, asked.sort});
+  } catch (const RowsRefused& refused) {
+    is.refuse<&FromFile::time>(refused.what());
+  }
+}
+
+/// How many missing values of columns are held, for people.
+void note_held(const Record& record, const std::vector<const table::Column*>& columns,
+               std::vector<std::string>& notes) {
+  if (!record.hold_missing) return;
+  for (const table::Column* column : columns) {
+    const auto count = std::ranges::count_if(
+        record.file_rows, [&](std::size_t row) { return std::isnan(column->values[row]); });
+    if (count > 0)
+      notes.push_back(
+          fmt::format("{} missing value{} of '{}' held", count, count == 1 ? "" : "s", column->name));
+  }
+}
+
+}  // namespace
+
+FileRecord read_file_record(const FromFile& asked, const Configure& is, const table::RecordTable& table) {
+  std::vector<const table::Column*> columns;
+  for (const std::string& name : asked.column)
+    columns.push_back(&find_column<&FromFile::column>(asked, is, table, name, ""));
+  const table::Column* const time = time_column(asked, is, table);
+  RowOrder order = rows_of(asked, is, table, time, columns);
+  Record record;
+  record.file = asked.file.string();
+  record.time_name = time_name(asked, table);
+  record.table = &table;
+  record.hold_missing = asked.missing == FromFile::Missing::hold;
+  const CutRows rows = cut(asked, is, times(asked, is, time, order.rows), order.rows, record);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    record.columns.push_back(read_column(asked, is, record, *columns[i], i, rows));
+  note_held(record, columns, order.notes);
+  return {std::move(record), std::move(order.notes)};
+}
+
+}  // namespace stepwire

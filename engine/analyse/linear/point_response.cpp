@@ -1,0 +1,83 @@
+#include "engine/analyse/linear/point_response.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include "engine/analyse/linear/balance.hpp"
+
+namespace stepwire::linear {
+
+namespace {
+
+/// Solves (point - H) X = B for H in upper Hessenberg form by elimination with row exchanges.
+Eigen::MatrixXcd solve(const Complex& point, const Eigen::MatrixXd& H, Eigen::MatrixXcd B) {
+  const Eigen::Index n = H.rows();
+  Eigen::MatrixXcd M = -H.cast<Complex>();
+  M.diagonal().array() += point;
+  for (Eigen::Index k = 0; k + 1 < n; ++k) {
+    if (std::abs(M(k + 1, k)) > std::abs(M(k, k))) {
+      M.row(k).tail(n - k).swap(M.row(k + 1).tail(n - k));
+      B.row(k).swap(B.row(k + 1));
+    }
+    if (M(k, k) == 0.0) continue;
+    const Complex factor = M(k + 1, k) / M(k, k);
+    M.row(k + 1).tail(n - k) -= factor * M.row(k).tail(n - k);
+    B.row(k + 1) -= factor * B.row(k);
+  }
+  for (Eigen::Index i = 0; i < B.cols(); ++i) {
+    Eigen::VectorXcd column = B.col(i);
+    M.triangularView<Eigen::Upper>().solveInPlace(column);
+    B.col(i) = column;
+  }
+  return B;
+}
+
+}  // namespace
+
+PointResponse::PointResponse(const StateSpace& system)
+    : B_(system.B), C_(system.C), D_(system.D), delays_(system.delays) {
+  if (system.A.rows() == 0) return;
+  const Eigen::VectorXd scale = balancing(system.A);
+  const Eigen::MatrixXd A = scale.cwiseInverse().asDiagonal() * system.A * scale.asDiagonal();
+  const Eigen::HessenbergDecomposition<Eigen::MatrixXd> reduced(A);
+  const Eigen::MatrixXd Q = reduced.matrixQ();
+  hessenberg_ = reduced.matrixH();
+  B_ = Q.transpose() * (scale.cwiseInverse().asDiagonal() * system.B);
+  C_ = (system.C * scale.asDiagonal()) * Q;
+}
+
+Eigen::MatrixXcd PointResponse::between(const Complex& point) const {
+  if (hessenberg_.rows() == 0) return D_.cast<Complex>();
+  return C_.cast<Complex>() * solve(point, hessenberg_, B_.cast<Complex>()) + D_;
+}
+
+/// What each delay makes of exp(s t).
+Eigen::VectorXcd PointResponse::turned(const Complex& point) const {
+  Eigen::VectorXcd factors(static_cast<Eigen::Index>(delays_.size()));
+  for (std::size_t i = 0; i < delays_.size(); ++i)
+    factors[static_cast<Eigen::Index>(i)] = std::exp(-point * delays_[i].time);
+  return factors;
+}
+
+Complex PointResponse::at(const Complex& point) const {
+  const Eigen::MatrixXcd G = between(point);
+  const auto d = static_cast<Eigen::Index>(delays_.size());
+  if (d == 0) return G(0, 0);
+  const Eigen::VectorXcd factors = turned(point);
+  const Eigen::MatrixXcd loop =
+      Eigen::MatrixXcd::Identity(d, d) - factors.asDiagonal() * G.bottomRightCorner(d, d);
+  const Eigen::VectorXcd into = factors.asDiagonal() * G.col(0).tail(d);
+  return G(0, 0) + (G.row(0).tail(d) * loop.partialPivLu().solve(into))(0);
+}
+
+Eigen::MatrixXcd PointResponse::around(const Complex& point) const {
+  const auto d = static_cast<Eigen::Index>(delays_.size());
+  return turned(point).asDiagonal() * between(point).bottomRightCorner(d, d);
+}
+
+Complex PointResponse::return_difference(const Complex& point) const {
+  const Eigen::MatrixXcd X = around(point);
+  return (Eigen::MatrixXcd::Identity(X.rows(), X.cols()) - X).determinant();
+}
+
+}  // namespace stepwire::linear

@@ -1,0 +1,105 @@
+// The analysis of a table of scores, for people and for programs.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "engine/analyse/study/analysis.hpp"
+#include "engine/analyse/study/comparison_tables.hpp"
+#include "engine/analyse/study/scores.hpp"
+
+namespace stepwire::study {
+
+using json::Json;
+
+namespace {
+
+double mean_of(const statistics::Cell& cell) {
+  return std::accumulate(cell.values.begin(), cell.values.end(), 0.0) /
+         static_cast<double>(cell.values.size());
+}
+
+/// Of the sample; nan of a single value.
+double deviation_of(const statistics::Cell& cell) {
+  double sum = 0.0;
+  const double mean = mean_of(cell);
+  for (const double value : cell.values) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum / (static_cast<double>(cell.values.size()) - 1.0));
+}
+
+std::string shown_number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.6g}", value) : "–";
+}
+
+text::TextTable cell_table(const ScoresAnalysis& analysis) {
+  text::TextTable table{"Cells of " + analysis.observations.response, analysis.request.factors, {}, {}};
+  table.columns.insert(table.columns.end(), {"scores", "mean", "standard deviation"});
+  for (const statistics::Cell& cell : cells(analysis.observations, analysis.request.factors)) {
+    std::vector<std::string> row;
+    for (std::size_t k = 0; k < cell.levels.size(); ++k)
+      row.push_back(analysis.observations.factor(analysis.request.factors[k]).levels[cell.levels[k]]);
+    row.push_back(std::to_string(cell.values.size()));
+    row.push_back(cell.values.empty() ? "–" : shown_number(mean_of(cell)));
+    row.push_back(cell.values.size() < 2 ? "–" : shown_number(deviation_of(cell)));
+    table.rows.push_back(std::move(row));
+  }
+  for (const std::string& one : analysis.left_out) table.notes.push_back("Left out: " + one + ".");
+  return table;
+}
+
+std::string listed_names(const std::vector<std::string>& names) {
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+Json cells_json(const ScoresAnalysis& analysis) {
+  Json list = Json::list();
+  for (const statistics::Cell& cell : cells(analysis.observations, analysis.request.factors)) {
+    Json levels = Json::object();
+    for (std::size_t k = 0; k < cell.levels.size(); ++k)
+      levels.set(analysis.request.factors[k],
+                 analysis.observations.factor(analysis.request.factors[k]).levels[cell.levels[k]]);
+    list.push(Json::object()
+                  .set("levels", std::move(levels))
+                  .set("scores", cell.values.size())
+                  .set("mean", cell.values.empty() ? Json() : Json(mean_of(cell)))
+                  .set("standard_deviation", cell.values.size() < 2 ? Json() : Json(deviation_of(cell))));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::vector<text::TextTable> score_tables(const ScoresAnalysis& analysis) {
+  const bool subjects = !analysis.request.subject.empty();
+  std::vector<text::TextTable> tables{cell_table(analysis)};
+  tables.push_back(anova_table(analysis.anova, subjects ? "Repeated measures" : "Analysis of variance"));
+  if (subjects)
+    tables.back().notes.push_back(fmt::format("Within subjects: {}. Between subjects: {}.",
+                                              listed_names(analysis.within), listed_names(analysis.between)));
+  if (!analysis.pairs) return tables;
+  for (const std::string& name : comparison_table_names())
+    if (name != "power" || analysis.request.power_seed)
+      tables.push_back(comparison_table(name, *analysis.pairs, "", analysis.request.power_seed.value_or(1)));
+  return tables;
+}
+
+Json scores_json(const std::string& path, const ScoresAnalysis& analysis) {
+  const statistics::Anova& anova = analysis.anova;
+  const bool subjects = !analysis.request.subject.empty();
+  return Json::object()
+      .set("file", path)
+      .set("score", analysis.request.score)
+      .set("subject", subjects ? Json(analysis.request.subject) : Json())
+      .set("within", Json::list_of(analysis.within))
+      .set("between", Json::list_of(analysis.between))
+      .set("left_out", Json::list_of(analysis.left_out))
+      .set("cells", cells_json(analysis))
+      .set(subjects ? "repeated_measures" : "anova", anova_json(anova))
+      .set("r_squared",
+           subjects ? Json() : Json(1.0 - anova.residual.sum_of_squares / anova.total.sum_of_squares))
+      .set("residual_deviation", subjects ? Json() : Json(std::sqrt(anova.residual.mean_square)))
+      .set("within_subjects",
+           analysis.pairs ? comparisons_json(*analysis.pairs, analysis.request.power_seed) : Json());
+}
+
+}  // namespace stepwire::study

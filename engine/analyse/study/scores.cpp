@@ -1,0 +1,197 @@
+#include "engine/analyse/study/scores.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/analyse/statistics/repeated_measures.hpp"
+#include "engine/analyse/statistics/statistics_error.hpp"
+#include "engine/base/table/table_file.hpp"
+
+namespace stepwire::study {
+
+using statistics::Factor;
+using statistics::Observations;
+
+namespace {
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Reads the columns that a request names.
+class ScoreReader {
+ public:
+  ScoreReader(const std::string& path, ScoresRequest& request) : path_(path), request_(request) {
+    for (const table::Column& column : table::read_csv_header(path).columns) names_.push_back(column.name);
+    complete();
+  }
+
+  Observations read() {
+    table::ColumnWords words;
+    for (const std::string& name : names_)
+      if (name != request_.score) words[name] = {};
+    const table::Table table = table::read_csv(path_, words);
+    const table::Column& scores = *table.find(request_.score);
+    Observations result{request_.score, scores.values, {}};
+    if (!scores.unit.empty()) result.response += fmt::format(" [{}]", scores.unit);
+    std::vector<std::string> all = request_.factors;
+    if (!request_.subject.empty()) all.push_back(request_.subject);
+    for (const std::string& name : all) result.factors.push_back(factor(*table.find(name), words[name]));
+    return result;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const {
+    throw table::TableError(fmt::format("{}:1: {}", path_, message));
+  }
+
+  /// Takes the columns that the request leaves open, and checks those that it names.
+  void complete() {
+    if (names_.size() < 2) fail("scores need a column of numbers and one of a factor");
+    if (request_.score.empty()) request_.score = names_.back();
+    if (request_.factors.empty())
+      for (const std::string& name : names_)
+        if (name != request_.score && name != request_.subject) request_.factors.push_back(name);
+    check(request_.score, "--score");
+    if (!request_.subject.empty()) check(request_.subject, "--subject");
+    for (const std::string& name : request_.factors) {
+      check(name, "--factors");
+      if (name == request_.score || name == request_.subject)
+        fail(fmt::format("'{}' is a factor and also the score or the subject; take it out of --factors",
+                         name));
+    }
+    if (request_.score == request_.subject) fail(fmt::format("'{}' is score and subject", request_.score));
+    if (request_.factors.empty()) fail("there is no factor beside score and subject");
+  }
+
+  void check(const std::string& name, const char* option) const {
+    if (!has(names_, name))
+      fail(fmt::format("there is no column '{}' for {}; there are: {}", name, option,
+                       fmt::join(names_, ", ")));
+  }
+
+  Factor factor(const table::Column& column, const std::vector<std::string>& words) const {
+    Factor result{column.name, words, {}, column.name == request_.subject};
+    for (std::size_t row = 0; row < column.values.size(); ++row) {
+      result.level.push_back(static_cast<std::size_t>(column.values[row]));
+      if (words[result.level.back()].empty())
+        throw table::TableError(fmt::format("{}:{}: '{}' is missing", path_, row + 2, column.name));
+    }
+    return result;
+  }
+
+  const std::string& path_;
+  ScoresRequest& request_;
+  std::vector<std::string> names_;
+};
+
+/// True where each subject has one level of a factor.
+bool is_between(const Factor& factor, const Factor& subject) {
+  std::vector<std::size_t> own(subject.levels.size(), factor.levels.size());
+  for (std::size_t row = 0; row < factor.level.size(); ++row) {
+    std::size_t& level = own[subject.level[row]];
+    if (level != factor.levels.size() && level != factor.level[row]) return false;
+    level = factor.level[row];
+  }
+  return true;
+}
+
+/// Leaves out the rows of some levels of a factor, and these levels.
+Observations without(const Observations& all, const std::string& name,
+                     const std::vector<std::size_t>& dropped) {
+  Observations result{all.response, {}, all.factors};
+  for (Factor& factor : result.factors) factor.level.clear();
+  const auto gone = [&](std::size_t level) {
+    return std::find(dropped.begin(), dropped.end(), level) != dropped.end();
+  };
+  for (std::size_t row = 0; row < all.values.size(); ++row) {
+    if (gone(all.factor(name).level[row])) continue;
+    result.values.push_back(all.values[row]);
+    for (std::size_t k = 0; k < all.factors.size(); ++k)
+      result.factors[k].level.push_back(all.factors[k].level[row]);
+  }
+  for (Factor& factor : result.factors) {
+    std::vector<std::string> words;
+    for (const std::size_t level : factor.level) words.push_back(factor.levels[level]);
+    factor = statistics::make_factor(factor.name, words, factor.subject);
+  }
+  return result;
+}
+
+/// Leaves out subjects who have no score in one of the cells within subjects.
+void leave_out(ScoresAnalysis& analysis) {
+  std::vector<std::string> by{analysis.request.subject};
+  by.insert(by.end(), analysis.within.begin(), analysis.within.end());
+  std::vector<std::size_t> dropped;
+  for (const statistics::Cell& cell : cells(analysis.observations, by)) {
+    const bool known = std::find(dropped.begin(), dropped.end(), cell.levels[0]) != dropped.end();
+    if (!cell.values.empty() || known) continue;
+    dropped.push_back(cell.levels[0]);
+    analysis.left_out.push_back("no score for " + cell_name(analysis.observations, by, cell));
+  }
+  if (!dropped.empty())
+    analysis.observations = without(analysis.observations, analysis.request.subject, dropped);
+}
+
+/// The factor whose levels are the cells within subjects.
+std::string add_condition(Observations& observations, const std::vector<std::string>& within) {
+  if (within.size() == 1) return within.front();
+  std::vector<std::string> words(observations.values.size());
+  for (const std::string& name : within)
+    for (std::size_t row = 0; row < words.size(); ++row) {
+      const Factor& factor = observations.factor(name);
+      words[row] += (words[row].empty() ? "" : " ") + factor.levels[factor.level[row]];
+    }
+  std::string name = "condition";
+  const auto taken = [&] {
+    return std::ranges::any_of(observations.factors, [&](const Factor& one) { return one.name == name; });
+  };
+  while (taken()) name += "'";
+  observations.factors.push_back(statistics::make_factor(name, words));
+  return name;
+}
+
+void analyse_subjects(ScoresAnalysis& analysis) {
+  constexpr std::size_t most_conditions = 20;  // whose pairs a reader can take in
+  const std::string& subject = analysis.request.subject;
+  const Factor who = analysis.observations.factor(subject);
+  for (const std::string& name : analysis.request.factors)
+    (is_between(analysis.observations.factor(name), who) ? analysis.between : analysis.within)
+        .push_back(name);
+  leave_out(analysis);
+  const Observations& scores = analysis.observations;
+  analysis.anova = statistics::repeated_measures(scores, analysis.within, subject, analysis.between);
+  if (!analysis.between.empty()) return;
+  Observations all = scores;
+  const std::string condition = add_condition(all, analysis.within);
+  const std::vector<std::string> order = all.factor(condition).levels;
+  if (order.size() <= most_conditions)
+    analysis.pairs = statistics::within_subjects(all, analysis.within, order, condition, subject);
+}
+
+void analyse_independent(ScoresAnalysis& analysis) {
+  const ScoresRequest& request = analysis.request;
+  analysis.between = request.factors;
+  analysis.anova = statistics::anova(analysis.observations,
+                                     request.additive ? statistics::additive_terms(request.factors)
+                                                      : statistics::crossed_terms(request.factors),
+                                     request.sums);
+}
+
+}  // namespace
+
+ScoresAnalysis analyse_scores(const std::string& path, ScoresRequest request) {
+  ScoresAnalysis analysis;
+  analysis.observations = ScoreReader(path, request).read();
+  analysis.request = std::move(request);
+  try {
+    analysis.observations.check();
+    analysis.request.subject.empty() ? analyse_independent(analysis) : analyse_subjects(analysis);
+  } catch (const statistics::StatisticsError& error) {
+    throw table::TableError(fmt::format("{}: {}", path, error.what()));
+  }
+  return analysis;
+}
+
+}  // namespace stepwire::study

@@ -1,0 +1,123 @@
+#include "engine/base/csv/time_stamp.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+
+namespace stepwire::csv {
+namespace {
+
+constexpr std::int64_t per_second = 1'000'000'000'000;  // picoseconds
+
+/// Takes pieces of a text from its start on.
+class StampText {
+ public:
+  explicit StampText(std::string_view text) : rest_(text) {}
+
+  bool empty() const { return rest_.empty(); }
+  char next() const { return rest_.empty() ? '\0' : rest_.front(); }
+
+  bool take(char wanted) {
+    if (next() != wanted) return false;
+    rest_.remove_prefix(1);
+    return true;
+  }
+
+  /// Takes a number of this many digits.
+  std::optional<int> number(std::size_t digits) {
+    if (digits_ahead() < digits) return std::nullopt;
+    int value = 0;
+    std::from_chars(rest_.data(), rest_.data() + digits, value);
+    rest_.remove_prefix(digits);
+    return value;
+  }
+
+  /// Picoseconds of the digits of a fraction; those behind the twelfth do not count.
+  std::optional<std::int64_t> fraction() {
+    const std::size_t digits = digits_ahead();
+    if (digits == 0) return std::nullopt;
+    std::int64_t value = 0;
+    for (std::size_t i = 0; i < 12; ++i) value = 10 * value + (i < digits ? rest_[i] - '0' : 0);
+    rest_.remove_prefix(digits);
+    return value;
+  }
+
+ private:
+  std::size_t digits_ahead() const { return std::min(rest_.find_first_not_of("0123456789"), rest_.size()); }
+
+  std::string_view rest_;
+};
+
+/// A number of two digits up to `most`, behind a mark where there is to be one.
+std::optional<int> part(StampText& pieces, char mark, int most) {
+  if (mark != '\0' && !pieces.take(mark)) return std::nullopt;
+  const auto value = pieces.number(2);
+  return value && *value <= most ? value : std::nullopt;
+}
+
+/// Days since 1970.
+std::optional<std::int64_t> take_date(StampText& pieces) {
+  const auto year = pieces.number(4);
+  if (!year) return std::nullopt;
+  const auto month = part(pieces, '-', 12), day = month ? part(pieces, '-', 31) : std::nullopt;
+  if (!day) return std::nullopt;
+  const std::chrono::year_month_day date{std::chrono::year(*year),
+                                         std::chrono::month(static_cast<unsigned>(*month)),
+                                         std::chrono::day(static_cast<unsigned>(*day))};
+  if (!date.ok()) return std::nullopt;
+  return std::chrono::sys_days(date).time_since_epoch().count();
+}
+
+bool take_time(StampText& pieces, TimeStamp& stamp) {
+  const auto hours = part(pieces, '\0', 23), minutes = hours ? part(pieces, ':', 59) : std::nullopt;
+  if (!minutes) return false;
+  stamp.seconds += 3600 * *hours + 60 * *minutes;
+  if (pieces.next() != ':') return true;
+  const auto seconds = part(pieces, ':', 59);
+  if (!seconds) return false;
+  stamp.seconds += *seconds;
+  if (!pieces.take('.') && !pieces.take(',')) return true;
+  const auto fraction = pieces.fraction();
+  stamp.picoseconds = fraction.value_or(0);
+  return fraction.has_value();
+}
+
+bool take_zone(StampText& pieces, TimeStamp& stamp) {
+  stamp.has_zone = true;
+  if (pieces.take('Z') || pieces.take('z')) return true;
+  const int sign = pieces.next() == '-' ? -1 : 1;
+  if (!pieces.take('+') && !pieces.take('-')) return false;
+  const auto hours = part(pieces, '\0', 23);
+  if (!hours) return false;
+  const bool more = !pieces.empty();
+  const auto minutes = more ? part(pieces, pieces.next() == ':' ? ':' : '\0', 59) : 0;
+  if (!minutes) return false;
+  stamp.seconds -= sign * (3600 * *hours + 60 * *minutes);
+  return true;
+}
+
+}  // namespace
+
+double TimeStamp::since(const TimeStamp& other) const {
+  const auto whole = static_cast<long double>(seconds - other.seconds) * static_cast<long double>(per_second);
+  const auto all = whole + static_cast<long double>(picoseconds - other.picoseconds);
+  return static_cast<double>(all / static_cast<long double>(per_second));
+}
+
+std::optional<TimeStamp> time_stamp(std::string_view text) {
+  if (text.size() < 10 || text[4] != '-') return std::nullopt;
+  StampText pieces(text);
+  TimeStamp stamp;
+  const auto days = take_date(pieces);
+  if (!days) return std::nullopt;
+  stamp.seconds = *days * 86'400;
+  if (pieces.empty()) return stamp;
+  stamp.between = pieces.next();
+  stamp.has_time = true;
+  if (!pieces.take('T') && !pieces.take(' ')) return std::nullopt;
+  if (!take_time(pieces, stamp)) return std::nullopt;
+  if (!pieces.empty() && !take_zone(pieces, stamp)) return std::nullopt;
+  return pieces.empty() ? std::optional(stamp) : std::nullopt;
+}
+
+}  // namespace stepwire::csv

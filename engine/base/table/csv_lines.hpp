@@ -1,0 +1,96 @@
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/table/csv_title.hpp"
+
+namespace stepwire::table {
+
+/// A cursor over the fields of a CSV text, with the line for messages. A separator ' ' is a run of blanks.
+class CsvLines {
+ public:
+  /// A place to return to.
+  struct Place {
+    const char* at;
+    std::size_t line;
+  };
+
+  CsvLines(const std::string& path, std::string_view text)
+      : path_(path), at_(text.data()), end_(at_ + text.size()) {}
+
+  /// Throws TableError: "press.csv:17: MESSAGE".
+  [[noreturn]] void fail(const std::string& message) const;
+
+  std::size_t line() const { return line_; }
+  std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
+  Place place() const { return {at_, line_}; }
+  void go_to(Place place) {
+    at_ = place.at;
+    line_ = place.line;
+  }
+
+  char separator() const { return separator_; }
+  void separate_by(char separator) { separator_ = separator; }
+  /// Tab, semicolon or comma: the first of these that this line has outside of quotes; comma where it has
+  /// none.
+  char separator_of_line() const;
+
+  bool at_end() const { return at_ == end_; }
+  bool at_line_end() const { return at_ == end_ || *at_ == '\n' || *at_ == '\r'; }
+  /// Skips one character: the separator in front of a field.
+  void skip_separator() { ++at_; }
+  bool at(std::string_view text) const { return std::string_view(at_, bytes_left()).starts_with(text); }
+  /// True where the line begins with '#'.
+  bool at_comment() const { return at("#"); }
+  void skip_line();
+  void skip_line_end();
+  /// True where no more fields follow. Blank lines are looked at once, however many follow each other.
+  bool only_blanks_left();
+
+  /// All fields up to the end of the line, without blanks around them and without quotes.
+  std::vector<std::string> fields();
+
+  /// Reads nearly every field: plain digits up to the separator. Empty for others; the cursor then is
+  /// anywhere in the field.
+  std::optional<double> quick_number() {
+    skip_blanks();
+    double value = 0.0;
+    const auto [rest, error] = std::from_chars(at_, end_, value);
+    if (error != std::errc{}) return std::nullopt;
+    at_ = rest;
+    skip_blanks();
+    return at_line_end() || *at_ == separator_ ? std::optional(value) : std::nullopt;
+  }
+
+ private:
+  [[noreturn]] void refuse_length() const;
+  void skip_blanks() {
+    while (at_ != end_ && is_csv_blank(*at_) && *at_ != separator_) ++at_;
+  }
+  void skip_run() {
+    while (separator_ == ' ' && at_ != end_ && is_csv_blank(*at_)) ++at_;
+  }
+  std::string field();
+  std::string quoted_field();
+
+  const std::string& path_;
+  const char* at_;
+  const char* end_;
+  const char* blanks_from_ = nullptr;  ///< where blanks and empty lines were looked at
+  const char* next_text_ = nullptr;    ///< behind these
+  char separator_ = ',';
+  std::size_t line_ = 1;
+};
+
+/// Throws TableError where a header is a row of numbers.
+void require_csv_names(const std::vector<std::string>& titles, const CsvLines& lines);
+
+/// A text for a message, whatever the file holds; cut off where it is long.
+std::string csv_shown(const std::string& text);
+
+}  // namespace stepwire::table

@@ -1,0 +1,180 @@
+// Systems with delays, against closed forms.
+#include "engine/analyse/linear/delay_system.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "engine/analyse/linear/margins.hpp"
+#include "engine/analyse/linear/step_response.hpp"
+
+namespace stepwire::linear {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// The input goes through a delay, then into A, B, C.
+StateSpace delayed(const Eigen::MatrixXd& A, const Eigen::VectorXd& B, const Eigen::RowVectorXd& C,
+                   double time) {
+  const Eigen::Index n = A.rows();
+  StateSpace system{A,
+                    Eigen::MatrixXd::Zero(n, 2),
+                    Eigen::MatrixXd::Zero(2, n),
+                    Eigen::MatrixXd::Zero(2, 2),
+                    {},
+                    {{"u", ""}},
+                    {{"y", ""}},
+                    0.0,
+                    {{time, {"d.u", ""}, {"d.y", ""}}}};
+  for (Eigen::Index i = 0; i < n; ++i) system.states.push_back({"x" + std::to_string(i), ""});
+  system.B.col(1) = B;
+  system.C.row(0) = C;
+  system.D(1, 0) = 1.0;
+  return system;
+}
+
+StateSpace integrator(double gain, double time) {
+  return delayed(Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Ones(1), Eigen::RowVectorXd::Constant(1, gain),
+                 time);
+}
+
+/// y = u + a y(t - time): a loop of a delay alone.
+StateSpace echo(double a, double time) {
+  StateSpace system{Eigen::MatrixXd(0, 0),
+                    Eigen::MatrixXd(0, 2),
+                    Eigen::MatrixXd(2, 0),
+                    Eigen::MatrixXd(2, 2),
+                    {},
+                    {{"u", ""}},
+                    {{"y", ""}},
+                    0.0,
+                    {{time, {"d.u", ""}, {"d.y", ""}}}};
+  system.D << 1.0, a, 1.0, a;
+  return system;
+}
+
+double nearest(const std::vector<Complex>& poles, const Complex& wanted) {
+  double distance = 1e300;
+  for (const Complex& pole : poles) distance = std::min(distance, std::abs(pole - wanted));
+  return distance;
+}
+
+}  // namespace
+
+TEST_CASE("an integrator behind a delay has the margins of its closed form") {
+  for (const double gain : {0.02, 0.3, 1.2})
+    for (const double time : {0.01, 1.0}) {
+      INFO(gain << " " << time);
+      const Margins margins = margins_of(integrator(gain / time, time), -1.0);
+      CHECK(margins.stable);
+      REQUIRE(margins.worst_phase());
+      CHECK(margins.worst_phase()->frequency * time == Approx(gain));
+      CHECK(margins.worst_phase()->margin == Approx(0.5 * pi - gain));
+      REQUIRE(margins.worst_gain());
+      CHECK(margins.worst_gain()->frequency * time == Approx(0.5 * pi));
+      CHECK(margins.worst_gain()->margin == Approx(0.5 * pi / gain));
+      CHECK(margins.delay() / time == Approx(0.5 * pi / gain - 1.0));
+    }
+}
+
+TEST_CASE("a loop with a delay is stable up to the gain of its closed form") {
+  for (const double share : {0.1, 0.9, 0.999})
+    CHECK(margins_of(integrator(share * 0.5 * pi, 1.0), -1.0).stable);
+  for (const double share : {1.001, 1.5, 30.0}) {
+    const Margins margins = margins_of(integrator(share * 0.5 * pi, 1.0), -1.0);
+    CHECK_FALSE(margins.stable);
+    REQUIRE(margins.worst_gain());
+    CHECK(margins.worst_gain()->margin < 1.0);
+  }
+}
+
+TEST_CASE("the number of unstable poles is counted, however far they are") {
+  // s + k exp(-s) = 0 gains a pair at k = pi/2 + 2 pi n.
+  for (int n = 0; n < 5; ++n) {
+    const double border = 0.5 * pi + 2.0 * pi * n;
+    CHECK(count_unstable(integrator(border - 0.01, 1.0).closed(-1.0)) == 2 * n);
+    CHECK(count_unstable(integrator(border + 0.01, 1.0).closed(-1.0)) == 2 * n + 2);
+  }
+}
+
+TEST_CASE("poles of a loop with a delay are those of Lambert's function") {
+  // s = W_k(-1) from scipy.special.lambertw(-1, k), k = 0, 1, 2
+  const auto poles = poles_of(integrator(1.0, 1.0).closed(-1.0));
+  for (const Complex pole :
+       {Complex(-0.31813150520476413, 1.3372357014306895), Complex(-2.0622777295982846, 7.588631178472513),
+        Complex(-2.6531919740386973, 13.949208334533214)}) {
+    CHECK(nearest(poles, pole) < 1e-9);
+    CHECK(nearest(poles, std::conj(pole)) < 1e-9);
+  }
+}
+
+TEST_CASE("two lags and two delays in one loop agree with their transfer function") {
+  // L = k exp(-0.2 s)/(0.1 s + 1) * exp(-0.05 s)/(0.3 s + 1)
+  StateSpace system{Eigen::MatrixXd(2, 2),
+                    Eigen::MatrixXd::Zero(2, 3),
+                    Eigen::MatrixXd::Zero(3, 2),
+                    Eigen::MatrixXd::Zero(3, 3),
+                    {{"a", ""}, {"b", ""}},
+                    {{"u", ""}},
+                    {{"y", ""}},
+                    0.0,
+                    {{0.2, {"d.u", ""}, {"d.y", ""}}, {0.05, {"e.u", ""}, {"e.y", ""}}}};
+  system.A << -10.0, 0.0, 0.0, -1.0 / 0.3;
+  system.B(0, 1) = 10.0;
+  system.B(1, 2) = 1.0 / 0.3;
+  system.C(0, 1) = 4.0;
+  system.C(2, 0) = 1.0;
+  system.D(1, 0) = 1.0;
+  const FrequencyResponse response(system);
+  for (const double w : {0.01, 1.0, 7.0, 200.0}) {
+    const Complex s(0.0, w), expected = 4.0 * std::exp(-0.25 * s) / (0.1 * s + 1.0) / (0.3 * s + 1.0);
+    CHECK(std::abs(response.at(w) - expected) < 1e-12 * std::abs(expected) + 1e-15);
+  }
+  CHECK(response.at_rest() == Approx(4.0));
+  CHECK(count_unstable(system.closed(-1.0)) == 2);
+  CHECK(margins_of(system, -1.0).worst_gain()->margin < 1.0);
+}
+
+TEST_CASE("an echo is stable below a gain of 1 and not above") {
+  CHECK(count_unstable(echo(0.9, 0.1)) == 0);
+  CHECK(count_unstable(echo(-0.9, 0.1)) == 0);
+  CHECK(is_stable(echo(0.5, 0.1)));
+  CHECK_FALSE(is_stable(echo(1.1, 0.1)));
+}
+
+TEST_CASE("a step comes out of an integrator with delayed feedback as the method of steps has it") {
+  // x' = 1 - x(t - 1): t, then t - (t-1)^2/2, then + (t-2)^3/6.
+  StateSpace loop{Eigen::MatrixXd::Zero(1, 1),
+                  Eigen::MatrixXd(1, 2),
+                  Eigen::MatrixXd(2, 1),
+                  Eigen::MatrixXd::Zero(2, 2),
+                  {{"x", ""}},
+                  {{"u", ""}},
+                  {{"y", ""}},
+                  0.0,
+                  {{1.0, {"d.u", ""}, {"d.y", ""}}}};
+  loop.B << 1.0, -1.0;
+  loop.C << 1.0, 1.0;
+  const ResponseCurve curve = step_response(loop);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < curve.x.size() && curve.x[i] <= 3.0; ++i) {
+    const double t = curve.x[i], first = std::max(0.0, t - 1.0), second = std::max(0.0, t - 2.0);
+    worst =
+        std::max(worst, std::abs(curve.y[i] - (t - first * first / 2.0 + second * second * second / 6.0)));
+  }
+  CHECK(curve.x.back() > 3.0);
+  CHECK(worst < 1e-5);
+  CHECK(curve.y.back() == Approx(1.0).epsilon(1e-3));
+}
+
+TEST_CASE("a jump that comes back is not smeared") {
+  const ResponseCurve curve = step_response(echo(0.5, 1.0));
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    const double turns = curve.x[i] - std::floor(curve.x[i] + 1e-9);
+    if (turns < 0.05 || turns > 0.95) continue;
+    CHECK(curve.y[i] == Approx(2.0 - std::pow(0.5, std::floor(curve.x[i]))).epsilon(1e-9));
+  }
+}
+
+}  // namespace stepwire::linear

@@ -1,0 +1,109 @@
+// Systems whose ranks are known by how they are made.
+#include "engine/analyse/linear/ranks.hpp"
+
+#include <Eigen/QR>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+namespace stepwire::linear {
+
+namespace {
+
+class RandomSystems {
+ public:
+  Eigen::MatrixXd matrix(Eigen::Index rows, Eigen::Index columns) {
+    Eigen::MatrixXd made(rows, columns);
+    for (double& number : made.reshaped()) number = uniform_(generator_);
+    return made;
+  }
+  Eigen::Index from_one_to(Eigen::Index most) {
+    return 1 + static_cast<Eigen::Index>(generator_() % static_cast<std::uint64_t>(most));
+  }
+
+  /// Of n states with `reached` ones, turned, and with states in units that are `decades` apart.
+  StateSpace system(Eigen::Index n, Eigen::Index reached, Eigen::Index inputs, int decades) {
+    Eigen::MatrixXd A = matrix(n, n), B = Eigen::MatrixXd::Zero(n, inputs);
+    A.bottomLeftCorner(n - reached, reached).setZero();
+    B.topRows(reached) = matrix(reached, inputs);
+    const Eigen::MatrixXd turn = Eigen::HouseholderQR<Eigen::MatrixXd>(matrix(n, n)).householderQ();
+    A = turn * A * turn.transpose();
+    B = turn * B;
+    Eigen::VectorXd units(n);
+    for (double& unit : units) unit = std::pow(10.0, 0.5 * decades * uniform_(generator_));
+    A = units.asDiagonal() * A * units.cwiseInverse().asDiagonal();
+    B = units.asDiagonal() * B;
+    StateSpace made{A,           B,  Eigen::MatrixXd::Zero(1, n), Eigen::MatrixXd::Zero(1, inputs), {}, {},
+                    {{"y", ""}}, 0.0};
+    made.states.resize(static_cast<std::size_t>(n));
+    made.inputs.resize(static_cast<std::size_t>(inputs));
+    return made;
+  }
+
+ private:
+  std::mt19937_64 generator_{7};
+  std::uniform_real_distribution<double> uniform_{-1.0, 1.0};
+};
+
+StateSpace dual(const StateSpace& system) {
+  StateSpace made = system;
+  made.A = system.A.transpose();
+  made.B = system.C.transpose();
+  made.C = system.B.transpose();
+  made.D = system.D.transpose();
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("ranks do not depend on the units of states") {
+  RandomSystems random;
+  for (const int decades : {0, 6, 12})
+    for (int k = 0; k < 100; ++k) {
+      const Eigen::Index n = random.from_one_to(12), reached = random.from_one_to(n),
+                         inputs = random.from_one_to(3);
+      const StateSpace system = random.system(n, reached, inputs, decades);
+      INFO(n << " states, " << reached << " of them, " << inputs << " inputs, " << decades << " decades");
+      CHECK(controllability(system).rank == reached);
+      CHECK(observability(dual(system)).rank == reached);
+    }
+}
+
+TEST_CASE("sampled states that are multiples of others are not counted twice") {
+  // x[k+1] of each lag follows the same input: two lags of one time constant are one.
+  for (const double scale : {1.0, 1e-4, 1e5}) {
+    const Eigen::Vector4d poles(0.9, 0.9, 0.5, 0.0);
+    StateSpace system{poles.asDiagonal(),
+                      Eigen::Vector4d(0.1, 0.1 * scale, 0.5, scale),
+                      Eigen::RowVector4d::Ones(),
+                      Eigen::MatrixXd::Zero(1, 1),
+                      {},
+                      {{"u", ""}},
+                      {{"y", ""}},
+                      0.01};
+    system.states.resize(4);
+    CHECK(controllability(system).rank == 3);
+    CHECK(observability(system).rank == 3);
+  }
+}
+
+TEST_CASE("a chain of integrators of far different rates is controllable as a whole") {
+  for (const double rate : {1e-3, 1.0, 1e4}) {
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(8, 8);
+    for (int i = 1; i < 8; ++i) A(i, i - 1) = i % 2 == 0 ? rate : 1.0 / rate;
+    StateSpace system{A,
+                      Eigen::MatrixXd::Identity(8, 1),
+                      Eigen::MatrixXd::Zero(1, 8),
+                      Eigen::MatrixXd::Zero(1, 1),
+                      {},
+                      {{"u", ""}},
+                      {{"y", ""}},
+                      0.0};
+    system.states.resize(8);
+    system.C(0, 7) = 1.0;
+    CHECK(controllability(system).rank == 8);
+    CHECK(observability(system).rank == 8);
+  }
+}
+
+}  // namespace stepwire::linear

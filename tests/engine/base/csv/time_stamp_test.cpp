@@ -1,0 +1,55 @@
+#include "engine/base/csv/time_stamp.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace stepwire::csv {
+
+namespace {
+
+double seconds(const char* from, const char* to) {
+  return time_stamp(to).value().since(time_stamp(from).value());
+}
+
+}  // namespace
+
+// Seconds since 1970 of: date -u -d 2026-11-27T10:00:00Z +%s (GNU coreutils 9.1), and others alike.
+TEST_CASE("a time of ISO 8601 is its seconds since 1970") {
+  CHECK(time_stamp("2026-11-27T10:00:00Z")->seconds == 1795773600);
+  CHECK(time_stamp("2026-11-27 10:00:00")->seconds == 1795773600);
+  CHECK(time_stamp("2026-11-27T10:00")->seconds == 1795773600);
+  CHECK(time_stamp("2026-11-27")->seconds == 1795737600);
+  CHECK(time_stamp("2026-11-27T12:00:00+02:00")->seconds == 1795773600);
+  CHECK(time_stamp("2026-11-27T04:30:00-0530")->seconds == 1795773600);
+  CHECK(time_stamp("2026-11-27 11:00:00+01")->seconds == 1795773600);
+  CHECK(time_stamp("2024-02-29T00:00:00Z")->seconds == 1709164800);
+  CHECK(time_stamp("1969-12-31T23:59:59Z")->seconds == -1);
+}
+
+TEST_CASE("differences of times are rounded once, over days and in their last digits") {
+  CHECK(seconds("2026-11-27T10:00:00.1Z", "2026-11-27T10:00:00.3Z") == 0.2);
+  CHECK(seconds("2026-11-27T10:00:00Z", "2026-11-27T10:00:00.250Z") == 0.25);
+  CHECK(seconds("2026-12-31T23:59:59,999999", "2027-01-01T00:00:00,000001") == 2e-6);
+  CHECK(seconds("2000-01-01T00:00:00Z", "2026-11-27T10:00:00.1Z") == 849088800.1);
+  CHECK(seconds("2026-11-27T10:00:01Z", "2026-11-27T10:00:00.5Z") == -0.5);
+}
+
+TEST_CASE("what no calendar has and what is written otherwise is no time") {
+  for (const char* text :
+       {"2026-02-29T00:00:00Z", "2026-13-01", "2026-00-10", "2026-11-31", "2026-11-27T24:00:00",
+        "2026-11-27T10:60:00", "2026-11-27T10:00:60", "2026-11-27T10", "2026-11-27T10:00:00.",
+        "2026-11-27T10:00:00 Z", "2026-11-27T10:00:00+2", "2026-11-27x", "27.11.2026 10:00:00",
+        "20261127T100000Z", "2026-1-2", "2026", ""}) {
+    INFO(text);
+    CHECK_FALSE(time_stamp(text).has_value());
+  }
+}
+
+TEST_CASE("times are of one form where zone and separator agree, whatever their digits") {
+  const TimeStamp zoned = *time_stamp("2026-11-27T10:00:00Z");
+  CHECK(zoned.is_like(*time_stamp("2026-11-27T10:00:00.123+01:00")));
+  CHECK_FALSE(zoned.is_like(*time_stamp("2026-11-27T10:00:00")));
+  CHECK_FALSE(zoned.is_like(*time_stamp("2026-11-27 10:00:00Z")));
+  CHECK_FALSE(time_stamp("2026-11-27")->is_like(*time_stamp("2026-11-27T10:00:00")));
+}
+
+}  // namespace stepwire::csv
