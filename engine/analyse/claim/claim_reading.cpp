@@ -45,9 +45,30 @@ bool names_unit(const yaml::Node& node) {
   return node.is_scalar() && node.text.find(" in ") != std::string::npos;
 }
 
+/// The same of a number of a run: `max(x) in mm`.
+std::optional<query::Formula> read_of_run_with_unit(const yaml::Node& node, Claim& claim,
+                                                    const query::NamesReading& read) {
+  const std::size_t in = node.text.rfind(" in ");
+  yaml::Node formula = node;
+  formula.text.resize(in);
+  auto value = read_of_run(formula, claim, read);
+  const std::string text = node.text.substr(node.text.find_first_not_of(' ', in + 4));
+  const auto unit = unit::parse_unit(text);
+  if (!unit || !value) {
+    if (!unit) read.fault(node.mark, fmt::format("'{}' is no unit", text));
+    return std::nullopt;
+  }
+  query::check_dimension({0.0, unit->dimension, text, "the unit " + text}, value->dimension,
+                         "'" + formula.text + "'", node, read.names, read.subject, read.faults);
+  claim.comparison.unit = text;
+  value->dimension = unit->dimension;
+  return value;
+}
+
 std::optional<query::Formula> read_value(const yaml::Node& node, Claim& claim,
                                          const query::NamesReading& read) {
-  if (is_of_runs(claim.reduction)) return read_of_run(node, claim, read);
+  if (is_of_runs(claim.reduction))
+    return names_unit(node) ? read_of_run_with_unit(node, claim, read) : read_of_run(node, claim, read);
   return names_unit(node) ? read_with_unit(node, claim, read) : read.formula(node);
 }
 

@@ -92,6 +92,10 @@ TEST_CASE("a number with a unit is held against no value without one") {
         "claims.equals: 50 has no unit, but the value is in mm; write 50 mm\n");
   CHECK(fault("final: guess in mm, equals: 0, within: 1 mm").empty());
   CHECK(fault("final: guess in m, equals: 3 N") != "");
+  CHECK(fault("quantile_of_runs: {share: 50 %, value: max(guess)}, at_most: 3 N") != "");
+  CHECK(fault("quantile_of_runs: {share: 50 %, value: max(guess) in N}, at_most: 3 N").empty());
+  CHECK(fault("quantile_of_runs: {share: 50 %, value: max(guess) in N}, at_most: 3 m") != "");
+  CHECK(fault("quantile_of_runs: {share: 50 %, value: max(speed) in Hz}, at_most: 3 Hz") != "");
 }
 
 }  // namespace stepwire::claim
