@@ -14,6 +14,7 @@
 #include "engine/model/diagram/block_keys.hpp"
 #include "engine/model/diagram/element_index.hpp"
 #include "engine/model/diagram/external_input.hpp"
+#include "engine/model/diagram/left_out.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/written.hpp"
 
@@ -194,7 +195,8 @@ class Flattener {
       if (!block.inputs[i].empty()) add_key(map, type.inputs[i].name, input(type.inputs[i], block.inputs[i]));
     for (std::size_t i = 0; i < type.parameters.size(); ++i)
       if (auto value = parameter(block, i, unit(block.parameter_dimensions[i]));
-          value && !map.find(type.parameters[i].name))  // a signal stands in its place
+          value && !is_left_out(block, i) &&
+          !map.find(type.parameters[i].name))  // a signal stands in its place
         add_key(map, type.parameters[i].name, std::move(*value));
     for (const InitialValue& initial : block.initial)
       add_key(map, initial_key(type, type.states[static_cast<std::size_t>(initial.state)]),

@@ -52,7 +52,7 @@ units: {push: N}
 blocks:
   push: {block: Constant, every: 3 s, value: 0.005 N}
   rig.twice: {block: Gain, u: push, gain: 2}
-  rig.body: {block: Mass, force: rig.twice, mass: 0.5 kg, trigger: rising}
+  rig.body: {block: Mass, force: rig.twice, mass: 0.5 kg}
 record:
   - {signals: [{rig.x: rig.body.position}, {rig.f: push}]}
   - {every: 3 s, signals: [{push.y: push}, rig.body.velocity]}

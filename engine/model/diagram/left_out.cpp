@@ -1,0 +1,28 @@
+#include "engine/model/diagram/left_out.hpp"
+
+#include <optional>
+
+namespace stepwire::diagram {
+
+namespace {
+
+std::optional<double> number_of(const Value& value) {
+  if (const double* number = std::get_if<double>(&value.content)) return *number;
+  const auto* numbers = std::get_if<Eigen::VectorXd>(&value.content);
+  if (numbers && numbers->size() == 1) return (*numbers)[0];
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool is_left_out(const DiagramBlock& block, std::size_t parameter) {
+  const auto& marks = block.parameter_marks;
+  if (parameter < marks.size() && marks[parameter].line > 0) return false;
+  if (block.parameter_dimensions[parameter]) return false;
+  const ParameterSpec& spec = block.type().parameters[parameter];
+  const AnyBlock fresh(block.type());
+  const auto own = number_of(spec.get(block.block.get())), of_type = number_of(spec.get(fresh.get()));
+  return own && of_type && *own == *of_type;
+}
+
+}  // namespace stepwire::diagram
