@@ -12,8 +12,7 @@ namespace stepwire::claim {
 
 namespace {
 
-/// Checks that a number can be held against the value: it has its unit, or none where the value is shown in
-/// SI.
+/// Checks that a number can be held against the value: it has the unit of the value, or is SI as that is.
 void check_unit(const query::WantedNumber& number, const yaml::Node& node, const Claim& claim,
                 const std::optional<unit::Dimension>& dimension, const query::NamesReading& read) {
   query::check_dimension(number, dimension, "the claim's value", node, read.names, read.subject, read.faults);

@@ -62,7 +62,7 @@ std::vector<Eigen::VectorXd> relative_directions(const Resolution& resolved, con
   return directions;
 }
 
-/// Student's t for 95 %; so many rows are worth one.
+/// Student's t for 95 %. `inflation` rows count as one.
 double quantile_of(double freedom, Eigen::Index rows, double inflation) {
   const auto count = static_cast<double>(rows);
   return statistics::student_quantile(0.975, std::max(1.0, freedom - count + count / inflation));
@@ -100,7 +100,7 @@ Certainty certainty_of(const Eigen::VectorXd& residuals, const RowMajorMatrix& j
 
 namespace {
 
-/// Of parameters that change nothing together; `changes` are empty where all change by the same part.
+/// Of parameters whose joint change has no effect. Without `changes` all change by equal parts.
 std::string combination_text(const std::vector<std::string>& up, const std::vector<std::string>& down,
                              const std::vector<std::string>& all, const std::vector<std::string>& changes) {
   const bool even = changes.empty();

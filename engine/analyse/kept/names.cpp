@@ -34,7 +34,7 @@ std::vector<double> few_values(const diagram::Sweep::Axis& axis) {
   return {values.begin(), values.end()};
 }
 
-/// The unit behind the first number that is written with one; empty where none is.
+/// The unit behind the first number that has one in the text; empty without one.
 std::string written_unit(const diagram::SweptValues& values) {
   if (values.empty()) return "";
   const std::string text = values.text(0);

@@ -42,7 +42,7 @@ class Characteristic {
     constant_.bottomRightCorner(d_, d_) = -system.D.bottomRightCorner(d_, d_);
   }
 
-  /// The root that Newton's method reaches from here; empty where it reaches none.
+  /// The root that Newton's method reaches from here; empty if it does not converge.
   std::optional<Complex> root_from(Complex s) const {
     for (int k = 0; k < 50; ++k) {
       const Complex step = newton_step(s);
@@ -154,7 +154,7 @@ class Turns {
  public:
   Turns(const PointResponse& response, double beside) : response_(response), beside_(beside) {}
 
-  /// The angle by which it turns between two frequencies [rad]; empty where it passes 0.
+  /// The angle by which it turns between two frequencies [rad]; empty if it passes 0.
   std::optional<double> between(double low, double high) { return between(low, at(low), high, at(high), 0); }
   Complex at(double frequency) const { return response_.return_difference({beside_, frequency}); }
 

@@ -19,8 +19,8 @@ std::vector<Complex> delay_poles(const StateSpace& system);
 
 /// The number of poles to the right of the imaginary axis, or on it. Counts how often the determinant
 /// det(1 - exp(-s T) G(s)) turns about 0 along the axis, with G the system between its delays. All poles
-/// count, however far from 0. Empty where that cannot be followed: where the determinant passes 0, or where a
-/// loop of delays alone has a gain of 1 or more.
+/// count, however far from 0. Empty if the determinant passes 0, or if a loop of
+/// delays alone has a gain of 1 or more.
 std::optional<int> count_unstable(const StateSpace& system);
 
 }  // namespace stepwire::linear

@@ -4,15 +4,15 @@
 
 namespace stepwire::linear {
 
-/// The first output over the first input of a system at points of the plane of s, or of z:
-/// C (s - A)^-1 B + D, with exp(-s T) for each of its delays.
+/// The first output over the first input, C (s - A)^-1 B + D, at points of the plane of s or z. Each delay of
+/// the system counts as exp(-s T).
 class PointResponse {
  public:
   /// Reduces A once, so that each point costs n^2 (A. J. Laub, 1981).
   explicit PointResponse(const StateSpace& system);
 
   Complex at(const Complex& point) const;
-  /// From delay to delay: exp(-s T) times what lies between them.
+  /// The gains between delays, times exp(-s T) of the delay at their end.
   Eigen::MatrixXcd around(const Complex& point) const;
   /// The determinant of 1 less around(), which is 0 at poles.
   Complex return_difference(const Complex& point) const;

@@ -26,8 +26,8 @@ std::vector<Complex> poles_of(const StateSpace& system);
 /// frequency.
 std::vector<Mode> modes_of(const StateSpace& system);
 
-/// True where all poles, those that poles_of() leaves out among them, lie to the left of the imaginary axis,
-/// or inside of the unit circle. One on the border (but for 1e-12 of the largest) does not. A system with
+/// True with all poles to the left of the imaginary axis, or inside of the unit circle. Poles that poles_of()
+/// leaves out count, too. One on the border (but for 1e-12 of the largest) does not. A system with
 /// delays counts as unstable where that cannot be found out.
 bool is_stable(const StateSpace& system);
 

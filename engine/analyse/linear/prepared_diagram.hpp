@@ -32,9 +32,9 @@ struct PreparedDiagram {
   std::vector<int> cut;                ///< those of them that are cut
   std::vector<Place> inputs, outputs;  ///< what is added at junctions; signals
   std::vector<int> input_blocks, output_blocks;
-  std::vector<TakenDelay> delays;  ///< their places are the last ones of inputs and of outputs
-  /// By which what is put out comes in again when the loop is closed: what a cut wire gives comes back as it
-  /// is, and of any other the negative.
+  std::vector<TakenDelay> delays;  ///< with the last places of inputs and outputs
+
+  /// The factor from output to input of the closed loop: 1 at a cut wire, else -1.
   double feedback = -1.0;
 };
 

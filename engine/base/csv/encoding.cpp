@@ -3,47 +3,24 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/text/characters.hpp"
+#include "engine/base/text/utf16.hpp"
 
 namespace stepwire::csv {
 namespace {
 
-constexpr std::uint32_t replacement = 0xFFFD;
-
-void append_utf8(std::string& text, std::uint32_t code) {
-  const auto tail = [&](unsigned shift) { text += static_cast<char>(0x80 | (code >> shift & 0x3F)); };
-  if (code < 0x80) {
-    text += static_cast<char>(code);
-  } else if (code < 0x800) {
-    text += static_cast<char>(0xC0 | code >> 6), tail(0);
-  } else if (code < 0x10000) {
-    text += static_cast<char>(0xE0 | code >> 12), tail(6), tail(0);
-  } else {
-    text += static_cast<char>(0xF0 | (code >> 18 & 7)), tail(12), tail(6), tail(0);
-  }
-}
-
-/// A surrogate without its other half becomes the replacement character.
 std::string utf8_of_16(std::string_view bytes, bool big) {
   if (bytes.size() % 2 != 0) throw table::TableError("the file is cut off within a character of UTF-16");
-  const auto unit = [&](std::size_t i) -> std::uint32_t {
+  std::vector<std::uint16_t> units;
+  for (std::size_t i = 0; i < bytes.size(); i += 2) {
     const auto first = static_cast<unsigned char>(bytes[i]),
                second = static_cast<unsigned char>(bytes[i + 1]);
-    return static_cast<std::uint32_t>(big ? first << 8 | second : second << 8 | first);
-  };
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 2) {
-    const std::uint32_t code = unit(i), low = i + 2 < bytes.size() ? unit(i + 2) : 0;
-    if (code >> 10 == 0x36 && low >> 10 == 0x37) {
-      append_utf8(text, 0x10000 + ((code & 0x3FF) << 10) + (low & 0x3FF));
-      i += 2;
-    } else {
-      append_utf8(text, code >> 11 == 0x1B ? replacement : code);
-    }
+    units.push_back(static_cast<std::uint16_t>(big ? first << 8 | second : second << 8 | first));
   }
-  return text;
+  return text::utf8_of_utf16(units);
 }
 
 bool is_utf8(std::string_view text) {
@@ -66,7 +43,7 @@ std::string utf8_of_1252(std::string_view bytes) {
   std::string text;
   for (const char c : bytes) {
     const auto byte = static_cast<unsigned char>(c);
-    append_utf8(text, byte >= 0x80 && byte < 0xA0 ? windows_1252[byte - 0x80] : byte);
+    text::append_utf8(text, byte >= 0x80 && byte < 0xA0 ? windows_1252[byte - 0x80] : byte);
   }
   return text;
 }

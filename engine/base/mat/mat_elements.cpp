@@ -5,39 +5,17 @@
 #include <algorithm>
 
 #include "engine/base/table/table_file.hpp"
+#include "engine/base/text/utf16.hpp"
 
 namespace stepwire::mat {
 namespace {
 
 constexpr std::size_t tag_size = 8;
 
-void append_utf8(std::string& text, std::uint32_t code) {
-  const auto tail = [&](unsigned shift) { text += static_cast<char>(0x80 | (code >> shift & 0x3F)); };
-  if (code < 0x80) {
-    text += static_cast<char>(code);
-  } else if (code < 0x800) {
-    text += static_cast<char>(0xC0 | code >> 6), tail(0);
-  } else if (code < 0x10000) {
-    text += static_cast<char>(0xE0 | code >> 12), tail(6), tail(0);
-  } else {
-    text += static_cast<char>(0xF0 | (code >> 18 & 7)), tail(12), tail(6), tail(0);
-  }
-}
-
 }  // namespace
 
 std::string utf16_text(const std::vector<double>& units) {
-  std::string text;
-  for (std::size_t i = 0; i < units.size(); ++i) {
-    auto code = static_cast<std::uint32_t>(units[i]);
-    const std::uint32_t low = i + 1 < units.size() ? static_cast<std::uint32_t>(units[i + 1]) : 0;
-    if (code >> 10 == 0x36 && low >> 10 == 0x37) {
-      code = 0x10000 + ((code & 0x3FF) << 10) + (low & 0x3FF);
-      ++i;
-    }
-    append_utf8(text, code);
-  }
-  return text;
+  return text::utf8_of_utf16(std::vector<std::uint16_t>(units.begin(), units.end()));
 }
 
 MatElement MatElements::tag() const {

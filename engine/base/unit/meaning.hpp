@@ -12,14 +12,13 @@ namespace stepwire::unit {
 // - An angle per time (rad/s, rpm) is no number of periods per time (Hz). 1/s is either.
 // - A temperature (degC, degF) is no difference of temperatures (delta_degC). K is either.
 
-/// The reason why a value cannot have the wanted meaning. An empty text where it can, and where a meaning is
-/// unknown.
+/// A complaint about a value of another meaning. An empty text if the meanings agree or one is unknown.
 std::string other_meaning(const Dimension& given, const Dimension& wanted);
 
 /// The same of a number with its unit, with the unit to write instead.
 std::string other_meaning_of_number(const Dimension& given, const Dimension& wanted);
 
-/// The factor from a value to the wanted rate, in words.
+/// The factor from a value to the wanted rate, as an expression.
 std::string cure_of_rate(const Dimension& wanted);
 
 /// True for the quotient of an angle per time and a number of periods per time.

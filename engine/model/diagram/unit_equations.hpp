@@ -72,7 +72,7 @@ class UnitEquations {
   void restrict_elements(int variable, Elements kind);
   /// Lets other equations than the one that defines a variable give it a unit only where nothing else does.
   void define_first(int variable) { defined_.push_back(variable); }
-  /// Notes the unit of a factor that no file gives: a pure number where nothing else tells.
+  /// Notes the unit of a factor that no file gives: by default it is a pure number.
   void assume_pure(int variable) { pure_factors_.insert(variable); }
   /// For the variables 0 to `variables` - 1.
   void solve(std::size_t variables, const Complain& complain);
