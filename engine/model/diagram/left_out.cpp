@@ -6,10 +6,11 @@ namespace stepwire::diagram {
 
 namespace {
 
+/// The number of a value that is one for all elements.
 std::optional<double> number_of(const Value& value) {
   if (const double* number = std::get_if<double>(&value.content)) return *number;
   const auto* numbers = std::get_if<Eigen::VectorXd>(&value.content);
-  if (numbers && numbers->size() == 1) return (*numbers)[0];
+  if (numbers && numbers->size() > 0 && (numbers->array() == (*numbers)[0]).all()) return (*numbers)[0];
   return std::nullopt;
 }
 
