@@ -47,7 +47,7 @@ TEST_CASE("a fraction of runs counts each run once, with the interval of Clopper
   REQUIRE(verdict.interval);
   CHECK(verdict.interval->low == interval.low);
   CHECK(verdict.interval->high == interval.high);
-  CHECK(verdict.shown == "0.3 in 100 runs (0.2124 to 0.3998 with 95 %)");
+  CHECK(verdict.shown == "0.3 in 100 runs (0.2124 to 0.3998 at 95 % confidence)");
   CHECK(verdict.holds);
   CHECK(verdict.check == "fraction of runs in which max(rig.x) < 30.5 m >= 0.25");
 }
@@ -125,10 +125,11 @@ TEST_CASE("runs that come one by one are judged as all of them together") {
   const auto all = runs(7);
   for (const std::string text :
        {"final: rig.x, at_most: 6.5 m", "max: rig.x, at_most: 5 m", "min: rig.x, at_least: 0 m",
-        "mean: rig.x, at_most: 2 m", "rms: rig.x, where: current > 2 A, at_most: 2 m", "spread: rig.x, equals: 7 m",
-        "fraction: rig.x > 2.5 m, at_least: 0.3", "count: rig.x > 2.5 m, equals: 5",
-        "quantile: {share: 25 %, value: rig.x}, at_most: 1 m", "at: {time: 1 s, value: rig.x}, at_most: 1 m",
-        "max: rig.x, where: current > 9 A, at_most: 1 m", "fraction_of_runs: max(rig.x) < 3.5 m, equals: 3/7",
+        "mean: rig.x, at_most: 2 m", "rms: rig.x, where: current > 2 A, at_most: 2 m",
+        "spread: rig.x, equals: 7 m", "fraction: rig.x > 2.5 m, at_least: 0.3",
+        "count: rig.x > 2.5 m, equals: 5", "quantile: {share: 25 %, value: rig.x}, at_most: 1 m",
+        "at: {time: 1 s, value: rig.x}, at_most: 1 m", "max: rig.x, where: current > 9 A, at_most: 1 m",
+        "fraction_of_runs: max(rig.x) < 3.5 m, equals: 3/7",
         "quantile_of_runs: {share: 50 %, value: max(rig.x)}, at_most: 9 m"}) {
     const auto read = claims_of("- {that: a, " + text + "}");
     INFO(text << read.faults);
