@@ -155,7 +155,7 @@ const std::vector<PanelKey>& panel_keys() {
               "normalised, label: error}",
               form::series(), read_note, KeyNeeds::nothing, KeyStage::rows),
       own_key("region", "name of a Region (or a list): its boundary is drawn, and its inside shaded",
-              form::one_or_list(form::block()), read_regions, KeyNeeds::plane),
+              form::one_or_list(form::block()), read_regions, KeyNeeds::nothing),
       needing(KeyNeeds::plane, {"region_line", "how the boundary of a region is drawn: line or dashes",
                                 form::word({"line", "dashes"}), &Panel::dashed_regions}),
       own_key("marks", "points with names, drawn on top: {A: [0 mm, 20 mm]}; a list of points numbers them",

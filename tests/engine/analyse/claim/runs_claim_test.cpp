@@ -78,7 +78,8 @@ TEST_CASE(
   const Verdict few =
       verdict_of("quantile_of_runs: {share: 99.9 %, value: final(rig.x)}, at_most: 100 m", runs(3));
   CHECK_FALSE(few.holds);
-  CHECK(few.note == "undecided: 3 runs do not bound the 99.9 % quantile from above with 95 %; 3688 runs do");
+  CHECK(few.note ==
+        "undecided: 3 runs do not bound the 99.9 % quantile from above at 95 % confidence; 3688 runs do");
   REQUIRE(few.interval);
   CHECK(few.value == 3.0);
   const auto holds = [](const std::string& claim, int count) {
@@ -89,10 +90,11 @@ TEST_CASE(
   CHECK(holds("at_least: 1 m", 10));  // an open end does not count where the claim does not look
   CHECK_FALSE(holds("at_least: 10.5 m", 10));
   CHECK(verdict_of("quantile_of_runs: {share: 50 %, value: final(rig.x)}, equals: 2 m, within: 1 m", runs(3))
-            .note == "undecided: 3 runs do not bound the 50 % quantile with 95 %; 6 runs do");
+            .note == "undecided: 3 runs do not bound the 50 % quantile at 95 % confidence; 6 runs do");
   CHECK(verdict_of("quantile_of_runs: {share: 5 %, value: final(rig.x)}, at_least: 0 m, confidence: 99 %",
                    runs(3))
-            .note == "undecided: 3 runs do not bound the 5 % quantile from below with 99 %; 104 runs do");
+            .note ==
+        "undecided: 3 runs do not bound the 5 % quantile from below at 99 % confidence; 104 runs do");
   CHECK(verdict_of("quantile_of_runs: {share: 100 %, value: final(rig.x)}, at_most: 100 m", runs(3)).note ==
         "undecided: no number of runs bounds the 100 % quantile from above; take a share between 0 and 1");
 }

@@ -13,7 +13,11 @@ namespace {
 
 /// 1 - exp(-t/tau) in 41 runs, of which five are recorded over time: 1, 11, 21, 31 and 41.
 std::string sweep_of(const std::string& more) {
-  return lag_yaml + "sweep: {tau: {from: 10 ms, to: 50 ms, count: 41}" + more + "}\n";
+  return "stepwire: 1\ntitle: A lag follows a constant\nstep: 1 ms\nstop: 0.5 s\nsolver: rk4\n"
+         "parameters: {tau: {value: 0.1 s}}\n"
+         "blocks:\n  reference: {block: Constant, value: 1.0}\n  lag: {block: Lag, u: reference, tau: $tau}\n"
+         "record: [reference, lag]\nsweep: {tau: {from: 10 ms, to: 50 ms, count: 41}" +
+         more + "}\n";
 }
 
 const std::string keep = ", keep: {end: final(lag), top: max(lag)}", record = ", record: {runs: 5}";
