@@ -29,19 +29,6 @@ std::vector<std::string> links_of(const fs::path& page) {
 
 }  // namespace
 
-TEST_CASE("claims of the thesis that repeat the number of a parameter follow it") {
-  const Scratch folder;
-  const std::string thesis = std::string(STEPWIRE_SOURCE_DIR) + "/diagrams/thesis/";
-  const auto run = [&](const std::string& file, const std::string& set) {
-    const Done done = run_program(folder, {"run", thesis + file, "--set", set});
-    INFO(done.out << done.err);
-    CHECK(done.code == 0);
-    CHECK_THAT(done.out, !Contains("FAIL"));
-  };
-  run("fig15-force-over-1d-map.yaml", "upper=2 mm");
-  run("fig15-force-over-1d-map.yaml", "lower=-2.5 mm");
-}
-
 TEST_CASE("thesis --only makes the figures that are asked for, and pages whose links stay in the folder") {
   const Scratch folder;
   const Done done = run_program(folder, {"thesis", "--only", "fig15,fig31", "--out", "page"});
