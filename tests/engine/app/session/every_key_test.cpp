@@ -44,11 +44,21 @@ const std::string
 
 const Keys in_plane{
     {"marks", "{A: [1 mm, 2 mm]}"}, {"texts", "{A: [1 mm, 2 mm]}"}, {"y_range", "[0 mm, 9 mm]"}};
-const Keys of_many_in_plane{{"marks", "{A: [1 mm, 2 mm]}"},
-                            {"texts", "{A: [1 mm, 2 mm]}"},
-                            {"y_range", "[0 mm, 9 mm]"},
-                            {"by", "k > 150 N/m"},
-                            {"color_range", "[0 N/m, 300 N/m]"}};
+/// Both together.
+Keys with(Keys keys, const Keys& others) {
+  keys.insert(others.begin(), others.end());
+  return keys;
+}
+
+const Keys of_lines{{"x", "2*time in s"},
+                    {"y", two_x},
+                    {"x_range", "[0.1 s, 0.5 s]"},
+                    {"y_range", "[0 mm, 9 mm]"},
+                    {"marks", "{A: [0.1 s, 2 mm]}"},
+                    {"texts", "{A: [0.1 s, 2 mm]}"},
+                    {"motion", over_time},
+                    {"rose", rose_over_time}};
+const Keys of_many_in_plane = with(in_plane, {{"by", "k > 150 N/m"}, {"color_range", "[0 N/m, 300 N/m]"}});
 const Keys of_analysis{
     {"x_range", "[1, 10]"}, {"y_range", "[-10, 10]"}, {"boundary", "x + 0.5"}, {"legend", "[a]"}};
 
@@ -57,29 +67,11 @@ const std::vector<Drawn>& every_plot() {
       {"lines",
        three_runs,
        {{"x", "time in s"}, {"y", x}},
-       {{"x", "2*time in s"},
-        {"y", two_x},
-        {"x_range", "[0.1 s, 0.5 s]"},
-        {"y_range", "[0 mm, 9 mm]"},
-        {"marks", "{A: [0.1 s, 2 mm]}"},
-        {"texts", "{A: [0.1 s, 2 mm]}"},
-        {"motion", over_time},
-        {"rose", rose_over_time},
-        {"color_label", of_many},
-        {"color_range", of_many}}},
+       with(of_lines, {{"color_label", of_many}, {"color_range", of_many}})},
       {"lines",
        many_runs,
        {{"x", "time in s"}, {"y", x}, {"by", "k"}},
-       {{"x", "2*time in s"},
-        {"y", two_x},
-        {"by", "k > 150 N/m"},
-        {"x_range", "[0.1 s, 0.5 s]"},
-        {"color_range", "[0 N/m, 300 N/m]"},
-        {"log", "color"},
-        {"marks", "{A: [0.1 s, 2 mm]}"},
-        {"texts", "{A: [0.1 s, 2 mm]}"},
-        {"motion", over_time},
-        {"rose", rose_over_time}}},
+       with(of_lines, {{"by", "k > 150 N/m"}, {"color_range", "[0 N/m, 300 N/m]"}, {"log", "color"}})},
       {"xy", many_runs, {{"x", x}, {"y", "hand.2 in mm"}, {"by", "k"}}, of_many_in_plane},
       {"loop", many_runs, {{"x", x}, {"y", "hand.2 in mm"}, {"by", "k"}}, of_many_in_plane},
       {"path", three_runs, {{"x", x}, {"y", "hand.2 in mm"}, {"color", "push"}}, in_plane},
@@ -96,17 +88,7 @@ const std::vector<Drawn>& every_plot() {
        {{"style", "points"}, {"y_range", "[0 mm/s, 9 mm/s]"}}},
       {"box", three_runs, {{"y", x}}, {{"y", two_x}, {"y_range", "[0 mm, 9 mm]"}, {"log", "y"}}},
       {"histogram", three_runs, {{"x", x}}, {{"y_range", "[0, 9]"}}},
-      {"band",
-       three_runs,
-       {{"x", "time in s"}, {"y", x}},
-       {{"x", "2*time in s"},
-        {"y", two_x},
-        {"x_range", "[0.1 s, 0.5 s]"},
-        {"y_range", "[0 mm, 9 mm]"},
-        {"marks", "{A: [0.1 s, 2 mm]}"},
-        {"texts", "{A: [0.1 s, 2 mm]}"},
-        {"motion", over_time},
-        {"rose", rose_over_time}}},
+      {"band", three_runs, {{"x", "time in s"}, {"y", x}}, of_lines},
       {"tornado",
        one_differs,
        {{"x", x}},
