@@ -113,7 +113,8 @@ bool may_be_continuous(const std::string& type) {
 }
 
 bool bends(const std::string& parameter) {
-  static const Names names{"lower", "upper", "hold", "between", "trigger", "longest"};
+  static const Names names{"lower", "upper",   "integral_lower", "integral_upper",
+                           "hold",  "between", "trigger",        "longest"};
   return names.contains(parameter);
 }
 

@@ -18,9 +18,13 @@ void check_unit(const query::WantedNumber& number, const yaml::Node& node, const
   query::check_dimension(number, dimension, "the claim's value", node, read.names, read.subject, read.faults);
   const bool has_unit =
       number.dimension && (*number.dimension != unit::Dimension{} || number.dimension->angle != 0.0);
-  if (has_unit && !dimension && !claim.values.empty())
-    read.fault(node.mark, fmt::format("{} has a unit, but that of '{}' is not known; {}", number.text,
-                                      claim.values.front().text, query::unit_cure(claim.values.front())));
+  if (!has_unit || dimension || claim.values.empty()) return;
+  const bool is_integral = claim.reduction == Reduction::iae;
+  const unit::Dimension of_value =
+      is_integral ? *number.dimension / unit::parse_unit("s")->dimension : *number.dimension;
+  read.fault(node.mark,
+             fmt::format("{} has a unit, but that of '{}' is not known; {}", number.text,
+                         claim.values.front().text, query::unit_cure(claim.values.front(), of_value)));
 }
 
 bool has_offset(const std::string& unit) {

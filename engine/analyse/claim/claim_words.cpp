@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 
@@ -41,20 +42,42 @@ std::string handy(const std::string& si, double value) {
   return si;
 }
 
+/// The first unit of this dimension behind a number of a sentence, as "mm" in "it ends at 5 mm"; empty where
+/// there is none.
+std::string unit_in(const std::string& sentence, const unit::Dimension& dimension) {
+  constexpr std::string_view marks = ",;:.!?()";
+  for (std::size_t at = sentence.find(' '); at != std::string::npos; at = sentence.find(' ', at + 1)) {
+    if (at == 0 || !std::isdigit(static_cast<unsigned char>(sentence[at - 1]))) continue;
+    for (std::size_t end = sentence.size(); end > at + 1; end = sentence.rfind(' ', end - 1)) {
+      std::string word = sentence.substr(at + 1, end - at - 1);
+      while (!word.empty() && marks.find(word.back()) != marks.npos) word.pop_back();
+      const auto unit = word.empty() ? std::nullopt : unit::parse_unit(word);
+      if (unit && unit->dimension == dimension) return word;
+    }
+  }
+  return {};
+}
+
 std::string unit_of(const Claim& claim, double value) {
   if (claim.reduction == Reduction::fit) return "%";
   if (!claim.comparison.unit.empty()) return claim.comparison.unit;
   const auto dimension = reduced_dimension(claim);
   if (!dimension || *dimension == unit::Dimension{}) return "";
-  return handy(unit::si_name(*dimension), value);
+  const std::string written = unit_in(claim.that, *dimension);
+  return written.empty() ? handy(unit::si_name(*dimension), value) : written;
 }
 
-/// 0 where the value is no more than the rounding of what it was made of, if that is on the same side.
-double resolved(const Comparison& comparison, double value, double magnitude) {
-  constexpr double resolution = 1e-12;
-  const double scale = std::max({magnitude, std::abs(comparison.low), std::abs(comparison.high)});
-  const bool alike = (comparison.margin(0.0) >= 0.0) == (comparison.margin(value) >= 0.0);
-  return alike && std::abs(value) <= resolution * scale ? 0.0 : value;
+/// The number with four digits that is nearest to a value and on the right side of the comparison, as the
+/// value is; with more digits where there is none.
+std::string holding_number(const Comparison& comparison, double value, const unit::Unit& unit) {
+  const double in_unit = unit.from_si(value);
+  const double step = in_unit == 0.0 ? 0.0 : std::pow(10.0, std::floor(std::log10(std::abs(in_unit))) - 3.0);
+  for (int digits = 4; digits <= 17; ++digits)
+    for (const double moved : {0.0, -step, step}) {
+      const std::string text = query::short_number(in_unit + (digits == 4 ? moved : 0.0), digits);
+      if (comparison.margin(unit.to_si(std::strtod(text.c_str(), nullptr))) >= 0.0) return text;
+    }
+  return query::short_number(in_unit, 17);
 }
 
 std::optional<unit::Dimension> value_dimension(const Claim& claim) {
@@ -111,22 +134,21 @@ std::string check_text(const Claim& claim, const std::string& time) {
   if (claim.values.size() != (pair ? 2u : 1u)) return {};
   std::string text = reduction_text(claim, time) + " " + claim.comparison.text;
   if (claim.where) text += " where " + claim.where->text;
-  if (claim.confidence) text += fmt::format(" with {:g} %", 100.0 * *claim.confidence);
+  if (claim.confidence) text += fmt::format(" at {:g} % confidence", 100.0 * *claim.confidence);
   return text;
 }
 
-std::string value_text(const Claim& claim, double exact, double magnitude) {
-  const double value = resolved(claim.comparison, exact, magnitude);
+std::string value_text(const Claim& claim, double value) {
   const std::string name = unit_of(claim, value);
   const unit::Unit unit =
       claim.reduction == Reduction::fit ? unit::Unit{} : unit::parse_unit(name).value_or(unit::Unit{});
   const bool holds = claim.comparison.margin(value) >= 0.0;
   const bool is_plain = holds && claim.comparison.kind == Comparison::Kind::equals;
-  std::string text;
-  for (int digits = 4; digits <= (is_plain ? 4 : 17); ++digits) {
+  std::string text = query::short_number(unit.from_si(value));
+  if (holds && !is_plain && std::isfinite(value)) text = holding_number(claim.comparison, value, unit);
+  for (int digits = 5; !holds && std::isfinite(value) && digits <= 17; ++digits) {
+    if (claim.comparison.margin(unit.to_si(std::strtod(text.c_str(), nullptr))) < 0.0) break;
     text = query::short_number(unit.from_si(value), digits);
-    const double shown = unit.to_si(std::strtod(text.c_str(), nullptr));
-    if (!std::isfinite(value) || (claim.comparison.margin(shown) >= 0.0) == holds) break;
   }
   return name.empty() ? text : text + " " + name;
 }

@@ -20,9 +20,9 @@ std::optional<unit::Dimension> difference_dimension(const Claim& claim);
 /// The condition of a claim as text; `time` is the time of `at` as written.
 std::string check_text(const Claim& claim, const std::string& time);
 
-/// A reduced value with its unit: in the author's unit where the claim has one. The number has four digits;
-/// more where a rounded one would be on the other side of the condition, except in an `equals` that holds. A
-/// value below the resolution of numbers of that magnitude, and of the condition, is 0.
-std::string value_text(const Claim& claim, double value, double magnitude = 0.0);
+/// A reduced value with its unit: that of the comparison, else the one in which the statement has a number of
+/// this kind. It has four digits and is on the same side of the comparison; where the claim does not hold, or
+/// nothing of four digits is there, it has more. That of an `equals` that holds is rounded.
+std::string value_text(const Claim& claim, double value);
 
 }  // namespace stepwire::claim

@@ -61,14 +61,14 @@ std::string undecided(const Claim& claim, const Found& found, double confidence,
     return fmt::format(
         "undecided: no number of runs bounds the {:g} % quantile{}; take a share between 0 and 1",
         100.0 * claim.share, side);
-  return fmt::format("undecided: {} runs do not bound the {:g} % quantile{} with {:g} %; {} runs do", runs,
-                     100.0 * claim.share, side, 100.0 * confidence,
+  return fmt::format("undecided: {} runs do not bound the {:g} % quantile{} at {:g} % confidence; {} runs do",
+                     runs, 100.0 * claim.share, side, 100.0 * confidence,
                      statistics::values_for_both_ranks(claim.share, confidence));
 }
 
 std::string shown_text(const Claim& claim, const Found& found, double confidence, std::size_t runs) {
-  const auto text = [&](double value) { return value_text(claim, value, std::abs(found.value)); };
-  return fmt::format("{} in {} runs ({} to {} with {:g} %)", text(found.value), runs,
+  const auto text = [&](double value) { return value_text(claim, value); };
+  return fmt::format("{} in {} runs ({} to {} at {:g} % confidence)", text(found.value), runs,
                      text(found.interval.low), text(found.interval.high), 100.0 * confidence);
 }
 

@@ -22,6 +22,9 @@ struct RunFormula {
   std::vector<std::string> columns() const;
 };
 
+/// Does a text call a reduction?
+bool has_reduction(const std::string& text);
+
 /// Reads such an expression. Reductions have the names that claims have, and what they reduce in brackets;
 /// `max` and `min` of several values are the functions. Faults are placed inside it.
 std::optional<RunFormula> read_run_formula(const yaml::Node& node, const query::NamesReading& read);

@@ -252,6 +252,10 @@ class RunFormulaReader {
 
 }  // namespace
 
+bool has_reduction(const std::string& text) {
+  return !calls_in(text).empty();
+}
+
 std::optional<RunFormula> read_run_formula(const yaml::Node& node, const query::NamesReading& read) {
   return RunFormulaReader(node, read).read();
 }

@@ -80,7 +80,11 @@ std::optional<std::size_t> recording_of(const std::vector<std::string>& variable
   return recording;
 }
 
-std::string apart_message(const std::vector<std::string>& apart) {
+std::string apart_message(const std::vector<std::string>& apart, const SymbolTable& names) {
+  if (!names.unknown.empty())
+    return fmt::format(
+        "'{}' and '{}' are of different tables, numbers of all runs and rows of some; use them apart",
+        apart.front(), apart.back());
   return fmt::format(
       "'{}' and '{}' are recorded at different periods; record them in one entry to use them together",
       apart.front(), apart.back());
@@ -118,7 +122,7 @@ std::optional<Formula> read_formula(const yaml::Node& node, std::string_view tex
     }
     const auto recording = recording_of(variables, names, apart);
     if (!apart.empty()) {
-      faults.add({place_in(node, offset, names), subject, apart_message(apart), {}});
+      faults.add({place_in(node, offset, names), subject, apart_message(apart, names), {}});
       return std::nullopt;
     }
     const auto dimension = find_dimension(expression, text, names);
@@ -141,7 +145,7 @@ std::size_t common_recording(const std::vector<const Formula*>& formulas, const 
     variables.insert(variables.end(), used.begin(), used.end());
   }
   const auto recording = recording_of(variables, names, apart);
-  if (!apart.empty()) faults.add({{names.file, at.mark}, subject, apart_message(apart), {}});
+  if (!apart.empty()) faults.add({{names.file, at.mark}, subject, apart_message(apart, names), {}});
   return recording.value_or(0);
 }
 

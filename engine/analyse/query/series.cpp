@@ -92,11 +92,13 @@ std::string printed_unit(const std::string& unit) {
   return text;
 }
 
-std::string unit_cure(const Formula& formula) {
+std::string unit_cure(const Formula& formula, const unit::Dimension& wanted) {
   const bool bare = formula.columns.size() == 1 && formula.columns.front() == formula.text;
   const bool is_signal = bare && formula.recording;
-  const std::string head = is_signal ? fmt::format(", or in the head units: {{{}: m}}", formula.text) : "";
-  return fmt::format("name its SI unit behind it, as '{} in m'{}", formula.text, head);
+  const std::string unit = unit::si_name(wanted);
+  const std::string head =
+      is_signal ? fmt::format(", or in the head units: {{{}: {}}}", formula.text, unit) : "";
+  return fmt::format("name its SI unit behind it, as '{} in {}'{}", formula.text, unit, head);
 }
 
 std::string Series::axis_label() const {

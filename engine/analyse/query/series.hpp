@@ -24,8 +24,9 @@ struct Series {
   std::string axis_label() const;
 };
 
-/// How to give a formula a unit: "write '(x + y) in m', or units: {..} in the head".
-std::string unit_cure(const Formula& formula);
+/// How to give a formula a unit of a dimension: "name its SI unit behind it, as 'x in m', or in the head
+/// units: {..}".
+std::string unit_cure(const Formula& formula, const unit::Dimension& wanted);
 
 /// Reads "EXPR", "EXPR in UNIT" or {signal: ..., label: ...}.
 std::optional<Series> read_series(const yaml::Node& node, const SymbolTable& names,

@@ -47,6 +47,44 @@ text::TextTable cell_table(const ScoresAnalysis& analysis) {
   return table;
 }
 
+text::TextTable groups_table(const ScoresAnalysis& analysis) {
+  text::TextTable table{
+      "Comparisons of groups",
+      {"pair", "mean difference", "from", "to", "t", "degrees of freedom", "P", "P (Holm)"},
+      {},
+      {fmt::format("First minus second. Independent scores: t test of Welch, whose variances may "
+                   "differ; from, to: at 95 % confidence, uncorrected. P (Holm): corrected for {} "
+                   "comparison{}.",
+                   analysis.groups.size(), analysis.groups.size() == 1 ? "" : "s")}};
+  for (const statistics::IndependentPair& pair : analysis.groups)
+    table.rows.push_back({pair.first + " - " + pair.second, shown_number(pair.difference),
+                          shown_number(pair.interval.low), shown_number(pair.interval.high),
+                          shown_number(pair.t), shown_number(pair.freedom), printed_probability(pair.p),
+                          printed_probability(pair.holm)});
+  return table;
+}
+
+Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json groups_json(const ScoresAnalysis& analysis) {
+  if (analysis.groups.empty()) return {};
+  Json list = Json::list();
+  for (const statistics::IndependentPair& pair : analysis.groups)
+    list.push(Json::object()
+                  .set("first", pair.first)
+                  .set("second", pair.second)
+                  .set("difference", pair.difference)
+                  .set("low", number_or_null(pair.interval.low))
+                  .set("high", number_or_null(pair.interval.high))
+                  .set("t", number_or_null(pair.t))
+                  .set("degrees_of_freedom", number_or_null(pair.freedom))
+                  .set("P", number_or_null(pair.p))
+                  .set("P_holm", number_or_null(pair.holm)));
+  return list;
+}
+
 std::string listed_names(const std::vector<std::string>& names) {
   return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
 }
@@ -76,6 +114,7 @@ std::vector<text::TextTable> score_tables(const ScoresAnalysis& analysis) {
   if (subjects)
     tables.back().notes.push_back(fmt::format("Within subjects: {}. Between subjects: {}.",
                                               listed_names(analysis.within), listed_names(analysis.between)));
+  if (!analysis.groups.empty()) tables.push_back(groups_table(analysis));
   if (!analysis.pairs) return tables;
   for (const std::string& name : comparison_table_names())
     if (name != "power" || analysis.request.power_seed)
@@ -98,6 +137,7 @@ Json scores_json(const std::string& path, const ScoresAnalysis& analysis) {
       .set("r_squared",
            subjects ? Json() : Json(1.0 - anova.residual.sum_of_squares / anova.total.sum_of_squares))
       .set("residual_deviation", subjects ? Json() : Json(std::sqrt(anova.residual.mean_square)))
+      .set("groups", groups_json(analysis))
       .set("within_subjects",
            analysis.pairs ? comparisons_json(*analysis.pairs, analysis.request.power_seed) : Json());
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/analyse/statistics/repeated_measures.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
@@ -33,6 +34,11 @@ class ScoreReader {
       if (name != request_.score) words[name] = {};
     const table::Table table = table::read_csv(path_, words);
     const table::Column& scores = *table.find(request_.score);
+    for (std::size_t row = 0; row < scores.values.size(); ++row)
+      if (!std::isfinite(scores.values[row]))
+        throw table::TableError(
+            fmt::format("{}:{}: {} is no finite number (column '{}'); leave the row out, or mend it", path_,
+                        row + 2, scores.values[row], request_.score));
     Observations result{request_.score, scores.values, {}};
     if (!scores.unit.empty()) result.response += fmt::format(" [{}]", scores.unit);
     std::vector<std::string> all = request_.factors;
@@ -152,8 +158,9 @@ std::string add_condition(Observations& observations, const std::vector<std::str
   return name;
 }
 
+constexpr std::size_t most_conditions = 20;  // whose pairs a reader can take in
+
 void analyse_subjects(ScoresAnalysis& analysis) {
-  constexpr std::size_t most_conditions = 20;  // whose pairs a reader can take in
   const std::string& subject = analysis.request.subject;
   const Factor who = analysis.observations.factor(subject);
   for (const std::string& name : analysis.request.factors)
@@ -177,6 +184,8 @@ void analyse_independent(ScoresAnalysis& analysis) {
                                      request.additive ? statistics::additive_terms(request.factors)
                                                       : statistics::crossed_terms(request.factors),
                                      request.sums);
+  if (cells(analysis.observations, request.factors).size() <= most_conditions)
+    analysis.groups = statistics::independent_pairs(analysis.observations, request.factors);
 }
 
 }  // namespace

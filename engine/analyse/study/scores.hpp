@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/analyse/statistics/independent_pairs.hpp"
 #include "engine/analyse/statistics/within_subjects.hpp"
 #include "engine/base/json/json.hpp"
 #include "engine/base/text/text_table.hpp"
@@ -27,7 +28,8 @@ struct ScoresAnalysis {
   std::vector<std::string> between, within;  ///< factors that are constant for each subject, and the others
   std::vector<std::string> left_out;         ///< subjects who miss a cell
   statistics::Anova anova;
-  std::optional<statistics::WithinSubjects> pairs;  ///< comparisons of conditions within subjects
+  std::optional<statistics::WithinSubjects> pairs;    ///< comparisons of conditions within subjects
+  std::vector<statistics::IndependentPair> groups{};  ///< comparisons of independent scores, if not too many
 };
 
 /// Reads a CSV file of a score a row and analyses it. Independent scores: factors of any number of levels

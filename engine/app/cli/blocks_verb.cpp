@@ -12,6 +12,7 @@
 #include "engine/app/reference/part_reference.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/text/characters.hpp"
+#include "engine/base/text/natural_order.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/base/yaml/error.hpp"
 #include "engine/model/diagram/simulink_names.hpp"
@@ -49,7 +50,7 @@ ExitCode show_parts(const std::string& path) {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(path))
     if (is_diagram(entry.path())) files.push_back(entry.path().string());
-  std::ranges::sort(files);
+  std::ranges::sort(files, text::naturally_less);
   std::vector<yaml::Document> documents;
   for (const std::string& file : files) documents.push_back(yaml::read_document(file));
   put_data(reference::part_list(documents));

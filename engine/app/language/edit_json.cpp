@@ -57,7 +57,14 @@ const std::map<std::string, Reading>& readings() {
        [](const json::Json& e) {
          return Disconnect{text_under(e, "to"), text_under(e, "input")};
        }},
-      {"delete", [](const json::Json& e) { return Remove{text_under(e, "name")}; }}};
+      {"delete", [](const json::Json& e) { return Remove{text_under(e, "name")}; }},
+      {"item",
+       [](const json::Json& e) {
+         return AddItem{text_under(e, "section"), text_under(e, "text")};
+       }},
+      {"bode", [](const json::Json& e) {
+         return CutLoop{text_under(e, "signal"), e.find("at") ? text_under(e, "at") : ""};
+       }}};
   return all;
 }
 

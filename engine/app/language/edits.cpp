@@ -7,6 +7,7 @@
 
 #include "engine/app/language/block_edits.hpp"
 #include "engine/app/language/known_faults.hpp"
+#include "engine/app/language/section_edits.hpp"
 #include "engine/app/language/tree_edits.hpp"
 #include "engine/app/language/tree_place.hpp"
 #include "engine/app/language/wire_edits.hpp"
@@ -123,6 +124,18 @@ class Editor {
     Edited result = done(edits);
     result.name = name;
     if (!edit.inputs.empty()) refuse_wires(result.faults, (*this)(Insert{edit.type, edit.name}).faults);
+    return result;
+  }
+  Edited operator()(const AddItem& edit) {
+    TreeEdits edits(*text_, *document_);
+    edits.add_below(document_->root, edit.section, "", edit.text);
+    return done(edits);
+  }
+  Edited operator()(const CutLoop& edit) {
+    TreeEdits edits(*text_, *document_);
+    const std::string name = cut_loop(edits, *document_, edit);
+    Edited result = done(edits);
+    result.name = name;
     return result;
   }
 

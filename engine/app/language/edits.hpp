@@ -42,12 +42,23 @@ struct Insert {
       inputs{};  ///< with the signals that feed them; "u.2" of lists
 };
 
-using Edit = std::variant<SetValue, SetValueAt, Rename, Connect, Disconnect, Remove, Insert>;
+/// One more item of a section that is a list or may be one: "figure", "claims".
+struct AddItem {
+  std::string section, text;
+};
+/// A linear analysis of the loop through a signal, cut there, and the figure of its Bode plot.
+struct CutLoop {
+  std::string signal;
+  std::string at{};  ///< the time of the working point, "0.5 s"; "" for the start
+};
+
+using Edit =
+    std::variant<SetValue, SetValueAt, Rename, Connect, Disconnect, Remove, Insert, AddItem, CutLoop>;
 
 /// What an edit comes to.
 struct Edited {
   FileSplices changes;
-  std::string name{};                 ///< of what was inserted
+  std::string name{};                 ///< of what was inserted or added
   std::vector<yaml::Fault> faults{};  ///< that the changed files have now, and did not have before
 };
 

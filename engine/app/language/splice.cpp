@@ -41,7 +41,7 @@ class Comparison {
 }  // namespace
 
 std::string spliced(std::string_view text, std::vector<Splice> splices) {
-  std::ranges::sort(splices, {}, &Splice::range);
+  std::ranges::stable_sort(splices, {}, &Splice::range);
   std::string result;
   std::size_t at = 0;
   for (const Splice& splice : splices) {

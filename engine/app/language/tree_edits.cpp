@@ -110,7 +110,7 @@ void TreeEdits::append(const yaml::Node& parent, const std::string& text) {
     return splices_.push_back({{at, at}, (all.empty() ? "" : ", ") + text});
   }
   if (all.empty()) throw EditRefused("there is no list or map here yet; write it in the text");
-  const std::size_t at = line_end(all.back().range.to);
+  const std::size_t at = end_of_lines(parent, all.back().range.to);
   splices_.push_back({{at, at}, line_break_ + indent(parent) + (parent.is_list() ? "- " : "") + text});
 }
 
@@ -221,7 +221,7 @@ yaml::Node TreeEdits::expected(const yaml::Node& node) const {
 std::vector<Splice> TreeEdits::checked() const {
   std::vector<Splice> splices = splices_;
   for (const yaml::Node* node : with_removals_) add_removals(*node, splices);
-  std::ranges::sort(splices, {}, &Splice::range);
+  std::ranges::stable_sort(splices, {}, &Splice::range);
   try {
     const yaml::Document after = yaml::parse_document(spliced(text_, splices), "");
     if (same(after.root, expected(document_.root))) return splices;

@@ -29,6 +29,10 @@ class TreeEdits {
   /// The same for a key with a map below it, in the style of the last map of that map.
   void add_map(const yaml::Node& map, const std::string& key, const Keys& keys);
   void add_item(const yaml::Node& list, const std::string& text);
+  /// Adds to what a map has under a key: an entry with a name, or without one an item of a list. The key is
+  /// begun in lines where it is missing or has no value. A map becomes the first item of the list.
+  void add_below(const yaml::Node& map, const std::string& key, const std::string& name,
+                 const std::string& text);
   /// Removes a key with its value, and the comment in its last line.
   void remove(const yaml::Node& map, const yaml::Entry& entry);
   void remove_item(const yaml::Node& list, const yaml::Node& item);
@@ -49,6 +53,11 @@ class TreeEdits {
   bool is_flow(const yaml::Node& node) const;
   bool stands_in_flow(const yaml::Node& node) const;
   void append(const yaml::Node& parent, const std::string& text);
+  std::size_t end_of_lines(const yaml::Node& parent, std::size_t end) const;
+  void begin(const yaml::Node& map, const yaml::Entry* entry, const std::string& key, const std::string& name,
+             const std::string& text);
+  void make_list(const yaml::Entry& entry, const std::string& text);
+  void put_in_list(const yaml::Entry& entry);
   std::size_t value_end(const yaml::Node& value, std::size_t key_end) const;
   std::vector<Child> children(const yaml::Node& node) const;
   void add_removals(const yaml::Node& node, std::vector<Splice>& splices) const;

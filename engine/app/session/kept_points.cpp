@@ -23,7 +23,8 @@ std::string points_hash(const LoadedModel& model) {
   hash::Hash hash;
   hash.add(model.hash).add(build_note(model).text(-1));
   const diagram::Sweep& sweep = *model.job.plan.diagram.sweep;
-  hash.add(fmt::format("{} {}", static_cast<int>(sweep.keep), yaml::yaml_line(sweep.kept)));
+  hash.add(fmt::format("{} {} {}", static_cast<int>(sweep.keep), yaml::yaml_line(sweep.kept),
+                       sweep.recorded_runs));
   for (std::size_t point = 0; point < model.job.points.size(); ++point)
     hash.add(run::settings_text(model.job.settings_of(point)));
   return hash.text();
@@ -132,8 +133,8 @@ LoadedModel load_kept(const Registry& registry, const std::string& folder) {
 }
 
 KeptPoints::KeptPoints(const LoadedModel& model, const std::string& folder, const Share& share)
-    : journal_((io::note_written(points_path(folder)), points_path(folder)), points_head(model), model.job, model.kept.get(),
-               journal::Journal::Use::write),
+    : journal_((io::note_written(points_path(folder)), points_path(folder)), points_head(model), model.job,
+               model.kept.get(), journal::Journal::Use::write),
       first_(share.first(model.job.points.size())),
       end_(share.end(model.job.points.size())),
       next_(first_) {

@@ -92,6 +92,16 @@ void check_tuned_study(const LoadedModel& model, yaml::Faults& faults) {
                   {}});
 }
 
+/// Adds a fault for keys of `tune` that need a study, in a file without one.
+void refuse_study_keys(const yaml::Node& section, const std::string& file, yaml::Faults& faults) {
+  for (const char* key : {"experiments", "study_seed"})
+    if (const yaml::Node* node = section.find(key))
+      faults.add({{file, node->mark},
+                  std::string("tune.") + key,
+                  "goes with a section 'study', which this file does not have; leave it out",
+                  {}});
+}
+
 /// Reads the section `tune`, after all that its claims may name.
 void add_tuning(diagram::Loader& loader, LoadedModel& model, const query::SymbolTable& names,
                 yaml::Faults& faults) {
@@ -100,7 +110,8 @@ void add_tuning(diagram::Loader& loader, LoadedModel& model, const query::Symbol
   if (has_cases(model))
     return faults.add({{model.file, section->mark}, "tune", "has single runs; leave out 'cases'", {}});
   model.tune = tuning::read_tune(*section, names, model.job.plan.diagram, model.linear, faults);
-  if (model.study) check_tuned_study(model, faults);
+  if (!model.study) return refuse_study_keys(*section, model.file, faults);
+  check_tuned_study(model, faults);
 }
 
 /// Reads the scene ahead of figures and claims, which may name what it shows.
@@ -119,7 +130,7 @@ std::shared_ptr<const scene::Scene> read_scene_of(const diagram::Diagram& diagra
 void read_all_figures(const diagram::Diagram& diagram, LoadedModel& model, const query::SymbolTable& names,
                       yaml::Faults& faults) {
   if (diagram.figure.kind != yaml::Node::Kind::empty)
-    model.figures = plot::read_figures(diagram.figure, names, faults);
+    model.figures = plot::read_figures(diagram.figure, names_of_figures(model, names), faults);
   draw_kept_as_points(model, model.figures);
   if (!model.study) return;
   for (plot::Figure& figure : model.figures)

@@ -78,8 +78,9 @@ void name_run(const LoadedModel& model, claim::Verdict& verdict) {
 
 /// A table by cases stands in the place of kept rows.
 std::vector<record::Recording> shown_of(const LoadedModel& model, const run::RunResult& result) {
-  if (!has_cases(model)) return result.recordings;
-  return {by_cases(*model.job.plan.diagram.sweep, *model.kept, result.recordings.front())};
+  std::vector<record::Recording> shown = result.recordings;
+  if (has_cases(model)) shown.front() = by_cases(*model.job.plan.diagram.sweep, *model.kept, shown.front());
+  return shown;
 }
 
 /// Adds linear analyses, and what is found of the numbers of a sensitivity, behind the recordings of runs,

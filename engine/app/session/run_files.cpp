@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/app/session/sweep_sections.hpp"
 #include "engine/app/session/version.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/simulate/run/pooling.hpp"
@@ -50,6 +51,14 @@ Json kept_texts(const LoadedModel& model) {
   for (const yaml::Entry& entry : model.job.plan.diagram.sweep->kept.entries)
     texts.set(entry.key, entry.value.text);
   return texts;
+}
+
+/// Runs whose rows are recorded beside the numbers of all, numbered from 1; null without any.
+Json recorded_runs(const LoadedModel& model) {
+  if (!model.kept || recordings_of(model) == 1) return {};
+  Json runs = Json::list();
+  for (const std::size_t point : model.job.plan.diagram.sweep->recorded_points()) runs.push(point + 1);
+  return runs;
 }
 
 Json parameter_value(const diagram::DiagramParameter& parameter) {
@@ -172,6 +181,7 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
       .set("sweep", sweep_json(model.job))
       .set("keep", kept_word(model))
       .set("kept", kept_texts(model))
+      .set("recorded_runs", recorded_runs(model))
       .set("runs", model.job.points.empty() ? std::size_t{1} : model.job.points.size())
       .set("ticks", outcome.result.ticks)
       .set("compiled_ticks", outcome.result.compiled_ticks)

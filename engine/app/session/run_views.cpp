@@ -4,11 +4,13 @@
 
 namespace stepwire::session {
 
-RunViews::RunViews(const LoadedModel& model, const record::Recording& recording, std::size_t first)
+RunViews::RunViews(const LoadedModel& model, const record::Recording& recording, std::size_t first,
+                   std::size_t number)
     : recording_(recording), first_(first), words_(recording.categories) {
+  const auto& sweep = model.job.plan.diagram.sweep;
+  if (model.kept && number > 0) points_ = sweep->recorded_points();
   // Of a sweep that keeps one row of each run these rows are one table.
-  if (const auto& sweep = model.job.plan.diagram.sweep;
-      sweep && !model.job.points.empty() && sweep->keep == diagram::Sweep::Keep::rows)
+  if (sweep && !model.job.points.empty() && (sweep->keep == diagram::Sweep::Keep::rows || !points_.empty()))
     for (const diagram::Sweep::Axis& axis : sweep->axes) swept_.insert(axis.parameter);
   for (record::Categories& column : words_)
     for (std::string& text : column.texts) text = without_quotes(text);
@@ -26,7 +28,7 @@ table::RunView RunViews::view(std::size_t run) const {
   const bool last = only || run + 1 == recording_.starts.size();
   const std::size_t end = last ? recording_.table.rows() : recording_.starts[run + 1];
   table::RunView view;
-  if (!only) view.name = fmt::format("run-{}", first_ + run + 1);
+  if (!only) view.name = fmt::format("run-{}", (points_.empty() ? first_ + run : points_[run]) + 1);
   for (const table::Column& column : recording_.table.columns) {
     const auto words = words_of(column.name);
     if (!swept_.contains(column.name)) {

@@ -15,8 +15,9 @@ namespace stepwire::session {
 /// the views.
 class RunViews {
  public:
-  /// `first` is the index of the recording's first run among all runs.
-  RunViews(const LoadedModel& model, const record::Recording& recording, std::size_t first = 0);
+  /// `first` is the index of the recording's first run among all runs, `number` that of the recording.
+  RunViews(const LoadedModel& model, const record::Recording& recording, std::size_t first = 0,
+           std::size_t number = 0);
 
   std::size_t count() const { return swept_.empty() ? 1 : recording_.starts.size(); }
   /// A run without rows has empty columns, and no values of what it sets.
@@ -27,6 +28,7 @@ class RunViews {
 
   const record::Recording& recording_;
   std::size_t first_;
+  std::vector<std::size_t> points_{};      ///< of the runs, where the recording has some of them; else empty
   std::set<std::string> swept_;            ///< columns that are one value in each run
   std::vector<record::Categories> words_;  ///< without quotes
 };

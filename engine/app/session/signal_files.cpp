@@ -139,8 +139,8 @@ std::string csv_left_out(const std::vector<record::Recording>& recordings, const
   for (std::size_t i = 0; i < recordings.size(); ++i)
     if (leaves_out_csv(recordings[i], kinds)) names.push_back(io::numbered("signals", i, ".csv"));
   if (names.empty()) return {};
-  return fmt::format("{}: more than {:.0f} million numbers; h5 is written in place of csv", fmt::join(names, ", "),
-                     most_numbers_of_csv * 1e-6);
+  return fmt::format("{}: more than {:.0f} million numbers; h5 is written in place of csv",
+                     fmt::join(names, ", "), most_numbers_of_csv * 1e-6);
 }
 
 void write_signals(const std::string& folder, const LoadedModel& model,
@@ -153,7 +153,7 @@ void write_signals(const std::string& folder, const LoadedModel& model,
         continue;
       }
       const auto file = open_run_file(path, kind, model.job.plan.diagram.title);
-      const RunViews views(model, recordings[i]);
+      const RunViews views(model, recordings[i], 0, i);
       for (std::size_t run = 0; run < views.count(); ++run) file->add(views.view(run));
       file->finish();
     }

@@ -9,8 +9,42 @@
 namespace stepwire::session {
 
 std::size_t recordings_of(const LoadedModel& model) {
-  return model.kept ? 1 : model.job.plan.diagram.records.size();
+  const diagram::Diagram& diagram = model.job.plan.diagram;
+  if (!model.kept) return diagram.records.size();
+  return 1 + (diagram.sweep->recorded_runs > 0 ? diagram.records.size() : 0);
 }
+
+query::SymbolTable names_of_figures(const LoadedModel& model, const query::SymbolTable& names) {
+  query::SymbolTable all = names;
+  if (!model.kept || recordings_of(model) == 1) return all;
+  const query::SymbolTable rows = kept::names_of(model.job);
+  for (query::RecordedName& name : all.columns) {
+    const query::RecordedName* of_rows = rows.find(name.name);
+    if (!name.recording && (!of_rows || of_rows->recording)) name.recording = 0;
+  }
+  for (query::RecordedName name : rows.columns) {
+    if (!name.recording && all.find(name.name)) continue;
+    name.recording = name.recording.value_or(0) + 1;  // what is set in cases is a column of these rows alone
+    all.columns.push_back(std::move(name));
+  }
+  all.unknown = "is no number that the sweep keeps of a run, and no signal that is recorded";
+  return all;
+}
+
+namespace {
+
+/// Figures name both the numbers of runs and what is recorded of some of them.
+void refuse_names_of_signals(const LoadedModel& model, yaml::Faults& faults) {
+  const query::SymbolTable rows = kept::names_of(model.job);
+  for (const yaml::Entry& kept : model.job.plan.diagram.sweep->kept.entries)
+    if (const query::RecordedName* name = rows.find(kept.key); name && name->recording)
+      faults.add({{model.file, kept.mark},
+                  "sweep.keep." + kept.key,
+                  "a signal that is recorded has this name, too; give the number another one",
+                  {}});
+}
+
+}  // namespace
 
 void add_kept(LoadedModel& model, query::SymbolTable& names, yaml::Faults& faults) {
   const auto& sweep = model.job.plan.diagram.sweep;
@@ -18,6 +52,10 @@ void add_kept(LoadedModel& model, query::SymbolTable& names, yaml::Faults& fault
     faults.add(
         {{model.file, {}}, "sweep.keep", "the trials of a study are kept as scores; leave it out", {}});
   model.kept = kept::read_kept_numbers(model.job.plan.diagram, names, faults);
+  if (model.kept && recordings_of(model) > 1) {
+    refuse_names_of_signals(model, faults);
+    names.unknown += ", and rows stay of some of them only";
+  }
   if (!model.kept || !has_cases(model)) return;
   name_cases(*sweep, *model.kept, names);
   for (const query::RecordedName& column : names.columns)
@@ -33,12 +71,17 @@ bool has_cases(const LoadedModel& model) {
   return model.kept && sweep && !sweep->cases().empty();
 }
 
+/// True where a panel shows the numbers of runs, not rows of some of them.
+static bool reads_kept(const LoadedModel& model, const plot::Panel& panel) {
+  return !model.kept || std::ranges::find(panel.recordings, std::size_t{0}) != panel.recordings.end();
+}
+
 void draw_kept_as_points(const LoadedModel& model, std::vector<plot::Figure>& figures) {
   const auto& sweep = model.job.plan.diagram.sweep;
   if (!sweep || model.job.points.empty() || sweep->keep == diagram::Sweep::Keep::rows) return;
   for (plot::Figure& figure : figures)
     for (plot::Panel& panel : figure.panels)
-      if (panel.find("x")) {
+      if (panel.find("x") && reads_kept(model, panel)) {
         panel.final_rows = true;
         panel.points_only = panel.points_only || sweep->design;  // what is drawn has no order
       }

@@ -10,6 +10,9 @@ std::size_t recordings_of(const LoadedModel& model);
 /// Reads what the sweep keeps of its runs, and leaves the names of these in the place of those of signals.
 void add_kept(LoadedModel& model, query::SymbolTable& names, yaml::Faults& faults);
 
+/// Names for figures: those of claims, and the signals of runs that are recorded beside the numbers of all.
+query::SymbolTable names_of_figures(const LoadedModel& model, const query::SymbolTable& names);
+
 /// Do figures and claims read a table with a row for all cases of a point?
 bool has_cases(const LoadedModel& model);
 

@@ -62,7 +62,7 @@ live::Loading edited_model(Desk& desk, int file, bool hand);
 /// Gives a loader the documents of a file and of its parts, as they are edited; returns the file's path.
 std::string add_documents(Desk& desk, int file, diagram::Loader& loader);
 
-/// News that a file is another on the disk; `draft` where a page has a text of its own.
-json::Json change_news(int file, const EditedText& text);
+/// News that a file is another on the disk, behind that of the edit by which its lines came into the draft.
+std::vector<json::Json> change_news(int file, const WrittenElsewhere& written);
 
 }  // namespace stepwire::studio

@@ -6,6 +6,7 @@
 
 #include "engine/app/studio/fault.hpp"
 #include "engine/app/studio/line_ends.hpp"
+#include "engine/app/studio/text_merge.hpp"
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/text/characters.hpp"
 
@@ -33,6 +34,7 @@ EditedText EditedTexts::read(const std::string& path) const {
   if (read.saved.find("\r\n") != std::string::npos) read.bytes = read.saved;
   text::replace_all(read.saved, "\r\n", "\n");
   read.text = read.saved;
+  read.base = read.saved;
   return read;
 }
 
@@ -42,6 +44,7 @@ const EditedText& EditedTexts::open(const std::string& path) {
   const auto draft = store_.find(path);
   if (draft && draft->text != opened.saved) {
     opened.text = draft->text;
+    if (draft->hash != opened.hash) opened.base.reset();
     opened.hash = draft->hash;
   }
   return texts_[path] = std::move(opened);
@@ -84,13 +87,38 @@ const EditedText& EditedTexts::discard(const std::string& path) {
   return text;
 }
 
-std::optional<EditedText> EditedTexts::save(const std::string& path, const std::string& hash) {
+/// Merges what a file holds now into its edited text, where both have changed different lines.
+WrittenElsewhere EditedTexts::take(EditedText& text, EditedText now) {
+  WrittenElsewhere written;
+  const TextMerge merged = text.base ? merge(*text.base, text.text, now.saved) : merge(text.text, now.saved);
+  const std::string both = changed(text.text, merged.changes);
+  text.saved = now.saved;
+  text.time = now.time;
+  if (merged.is_clean) {
+    if (!merged.changes.empty()) ++text.version;
+    text.text = both;
+    text.hash = now.hash;
+    text.base = now.saved;
+    text.bytes = now.bytes;
+    text.is_kept = false;
+    written.changes = merged.changes;
+  } else {
+    written.both = both;
+  }
+  written.is_merged = merged.is_clean;
+  now.version = text.version;
+  written.now = std::move(now);
+  return written;
+}
+
+std::optional<WrittenElsewhere> EditedTexts::save(const std::string& path, const std::string& hash) {
   EditedText& text = known(path);
   EditedText now = read(path);
-  if (now.hash != hash) return now;
+  if (now.hash != hash) return take(text, std::move(now));
   const std::string bytes = now.bytes.empty() ? text.text : with_line_ends_of(now.bytes, text.text);
   beneath_.replace(path, bytes);
   text.saved = text.text;
+  text.base = text.text;
   text.hash = hash::hash_of(bytes);
   text.time = time_of(path);
   text.is_kept = true;
@@ -109,7 +137,7 @@ void EditedTexts::keep_drafts() {
 }
 
 void EditedTexts::look_for_changes(
-    const std::function<void(const std::string& path, const EditedText&)>& changed) {
+    const std::function<void(const std::string& path, const WrittenElsewhere&)>& changed) {
   for (auto& [path, text] : texts_) {
     const auto time = time_of(path);
     if (time == text.time) continue;
@@ -118,13 +146,13 @@ void EditedTexts::look_for_changes(
       const bool is_other = now.saved != text.saved;
       text.time = now.time;
       if (!is_other) continue;
-      if (!text.is_draft()) {
-        now.version = text.version + 1;
-        text = now;
+      if (text.is_draft()) {
+        changed(path, take(text, std::move(now)));
+        continue;
       }
-      text.saved = now.saved;
-      now.version = text.version;
-      changed(path, now);
+      now.version = text.version + 1;
+      text = now;
+      changed(path, {now});
     } catch (const Fault&) {
       text.time = time;  // it is gone, or no text any more; saving will say so
     }

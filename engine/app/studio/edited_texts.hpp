@@ -21,11 +21,20 @@ struct EditedText {
   std::string hash;                        ///< of the bytes on the disk with which `text` began
   std::string text;                        ///< with what was edited
   int version = 0;                         ///< counts the changes of `text`
+  std::optional<std::string> base{};       ///< the text of the hash; nothing where it is not known
   std::string bytes;                       ///< on the disk, where not all lines end in "\n"; else empty
   bool is_kept = true;                     ///< is the draft on the disk as it is here?
   std::filesystem::file_time_type time{};  ///< of the file, when it was read last
 
   bool is_draft() const { return text != saved; }
+};
+
+/// A text that another program has written to the file.
+struct WrittenElsewhere {
+  EditedText now;                     ///< of the file, in the version of the edited text
+  bool is_merged = false;             ///< true where the edited text has its lines
+  std::vector<TextChange> changes{};  ///< by which it got them.
+  std::string both{};                 ///< All lines of both texts, where it has not.
 };
 
 /// The texts that pages edit, by the paths of their files. One thread at a time.
@@ -39,8 +48,8 @@ class EditedTexts {
   /// is another one.
   const EditedText& edit(const std::string& path, int version, std::vector<TextChange> changes);
   const EditedText& discard(const std::string& path);
-  /// Writes the file where its hash is still this one; what it holds otherwise is returned.
-  std::optional<EditedText> save(const std::string& path, const std::string& hash);
+  /// Writes the file where its hash is still this one. Else it merges or returns what the file holds now.
+  std::optional<WrittenElsewhere> save(const std::string& path, const std::string& hash);
 
   /// Throws Fault as edit() does.
   void require_version(const std::string& path, int version);
@@ -50,12 +59,14 @@ class EditedTexts {
   const EditedText* find(const std::string& path) const;
   /// Puts drafts on the disk that are not there.
   void keep_drafts();
-  /// Reads again what others have changed on the disk, and calls back for each. A text without draft follows.
-  void look_for_changes(const std::function<void(const std::string& path, const EditedText&)>& changed);
+  /// Reads again what others have changed on the disk, and calls back for each. A text without draft follows;
+  /// a draft takes the lines that it has not changed itself.
+  void look_for_changes(const std::function<void(const std::string& path, const WrittenElsewhere&)>& changed);
 
  private:
   EditedText& known(const std::string& path);
   EditedText read(const std::string& path) const;
+  static WrittenElsewhere take(EditedText& text, EditedText now);
 
   const Beneath& beneath_;
   DraftStore store_;

@@ -52,16 +52,19 @@ std::vector<TextChange> changes_of(const Arguments& arguments) {
   return changes;
 }
 
+Json edit_news(int file, int version, const Json& changes) {
+  return Json::object()
+      .set("news", "edited")
+      .set("file", file)
+      .set("version", version)
+      .set("changes", changes);
+}
+
 Json edit(Desk& desk, int page, const Arguments& arguments) {
   const std::lock_guard lock(desk.mutex);
   const EditedText& text =
       desk.files.texts().edit(path(desk, arguments), arguments.whole("version"), changes_of(arguments));
-  desk.tell(Json::object()
-                .set("news", "edited")
-                .set("file", arguments.whole("file"))
-                .set("version", text.version)
-                .set("changes", arguments.any("changes")),
-            page);
+  desk.tell(edit_news(arguments.whole("file"), text.version, arguments.any("changes")), page);
   return Json::object().set("version", text.version);
 }
 
@@ -70,12 +73,7 @@ Json discard(Desk& desk, int page, const Arguments& arguments) {
   const std::size_t length = utf16_length(desk.files.texts().open(path(desk, arguments)).text);
   const EditedText& text = desk.files.texts().discard(path(desk, arguments));
   const Json all = Json::object().set("from", 0).set("to", length).set("text", text.text);
-  desk.tell(Json::object()
-                .set("news", "edited")
-                .set("file", arguments.whole("file"))
-                .set("version", text.version)
-                .set("changes", Json::list({all})),
-            page);
+  desk.tell(edit_news(arguments.whole("file"), text.version, Json::list({all})), page);
   return Json::object().set("text", text.text).set("hash", text.hash).set("version", text.version);
 }
 
@@ -83,7 +81,13 @@ Json save(Desk& desk, int page, const Arguments& arguments) {
   const std::lock_guard lock(desk.mutex);
   const std::string& file = path(desk, arguments);
   if (const auto other = desk.files.texts().save(file, arguments.text("hash"))) {
-    const Json conflict = Json::object().set("text", other->saved).set("hash", other->hash);
+    if (other->is_merged) {
+      for (const Json& news : change_news(arguments.whole("file"), *other)) desk.tell(news, 0);
+      return Json::object().set("merged", true);
+    }
+    const EditedText& now = other->now;
+    const Json conflict =
+        Json::object().set("text", now.saved).set("hash", now.hash).set("both", other->both);
     return Json::object().set("conflict", conflict);
   }
   const std::string hash = desk.files.texts().find(file)->hash;
@@ -93,13 +97,24 @@ Json save(Desk& desk, int page, const Arguments& arguments) {
 
 }  // namespace
 
-Json change_news(int file, const EditedText& text) {
-  return Json::object()
-      .set("news", "changed")
-      .set("file", file)
-      .set("text", text.saved)
-      .set("hash", text.hash)
-      .set("version", text.version);
+std::vector<Json> change_news(int file, const WrittenElsewhere& written) {
+  const EditedText& text = written.now;
+  std::vector<Json> all;
+  if (!written.changes.empty()) {
+    Json changes = Json::list();
+    for (const TextChange& one : written.changes)
+      changes.push(Json::object().set("from", one.from).set("to", one.to).set("text", one.text));
+    all.push_back(edit_news(file, text.version, changes));
+  }
+  Json changed = Json::object()
+                     .set("news", "changed")
+                     .set("file", file)
+                     .set("text", text.saved)
+                     .set("hash", text.hash)
+                     .set("version", text.version)
+                     .set("merged", written.is_merged);
+  all.push_back(written.both.empty() ? changed : changed.set("both", written.both));
+  return all;
 }
 
 void add_file_calls(Calls& calls, Desk& desk) {

@@ -31,9 +31,13 @@ live::Loading edited_model(Desk& desk, int file, bool hand) {
     const std::string path = add_documents(desk, file, *loader);
     session::LoadedModel model =
         hand ? live::load_for_page(*loader, path) : session::load_model(*loader, path, {});
-    return live::Loading(std::move(model), [loader, path](const session::LoadOptions& options) {
+    const auto again = [loader, path](const session::LoadOptions& options) {
       return session::load_model(*loader, path, options);  // its texts, and the page's hand among them
-    });
+    };
+    const auto document = [loader](const std::string& file) -> const yaml::Document& {
+      return loader->document(file);
+    };
+    return live::Loading(std::move(model), again, document);
   });
 }
 

@@ -93,8 +93,8 @@ class Studio::Room : public http::Site {
   void look_after() {
     const std::lock_guard lock(desk_.mutex);
     desk_.files.texts().keep_drafts();
-    desk_.files.texts().look_for_changes([this](const std::string& path, const EditedText& text) {
-      tell(change_news(desk_.files.number(path), text), 0);
+    desk_.files.texts().look_for_changes([this](const std::string& path, const WrittenElsewhere& written) {
+      for (const json::Json& news : change_news(desk_.files.number(path), written)) tell(news, 0);
     });
   }
 

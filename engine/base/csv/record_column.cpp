@@ -57,6 +57,10 @@ std::optional<double> RecordColumn::seconds_of(const std::string& text, const st
 std::string RecordColumn::problem_of(const std::string& text) const {
   const Decimal other = decimal_ == Decimal::comma ? Decimal::point : Decimal::comma;
   if (const auto cell = cell_number(text, decimal_)) return table::csv_number_problem(cell->text);
+  if (looks_like_time(text) && !has_numbers_)
+    return "is no number, and no time that is known; write 2026-01-31T12:00:00, 20260131T120000 or "
+           "31.01.2026 "
+           "12:00:00";
   if (!cell_number(text, other)) return "is no number";
   return decimal_ == Decimal::comma ? "is no number with a decimal comma; say `decimal: \".\"`"
                                     : "is no number with a decimal point; say `decimal: \",\"`";

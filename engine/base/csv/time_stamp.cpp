@@ -1,6 +1,7 @@
 #include "engine/base/csv/time_stamp.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <chrono>
 
@@ -55,12 +56,28 @@ std::optional<int> part(StampText& pieces, char mark, int most) {
   return value && *value <= most ? value : std::nullopt;
 }
 
-/// Days since 1970.
-std::optional<std::int64_t> take_date(StampText& pieces) {
-  const auto year = pieces.number(4);
-  if (!year) return std::nullopt;
-  const auto month = part(pieces, '-', 12), day = month ? part(pieces, '-', 31) : std::nullopt;
-  if (!day) return std::nullopt;
+/// Marks between the numbers of a date and of a time; '\0' for none.
+struct Marks {
+  char date, time;
+};
+
+Marks marks_of(TimeStamp::Form form) {
+  if (form == TimeStamp::Form::basic) return {'\0', '\0'};
+  return {form == TimeStamp::Form::german ? '.' : '-', ':'};
+}
+
+/// Days since 1970; a German date begins with its day.
+std::optional<std::int64_t> take_date(StampText& pieces, TimeStamp::Form form) {
+  const char mark = marks_of(form).date;
+  const bool day_first = form == TimeStamp::Form::german;
+  auto day = day_first ? part(pieces, '\0', 31) : std::nullopt;
+  auto year = day_first ? std::nullopt : pieces.number(4);
+  if (!day && !year) return std::nullopt;
+  const auto month = part(pieces, mark, 12);
+  if (!month) return std::nullopt;
+  if (!day_first) day = part(pieces, mark, 31);
+  if (day_first && pieces.take(mark)) year = pieces.number(4);
+  if (!day || !year) return std::nullopt;
   const std::chrono::year_month_day date{std::chrono::year(*year),
                                          std::chrono::month(static_cast<unsigned>(*month)),
                                          std::chrono::day(static_cast<unsigned>(*day))};
@@ -69,11 +86,14 @@ std::optional<std::int64_t> take_date(StampText& pieces) {
 }
 
 bool take_time(StampText& pieces, TimeStamp& stamp) {
-  const auto hours = part(pieces, '\0', 23), minutes = hours ? part(pieces, ':', 59) : std::nullopt;
+  const char mark = marks_of(stamp.form).time;
+  const auto hours = part(pieces, '\0', 23), minutes = hours ? part(pieces, mark, 59) : std::nullopt;
   if (!minutes) return false;
   stamp.seconds += 3600 * *hours + 60 * *minutes;
-  if (pieces.next() != ':') return true;
-  const auto seconds = part(pieces, ':', 59);
+  const bool more =
+      mark == '\0' ? std::isdigit(static_cast<unsigned char>(pieces.next())) != 0 : pieces.next() == mark;
+  if (!more) return true;
+  const auto seconds = part(pieces, mark, 59);
   if (!seconds) return false;
   stamp.seconds += *seconds;
   if (!pieces.take('.') && !pieces.take(',')) return true;
@@ -104,20 +124,43 @@ double TimeStamp::since(const TimeStamp& other) const {
   return static_cast<double>(all / static_cast<long double>(per_second));
 }
 
+namespace {
+
+/// The form in which a text may be a time. Eight digits alone are a number.
+std::optional<TimeStamp::Form> form_of(std::string_view text) {
+  if (text.size() >= 10 && text[4] == '-') return TimeStamp::Form::extended;
+  if (text.size() >= 13 && text[8] == 'T') return TimeStamp::Form::basic;
+  if (text.size() >= 10 && text[2] == '.' && text[5] == '.') return TimeStamp::Form::german;
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<TimeStamp> time_stamp(std::string_view text) {
-  if (text.size() < 10 || text[4] != '-') return std::nullopt;
+  const auto form = form_of(text);
+  if (!form) return std::nullopt;
   StampText pieces(text);
   TimeStamp stamp;
-  const auto days = take_date(pieces);
+  stamp.form = *form;
+  const auto days = take_date(pieces, *form);
   if (!days) return std::nullopt;
   stamp.seconds = *days * 86'400;
   if (pieces.empty()) return stamp;
   stamp.between = pieces.next();
   stamp.has_time = true;
-  if (!pieces.take('T') && !pieces.take(' ')) return std::nullopt;
+  if (!(*form != TimeStamp::Form::german && pieces.take('T')) && !pieces.take(' ')) return std::nullopt;
   if (!take_time(pieces, stamp)) return std::nullopt;
   if (!pieces.empty() && !take_zone(pieces, stamp)) return std::nullopt;
   return pieces.empty() ? std::optional(stamp) : std::nullopt;
+}
+
+bool looks_like_time(std::string_view text) {
+  const auto count = [&](std::string_view marks) {
+    return std::ranges::count_if(text, [&](char c) { return marks.find(c) != marks.npos; });
+  };
+  const bool begins = !text.empty() && std::isdigit(static_cast<unsigned char>(text.front()));
+  return begins && text.find_first_not_of("0123456789-/.,:+ TZapmAPM") == text.npos &&
+         (count(":") > 0 || count("/") == 2 || count("-") == 2 || count(".") == 2);
 }
 
 }  // namespace stepwire::csv

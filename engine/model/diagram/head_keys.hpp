@@ -43,6 +43,8 @@ const yaml::Key& range_form();
 const yaml::Key& distribution_form();
 /// What stays of each run, as a word.
 const yaml::Key& keep_word_form();
+/// Of which runs the rows stay beside the numbers that are kept.
+const yaml::KeyTable<Sweep, HeadReading>& recorded_runs_table();
 /// Where drawn values lie.
 const yaml::KeyTable<sampling::Design, HeadReading>& design_table();
 

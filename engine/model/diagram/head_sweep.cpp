@@ -88,12 +88,28 @@ void read_keep(const yaml::Node& section, Sweep& sweep, const Scope& scope, Repo
   if (keep->entries.empty()) read.fault(keep->mark, "names no number of a run: {peak: max(x)}");
 }
 
+/// The runs whose rows stay beside numbers that are kept.
+void read_recorded_runs(const yaml::Node& section, Sweep& sweep, const Scope& scope, Report& report) {
+  const yaml::Node* record = section.find("record");
+  if (!record) return;
+  const HeadReading read("sweep.record", scope, report);
+  recorded_runs_table().read(*record, sweep, read);
+  if (sweep.keep == Sweep::Keep::rows)
+    read.fault(
+        record->mark,
+        "all runs are recorded already; leave it out, or keep numbers of the runs: keep: {peak: max(x)}");
+  if (sweep.keep == Sweep::Keep::final)
+    read.fault(record->mark,
+               "goes with numbers of the runs, not with their last rows: keep: {last: final(x)}");
+}
+
 void read_one_at_a_time(const yaml::Node& section, const yaml::Node& axes, const Scope& scope,
                         Report& report) {
   const auto refuse = [&](const yaml::Mark& mark, const char* message) {
     report.add(scope.at(mark), "sweep.one_at_a_time", message);
   };
-  if (section.entries.size() > (section.find("keep") ? 2 : 1))
+  const auto has = [&](const char* key) { return section.find(key) ? std::size_t{1} : 0; };
+  if (section.entries.size() > 1 + has("keep") + has("record"))
     return refuse(axes.mark, "stands alone in its sweep; all that is varied is named in it");
   if (!axes.is_map() || axes.entries.empty())
     return refuse(axes.mark, "is a map of parameters and their values: {mass: [1 kg, 3 kg]}");
@@ -105,6 +121,7 @@ void read_one_at_a_time(const yaml::Node& section, const yaml::Node& axes, const
     read_axis(entry, sweep, scope, report);
   }
   read_keep(section, sweep, scope, report);
+  read_recorded_runs(section, sweep, scope, report);
   if (report.faults().size() == before) set_apart(sweep, scope.at(axes.mark), report);
   if (sweep.count() > max_runs)
     return refuse(axes.mark,
@@ -161,6 +178,7 @@ void read_sweep(const Scope& scope, Report& report) {
   if (const yaml::Node* together = node->find("together"))
     HeadReading("sweep.together", scope, report).take(*together, yaml::form::truth(), sweep.together);
   read_keep(*node, sweep, scope, report);
+  read_recorded_runs(*node, sweep, scope, report);
   if (!read_axes(*node, sweep, scope, report)) return;
   if (const yaml::Node* keep = node->find("keep"); keep && sweep.axes.empty())
     report.add(scope.at(keep->mark), "sweep.keep",

@@ -52,4 +52,42 @@ std::vector<std::string> Sweep::cases() const {
   return names;
 }
 
+namespace {
+
+/// Rows of a table, evenly chosen: the first and the last one among them.
+struct ChosenRows {
+  std::size_t rows, chosen;
+
+  std::size_t at(std::size_t i) const { return chosen == 1 ? 0 : i * (rows - 1) / (chosen - 1); }
+  bool has(std::size_t row) const {
+    if (chosen <= 1) return row < chosen;
+    return at((row * (chosen - 1) + rows - 2) / (rows - 1)) == row;
+  }
+};
+
+std::size_t cases_at_once(const Sweep& sweep) {
+  return std::max<std::size_t>(sweep.cases().size(), 1);
+}
+
+ChosenRows recorded_rows(const Sweep& sweep) {
+  const std::size_t rows = static_cast<std::size_t>(sweep.count()) / cases_at_once(sweep);
+  return {rows, std::min(sweep.recorded_runs, rows)};
+}
+
+}  // namespace
+
+bool Sweep::records_rows_of(std::size_t point) const {
+  return recorded_runs > 0 && recorded_rows(*this).has(point / cases_at_once(*this));
+}
+
+std::vector<std::size_t> Sweep::recorded_points() const {
+  std::vector<std::size_t> points;
+  if (recorded_runs == 0) return points;
+  const std::size_t cases = cases_at_once(*this);
+  const ChosenRows rows = recorded_rows(*this);
+  for (std::size_t i = 0; i < rows.chosen; ++i)
+    for (std::size_t one = 0; one < cases; ++one) points.push_back(rows.at(i) * cases + one);
+  return points;
+}
+
 }  // namespace stepwire::diagram

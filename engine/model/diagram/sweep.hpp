@@ -39,6 +39,8 @@ struct Sweep {
   std::optional<sampling::Design> design{};  ///< by which sampled axes are drawn
   Keep keep = Keep::rows;
   yaml::Node kept{};  ///< the reductions by name, as written
+  std::size_t recorded_runs =
+      0;  ///< number of runs of each case that are recorded over time beside the numbers
 
   /// How many points there are; a double, since a grid may be larger than anything.
   double count() const;
@@ -47,6 +49,10 @@ struct Sweep {
   std::vector<std::size_t> indices(std::size_t point) const;
   /// The names of the cases, in each of which all other values are run; none without.
   std::vector<std::string> cases() const;
+  /// The points, ascending, of which rows stay beside the numbers that are kept: evenly chosen, the first and
+  /// the last one among them.
+  std::vector<std::size_t> recorded_points() const;
+  bool records_rows_of(std::size_t point) const;
 };
 
 /// Labels of a sweep of one parameter at a time: which one differs from the file's value (at the first point

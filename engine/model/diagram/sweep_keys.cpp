@@ -110,6 +110,15 @@ const yaml::KeyTable<sampling::Design, HeadReading>& design_table() {
   return table;
 }
 
+const yaml::KeyTable<Sweep, HeadReading>& recorded_runs_table() {
+  static const yaml::KeyTable<Sweep, HeadReading> table(
+      "runs whose rows stay", "{runs: 20}",
+      {yaml::needed(yaml::KeyRow<Sweep, HeadReading>{
+          "runs", "how many, of each case; they are evenly chosen, the first and the last one among them",
+          form::whole(1, static_cast<double>(max_runs)), &Sweep::recorded_runs})});
+  return table;
+}
+
 const yaml::Key& range_form() {
   static const yaml::Key form =
       form::keys("a range", "{from: 1 N, to: 9 N, count: 5}",
@@ -121,13 +130,16 @@ const yaml::Key& range_form() {
 
 const yaml::Key& sweep_form() {
   static const yaml::Key form = [] {
-    yaml::Key sweep = form::keys("a sweep", "{ratio: [0.1, 0.2], drive: {from: 1 Hz, to: 2 Hz, count: 5}}",
-                                 {together_row(), one_at_a_time_row(),
-                                  yaml::key("design",
-                                            "how often and where values are drawn that have a "
-                                            "distribution",
-                                            design_table().form),
-                                  correlation_row(), cases_row(), keep_row()});
+    yaml::Key sweep =
+        form::keys("a sweep", "{ratio: [0.1, 0.2], drive: {from: 1 Hz, to: 2 Hz, count: 5}}",
+                   {together_row(), one_at_a_time_row(),
+                    yaml::key("design",
+                              "how often and where values are drawn that have a "
+                              "distribution",
+                              design_table().form),
+                    correlation_row(), cases_row(), keep_row(),
+                    yaml::key("record", "beside numbers that are kept: of how many runs the rows stay, too",
+                              recorded_runs_table().form)});
     sweep.rest = {yaml::key("NAME", "the values of a parameter, step or solver", axis_form())};
     sweep.rest.front().names = yaml::Key::Names::parameter;
     return sweep;

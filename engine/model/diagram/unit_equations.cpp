@@ -75,7 +75,8 @@ int UnitEquations::turn_to_angle(const UnitEquation& equation) {
   for (const UnitTerm& term : equation.terms) {
     auto& value = values_[static_cast<std::size_t>(term.variable)];
     const auto unit = value->one();
-    if (!unit || unit->angle != 0.0 || unit->cycles != 0.0 || sum->angle + term.exponent != 0.0) continue;
+    if (!unit || unit->angle != 0.0 || sum->angle + term.exponent != 0.0) continue;
+    if (unit->cycles != 0.0 && sum->cycles != 0.0) continue;  // of two rates of other meaning none is turned
     unit::Dimension rate = *unit;
     rate.exponents[2] = 0.0;
     if (rate != unit::Dimension{} || unit->exponents[2] > 0.0) continue;

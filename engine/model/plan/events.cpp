@@ -100,7 +100,8 @@ class EventPlan {
   std::vector<std::size_t> open_;
 };
 
-/// Finds what no discrete block, guard or input from outside has a part in, of what crossings depend on.
+/// Finds what no discrete block, guard or input from outside has a part in, of what crossings depend on. What
+/// shows another mode at the tick than before it has to be computed there.
 class AheadBlocks {
  public:
   AheadBlocks(Draft& draft, const CallOrder& order) : draft_(draft), order_(order) {}
@@ -109,8 +110,8 @@ class AheadBlocks {
     std::vector<int> calls(draft_.blocks.size(), 0);
     for (const int block : order_.blocks) ++calls[static_cast<std::size_t>(block)];
     for (std::size_t b = 0; b < draft_.blocks.size(); ++b)
-      draft_.blocks[b].ahead =
-          draft_.blocks[b].for_crossings && calls[b] == 1 && draft_.diagram().blocks[b].guard < 0;
+      draft_.blocks[b].ahead = draft_.blocks[b].for_crossings && !draft_.blocks[b].differs_at_instants &&
+                               calls[b] == 1 && draft_.diagram().blocks[b].guard < 0;
     while (take_back()) continue;
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "engine/model/plan/ends_of_chains.hpp"
 #include "engine/model/plan/port_shape.hpp"
 #include "engine/model/plan/worklist.hpp"
 
@@ -24,10 +25,8 @@ class ListWidthInference {
   }
 
   std::set<std::pair<std::size_t, std::size_t>> run() {
-    settle_columns();
-    settle_scalars();
-    settle_columns();
-    while (settle_one_scalar()) settle_columns();
+    do settle_columns();
+    while (settle_scalars());
     return std::move(refused_);
   }
 
@@ -113,28 +112,37 @@ class ListWidthInference {
                       fmt::format("has {} elements; {} would fit", size, fitting));
   }
 
-  void settle_scalars() {
-    std::vector<int> waiting = matrices_.sums();
-    for (const List& list : lists_)
-      if (!list.settled) waiting.push_back(sizes_.of_list(list.block, list.input));
-    std::vector<bool> waits(static_cast<std::size_t>(sizes_.count()), false);
-    const auto wait = [&](int size) { waits[static_cast<std::size_t>(sizes_.root(size))] = true; };
-    for (int size : waiting) {
-      wait(size);
-      if (const auto matrix = sizes_.factors(size)) wait(matrix->first), wait(matrix->second);
+  /// Makes what follows from no other open size a scalar. False if no size is open.
+  bool settle_scalars() {
+    const auto all = followings();
+    std::vector<bool> open(static_cast<std::size_t>(sizes_.count())), has_no_factors(open.size());
+    for (int size = 0; size < sizes_.count(); ++size) {
+      open[static_cast<std::size_t>(size)] = sizes_.root(size) == size && !sizes_.value(size);
+      has_no_factors[static_cast<std::size_t>(size)] = !sizes_.factors(size);
     }
-    for (int size = 0; size < sizes_.count(); ++size)
-      if (is_open(size) && !waits[static_cast<std::size_t>(sizes_.root(size))]) learn(size, 1);
+    const std::vector<int> chosen = ends_of_chains(open, has_no_factors, all);
+    for (const int size : chosen) learn(size, 1);
+    return !chosen.empty();
   }
 
-  /// The size of a matrix follows from its rows and columns.
-  bool is_open(int size) { return !sizes_.value(size) && !sizes_.factors(size); }
+  /// Pairs of a size and one that it follows from, as the roots of both.
+  std::vector<std::pair<int, int>> followings() {
+    std::vector<std::pair<int, int>> all = matrices_.sums();
+    for (const List& list : lists_)
+      if (!list.settled) add_followings(list, all);
+    for (int size = 0; size < sizes_.count(); ++size)
+      if (const auto matrix = sizes_.factors(size))
+        all.emplace_back(size, matrix->first), all.emplace_back(size, matrix->second);
+    for (auto& [size, from] : all) size = sizes_.root(size), from = sizes_.root(from);
+    return all;
+  }
 
-  bool settle_one_scalar() {
-    while (next_open_ < sizes_.count() && !is_open(next_open_)) ++next_open_;
-    if (next_open_ == sizes_.count()) return false;
-    learn(next_open_, 1);
-    return true;
+  void add_followings(const List& list, std::vector<std::pair<int, int>>& all) {
+    const int own = sizes_.of_list(list.block, list.input);
+    for (const diagram::Source& element : draft_.diagram().blocks[list.block].inputs[list.input])
+      if (!sizes_.value_of(element)) all.emplace_back(own, sizes_.of_source(element));
+    if (const auto matrix = sizes_.factors(own))
+      all.emplace_back(matrix->first, own), all.emplace_back(matrix->second, own);
   }
 
   Draft& draft_;
@@ -144,7 +152,6 @@ class ListWidthInference {
   std::unordered_multimap<int, int> watchers_;  ///< root of a size: lists that have it for an element
   Worklist turns_;                              ///< of lists
   std::set<std::pair<std::size_t, std::size_t>> refused_;
-  int next_open_ = 0;  ///< no size before it is open
 };
 
 }  // namespace

@@ -12,9 +12,9 @@ constexpr Eigen::Index max_numbers = Eigen::Index{1} << 26;
 
 /// Finds every size that declarations and wires leave open. Lists follow from their elements: a list input
 /// takes elements of one size or of one element; with the shape "+m" each element has its own size and m is
-/// their sum, and so do the sums of lists of matrices. What no open list could tell any more is a scalar, and
-/// where lists wait for each other (a loop), so is one of them. Returns the lists (block and input) whose
-/// size had to be refused.
+/// their sum, and so do the sums of lists of matrices. What follows from no other open size is a scalar, and
+/// where open sizes follow from each other alone (a loop), so is one of them. Returns the lists (block and
+/// input) whose size had to be refused.
 std::set<std::pair<std::size_t, std::size_t>> infer_list_widths(Draft& draft, PortSizes& sizes,
                                                                 MatrixLists& matrices);
 

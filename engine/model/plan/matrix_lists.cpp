@@ -45,9 +45,10 @@ bool MatrixLists::add_up() {
   return any;
 }
 
-std::vector<int> MatrixLists::sums() const {
-  std::vector<int> all;
-  for (const List& list : lists_) all.push_back(list.sum);
+std::vector<std::pair<int, int>> MatrixLists::sums() const {
+  std::vector<std::pair<int, int>> all;
+  for (const List& list : lists_)
+    for (const int part : list.parts) all.emplace_back(list.sum, part);
   return all;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/model/plan/port_shape.hpp"
@@ -18,8 +19,8 @@ class MatrixLists {
   void add(std::size_t block, std::size_t input);
   /// Learns the sums of which every part is known by now. True where one is new.
   bool add_up();
-  /// The sums, which wait for their parts.
-  std::vector<int> sums() const;
+  /// Pairs of a sum and one of its parts, which it follows from.
+  std::vector<std::pair<int, int>> sums() const;
   /// Once all sizes are found: refuses lists whose sum is another, and elements that have no whole rows.
   void check();
 

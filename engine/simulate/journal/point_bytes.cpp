@@ -13,7 +13,9 @@ bool fits(const run::PointResult& result, const run::Job& job, const run::RunNum
   const bool one_row = run::keeps_a_row(job, numbers);
   for (std::size_t r = 0; r < result.recordings.size(); ++r) {
     const std::size_t rows = result.recordings[r].table.rows();
-    if (one_row ? rows != 1 : rows > record::max_rows(plan, plan.diagram.records[r])) return false;
+    const std::size_t behind = numbers && r > 0 ? 1 : 0;  // rows that stay beside numbers
+    if (one_row && behind == 0 ? rows != 1 : rows > record::max_rows(plan, plan.diagram.records[r - behind]))
+      return false;
   }
   return true;
 }
@@ -37,7 +39,7 @@ std::optional<run::PointResult> point_of(std::string_view bytes, const run::Job&
   if (!reader.whole() || point >= job.points.size()) return std::nullopt;
   result.point = point;
   run_end(reader, result.end);
-  result.recordings = run::empty_recordings(job.plan_of(result.point), numbers);
+  result.recordings = run::empty_recordings(job, result.point, numbers);
   for (record::Recording& recording : result.recordings) rows(reader, recording.table);
   if (!reader.whole() || !reader.at_end() || !fits(result, job, numbers)) return std::nullopt;
   return result;

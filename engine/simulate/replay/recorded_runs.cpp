@@ -33,7 +33,8 @@ class RunsOfText : public RecordedRuns {
 
   std::string left_over() override {
     if (first_ == recorded_.table.rows()) return "";
-    return fmt::format("{}: there are more rows than the {} runs give", place_of_row(recorded_, first_), runs_);
+    return fmt::format("{}: there are more rows than the {} runs give", place_of_row(recorded_, first_),
+                       runs_);
   }
 
  private:
@@ -47,7 +48,9 @@ constexpr std::size_t numbers_at_once = 1'000'000, columns_at_once = 10'000;
 class RunsOfGroups : public RecordedRuns {
  public:
   RunsOfGroups(std::string file, std::size_t recording, const RecordedSweep& sweep)
-      : file_(std::move(file)), sweep_(sweep), request_(sweep.plan.diagram.records[recording]),
+      : file_(std::move(file)),
+        sweep_(sweep),
+        request_(sweep.plan.diagram.records[recording]),
         columns_(record::recorded_columns(sweep.plan, request_).size()) {}
 
   RecordedRows next() override {
@@ -71,7 +74,10 @@ class RunsOfGroups : public RecordedRuns {
   }
 
  private:
-  static std::string name(std::size_t run) { return fmt::format("run-{}", run + 1); }
+  std::string name(std::size_t run) const {
+    const auto* numbers = sweep_.numbers;
+    return fmt::format("run-{}", (numbers && run < numbers->size() ? (*numbers)[run] : run) + 1);
+  }
 
   /// All columns of so many runs, as "run-1/time", ....
   std::vector<table::Column> group(std::size_t first, std::size_t count) const {
@@ -89,7 +95,8 @@ class RunsOfGroups : public RecordedRuns {
       numbers += ahead_.back().table.rows() * columns_;
     }
     next_ += at_once_;
-    const std::size_t each = numbers / at_once_ + 1, most = columns_at_once / (sweep_.swept.size() + columns_) + 1;
+    const std::size_t each = numbers / at_once_ + 1,
+                      most = columns_at_once / (sweep_.swept.size() + columns_) + 1;
     at_once_ = std::clamp<std::size_t>(numbers_at_once / each, 1, most);
   }
 
@@ -123,11 +130,10 @@ class RunsOfGroups : public RecordedRuns {
 
 }  // namespace
 
-std::unique_ptr<RecordedRuns> open_recorded_runs(const std::string& folder, std::size_t recording,
+std::unique_ptr<RecordedRuns> open_recorded_runs(const std::string& file, std::size_t request,
                                                  const RecordedSweep& sweep) {
-  const std::string file = recorded_file(folder, recording);
-  if (has_lines(file)) return std::make_unique<RunsOfText>(file, recording, sweep);
-  return std::make_unique<RunsOfGroups>(file, recording, sweep);
+  if (has_lines(file)) return std::make_unique<RunsOfText>(file, request, sweep);
+  return std::make_unique<RunsOfGroups>(file, request, sweep);
 }
 
 }  // namespace stepwire::replay

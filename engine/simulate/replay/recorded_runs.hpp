@@ -28,11 +28,12 @@ struct RecordedSweep {
   const plan::Plan& plan;
   const std::vector<std::string>& swept;  ///< columns, or values of each run
   std::size_t runs;
+  const std::vector<std::size_t>* numbers = nullptr;  ///< which runs these are, from 0; null: all
 };
 
-/// Opens recorded_file() of a folder: text is read whole, HDF5 some runs at a time. What `sweep` refers to must
-/// outlive it. Throws as next() does.
-std::unique_ptr<RecordedRuns> open_recorded_runs(const std::string& folder, std::size_t recording,
+/// Opens the file of a recording, recorded_file(), for the request of the plan with this number: text is read
+/// whole, HDF5 some runs at a time. What `sweep` refers to must outlive it. Throws as next() does.
+std::unique_ptr<RecordedRuns> open_recorded_runs(const std::string& file, std::size_t request,
                                                  const RecordedSweep& sweep);
 
 }  // namespace stepwire::replay

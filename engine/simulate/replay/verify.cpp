@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <numeric>
 
 #include "engine/simulate/replay/kept_replay.hpp"
 #include "engine/simulate/replay/loop_replay.hpp"
@@ -156,23 +157,33 @@ class Verifier {
   void verify_sweep(const RunNote& note) {
     result_.runs = note.runs;
     SweepRuns runs(folder_, note.runs, registry_);
+    std::vector<std::size_t> all(note.runs);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    verify_rows(note, all, 0, runs);
+  }
+
+  /// Compares the rows of these runs; `first_file` is the number of their first file.
+  void verify_rows(const RunNote& note, const std::vector<std::size_t>& numbers, std::size_t first_file,
+                   SweepRuns& runs) {
     std::vector<std::unique_ptr<RecordedRuns>> recordings;
-    for (std::size_t run = 0; run < note.runs && goes_on(); ++run) {
-      run::Executor& simulation = runs.begin(run);
-      if (run == 0) recordings = open_recordings({simulation.plan(), note.swept, note.runs});
+    for (std::size_t i = 0; i < numbers.size() && goes_on(); ++i) {
+      run::Executor& simulation = runs.begin(numbers[i]);
+      if (i == 0)
+        recordings = open_recordings({simulation.plan(), note.swept, numbers.size(), &numbers}, first_file);
       std::vector<RecordedRows> rows;
       for (const auto& recording : recordings) rows.push_back(recording->next());
       const auto used = replay_run(simulation, rows, options_, result_);
-      for (std::size_t i = 0; i < used.size(); ++i) recordings[i]->take(used[i]);
+      for (std::size_t r = 0; r < used.size(); ++r) recordings[r]->take(used[r]);
     }
     for (const auto& recording : recordings)
       if (goes_on()) result_.difference = recording->left_over();
   }
 
-  std::vector<std::unique_ptr<RecordedRuns>> open_recordings(const RecordedSweep& sweep) {
+  std::vector<std::unique_ptr<RecordedRuns>> open_recordings(const RecordedSweep& sweep,
+                                                             std::size_t first_file) {
     std::vector<std::unique_ptr<RecordedRuns>> recordings;
     for (std::size_t i = 0; i < sweep.plan.diagram.records.size(); ++i) {
-      recordings.push_back(open_recorded_runs(folder_, i, sweep));
+      recordings.push_back(open_recorded_runs(recorded_file(folder_, first_file + i), i, sweep));
       result_.signals += record::recorded_columns(sweep.plan, sweep.plan.diagram.records[i]).size() - 1;
     }
     return recordings;
@@ -197,7 +208,8 @@ class Verifier {
 
   /// Of a sweep that keeps numbers of each run.
   void verify_numbers(const RunNote& note) {
-    if (!numbers_) refuse(path("run.json"), "says that numbers of the runs are kept, which are not read here");
+    if (!numbers_)
+      refuse(path("run.json"), "says that numbers of the runs are kept, which are not read here");
     result_.runs = note.runs;
     SweepRuns runs(folder_, note.runs, registry_);
     const KeptTable table = read_kept_table(recorded_file(folder_, 0), note.swept, note.runs);
@@ -211,6 +223,7 @@ class Verifier {
                                                 table.recorded.signals(), numbers->columns.size()));
       replay_numbers(simulation, *numbers, table, run, options_, result_);
     }
+    verify_rows(note, note.recorded, 1, runs);
   }
 
   std::string folder_;

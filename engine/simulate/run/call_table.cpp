@@ -69,6 +69,13 @@ void CallTable::run_due() {
   run_slowly();
 }
 
+void CallTable::forget_loops() {
+  for (const Loop& loop : loops_) {
+    for (const solve::Tear& tear : loop.tears) std::fill_n(values_ + tear.offset, tear.size, 0.0);
+    std::fill_n(values_ + loop.task.report, solve::LoopReport::count, 0.0);
+  }
+}
+
 void CallTable::run_slowly() {
   begin_late();
   is_watched() ? run_watched() : run_range(0, calls_.size());

@@ -22,6 +22,8 @@ class CallTable {
   void run();
   /// Makes those that are due.
   void run_due();
+  /// Lets loops begin at 0 as in a new run, and not where they were solved last: the last bit hangs on it.
+  void forget_loops();
 
  private:
   struct Call {

@@ -89,6 +89,7 @@ void Executor::restore(const Workspace& workspace) {
 
 void Executor::follow_values() {
   blocks_.write_constants();
+  once_.forget_loops();
   once_.run_due();
   workspace_.values[plan::Layout::timed] = plan::Layout::never;
   if (!events_) return;

@@ -88,11 +88,13 @@ Extent extent_of_all(const Job& job, std::size_t record) {
   if (job.points.empty()) return extent_of(job.plan, record, one_row);
   Extent all;
   const auto swept = static_cast<double>(job.plan.diagram.sweep->axes.size());
-  for (std::size_t point = 0; point < job.points.size(); ++point) {
-    const Extent one = extent_of(job.plan_of(point), record, one_row);
+  const auto add = [&](std::size_t point, bool row) {
+    const Extent one = extent_of(job.plan_of(point), record, row);
     all.rows += one.rows;
     all.numbers += one.numbers + one.rows * swept;
-  }
+  };
+  for (std::size_t point = 0; point < job.points.size(); ++point) add(point, one_row);
+  for (const std::size_t point : job.plan.diagram.sweep->recorded_points()) add(point, false);
   return all;
 }
 

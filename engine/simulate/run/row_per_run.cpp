@@ -3,7 +3,9 @@
 #include "engine/simulate/run/number_row.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <optional>
 
 namespace stepwire::run {
 
@@ -16,6 +18,13 @@ record::Recording with_swept(const record::Recording& run, const SweptColumns& s
   record::Recording all = run;
   swept.add(all, point);
   return all;
+}
+
+/// Index of a point among the recorded ones; nullopt for any other point.
+std::optional<std::size_t> place_of(const std::vector<std::size_t>& recorded_points, std::size_t point) {
+  const auto found = std::ranges::lower_bound(recorded_points, point);
+  if (found == recorded_points.end() || *found != point) return std::nullopt;
+  return static_cast<std::size_t>(found - recorded_points.begin());
 }
 
 double last_time(const record::Recording& run) {
@@ -41,6 +50,14 @@ std::vector<record::Recording> empty_recordings(const plan::Plan& plan, const Ru
   return recordings;
 }
 
+std::vector<record::Recording> empty_recordings(const Job& job, std::size_t point,
+                                                const RunNumbers* numbers) {
+  auto recordings = empty_recordings(job.plan_of(point), numbers);
+  if (!numbers || !job.plan.diagram.sweep->records_rows_of(point)) return recordings;
+  std::ranges::move(empty_recordings(job.plan_of(point), nullptr), std::back_inserter(recordings));
+  return recordings;
+}
+
 RowMaker::RowMaker(const Job& job, const SweptColumns& swept, const RunNumbers* numbers)
     : job_(job), swept_(swept), numbers_(numbers), idle_(job.family->size()) {}
 
@@ -61,6 +78,8 @@ std::vector<record::Recording> RowMaker::row_of(std::size_t point, bool whole,
                                                 std::unique_ptr<record::RunRecording> recorded) {
   const std::vector<record::Recording>& run = recorded->finished();
   auto row = numbers_ ? number_row(point, whole, run) : last_row(point, whole, run);
+  if (numbers_ && job_.plan.diagram.sweep->records_rows_of(point))
+    row.insert(row.end(), run.begin(), run.end());
   recorded->restart();
   const std::lock_guard lock(mutex_);
   idle_[job_.points[point].member].push_back(std::move(recorded));
@@ -102,7 +121,12 @@ record::Recording number_row(const RunNumbers& numbers, std::span<const record::
 }
 
 RowPerRun::RowPerRun(const Job& job, const SweptColumns& swept, const RunNumbers* numbers)
-    : swept_(swept), made_(job.points.size(), 0), kept_(empty_recordings(job.plan, numbers)) {
+    : job_(job),
+      swept_(swept),
+      made_(job.points.size(), 0),
+      kept_(empty_recordings(job.plan, numbers)),
+      recorded_points_(job.plan.diagram.sweep->recorded_points()),
+      recorded_(recorded_points_.size()) {
   for (record::Recording& kept : kept_) {
     auto& columns = kept.table.columns;
     columns.insert(columns.begin() + 1, swept.columns().begin(), swept.columns().end());
@@ -111,7 +135,7 @@ RowPerRun::RowPerRun(const Job& job, const SweptColumns& swept, const RunNumbers
   }
 }
 
-void RowPerRun::put(std::size_t point, const std::vector<record::Recording>& row) {
+void RowPerRun::put(std::size_t point, std::vector<record::Recording> row) {
   const std::vector<double> numbers = swept_.numbers(point);
   for (std::size_t r = 0; r < kept_.size(); ++r) {
     auto& columns = kept_[r].table.columns;
@@ -121,6 +145,10 @@ void RowPerRun::put(std::size_t point, const std::vector<record::Recording>& row
       columns[c == 0 ? 0 : c + numbers.size()].values[point] = from[c].values.front();
   }
   made_[point] = 1;
+  const auto place = place_of(recorded_points_, point);
+  if (!place) return;
+  row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(kept_.size()));
+  recorded_[*place] = std::move(row);
 }
 
 /// An interrupted sweep has no rows of what it has not made.
@@ -133,12 +161,27 @@ void RowPerRun::drop_missing(record::Recording& kept) const {
   }
 }
 
+/// Pools one request of all recorded points.
+record::Recording RowPerRun::pooled(std::size_t request) {
+  record::Recording all;
+  all.starts.clear();
+  for (std::size_t i = 0; i < recorded_points_.size(); ++i) {
+    auto& recorded = recorded_[i];
+    if (recorded.empty()) recorded = empty_recordings(job_.plan_of(recorded_points_[i]), nullptr);
+    swept_.add(recorded[request], recorded_points_[i]);
+    append_runs(all, std::move(recorded[request]));
+  }
+  return all;
+}
+
 std::vector<record::Recording> RowPerRun::recordings() {
   for (record::Recording& kept : kept_) {
     if (std::ranges::find(made_, 0) != made_.end()) drop_missing(kept);
     kept.starts.resize(kept.table.rows());
     for (std::size_t run = 0; run < kept.starts.size(); ++run) kept.starts[run] = run;
   }
+  for (std::size_t r = 0; !recorded_points_.empty() && r < job_.plan.diagram.records.size(); ++r)
+    kept_.push_back(pooled(r));
   return std::move(kept_);
 }
 

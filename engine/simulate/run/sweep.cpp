@@ -188,7 +188,7 @@ void JoinedPoints::add(PointResult result) {
   if (recording_)
     recording_->put(result.point, result.recordings);
   else if (!result.end.interrupted)
-    kept_->put(result.point, result.recordings);
+    kept_->put(result.point, std::move(result.recordings));
   ends_.add(result.point, std::move(result.end));
 }
 

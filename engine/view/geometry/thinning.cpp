@@ -117,6 +117,44 @@ std::vector<double> widths_of(const Curves& all) {
   return high;
 }
 
+/// Rows nearer than this to the one before them are not seen beside it, in widths of the columns.
+constexpr double near = 1e-4;
+/// Factor of the budget up to which curves keep their shape.
+constexpr std::size_t shape_excess = 8;
+
+/// Removes rows nearer than `distance` to the last kept one that have its colour.
+Curve sparser(const Curve& curve, const std::vector<double>& widths, double distance, bool colored) {
+  if (curve.size() < 3) return curve;
+  const std::size_t axes = curve.columns.size() - (colored ? 1 : 0);
+  std::vector<std::size_t> kept{0};
+  const auto is_far = [&](std::size_t row) {
+    double square = 0.0;
+    for (std::size_t i = 0; i < axes; ++i) {
+      const double away = (curve.columns[i][row] - curve.columns[i][kept.back()]) / widths[i];
+      square += away * away;
+    }
+    const bool changes = colored && std::abs(curve.columns.back()[row] - curve.columns.back()[kept.back()]) >
+                                        unseen * widths.back();
+    return changes || square > distance * distance;
+  };
+  for (std::size_t row = 1; row + 1 < curve.size(); ++row)
+    if (is_far(row)) kept.push_back(row);
+  kept.push_back(curve.size() - 1);
+  return chosen_rows(curve, kept);
+}
+
+/// True for a curve over a rising column, as the time.
+bool ascends(const Curve& curve) {
+  return std::ranges::is_sorted(curve.columns.front());
+}
+
+std::vector<Curve> of_group(const Curves& all, std::size_t group) {
+  std::vector<Curve> curves;
+  for (const Curve& curve : all.curves)
+    if (curve.group == group) curves.push_back(curve);
+  return curves;
+}
+
 std::size_t rows_of(const std::vector<Curve>& curves) {
   std::size_t rows = 0;
   for (const Curve& curve : curves) rows += curve.size();
@@ -150,18 +188,44 @@ Curve simplify(const Curve& curve, const std::vector<double>& widths, double tol
   return chosen_rows(curve, chosen);
 }
 
-std::vector<Curve> thinned(const Curves& all, std::size_t group, std::size_t budget, bool colored) {
-  if (all.logarithmic) return cut(all, group, budget);
+namespace {
+
+std::vector<Curve> simplified(const std::vector<Curve>& curves, const std::vector<double>& widths,
+                              double tolerance, bool colored) {
+  std::vector<Curve> simple;
+  for (const Curve& curve : curves) simple.push_back(simplify(curve, widths, tolerance, colored));
+  return simple;
+}
+
+/// Curves that have more than the budget however they are thinned: extremes of stretches of rows, and then
+/// tolerances that grow.
+std::vector<Curve> coarse(std::vector<Curve> curves, const std::vector<double>& widths, std::size_t budget,
+                          bool colored) {
   constexpr std::size_t max_rows = 6000;
-  const std::vector<double> widths = widths_of(all);
-  std::vector<Curve> curves;
-  for (const Curve& curve : all.curves)
-    if (curve.group == group) curves.push_back(decimate(curve, max_rows));
+  for (Curve& curve : curves) curve = decimate(curve, max_rows);
   for (double tolerance = unseen; tolerance < 0.1; tolerance *= 1.6) {
-    for (Curve& curve : curves) curve = simplify(curve, widths, tolerance, colored);
+    curves = simplified(curves, widths, tolerance, colored);
     if (rows_of(curves) <= budget) break;
   }
   return curves;
+}
+
+}  // namespace
+
+std::vector<Curve> thinned(const Curves& all, std::size_t group, std::size_t budget, bool colored) {
+  if (all.logarithmic) return cut(all, group, budget);
+  const std::vector<double> widths = widths_of(all);
+  std::vector<Curve> dense;
+  for (const Curve& curve : all.curves)
+    if (curve.group == group) dense.push_back(sparser(curve, widths, near, colored));
+  std::vector<Curve> curves;
+  for (const double tolerance : {unseen, 2.0 * unseen}) {
+    curves = simplified(dense, widths, tolerance, colored);
+    if (rows_of(curves) <= budget) return curves;
+  }
+  const bool over_x = std::ranges::all_of(dense, ascends);
+  if (!over_x && rows_of(curves) <= shape_excess * budget) return curves;
+  return coarse(over_x ? of_group(all, group) : std::move(curves), widths, budget, colored);
 }
 
 std::vector<Curve> cut(const Curves& all, std::size_t group, std::size_t budget) {

@@ -76,8 +76,10 @@ class AxisChecks {
 
   void no_unit(const std::string& key, const query::Series& series, const query::Series& first) {
     fault(series.formula.mark, key,
-          yaml::fault_text("'{}' is drawn in {}, but the unit of '{}' is not known; {}", first.formula.text,
-                           first.unit_text, series.formula.text, query::unit_cure(series.formula)));
+          yaml::fault_text(
+              "'{}' is drawn in {}, but the unit of '{}' is not known; {}", first.formula.text,
+              first.unit_text, series.formula.text,
+              query::unit_cure(series.formula, first.formula.dimension.value_or(first.unit.dimension))));
   }
 
   void two_units(const std::string& key, const query::Series& series, const query::Series& first) {

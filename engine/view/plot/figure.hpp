@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/analyse/claim/run_formula.hpp"
 #include "engine/analyse/query/formula.hpp"
 #include "engine/analyse/query/names_reading.hpp"
 #include "engine/analyse/query/series.hpp"
@@ -51,6 +52,12 @@ struct Rose {
   std::size_t recording = 0;
 };
 
+/// Number of each run that a channel reduces, and the name of its column.
+struct RunNumber {
+  std::string name;
+  claim::RunFormula formula;
+};
+
 /// What a file gives for an axis, in its unit.
 struct AxisOptions {
   std::string label{};  ///< empty: that of what is drawn along it
@@ -80,6 +87,8 @@ struct Panel {
   std::map<std::string, std::string> names{};  ///< of rows, by the words of the recording
   std::optional<query::Formula> where{};
   std::vector<std::size_t> recordings{};  ///< for each y, or one
+  std::vector<RunNumber> numbers{};       ///< that channels make of each run, which then is a row; else empty
+  std::vector<std::string> of_runs{};     ///< columns that are beside them, such as swept parameters
   bool equal = false;
   bool final_rows = false;                   ///< only the last row of each run
   PanelContent content{};                    ///< of a plot that has no axes of its own

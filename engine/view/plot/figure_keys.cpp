@@ -16,6 +16,11 @@ std::optional<double> read_number(const yaml::Node& node, const Panel& panel, co
   return read_axis_number(node, panel, axis, read.names, read.subject, read.faults);
 }
 
+PanelKey needing(KeyNeeds needs, PanelKey key) {
+  key.needs = needs;
+  return key;
+}
+
 PanelKey range_key(const std::string& axis, std::string doc, AxisOptions Panel::*options) {
   const yaml::Key form = yaml::like("[-5 mm, 5 mm]", form::pair(form::number()));
   return {axis + "_range", std::move(doc), form,
@@ -39,8 +44,15 @@ PanelKey label_key(const std::string& axis, std::string doc, AxisOptions Panel::
 
 void read_log(Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
   AxisOptions* const axes[] = {&panel.x, &panel.y, &panel.color};
-  for (const yaml::Node& item : node.as_list())
-    if (const auto axis = read.word(item, form::word({"x", "y", "color"}))) axes[*axis]->log = true;
+  constexpr KeyNeeds needs[] = {KeyNeeds::across, KeyNeeds::up, KeyNeeds::color_bar};
+  for (const yaml::Node& item : node.as_list()) {
+    const auto axis = read.word(item, form::word({"x", "y", "color"}));
+    if (!axis) continue;
+    if (!panel.kind->takes(needs[*axis]))
+      read.fault(item.mark, fmt::format("a plot '{}' has no numbers along '{}'; leave it out",
+                                        panel.kind->name, item.text));
+    axes[*axis]->log = true;
+  }
 }
 
 /// A row that a reader of its own sets, behind `stage`.
@@ -113,24 +125,27 @@ PanelKey numbers_key(std::string name, std::string doc, std::vector<double> Pane
 const std::vector<PanelKey>& panel_keys() {
   static const std::vector<PanelKey> keys{
       {"title", "text above the panel", form::text(), &Panel::title},
-      {"where", "draws only rows for which this expression is true", form::expression(), &Panel::where},
-      {"rows", "all, or final: only the last row of each run of a sweep", form::word({"all", "final"}),
-       &Panel::final_rows},
-      {"legend", "texts of the legend, in the order of the curves", form::one_or_list(form::text()),
-       [](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
-         for (const yaml::Node& item : node.as_list()) panel.legend.push_back(read.text(item));
-       }},
+      needing(KeyNeeds::choice, {"where", "draws only rows for which this expression is true",
+                                 form::expression(), &Panel::where}),
+      needing(KeyNeeds::rows, {"rows", "all, or final: only the last row of each run of a sweep",
+                               form::word({"all", "final"}), &Panel::final_rows}),
+      needing(KeyNeeds::legend,
+              {"legend", "texts of the legend, in the order of the curves", form::one_or_list(form::text()),
+               [](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
+                 for (const yaml::Node& item : node.as_list()) panel.legend.push_back(read.text(item));
+               }}),
       {"equal", "true: one unit is as long on both axes", form::truth(), &Panel::equal},
       range_key("x", "ends of the axis: [-5 mm, 5 mm]", &Panel::x),
-      range_key("y", "ends of the axis", &Panel::y),
+      needing(KeyNeeds::up, range_key("y", "ends of the axis", &Panel::y)),
       label_key("x", "text at the axis, to which the unit is added", &Panel::x),
-      label_key("y", "text at the axis", &Panel::y),
-      label_key("z", "text at the axis", &Panel::z),
-      label_key("color", "text at the colour bar", &Panel::color),
-      range_key("z", "ends of the axis", &Panel::z),
-      range_key("color", "values at both ends of the colour bar", &Panel::color),
-      {"log", "axes with a logarithmic scale: x, y, color, or a list",
-       form::one_or_list(form::word({"x", "y", "color"})), read_log},
+      needing(KeyNeeds::up, label_key("y", "text at the axis", &Panel::y)),
+      needing(KeyNeeds::depth, label_key("z", "text at the axis", &Panel::z)),
+      needing(KeyNeeds::color_bar, label_key("color", "text at the colour bar", &Panel::color)),
+      needing(KeyNeeds::depth, range_key("z", "ends of the axis", &Panel::z)),
+      needing(KeyNeeds::color_bar,
+              range_key("color", "values at both ends of the colour bar", &Panel::color)),
+      needing(KeyNeeds::scale, {"log", "axes with a logarithmic scale: x, y, color, or a list",
+                                form::one_or_list(form::word({"x", "y", "color"})), read_log}),
       own_key("boundary",
               "expression of x and y in SI units (or a list); a line is drawn where it is zero: x - 5 mm. "
               "What is recorded stands for its value in the first row that 'where' selects",
@@ -141,8 +156,8 @@ const std::vector<PanelKey>& panel_keys() {
               form::series(), read_note, KeyNeeds::nothing, KeyStage::rows),
       own_key("region", "name of a Region (or a list): its boundary is drawn, and its inside shaded",
               form::one_or_list(form::block()), read_regions, KeyNeeds::nothing),
-      {"region_line", "how the boundary of a region is drawn: line or dashes", form::word({"line", "dashes"}),
-       &Panel::dashed_regions},
+      needing(KeyNeeds::plane, {"region_line", "how the boundary of a region is drawn: line or dashes",
+                                form::word({"line", "dashes"}), &Panel::dashed_regions}),
       own_key("marks", "points with names, drawn on top: {A: [0 mm, 20 mm]}; a list of points numbers them",
               form::either({form::names(plane_point(), 1), form::list(plane_point())}), read_marks,
               KeyNeeds::both, KeyStage::points),

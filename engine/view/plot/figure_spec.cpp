@@ -5,6 +5,7 @@
 
 #include "engine/view/plot/overlay_drawing.hpp"
 #include "engine/view/plot/plot_kind.hpp"
+#include "engine/view/plot/run_numbers.hpp"
 #include "engine/view/plot/ticks.hpp"
 
 namespace stepwire::plot {
@@ -65,14 +66,27 @@ FigureSpec FigureBuilder::finished() {
   return spec;
 }
 
+/// A panel that reads the one recording of its numbers, all of whose rows are drawn.
+static Panel panel_of_numbers(Panel panel) {
+  panel.recordings = {0};
+  panel.where.reset();
+  return panel;
+}
+
 FigureSpec figure_spec(const Figure& figure, std::span<const record::Recording> recordings) {
   if (!figure.panels.empty() && figure.panels.front().content)
     return {figure.title, 0.0, 0.0, false, {{0.0, 0.0, 0.0, 0.0, figure.panels.front().content(recordings)}}};
   FigureBuilder builder(figure, figure.panels.size());
   for (const Panel& panel : figure.panels) {
-    PlotBuilder& plot = builder.add(panel);
+    const bool reduces = !panel.numbers.empty();
+    PlotBuilder& plot = builder.add(reduces ? panel_of_numbers(panel) : panel);
     cover_overlays(panel, recordings, plot);
-    panel.kind->draw(panel, recordings, plot);
+    if (reduces) {
+      const record::Recording numbers = numbers_of_runs(panel, recordings);
+      panel.kind->draw(plot.panel(), {&numbers, 1}, plot);
+    } else {
+      panel.kind->draw(panel, recordings, plot);
+    }
     draw_overlays(panel, recordings, plot);
   }
   return builder.finished();

@@ -7,6 +7,7 @@
 #include "engine/analyse/query/number.hpp"
 #include "engine/view/plot/overlay.hpp"
 #include "engine/view/plot/plot_kind.hpp"
+#include "engine/view/plot/run_numbers.hpp"
 
 namespace stepwire::plot {
 namespace {
@@ -45,6 +46,8 @@ class PanelReader {
       if (option.required && node_.find(option.name) == nullptr)
         fault(node_.mark, "figure." + option.name,
               fmt::format("a plot '{}' needs '{}': {}", panel_.kind->name, option.name, option.doc));
+    check_beside();
+    check_numbers();
     read_later(KeyStage::points);
     check_axes(panel_, node_, names_, faults_);
     find_recordings();
@@ -107,7 +110,8 @@ class PanelReader {
     if (entry.value.is_list() && entry.value.items.empty())
       return fault(entry.value.mark, subject, "the list is empty");
     for (const yaml::Node& item : entry.value.as_list())
-      if (auto series = query::read_series(item, names_, subject, faults_)) {
+      if (auto series = reduces_runs(item) ? read_run_series(item, reading(entry.key), panel_)
+                                           : query::read_series(item, names_, subject, faults_)) {
         if (entry.key == "by") show_as_written(*series);
         panel_.series[entry.key].push_back(std::move(*series));
       }
@@ -153,10 +157,39 @@ class PanelReader {
         row.set(panel_, *value, reading(row.name));
   }
 
+  /// Beside a number of each run there is nothing that has several values in a run.
+  void check_numbers() {
+    if (panel_.numbers.empty()) return;
+    panel_.final_rows = true;
+    for (const query::RecordedName& name : names_.columns)
+      if (!name.recording) panel_.of_runs.push_back(name.name);
+    for (const auto& [key, list] : panel_.series)
+      for (const query::Series& series : list)
+        if (series.formula.recording ||
+            std::ranges::find(series.formula.columns, "time") != series.formula.columns.end())
+          fault(series.formula.mark, "figure." + key,
+                fmt::format("'{}' has many values in a run; reduce it, as in max({})", series.formula.text,
+                            series.formula.text));
+  }
+
+  /// Adds a fault for a key whose object is missing, as a line without a region.
+  void check_beside() {
+    std::vector<std::pair<const char*, const char*>> beside{{"region_line", "region"}};
+    if (panel_.kind->bar_of_channel)
+      for (const char* key : {"color_label", "color_range"}) beside.emplace_back(key, "color");
+    for (const auto& [key, of] : beside)
+      if (const yaml::Node* node = node_.find(key); node && !node_.find(of))
+        fault(node->mark, std::string("figure.") + key,
+              fmt::format("goes with '{}', which is not given", of));
+  }
+
   /// Each y is drawn with the other channels, so these must have been recorded together.
   void find_recordings() {
     std::vector<const query::Formula*> shared;
     if (panel_.where) shared.push_back(&*panel_.where);
+    for (const RunNumber& number : panel_.numbers)
+      for (const claim::Claim& one : number.formula.reductions)
+        for (const query::Formula& value : one.values) shared.push_back(&value);
     for (const auto& [key, list] : panel_.series)
       for (const query::Series& series : list)
         if (key != "y") shared.push_back(&series.formula);
@@ -204,7 +237,7 @@ std::optional<double> read_axis_number(const yaml::Node& node, const Panel& pane
     faults.add({{names.file, node.mark},
                 subject,
                 fmt::format("{} has a unit, but that of '{}' is not known; {}", read->text,
-                            series->formula.text, query::unit_cure(series->formula)),
+                            series->formula.text, query::unit_cure(series->formula, *read->dimension)),
                 {}});
   return series->unit.from_si(read->value);
 }

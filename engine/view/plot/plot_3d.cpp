@@ -95,7 +95,7 @@ void draw_space(const Panel& panel, std::span<const record::Recording> recording
 }  // namespace
 
 PlotKind space_plot() {
-  return {
+  PlotKind kind{
       "3d",
       "curves, points or surfaces in space, coloured by a fourth quantity if there is one",
       {{"x", "first axis", true},
@@ -112,6 +112,9 @@ PlotKind space_plot() {
        number_key("azimuth", "turn of the view about the upward axis in degrees (35)", &Panel::azimuth)},
       false,
       draw_space};
+  kind.bar_of_channel = true;
+  kind.lacks = {KeyNeeds::legend};
+  return kind;
 }
 
 }  // namespace stepwire::plot

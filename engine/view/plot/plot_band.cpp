@@ -95,7 +95,7 @@ void read_shares(Panel& panel, const yaml::Node& node, const query::NamesReading
 }  // namespace
 
 PlotKind band_plot() {
-  return {
+  PlotKind kind{
       "band",
       "quantiles over the runs of a sweep: the median, and bands in which the middle half and 90 % of the "
       "runs lie; x rises in each run, as time does",
@@ -106,6 +106,8 @@ PlotKind band_plot() {
         yaml::form::one_or_list(yaml::form::number()), read_shares}},
       true,
       draw_bands};
+  kind.lacks = {KeyNeeds::color_bar};
+  return kind;
 }
 
 }  // namespace stepwire::plot

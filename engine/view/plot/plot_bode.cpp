@@ -105,9 +105,11 @@ void draw_phase(const Panel& panel, std::span<const record::Recording> recording
 }  // namespace
 
 PlotKind bode_plot() {
-  return {"bode", "gain and phase of an analysis over frequency, with its margins, in two panels",
-          {},     {analysis_key()},
-          true,   draw_magnitude};
+  PlotKind kind{"bode", "gain and phase of an analysis over frequency, with its margins, in two panels",
+                {},     {analysis_key()},
+                true,   draw_magnitude};
+  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar, KeyNeeds::scale};
+  return kind;
 }
 
 const PlotKind& bode_phase_plot() {

@@ -201,7 +201,7 @@ void draw_boxes(const Panel& panel, std::span<const record::Recording> recording
 }  // namespace
 
 PlotKind box_plot() {
-  return {
+  PlotKind kind{
       "box",
       "box plots: median, mean (asterisk), quartiles after Hazen, whiskers over the full range",
       {{"y", "the values; one expression or a list of them", true, true},
@@ -215,6 +215,8 @@ PlotKind box_plot() {
         yaml::form::word({"range", "tukey"}), &Panel::tukey_whiskers}},
       false,
       draw_boxes};
+  kind.lacks = {KeyNeeds::across, KeyNeeds::color_bar};
+  return kind;
 }
 
 }  // namespace stepwire::plot

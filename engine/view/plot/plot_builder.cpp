@@ -107,6 +107,8 @@ void PlotBuilder::plane(double room) {
 PlotSpec PlotBuilder::finished() {
   spec.title = panel_.title;
   spec.equal = panel_.equal;
+  for (const auto& [axis, given] : {std::pair{&spec.x, &panel_.x.label}, {&spec.y, &panel_.y.label}})
+    if (!given->empty()) axis->label = *given;
   spec.legend = legend_of(spec.marks);
   if (spec.marks.empty()) {
     spec.z.reset();

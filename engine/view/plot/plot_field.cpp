@@ -96,19 +96,21 @@ void draw_field(const Panel& panel, std::span<const record::Recording> recording
 }  // namespace
 
 PlotKind field_plot() {
-  return {"field",
-          "arrows over the plane, as long and as coloured as they are strong",
-          {{"x", "along the horizontal axis", true},
-           {"y", "along the vertical axis", true},
-           {"u", "horizontal part of the arrow", true},
-           {"v", "vertical part of the arrow", true},
-           {"color", "shown as colour instead of the length"}},
-          {number_key("cells", "arrows along an axis at most (24)", &Panel::cells),
-           number_key("scale", "length of the longest arrow in cells (1)", &Panel::scale),
-           {"pivot", "what of an arrow lies at its point", yaml::form::word({"tail", "middle", "tip"}),
-            &Panel::pivot}},
-          true,
-          draw_field};
+  PlotKind kind{"field",
+                "arrows over the plane, as long and as coloured as they are strong",
+                {{"x", "along the horizontal axis", true},
+                 {"y", "along the vertical axis", true},
+                 {"u", "horizontal part of the arrow", true},
+                 {"v", "vertical part of the arrow", true},
+                 {"color", "shown as colour instead of the length"}},
+                {number_key("cells", "arrows along an axis at most (24)", &Panel::cells),
+                 number_key("scale", "length of the longest arrow in cells (1)", &Panel::scale),
+                 {"pivot", "what of an arrow lies at its point", yaml::form::word({"tail", "middle", "tip"}),
+                  &Panel::pivot}},
+                true,
+                draw_field};
+  kind.lacks = {KeyNeeds::legend};
+  return kind;
 }
 
 }  // namespace stepwire::plot

@@ -110,15 +110,18 @@ void draw_histogram(const std::vector<double>& values, PlotBuilder& plot) {
 }
 
 PlotKind histogram_plot() {
-  return {"histogram",
-          "how many rows have which value",
-          {{"x", "the value that is counted", true}},
-          {number_key("bins", "number of bins (30)", &Panel::bins),
-           {"reduce", "one value for each run in place of each row: max, mean, overshoot, settling_time, ...",
-            reduction_form(), read_reduction},
-           numbers_key("lines", "a value, or a list, at which a line is drawn", &Panel::lines, "x")},
-          false,
-          draw_bins};
+  PlotKind kind{
+      "histogram",
+      "how many rows have which value",
+      {{"x", "the value that is counted", true}},
+      {number_key("bins", "number of bins (30)", &Panel::bins),
+       {"reduce", "one value for each run in place of each row: max, mean, overshoot, settling_time, ...",
+        reduction_form(), read_reduction},
+       numbers_key("lines", "a value, or a list, at which a line is drawn", &Panel::lines, "x")},
+      false,
+      draw_bins};
+  kind.lacks = {KeyNeeds::legend, KeyNeeds::color_bar};
+  return kind;
 }
 
 }  // namespace stepwire::plot

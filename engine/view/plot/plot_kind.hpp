@@ -13,8 +13,16 @@ class PlotBuilder;
 /// What a key needs of its plot.
 enum class KeyNeeds {
   nothing,
-  plane,  ///< axes in a plane
-  both    ///< axes in a plane, and something along both
+  plane,      ///< axes in a plane
+  both,       ///< axes in a plane, and something along both
+  depth,      ///< something along a third axis
+  choice,     ///< rows or runs of which some may be left out
+  rows,       ///< several rows of each run
+  legend,     ///< texts that tell its curves apart
+  across,     ///< numbers along x
+  up,         ///< numbers along y
+  scale,      ///< axes whose scale the file may choose
+  color_bar,  ///< a colour bar
 };
 
 /// When a key is read.
@@ -68,7 +76,9 @@ struct PlotKind {
   /// The quantities that one that is read so shows, by names below that of its panel; null: none.
   std::vector<query::NamedFormula> (*shown)(const yaml::Node& node,
                                             const query::SymbolTable& names) = nullptr;
-  bool last_rows = false;  ///< reads the last row of each run alone, whatever the file has
+  bool last_rows = false;         ///< reads the last row of each run alone, whatever the file has
+  std::vector<KeyNeeds> lacks{};  ///< what keys of panels may need and this plot does not have
+  bool bar_of_channel = false;    ///< has its colour bar where the file gives `color` alone
 
   /// The channel of this name, or nullptr.
   const Channel* channel(std::string_view key) const;

@@ -43,20 +43,23 @@ void draw_map(const Panel& panel, std::span<const record::Recording> recordings,
 }  // namespace
 
 PlotKind map_plot() {
-  return {"map",
-          "a heat map over the plane, from rows on a lattice or scattered; nothing is drawn where nothing "
-          "was measured",
-          {{"x", "along the horizontal axis", true},
-           {"y", "along the vertical axis", true},
-           {"color", "shown as colour, with a colour bar", true}},
-          {number_key("cells", "cells along an axis for scattered rows (160, at most 1000)", &Panel::cells),
-           number_key("gap",
-                      "between scattered rows that are no farther apart the colour goes over linearly (a "
-                      "tenth of the width)",
-                      &Panel::gap, "x"),
-           numbers_key("contour", "values of the colour at which lines are drawn", &Panel::contour, "color")},
-          true,
-          draw_map};
+  PlotKind kind{
+      "map",
+      "a heat map over the plane, from rows on a lattice or scattered; nothing is drawn where nothing "
+      "was measured",
+      {{"x", "along the horizontal axis", true},
+       {"y", "along the vertical axis", true},
+       {"color", "shown as colour, with a colour bar", true}},
+      {number_key("cells", "cells along an axis for scattered rows (160, at most 1000)", &Panel::cells),
+       number_key("gap",
+                  "between scattered rows that are no farther apart the colour goes over linearly (a "
+                  "tenth of the width)",
+                  &Panel::gap, "x"),
+       numbers_key("contour", "values of the colour at which lines are drawn", &Panel::contour, "color")},
+      true,
+      draw_map};
+  kind.lacks = {KeyNeeds::legend};
+  return kind;
 }
 
 }  // namespace stepwire::plot

@@ -27,14 +27,16 @@ void draw_path(const Panel& panel, std::span<const record::Recording> recordings
 }  // namespace
 
 PlotKind path_plot() {
-  return {"path",
-          "a path in the plane whose colour is a third quantity",
-          {{"x", "along the horizontal axis", true},
-           {"y", "along the vertical axis", true},
-           {"color", "shown as colour, with a colour bar", true}},
-          {},
-          true,
-          draw_path};
+  PlotKind kind{"path",
+                "a path in the plane whose colour is a third quantity",
+                {{"x", "along the horizontal axis", true},
+                 {"y", "along the vertical axis", true},
+                 {"color", "shown as colour, with a colour bar", true}},
+                {},
+                true,
+                draw_path};
+  kind.lacks = {KeyNeeds::legend};
+  return kind;
 }
 
 }  // namespace stepwire::plot

@@ -176,30 +176,38 @@ void draw_step(const Panel& panel, std::span<const record::Recording> recordings
 }  // namespace
 
 PlotKind poles_plot() {
-  return {"poles", "poles and zeros of an analysis; of a sampled one about the unit circle",
-          {},      {analysis_key()},
-          true,    draw_poles};
+  PlotKind kind{"poles", "poles and zeros of an analysis; of a sampled one about the unit circle",
+                {},      {analysis_key()},
+                true,    draw_poles};
+  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar};
+  return kind;
 }
 
 PlotKind root_locus_plot() {
-  return {
+  PlotKind kind{
       "root_locus",
       "where the poles of the closed loop go as the loop of an analysis is multiplied by a gain from 0 up",
       {},
       {analysis_key()},
       true,
       draw_locus};
+  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar};
+  return kind;
 }
 
 PlotKind nyquist_plot() {
-  return {"nyquist", "the loop of an analysis in the plane of complex numbers, with its margins",
-          {},        {analysis_key()},
-          true,      draw_nyquist};
+  PlotKind kind{"nyquist", "the loop of an analysis in the plane of complex numbers, with its margins",
+                {},        {analysis_key()},
+                true,      draw_nyquist};
+  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar};
+  return kind;
 }
 
 PlotKind step_response_plot() {
-  return {"step_response", "what an analysis puts out after a step of 1", {}, {analysis_key()}, true,
-          draw_step};
+  PlotKind kind{"step_response", "what an analysis puts out after a step of 1", {}, {analysis_key()}, true,
+                draw_step};
+  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar};
+  return kind;
 }
 
 }  // namespace stepwire::plot

@@ -145,7 +145,7 @@ void draw_sensitivity(const Panel& panel, std::span<const record::Recording> rec
 }  // namespace
 
 PlotKind sensitivity_plot() {
-  return {
+  PlotKind kind{
       "sensitivity",
       "which drawn parameter matters how much for an outcome of the section `sensitivity`, the one that "
       "matters most on top; the lines are intervals",
@@ -158,6 +158,8 @@ PlotKind sensitivity_plot() {
         }}},
       false,
       draw_sensitivity};
+  kind.lacks = {KeyNeeds::choice, KeyNeeds::rows, KeyNeeds::legend, KeyNeeds::up, KeyNeeds::color_bar};
+  return kind;
 }
 
 }  // namespace stepwire::plot

@@ -82,12 +82,14 @@ void draw_strip(const Panel& panel, std::span<const record::Recording> recording
 }  // namespace
 
 PlotKind strip_plot() {
-  return {"strip",
-          "a strip along x whose colour is a second quantity",
-          {{"x", "along the strip", true}, {"color", "shown as colour, with a colour bar", true}},
-          {},
-          true,
-          draw_strip};
+  PlotKind kind{"strip",
+                "a strip along x whose colour is a second quantity",
+                {{"x", "along the strip", true}, {"color", "shown as colour, with a colour bar", true}},
+                {},
+                true,
+                draw_strip};
+  kind.lacks = {KeyNeeds::legend, KeyNeeds::up};
+  return kind;
 }
 
 }  // namespace stepwire::plot

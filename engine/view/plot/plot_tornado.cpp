@@ -173,6 +173,7 @@ PlotKind tornado_plot() {
       false,
       draw_tornado};
   kind.last_rows = true;
+  kind.lacks = {KeyNeeds::rows, KeyNeeds::legend, KeyNeeds::up, KeyNeeds::color_bar};
   return kind;
 }
 

@@ -19,8 +19,10 @@ const Channel* PlotKind::channel(std::string_view key) const {
 }
 
 bool PlotKind::takes(KeyNeeds needs) const {
-  if (needs == KeyNeeds::nothing) return true;
-  return plane && (needs == KeyNeeds::plane || (channel("x") && channel("y")));
+  if (needs == KeyNeeds::plane) return plane;
+  if (needs == KeyNeeds::both) return plane && channel("x") && channel("y");
+  if (needs == KeyNeeds::depth) return channel("z") != nullptr;
+  return std::ranges::find(lacks, needs) == lacks.end();
 }
 
 }  // namespace stepwire::plot

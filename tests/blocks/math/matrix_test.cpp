@@ -1,5 +1,11 @@
 // Blocks of matrices, against products and inverses by hand.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
 
 #include "tests/support/run_text.hpp"
 
@@ -107,7 +113,8 @@ blocks:
   two: {block: Stack, u: [1, t]}
   A: {block: Concatenate, u: [one, two]}
   x: {block: Integrator, u: B.1.1}
-  B: {block: Inverse, u: A)" + condition + "}\nrecord: [x]\n";
+  B: {block: Inverse, u: A)" +
+           condition + "}\nrecord: [x]\n";
   };
   CHECK_THAT(error_of(rig("")), Catch::Contains("B: the matrix is singular") && Catch::Contains("(at 1 s)"));
   CHECK(error_of(rig(", enable: abs(t - 1) > 1.5e-3")).empty());
@@ -156,6 +163,20 @@ record: [back]
       CHECK(last(run, "back." + std::to_string(column) + "." + std::to_string(row)) ==
             expected[row - 1][column - 1]);
     }
+}
+
+TEST_CASE("sizes that nothing tells are found alike in each order of the blocks") {
+  std::vector<std::string> blocks{"high: {block: Stack, u: [wave]}",
+                                  "tall: {block: Stack, u: [0.5, wave, wave]}", "wave: {block: Sine}",
+                                  "wide: {block: Concatenate, u: [wave, high, wave]}"};
+  do {
+    INFO(fmt::format("{}", fmt::join(blocks, "\n")));
+    const table::Table run =
+        run_text(fmt::format("{}  {}\nrecord: [tall, wide]\n", head, fmt::join(blocks, "\n  ")));
+    CHECK(last(run, "tall.1") == 0.5);
+    CHECK(last(run, "tall.3") == std::sin(2.0 * std::numbers::pi));
+    CHECK(last(run, "wide.1.3") == last(run, "tall.3"));
+  } while (std::next_permutation(blocks.begin(), blocks.end()));
 }
 
 TEST_CASE("what has no whole columns, other units or no end stands beside no matrix") {

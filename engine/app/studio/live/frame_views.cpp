@@ -40,6 +40,11 @@ SampleRange range_of(const LoadedRun& run, const WantedView& view, std::vector<s
   return range;
 }
 
+/// Is another one after each start and return, and where samples of the past were put.
+std::uint32_t life_of(const LoadedRun& run) {
+  return run.status().run + (run.store().revision() << 16u);
+}
+
 }  // namespace
 
 void FrameViews::want(int client, const json::Json& views) {
@@ -85,7 +90,7 @@ std::vector<std::pair<FrameViews::Key, FrameViews::View>> FrameViews::due(std::u
 }
 
 void FrameViews::send(LoadedRun& run) {
-  const std::uint32_t number = run.thread().status().run;
+  const std::uint32_t number = life_of(run);
   const std::int64_t end = run.store().end_tick();
   for (const auto& [key, view] : due(number, end)) {
     try {
@@ -99,7 +104,7 @@ void FrameViews::send(LoadedRun& run) {
 
 void FrameViews::send_view(LoadedRun& run, const Key& key, const View& view, std::int64_t end) {
   const SampleRange range = range_of(run, view.wanted, run.stored(view.wanted.columns), end);
-  const bool is_over = view.sent && view.sent->first == run.thread().status().run && !view.wanted.follow &&
+  const bool is_over = view.sent && view.sent->first == life_of(run) && !view.wanted.follow &&
                        range.to <= view.sent->second && view.sent->second <= end;
   if (is_over) return;
   FrameHead head{key.second, 0, run.thread().status().run};

@@ -27,9 +27,16 @@ LiveColumn column_of(const query::Series& series) {
 LoadedRun::LoadedRun(Loading loading, const MakeRun& make)
     : model_(std::move(loading.model)),
       again_(std::move(loading.again)),
+      documents_(std::move(loading.documents)),
       signals_(plan()),
       names_(signals_.names(plan())),
       thread_(make(plan(), signals_)) {}
+
+const yaml::Document* LoadedRun::document(const std::string& path) const try {
+  return documents_ ? &documents_(path) : nullptr;
+} catch (const yaml::Error&) {
+  return nullptr;
+}
 
 std::shared_ptr<const session::LoadedModel> LoadedRun::model_with(const std::vector<LiveEvent>& set) {
   std::map<std::string, std::string> values;

@@ -26,12 +26,14 @@ struct LiveColumn {
 /// A model that was read, and how it is read again from the same texts, with other settings.
 struct Loading {
   using Again = std::function<session::LoadedModel(const session::LoadOptions& options)>;
+  using Documents = std::function<const yaml::Document&(const std::string& path)>;
 
-  Loading(session::LoadedModel model_read, Again read_again = {})
-      : model(std::move(model_read)), again(std::move(read_again)) {}
+  Loading(session::LoadedModel model_read, Again read_again = {}, Documents files = {})
+      : model(std::move(model_read)), again(std::move(read_again)), documents(std::move(files)) {}
 
   session::LoadedModel model;
-  Again again;  ///< empty: it cannot be
+  Again again;          ///< empty: it cannot be
+  Documents documents;  ///< its texts as trees; throws Error for a file that is none of them
 };
 
 /// Begins a run of a plan, whose signals are these; both outlive it.
@@ -47,8 +49,11 @@ class LoadedRun {
   /// be read again.
   std::shared_ptr<const session::LoadedModel> model_with(const std::vector<LiveEvent>& set);
   const plan::Plan& plan() const { return model_.job.plan; }
+  /// The tree of a file's text; nullptr where it is not known. While the run is loaded only.
+  const yaml::Document* document(const std::string& path) const;
   const SignalList& signals() const { return signals_; }
   RunControl& thread() { return *thread_; }
+  RunStatus status() const { return thread_->status(); }
   const SampleStore& store() const { return thread_->store(); }
 
   /// The column of a name or an expression, "cart.position in mm". Throws Error where there is something
@@ -66,6 +71,7 @@ class LoadedRun {
  private:
   session::LoadedModel model_;
   Loading::Again again_;
+  Loading::Documents documents_;
   std::mutex again_mutex_;  ///< of the model that was read last, and by which values
   std::map<std::string, std::string> again_values_;
   std::shared_ptr<const session::LoadedModel> again_model_;

@@ -94,7 +94,9 @@ std::vector<record::Recording> recorded_so_far(const session::LoadedModel& model
   if (!model.kept) return recordings;
   record::Recording row = run::number_row(*model.kept, recordings);
   add_swept(model.job.plan.diagram, run, row);
-  return {row};
+  if (sweep->recorded_runs == 0) return {row};
+  recordings.insert(recordings.begin(), std::move(row));
+  return recordings;
 }
 
 }  // namespace stepwire::live

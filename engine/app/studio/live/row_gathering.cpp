@@ -85,8 +85,7 @@ std::vector<std::size_t> RowGathering::places() const {
 }
 
 void RowGathering::take(const double* values) {
-  for (const Column& column : columns_)
-    rows_.push_back(column.formula ? (*column.formula)(values, column.places) : values[column.offset]);
+  for (const Column& column : columns_) rows_.push_back(column(values));
   const std::size_t count = rows_.size() / std::max<std::size_t>(columns_.size(), 1);
   if (count < rows_at_once || count % rows_at_once != 0) return;
   if (count >= rows_at_most) return flush();
@@ -99,6 +98,13 @@ void RowGathering::flush() {
   if (!rows.empty()) store_.append(rows);
   rows.clear();
   rows_.swap(rows);  // keeps its memory
+}
+
+std::vector<RowGathering::Incomplete> RowGathering::incomplete() const {
+  std::vector<Incomplete> found;
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    if (const std::int64_t first = store_.first_tick(i); first > 0) found.push_back({i, first, columns_[i]});
+  return found;
 }
 
 void RowGathering::cut(std::int64_t tick) {

@@ -13,6 +13,23 @@ namespace stepwire::live {
 /// the store.
 class RowGathering {
  public:
+  /// How the value of a column is read from the numbers of a run.
+  struct Column {
+    std::size_t offset = 0;                           ///< in a workspace
+    std::optional<expression::Expression> formula{};  ///< of numbers at these places
+    std::vector<std::size_t> places{};
+
+    double operator()(const double* values) const {
+      return formula ? (*formula)(values, places) : values[offset];
+    }
+  };
+  /// A column of the store whose samples begin behind tick 0.
+  struct Incomplete {
+    std::size_t index = 0;
+    std::int64_t first_tick = 0;
+    Column column;
+  };
+
   /// Stores what the file records. The signals must outlive it.
   RowGathering(const SignalList& signals, double step, const StoreOptions& options);
 
@@ -29,16 +46,13 @@ class RowGathering {
   void flush();
   /// Forgets all from a tick on.
   void cut(std::int64_t tick);
+  std::vector<Incomplete> incomplete() const;
+  /// Puts the samples of all ticks before the first one of a column.
+  void put_past(std::size_t column, std::span<const double> samples) { store_.put_before(column, samples); }
 
   const SampleStore& store() const { return store_; }
 
  private:
-  struct Column {
-    std::size_t offset = 0;                           ///< in a workspace
-    std::optional<expression::Expression> formula{};  ///< of numbers at these places
-    std::vector<std::size_t> places{};
-  };
-
   std::size_t add(std::size_t offset, std::int64_t tick);
   void fill(std::size_t column, std::int64_t from, std::int64_t to);
 

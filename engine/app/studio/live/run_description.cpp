@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/model/diagram/bindings.hpp"
+#include "engine/app/studio/live/parameter_list.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 
 namespace stepwire::live {
@@ -12,8 +12,7 @@ namespace {
 
 using json::Json;
 
-constexpr std::size_t most_numbers = 4000;  // of blocks, which a page can list
-constexpr std::size_t most_traces = 6;      // of a scope that no figure gives
+constexpr std::size_t most_traces = 6;  // of a scope that no figure gives
 
 Json columns_json(const SignalList& signals) {
   Json list = Json::list();
@@ -25,86 +24,6 @@ Json columns_json(const SignalList& signals) {
                   .set("unit", unit_text(signal.dimension))
                   .set("recorded", signal.recorded));
   }
-  return list;
-}
-
-/// The ends of a slider: the bounds where there are any, else 0 and twice the value.
-struct Ends {
-  std::optional<double> low, high;
-
-  Json add_to(Json json, double value) const {
-    const double twice = value == 0.0 ? 1.0 : 2.0 * value;
-    return json.set("low", low.value_or(std::min(value == 0.0 ? -1.0 : 0.0, twice)))
-        .set("high", high.value_or(std::max(0.0, twice)));
-  }
-};
-
-Ends ends_of(const diagram::Definition& definition) {
-  Ends ends;
-  for (const yaml::Entry& bound : definition.bounds) {
-    const auto quantity = unit::parse_quantity(bound.value.text);
-    if (!quantity) continue;
-    (bound.key == "above" || bound.key == "at_least" ? ends.low : ends.high) = quantity->value;
-  }
-  return ends;
-}
-
-Ends ends_of(const Range& range) {
-  return {range.at_least ? range.at_least : range.above, range.at_most ? range.at_most : range.below};
-}
-
-void add_parameters(const diagram::Diagram& diagram, Json& list) {
-  for (std::size_t i = 0; i < diagram.parameters.size(); ++i) {
-    const diagram::DiagramParameter& parameter = diagram.parameters[i];
-    const double* value = std::get_if<double>(&parameter.value.content);
-    if (!value) continue;
-    Json json = Json::object()
-                    .set("name", parameter.name)
-                    .set("text", parameter.text)
-                    .set("value", *value)
-                    .set("unit", unit_text(parameter.dimension));
-    json = ends_of(diagram.bindings->definitions[i]).add_to(std::move(json), *value);
-    list.push(json.set("doc", parameter.doc).set("block", false));
-  }
-}
-
-std::string unit_of(const diagram::DiagramBlock& block, std::size_t parameter) {
-  const auto& written = block.parameter_dimensions;
-  if (parameter < written.size() && written[parameter]) return unit_text(*written[parameter]);
-  const auto unit = unit::parse_unit(block.type().parameters[parameter].unit);
-  return unit ? unit_text(unit->dimension) : "";
-}
-
-/// The number of a block's parameter; nothing where it is something else, or a list of several.
-std::optional<double> number_of(const ParameterSpec& spec, const void* block) {
-  const bool is_number = spec.kind == ParameterKind::number || spec.kind == ParameterKind::per_element;
-  if (!is_number || !spec.get) return std::nullopt;
-  const Value value = spec.get(block);
-  if (const double* number = std::get_if<double>(&value.content)) return *number;
-  const auto* list = std::get_if<Eigen::VectorXd>(&value.content);
-  return list && list->size() == 1 ? std::optional((*list)[0]) : std::nullopt;
-}
-
-void add_numbers_of(const diagram::DiagramBlock& block, Json& list) {
-  for (std::size_t p = 0; p < block.type().parameters.size(); ++p) {
-    const ParameterSpec& spec = block.type().parameters[p];
-    const std::optional<double> number = number_of(spec, block.block.get());
-    if (!number || !std::isfinite(*number)) continue;
-    Json json = Json::object()
-                    .set("name", block.name + "." + spec.name)
-                    .set("text", fmt::format("{} {}", *number, unit_of(block, p)))
-                    .set("value", *number)
-                    .set("unit", unit_of(block, p));
-    json = ends_of(spec.range).add_to(std::move(json), *number);
-    list.push(json.set("doc", spec.doc).set("block", true));
-  }
-}
-
-Json parameters_json(const diagram::Diagram& diagram) {
-  Json list = Json::list();
-  add_parameters(diagram, list);
-  for (const diagram::DiagramBlock& block : diagram.blocks)
-    if (list.items().size() < most_numbers) add_numbers_of(block, list);
   return list;
 }
 
@@ -197,7 +116,7 @@ Json run_description(LoadedRun& run) {
       .set("step", diagram.step)
       .set("stop", std::isfinite(diagram.stop) ? Json(diagram.stop) : Json())
       .set("columns", columns_json(run.signals()))
-      .set("parameters", parameters_json(diagram))
+      .set("parameters", parameters_json(run))
       .set("scopes", scopes_json(run))
       .set("inputs", inputs_json(run.plan()))
       .set("scene", run.model().scene != nullptr)

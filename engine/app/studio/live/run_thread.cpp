@@ -40,6 +40,8 @@ RunThread::~RunThread() {
   quits_ = true;
   commands_.push([] {});
   thread_.join();
+  past_interrupt_ = true;
+  if (past_.joinable()) past_.join();
 }
 
 void RunThread::main() {
@@ -207,6 +209,7 @@ void RunThread::go_back(std::int64_t tick) {
   known_ = tick + 1;
   goal_ = tick;
   shown_ = at - 1;
+  fill_past();
 }
 
 /// From behind a tick on the run has the values that are set now.

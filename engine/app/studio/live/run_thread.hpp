@@ -83,6 +83,9 @@ class RunThread : public RunControl, private run::RunObserver {
   void start_anew();
   void go_back(std::int64_t tick);
   void carry_values(std::int64_t tick);
+  void fill_past();
+  void put_past(std::uint32_t life, const std::vector<RowGathering::Incomplete>& columns,
+                const std::vector<std::vector<double>>& samples);
   std::int64_t next_tick() const { return shown_ + 1; }
   void tell();
 
@@ -110,6 +113,8 @@ class RunThread : public RunControl, private run::RunObserver {
   std::string fault_;
   mutable std::mutex status_mutex_;
   RunStatus status_;
+  std::atomic<bool> past_interrupt_ = false;
+  std::thread past_;    ///< for samples that columns miss
   std::thread thread_;  ///< last: it uses the others
 };
 

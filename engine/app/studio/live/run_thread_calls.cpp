@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "engine/app/studio/live/past.hpp"
 #include "engine/app/studio/live/run_thread.hpp"
 
 namespace stepwire::live {
@@ -85,11 +86,44 @@ void RunThread::release(int client) {
 }
 
 std::size_t RunThread::stored(std::size_t signal) {
-  return commands_.ask([&] { return rows_.column(signal, next_tick()); });
+  return commands_.ask([&] {
+    const std::size_t column = rows_.column(signal, next_tick());
+    fill_past();
+    return column;
+  });
 }
 
 std::size_t RunThread::stored(const query::Formula& formula) {
-  return commands_.ask([&] { return rows_.column(formula, next_tick()); });
+  return commands_.ask([&] {
+    const std::size_t column = rows_.column(formula, next_tick());
+    fill_past();
+    return column;
+  });
+}
+
+/// Starts the computation of samples that columns miss because they were chosen after the start.
+void RunThread::fill_past() {
+  past_interrupt_ = true;
+  if (past_.joinable()) past_.join();
+  std::vector<RowGathering::Incomplete> columns = rows_.incomplete();
+  if (columns.empty()) return;
+  past_interrupt_ = false;
+  past_ = std::thread([this, life = lives_, log = log_, columns = std::move(columns)] {
+    std::vector<std::vector<double>> samples;
+    try {
+      samples = past_of(plan_, log, columns, past_interrupt_);
+    } catch (const std::exception&) {  // the columns stay as they are; the page shows where they begin
+    }
+    if (!samples.empty()) commands_.push([=, this] { put_past(life, columns, samples); });
+  });
+}
+
+void RunThread::put_past(std::uint32_t life, const std::vector<RowGathering::Incomplete>& columns,
+                         const std::vector<std::vector<double>>& samples) {
+  if (life != lives_) return;
+  rows_.flush();
+  for (std::size_t i = 0; i < columns.size(); ++i) rows_.put_past(columns[i].index, samples[i]);
+  tell();
 }
 
 EventLog RunThread::log() {

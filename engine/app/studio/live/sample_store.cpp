@@ -112,6 +112,24 @@ void SampleStore::append_to(std::size_t column, std::span<const double> samples)
   columns_.at(column).append(samples.data(), samples.size(), 1);
 }
 
+void SampleStore::put_before(std::size_t column, std::span<const double> samples) {
+  const std::lock_guard lock(mutex_);
+  SampleColumn& known = columns_.at(column);
+  const std::int64_t first = known.first_tick();
+  if (static_cast<std::int64_t>(samples.size()) != first) return;
+  std::vector<double> later(static_cast<std::size_t>(known.end_tick() - first));
+  known.read(first, later);
+  known.cut(0);
+  known.append(samples.data(), samples.size(), 1);
+  known.append(later.data(), later.size(), 1);
+  ++revision_;
+}
+
+std::uint32_t SampleStore::revision() const {
+  const std::lock_guard lock(mutex_);
+  return revision_;
+}
+
 void SampleStore::cut(std::int64_t tick) {
   const std::lock_guard lock(mutex_);
   for (SampleColumn& column : columns_) column.cut(tick);

@@ -60,8 +60,12 @@ class SampleStore {
   bool try_append(std::span<const double> rows);
   /// Samples that a new column has of ticks for which the others have theirs. Throws EnvironmentError.
   void append_to(std::size_t column, std::span<const double> samples);
+  /// Puts the samples of all ticks before the first one of a column; ignores another number of samples.
+  void put_before(std::size_t column, std::span<const double> samples);
   /// Forgets all from a tick on.
   void cut(std::int64_t tick);
+  /// Counts how often samples of the past were put.
+  std::uint32_t revision() const;
 
   std::size_t columns() const;
   std::int64_t first_tick(std::size_t column) const;
@@ -82,6 +86,7 @@ class SampleStore {
   std::size_t in_memory_;  ///< chunks of each column
   SpillFile file_;
   std::deque<SampleColumn> columns_;
+  std::uint32_t revision_ = 0;
 };
 
 }  // namespace stepwire::live

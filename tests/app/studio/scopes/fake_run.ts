@@ -72,10 +72,10 @@ export class FakeRun {
       run: 1, step, stop: seconds, scene: false, figures: 0, inputs: [], claims: [{that: "the cart stays within 60 mm"}, {that: "it comes to rest"}],
       columns: Array.from({length: signals}, (_, column) => ({column, name: name(column), unit: column % 5 === 4 ? "N" : "m", recorded: true})),
       parameters: [
-        {name: "gain", text: "1", value: 1, unit: "1", low: 0, high: 3, doc: "of all signals", block: false},
-        {name: "mass", text: "2 kg", value: 2, unit: "kg", low: null, high: null, doc: "of the cart", block: false},
-        {name: "rig.offset", text: "10 mm", value: 0.01, unit: "m", low: -0.05, high: 0.05, doc: "of the pin from the middle", block: false},
-        {name: "spring.gain", text: "200 N/m", value: 200, unit: "N/m", low: null, high: null, doc: "", block: true},
+        {name: "gain", text: "1", value: 1, unit: "1", shown: {text: "", scale: 1, offset: 0}, low: 0, high: 3, doc: "of all signals", block: false},
+        {name: "mass", text: "2 kg", value: 2, unit: "kg", shown: {text: "kg", scale: 1, offset: 0}, low: null, high: null, doc: "of the cart", block: false},
+        {name: "rig.offset", text: "10 mm", value: 0.01, unit: "m", shown: {text: "mm", scale: 1000, offset: 0}, low: -0.05, high: 0.05, doc: "of the pin from the middle", block: false},
+        {name: "spring.gain", text: "200 N/m", value: 200, unit: "N/m", shown: {text: "N/m", scale: 1, offset: 0}, low: null, high: null, doc: "", block: true},
       ],
       scopes: Array.from({length: scopes}, (_, scope) => ({title: scope === 0 ? "Cart" : `Sensors ${scope}`, traces: Array.from({length: perScope}, (_, i) => {
         const column = scope * perScope + i, isForce = column % 5 === 4;

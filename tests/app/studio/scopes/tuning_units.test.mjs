@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
-import {lists, millimetres, near, tuning} from "./modules.mjs";
+import {celsius, lists, m, millimetres, near, pinned, samples, tuning} from "./modules.mjs";
 
 test("a slider goes between the bounds of the file, else from nothing to twice the value", () => {
   assert.deepEqual(tuning.sliderRange({low: 0, high: 3, value: 1}), {low: 0, high: 3});
@@ -19,14 +19,31 @@ test("places of a slider go over to values and back", () => {
   assert.equal(tuning.placeOf(9, range), 1000);
 });
 
-test("a parameter is shown in the unit in which it is written", () => {
-  assert.deepEqual(tuning.ownUnit({text: "2 kg", value: 2, unit: "kg"}), {text: "kg", scale: 1});
-  const unit = tuning.ownUnit({text: "10 mm", value: 0.01, unit: "m"});
-  near(unit.scale, 1000, 1e-6);
-  assert.equal(tuning.valueText(0.0125, unit), "12.5 mm");
-  assert.deepEqual(tuning.ownUnit({text: "2*$mass", value: 4, unit: "kg"}), {text: "kg", scale: 1});
-  assert.deepEqual(tuning.ownUnit({text: "0 mm", value: 0, unit: "m"}), {text: "m", scale: 1});
-  assert.equal(tuning.valueText(0.5, tuning.ownUnit({text: "0.5", value: 0.5, unit: "1"})), "0.5");
+test("a value is shown in the unit of the file, also a zero and a temperature", () => {
+  assert.equal(tuning.valueText(0.0125, millimetres), "12.5 mm");
+  assert.equal(tuning.valueText(0, millimetres), "0 mm");
+  assert.equal(tuning.valueText(294.15, celsius), "21 degC");
+  assert.equal(tuning.valueText(273.15, celsius), "0 degC");
+  assert.equal(tuning.valueText(Math.PI / 18, {text: "deg", scale: 180 / Math.PI, offset: 0}), "10 deg");
+  assert.equal(tuning.valueText(0.5, {text: "1", scale: 1, offset: 0}), "0.5");
+});
+
+test("the history of a run has the values that it began with and those that were set on its way", () => {
+  const parameter = (name, text, shown, block = false) => ({name, text, shown, block});
+  const kilograms = {text: "kg", scale: 1, offset: 0};
+  const all = [parameter("mass", "2 kg", kilograms), parameter("way", "10 mm", millimetres), parameter("c", "3 N", kilograms), parameter("spring.gain", "5 N", kilograms, true)];
+  assert.deepEqual(pinned.historyOf(all, [], 0.001), ["mass 2 kg", "way 10 mm"]);
+  assert.deepEqual(pinned.historyOf(all, [{tick: 700, name: "mass", text: "3.792"}], 0.001), ["mass 2 kg, then 3.792 kg at 0.7 s", "way 10 mm"]);
+  assert.deepEqual(pinned.historyOf(all, [{tick: -1, name: "way", text: "0.02"}, {tick: 500, name: "way", text: "0.03"}, {tick: 600, name: "way", text: "0.04"}, {tick: 2000, name: "way", text: "5 mm"}], 0.001),
+    ["way 20 mm, then moved to 40 mm from 0.5 s to 0.6 s, then 5 mm at 2 s", "mass 2 kg"]);
+  assert.deepEqual(pinned.historyOf(all, [{tick: 3, name: "spring.gain", text: "7"}, {tick: 9, name: "push", values: [1]}], 0.001, 1), ["spring.gain 5 N, then 7 kg at 0.003 s", "with a hand on push"]);
+});
+
+test("samples that are missing at the beginning have a first time, others have none", () => {
+  assert.equal(m.gapOf(samples([0, 1, 2], [NaN, NaN, 5])), 2);
+  assert.equal(m.gapOf(samples([0, 1, 2], [1, NaN, 5])), undefined);
+  assert.equal(m.gapOf(samples([0, 1], [NaN, NaN])), 1);
+  assert.equal(m.gapOf(undefined), undefined);
 });
 
 test("of values that come while one is under way only the last is sent", async () => {

@@ -215,12 +215,20 @@ TEST_CASE("a claim that is known not to hold surprises when it holds") {
   CHECK(verdict_of("max: rig.x, at_most: 1", records).fails());
 }
 
-TEST_CASE("what is below the resolution of what was recorded is shown as 0, unless it decides") {
+TEST_CASE("a small value is shown by its size, with at most four digits where the claim holds") {
   const auto records = record_of({0, 1, 2}, {0.2, 0.2, -0.2});
-  CHECK(verdict_of("max: rig.x + 1e-17 - rig.x, at_most: 1 m", record_of({0}, {0.2})).shown == "0 m");
-  CHECK(verdict_of("final: rig.x*5e-320, at_least: -1 mm", records).shown == "0 mm");
+  CHECK(verdict_of("max: 1e-14*rig.x, at_most: 1 m", records).shown == "2e-15 m");
   CHECK(verdict_of("max: 1e-15*rig.x, at_most: 0 m", records).shown == "2e-16 m");
   CHECK(verdict_of("max: 1e-9*rig.x, at_most: 1 m", records).shown == "2e-10 m");
+  CHECK(verdict_of("max: rig.x - rig.x, at_most: 1 m", records).shown == "0 m");
+}
+
+TEST_CASE("a number of four digits is on that side of the bound on which the value is") {
+  const auto records = record_of({0, 1}, {3.14156, 3.14156});
+  CHECK(verdict_of("max: rig.x, at_most: 3.1416 m", records).shown == "3.141 m");
+  CHECK(verdict_of("max: rig.x, at_most: 3.14155 m", records).shown == "3.142 m");
+  CHECK(verdict_of("min: rig.x, at_least: 3.1415 m", records).shown == "3.142 m");
+  CHECK(verdict_of("max: rig.x, at_least: 3.14158 m", records).shown == "3.14156 m");
 }
 
 TEST_CASE("a small length has a small unit where the file gives none") {
@@ -228,6 +236,18 @@ TEST_CASE("a small length has a small unit where the file gives none") {
   CHECK(verdict_of("max: rig.x, at_most: $reach", records).shown == "14.3 mm");
   CHECK(verdict_of("max: rig.x, at_most: 1 m", records).shown == "0.0143 m");
   CHECK(verdict_of("max: 100*rig.x, at_most: 2*$reach", records).shown == "1.43 m");
+}
+
+TEST_CASE("a value has the unit of the statement where the bound names none") {
+  const auto records = record_of({0, 1}, {0.0143, 0.0143});
+  const auto shown = [&](const std::string& that, const std::string& bound) {
+    return judge(claims_of("- {that: \"" + that + "\", max: rig.x, at_most: " + bound + "}").claims.at(0),
+                 records)
+        .shown;
+  };
+  CHECK(shown("in 3 s it goes at most 10 cm, 2 times", "$reach") == "1.43 cm");
+  CHECK(shown("in 3 s it goes at most 10 cm", "100 mm") == "14.3 mm");
+  CHECK(shown("it stays within 2 of them", "$reach") == "14.3 mm");
 }
 
 TEST_CASE("a length is no condition whose share could be taken") {

@@ -47,7 +47,7 @@ TEST_CASE("a fraction of runs counts each run once, with the interval of Clopper
   REQUIRE(verdict.interval);
   CHECK(verdict.interval->low == interval.low);
   CHECK(verdict.interval->high == interval.high);
-  CHECK(verdict.shown == "0.3 in 100 runs (0.2124 to 0.3998 with 95 %)");
+  CHECK(verdict.shown == "0.3 in 100 runs (0.2124 to 0.3998 at 95 % confidence)");
   CHECK(verdict.holds);
   CHECK(verdict.check == "fraction of runs in which max(rig.x) < 30.5 m >= 0.25");
 }
@@ -78,7 +78,8 @@ TEST_CASE(
   const Verdict few =
       verdict_of("quantile_of_runs: {share: 99.9 %, value: final(rig.x)}, at_most: 100 m", runs(3));
   CHECK_FALSE(few.holds);
-  CHECK(few.note == "undecided: 3 runs do not bound the 99.9 % quantile from above with 95 %; 3688 runs do");
+  CHECK(few.note ==
+        "undecided: 3 runs do not bound the 99.9 % quantile from above at 95 % confidence; 3688 runs do");
   REQUIRE(few.interval);
   CHECK(few.value == 3.0);
   const auto holds = [](const std::string& claim, int count) {
@@ -89,10 +90,11 @@ TEST_CASE(
   CHECK(holds("at_least: 1 m", 10));  // an open end does not count where the claim does not look
   CHECK_FALSE(holds("at_least: 10.5 m", 10));
   CHECK(verdict_of("quantile_of_runs: {share: 50 %, value: final(rig.x)}, equals: 2 m, within: 1 m", runs(3))
-            .note == "undecided: 3 runs do not bound the 50 % quantile with 95 %; 6 runs do");
+            .note == "undecided: 3 runs do not bound the 50 % quantile at 95 % confidence; 6 runs do");
   CHECK(verdict_of("quantile_of_runs: {share: 5 %, value: final(rig.x)}, at_least: 0 m, confidence: 99 %",
                    runs(3))
-            .note == "undecided: 3 runs do not bound the 5 % quantile from below with 99 %; 104 runs do");
+            .note ==
+        "undecided: 3 runs do not bound the 5 % quantile from below at 99 % confidence; 104 runs do");
   CHECK(verdict_of("quantile_of_runs: {share: 100 %, value: final(rig.x)}, at_most: 100 m", runs(3)).note ==
         "undecided: no number of runs bounds the 100 % quantile from above; take a share between 0 and 1");
 }
@@ -125,10 +127,11 @@ TEST_CASE("runs that come one by one are judged as all of them together") {
   const auto all = runs(7);
   for (const std::string text :
        {"final: rig.x, at_most: 6.5 m", "max: rig.x, at_most: 5 m", "min: rig.x, at_least: 0 m",
-        "mean: rig.x, at_most: 2 m", "rms: rig.x, where: current > 2 A, at_most: 2 m", "spread: rig.x, equals: 7 m",
-        "fraction: rig.x > 2.5 m, at_least: 0.3", "count: rig.x > 2.5 m, equals: 5",
-        "quantile: {share: 25 %, value: rig.x}, at_most: 1 m", "at: {time: 1 s, value: rig.x}, at_most: 1 m",
-        "max: rig.x, where: current > 9 A, at_most: 1 m", "fraction_of_runs: max(rig.x) < 3.5 m, equals: 3/7",
+        "mean: rig.x, at_most: 2 m", "rms: rig.x, where: current > 2 A, at_most: 2 m",
+        "spread: rig.x, equals: 7 m", "fraction: rig.x > 2.5 m, at_least: 0.3",
+        "count: rig.x > 2.5 m, equals: 5", "quantile: {share: 25 %, value: rig.x}, at_most: 1 m",
+        "at: {time: 1 s, value: rig.x}, at_most: 1 m", "max: rig.x, where: current > 9 A, at_most: 1 m",
+        "fraction_of_runs: max(rig.x) < 3.5 m, equals: 3/7",
         "quantile_of_runs: {share: 50 %, value: max(rig.x)}, at_most: 9 m"}) {
     const auto read = claims_of("- {that: a, " + text + "}");
     INFO(text << read.faults);

@@ -84,6 +84,9 @@ TEST_CASE("a number with a unit is held against no value without one") {
   CHECK(fault("final: guess, equals: 50 mm") ==
         "claims.equals: 50 mm has a unit, but that of 'guess' is not known; name its SI unit behind it, as "
         "'guess in m', or in the head units: {guess: m}\n");
+  CHECK_THAT(fault("final: guess, equals: 2 N"),
+             Catch::Contains("'guess in N', or in the head units: {guess: N}"));
+  CHECK_THAT(fault("iae: guess, at_most: 2 N s"), Catch::Contains("'guess in N'"));
   CHECK(fault("final: guess, equals: 0.05").empty());
   const Claim in_mm = claim("final: guess in mm, equals: 50 mm");
   CHECK(in_mm.comparison.low == 0.05);

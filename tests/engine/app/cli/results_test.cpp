@@ -96,7 +96,7 @@ TEST_CASE("claims.json and run.json have the fields that scripts read") {
   const json run = json::parse(content_of(folder.path("out/run.json")));
   CHECK(keys_of(run) == std::vector<std::string>{"algebraic_loops", "block_folders", "blocks", "compiled_ticks", "compiler",
                                                  "duration", "events", "faults", "file", "hash", "interrupted",
-                                                 "keep", "kept", "lanes", "notices", "parameters", "runs", "solver", "solver_steps", "step", "stop",
+                                                 "keep", "kept", "lanes", "notices", "parameters", "recorded_runs", "runs", "solver", "solver_steps", "step", "stop",
                                                  "sweep", "ticks", "title", "version"});
   CHECK(run["step"] == 0.001);
   CHECK(run["stop"] == 1.0);

@@ -56,3 +56,40 @@ TEST_CASE("statistics refuses a column that is not there, with those that are") 
   CHECK_THAT(done.err, Contains("no column 'efort' for --score; there are: person, stool, effort"));
   CHECK(run_program(folder, {"statistics", "gone.csv"}).code == 3);
 }
+
+TEST_CASE("statistics names a bad score by its line and column") {
+  const Scratch folder;
+  for (const std::string bad : {"nan", "inf", "four", ""}) {
+    folder.file("scores.csv", "device;error\na;1\nb;2\na;" + bad + "\nb;3\n");
+    const Done done = run_program(folder, {"statistics", "scores.csv"});
+    INFO(done.err);
+    CHECK(done.code == 2);
+    CHECK_THAT(done.err, Contains("scores.csv:4: ") && Contains("(column 'error')"));
+  }
+}
+
+TEST_CASE("statistics compares pairs of independent groups") {
+  // R: t.test(weight ~ group, PlantGrowth, subset = group != "trt2"): t = 1.1913, df = 16.524, p-value =
+  // 0.2504, 95 percent confidence interval -0.2875162 1.0295162
+  const Scratch folder;
+  std::string text = "group;weight\n";
+  for (const char* weight : {"4.17", "5.58", "5.18", "6.11", "4.50", "4.61", "5.17", "4.53", "5.33", "5.14"})
+    text += std::string("ctrl;") + weight + "\n";
+  for (const char* weight : {"4.81", "4.17", "4.41", "3.59", "5.87", "3.83", "6.03", "4.89", "4.32", "4.69"})
+    text += std::string("trt1;") + weight + "\n";
+  folder.file("plants.csv", text + "alone;5\n");
+  const Done done = run_program(folder, {"statistics", "plants.csv", "--json"});
+  INFO(done.err);
+  const nlohmann::json pairs = nlohmann::json::parse(done.out)["groups"];
+  REQUIRE(pairs.size() == 3);
+  CHECK(pairs[0]["first"] == "ctrl");
+  CHECK(pairs[0]["t"].get<double>() == Approx(1.1913).epsilon(1e-4));
+  CHECK(pairs[0]["degrees_of_freedom"].get<double>() == Approx(16.524).epsilon(1e-4));
+  CHECK(pairs[0]["P"].get<double>() == Approx(0.2504).epsilon(1e-3));
+  CHECK(pairs[0]["low"].get<double>() == Approx(-0.2875162).epsilon(1e-6));
+  CHECK(pairs[0]["high"].get<double>() == Approx(1.0295162).epsilon(1e-6));
+  CHECK(pairs[0]["P_holm"] == pairs[0]["P"]);
+  CHECK(pairs[1]["t"].is_null());
+  CHECK_THAT(run_program(folder, {"statistics", "plants.csv"}).out,
+             Contains("ctrl - trt1") && Contains("16.52"));
+}

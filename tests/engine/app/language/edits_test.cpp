@@ -191,6 +191,9 @@ TEST_CASE("edits come as JSON, and what is none is refused") {
   CHECK(std::get<Connect>(edit(R"({"kind": "connect", "from": "a", "to": "b", "input": "u"})")).input == "u");
   CHECK(std::get<Insert>(edit(R"({"kind": "insert", "type": "Lag"})")).name.empty());
   CHECK(std::get<Remove>(edit(R"({"kind": "delete", "name": "a"})")).name == "a");
+  CHECK(std::get<AddItem>(edit(R"({"kind": "item", "section": "claims", "text": "{}"})")).section ==
+        "claims");
+  CHECK(std::get<CutLoop>(edit(R"({"kind": "bode", "signal": "a.y"})")).at.empty());
   for (const char* wrong :
        {"{}", "[]", "3", R"({"kind": "explode"})", R"({"kind": "delete"})",
         R"({"kind": "number", "at": -1, "text": "x"})", R"({"kind": "rename", "name": 3, "to": "x"})"})

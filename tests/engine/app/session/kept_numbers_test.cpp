@@ -128,6 +128,14 @@ TEST_CASE("rows of runs say of which case they are") {
   for (const claim::Verdict& verdict : outcome.verdicts) CHECK(verdict.holds);
 }
 
+TEST_CASE("keys of a tuning that are about a study are refused without one") {
+  for (const std::string key : {"experiments", "study_seed"})
+    CHECK_THAT(refusal(lag("{tau: [10 ms]}",
+                           "tune: {parameters: {tau: {from: 1 ms, to: 9 ms}}, minimise: max(lag), " + key +
+                               ": 3}\n")),
+               Contains("tune." + key + ": goes with a section 'study'"));
+}
+
 TEST_CASE("cases set what something has, once, and nothing that is swept beside them") {
   CHECK_THAT(refusal(lag("{cases: {a: {}, b: {gain: 2}}}")), Contains("sweep.cases.gain"));
   CHECK_THAT(refusal(lag("{cases: {a: {}}}")), Contains("are two or more by name"));

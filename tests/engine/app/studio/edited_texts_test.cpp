@@ -79,10 +79,10 @@ TEST_CASE("a file that changed elsewhere is not written; both texts are there") 
   opened.change_elsewhere("theirs\n");
   const auto other = texts.save(opened.path, hash);
   REQUIRE(other);
-  CHECK(other->saved == "theirs\n");
+  CHECK(other->now.saved == "theirs\n");
   CHECK(content_of(opened.path) == "theirs\n");
   CHECK(texts.open(opened.path).text == "mine\n");
-  CHECK_FALSE(texts.save(opened.path, other->hash));
+  CHECK_FALSE(texts.save(opened.path, other->now.hash));
   CHECK(content_of(opened.path) == "mine\n");
 }
 
@@ -134,13 +134,45 @@ TEST_CASE("an edit that is taken back leaves no draft") {
   CHECK(fs::is_empty(opened.scratch.path("state/studio")));
 }
 
+TEST_CASE("lines that another program wrote come into a draft that has changed others, or stay apart") {
+  const Opened opened;
+  EditedTexts texts = opened.texts();
+  opened.change_elsewhere("a\nb\nc\nd\n");
+  std::vector<WrittenElsewhere> seen;
+  const auto look = [&] {
+    texts.look_for_changes(
+        [&](const std::string&, const WrittenElsewhere& written) { seen.push_back(written); });
+  };
+  texts.edit(opened.path, texts.open(opened.path).version, {{0, 1, "A"}});
+  opened.change_elsewhere("a\nb\nc\nD\n");
+  look();
+  REQUIRE(seen.size() == 1);
+  CHECK(seen[0].is_merged);
+  CHECK(seen[0].changes == std::vector<TextChange>{{6, 8, "D\n"}});
+  CHECK(texts.open(opened.path).text == "A\nb\nc\nD\n");
+  CHECK(seen[0].now.version == texts.open(opened.path).version);
+  opened.change_elsewhere("x\nb\nC\nD\n");
+  look();
+  REQUIRE(seen.size() == 2);
+  CHECK_FALSE(seen[1].is_merged);
+  CHECK(seen[1].both == "A\n# in the file: x\nb\nC\nD\n");
+  CHECK(texts.open(opened.path).text == "A\nb\nc\nD\n");
+  const auto refused = texts.save(opened.path, texts.open(opened.path).hash);
+  REQUIRE(refused);
+  CHECK(refused->both == seen[1].both);
+  CHECK(content_of(opened.path) == "x\nb\nC\nD\n");
+  CHECK_FALSE(texts.save(opened.path, refused->now.hash));
+  CHECK(content_of(opened.path) == "A\nb\nc\nD\n");
+}
+
 TEST_CASE("what others write on the disk is seen, a text without draft follows, a draft stays") {
   const Opened opened;
   EditedTexts texts = opened.texts();
   texts.open(opened.path);
   std::vector<std::string> seen;
   const auto look = [&] {
-    texts.look_for_changes([&](const std::string&, const EditedText& now) { seen.push_back(now.saved); });
+    texts.look_for_changes(
+        [&](const std::string&, const WrittenElsewhere& written) { seen.push_back(written.now.saved); });
   };
   look();
   CHECK(seen.empty());

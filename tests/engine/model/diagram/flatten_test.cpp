@@ -70,8 +70,7 @@ TEST_CASE("inputs and outputs of the diagram itself stay") {
   g: {default: [1, 2]}
   angle: {unit: rad, default: 3.141592653589793}
 outputs: {half: {signal: half, safe: 0.0005 N, doc: d}, plain: {signal: half}}
-blocks:
-  half: {block: Gain, u: f, gain: 0.5})"));
+blocks: {half: {block: Gain, u: f, gain: 0.5}, two: {block: Gain, u: g}, t: {block: Gain, u: angle}})"));
   const plan::Plan flat = again(plan);
   REQUIRE(flat.diagram.inputs.size() == 3);
   CHECK(flat.diagram.outputs[0].safe->isApproxToConstant(0.0005));

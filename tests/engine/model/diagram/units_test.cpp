@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/support/plan_text.hpp"
@@ -103,6 +107,18 @@ TEST_CASE("the condition that ends a run compares what has one unit") {
         "test.yaml:5:12: stop_when: '>' joins m and N; they must have the same unit");
   CHECK(fault_of(wire + "n.position - time < 0\n") ==
         "test.yaml:5:12: stop_when: '-' joins m and s; they must have the same unit");
+}
+
+TEST_CASE("a number that is a ratio here and an angle there is both in each order of the blocks") {
+  std::vector<std::string> blocks{"angle: {block: Sum, u: [{value: 1, unit: rad}, late]}",
+                                  "late: {block: TransportDelay, u: sum, delay: 1 s}",
+                                  "rate: {block: Gain, u: late, gain: 3 Hz}",
+                                  "sum: {block: Integrator, u: rate}"};
+  do {
+    const std::string text = fmt::format("{}", fmt::join(blocks, "\n  "));
+    INFO(text);
+    CHECK(faults_of("solver: rk4\nunits: {sum: \"1\"}\nblocks:\n  " + text + "\n").empty());
+  } while (std::next_permutation(blocks.begin(), blocks.end()));
 }
 
 }  // namespace stepwire::diagram

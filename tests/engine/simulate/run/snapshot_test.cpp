@@ -60,6 +60,33 @@ TEST_CASE("a run from a kept moment gives the same bits as the run that went thr
   }
 }
 
+TEST_CASE("modes at a tick are those of a run that goes back to it, where events are located") {
+  const plan::Plan plan = plan_text(R"(step: 1 ms
+stop: 70 ms
+events: locate
+stop_when: stop.y > 1 kN
+blocks:
+  push: {block: Sine}
+  held: {block: Karnopp, force: push, velocity: 0.5, band: 1.3 m/s, mass: 0.35 kg, coulomb: 0.7 N}
+  speed: {block: Gain, u: held.y, gain: -0.2 m/(N s)}
+  stop: {block: HardStop, force: 0.5, position: 0.5, velocity: speed, mass: 0.24 kg, upper: 0.23 m}
+record: all
+)");
+  Executor whole(plan);
+  const auto in_one_go = rest_of(whole);
+  Executor first(plan);
+  for (std::size_t tick = 0; tick < 70; ++tick) {
+    INFO("kept at tick " << tick);
+    const Workspace kept = first.workspace();
+    const auto rest = rest_of(first);
+    CHECK(rest.front() == in_one_go[tick]);
+    first.restore(kept);
+    first.evaluate();
+    CHECK(first.workspace().values == in_one_go[tick]);
+    first.advance();
+  }
+}
+
 TEST_CASE("the runner records what a run stepped by hand computes") {
   const plan::Plan plan = plan_text(everything);
   const RunResult result = run_plan(plan);

@@ -192,6 +192,17 @@ TEST_CASE("a run that goes back to a moment solves its loops to the same bits") 
   CHECK(go() == first);
 }
 
+TEST_CASE("loops of constants have the bits of a new run, too, where a run goes back to a moment") {
+  std::string blocks = "step: 1 s\nstop: 3 s\nalgebraic_loops: solve\nblocks:\n";
+  for (int i = 1; i <= 40; ++i)
+    blocks += fmt::format("  y{0}: {{block: Expression, u: [y{0}], expression: cos(u) + {0}/7}}\n", i);
+  const plan::Plan plan = plan_text(blocks);
+  Executor run(plan);
+  const std::vector<double> first = run.workspace().values;
+  run.restore(Workspace(run.workspace()));
+  CHECK(run.workspace().values == first);
+}
+
 TEST_CASE("a loop that has no solution at a guess alone is found from another") {
   const table::Table run = run_text(R"(step: 1 s
 stop: 3 s

@@ -18,6 +18,37 @@ Curve sine(std::size_t rows) {
   return curve;
 }
 
+/// A closed curve that turns in on itself: three loops a turn, each of them passed many times.
+Curve loops(std::size_t rows) {
+  Curve curve{{{}, {}}, 0};
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double t = 2.0 * 3.14159265358979 * 9.0 * static_cast<double>(i) / static_cast<double>(rows - 1);
+    curve.columns[0].push_back(40.0 * (std::cos(t) + 0.6 * std::cos(4.01 * t)));
+    curve.columns[1].push_back(3.0 * (std::sin(t) - 0.6 * std::sin(4.01 * t)));
+  }
+  return curve;
+}
+
+/// Largest distance of the rows of a curve from the line between those of it that are drawn, which come in
+/// their order, in pixels of a picture that is 800 wide and high.
+double pixels_off(const Curve& whole, const Curve& drawn, double width, double height) {
+  const auto at = [&](const Curve& curve, std::size_t row) {
+    return std::pair{800.0 * curve.columns[0][row] / width, 800.0 * curve.columns[1][row] / height};
+  };
+  double most = 0.0;
+  std::size_t next = 1;
+  for (std::size_t row = 0; row < whole.size(); ++row) {
+    const auto [x, y] = at(whole, row);
+    const auto [x0, y0] = at(drawn, next - 1);
+    const auto [x1, y1] = at(drawn, next);
+    const double dx = x1 - x0, dy = y1 - y0, square = dx * dx + dy * dy;
+    const double part = std::clamp(((x - x0) * dx + (y - y0) * dy) / square, 0.0, 1.0);
+    most = std::max(most, std::hypot(x - x0 - part * dx, y - y0 - part * dy));
+    if (x == x1 && y == y1 && next + 1 < drawn.size()) ++next;
+  }
+  return most;
+}
+
 /// Value of a curve between its rows.
 double between(const Curve& curve, double x) {
   const auto& xs = curve.columns[0];
@@ -58,6 +89,19 @@ TEST_CASE("a simplified curve is nowhere farther from the whole one than its tol
     most = std::max(most, std::abs(between(simple, curve.columns[0][i]) - curve.columns[1][i]) / 2.0);
   // The tolerance is across the curve, which is up to ten times as steep as wide.
   CHECK(most < 1e-2);
+}
+
+TEST_CASE("loops of many rows are drawn within half a pixel of each of their rows") {
+  for (const std::size_t rows : {20'001u, 400'001u}) {
+    const Curve curve = loops(rows);
+    const Curves all{{curve}, {0.0}, false, {}, {}};
+    const Curve thin = thinned(all, 0, 1750).at(0);
+    INFO(rows << " rows, of which " << thin.size() << " are drawn");
+    CHECK(thin.size() < 6000);
+    const auto [left, right] = std::ranges::minmax(curve.columns[0]);
+    const auto [low, high] = std::ranges::minmax(curve.columns[1]);
+    CHECK(pixels_off(curve, thin, right - left, high - low) < 0.5);
+  }
 }
 
 TEST_CASE("a straight path whose colour changes is cut where the colour does") {

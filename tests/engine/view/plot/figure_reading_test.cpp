@@ -35,7 +35,7 @@ TEST_CASE("on an axis with a unit a formula without one is refused") {
   CHECK(faults_of("{plot: lines, x: time, y: [push.force, 3 + 10*current]}") ==
         "d.yaml:1:40: figure.y: 'push.force' is drawn in N, but the unit of '3 + 10*current' is not known; "
         "name "
-        "its SI unit behind it, as '3 + 10*current in m'\n");
+        "its SI unit behind it, as '3 + 10*current in N'\n");
   CHECK(faults_of("{plot: lines, x: time, y: [3 + 10*current, push.force in kN]}") != "");
   CHECK(faults_of("{plot: lines, x: time, y: [push.force, 3 + 10*current in N]}").empty());
   CHECK(faults_of("{plot: lines, x: time, y: 3 + 10*current}").empty());

@@ -38,7 +38,8 @@ document.body.append(bar.element, layout.element, notices.element);
 bar.entries.push(...menuEntries(context));
 new RunBar(bar.run, context);
 
-panes.forEach(({id, title}, i) => context.shortcuts.add({key: String(i + 1), text: title.toLowerCase(), group: "Panes", action: () => layout.show(id, true)}));
+const addDigit = ({id, title}: Pane, i: number) => context.shortcuts.add({key: String(i + 1), text: title.toLowerCase(), group: "Panes", action: () => layout.show(id, true)});
+panes.forEach((pane, i) => { if (!pane.isKept) addDigit(pane, i); });
 context.shortcuts.add({key: "F6", text: "next pane", group: "Panes", action: () => layout.cycle(1)});
 context.shortcuts.add({key: "Shift+F6", text: "pane before", group: "Panes", action: () => layout.cycle(-1)});
 settings.on((key) => { if (key === "theme") context.theme.choose(settings.get<Choice>("theme", "system")); });
@@ -65,7 +66,10 @@ connection.on("connection", async ({state, hello, fault}) => {
   isStarted = true;
   try {
     await settings.load();
-    if (hello.loop) layout.offer("loop");
+    if (hello.loop) {
+      layout.offer("loop");
+      panes.forEach((pane, i) => { if (pane.isKept) addDigit(pane, i); });
+    }
     await context.workbench.start(hello.file);
     const {tourOnFirstVisit} = await import("./tour/tour");
     await tourOnFirstVisit(context);

@@ -78,7 +78,8 @@ struct Studio {
               hand ? load_for_page(*loader, "swing.yaml") : session::load_model(*loader, "swing.yaml", {}),
               [loader](const session::LoadOptions& options) {
                 return session::load_model(*loader, "swing.yaml", options);
-              }};
+              },
+              [loader](const std::string& file) -> const yaml::Document& { return loader->document(file); }};
         },
         received.sinks(), LiveOptions{std::move(loop), out});
   }

@@ -5,6 +5,7 @@ import type {Context} from "../shell/context";
 import {listen, svg} from "../shell/dom";
 import {openMenu} from "../shell/menu";
 import type {Places} from "./places";
+import {Refusal} from "./refusal";
 import type {Placed, Shapes} from "./shapes";
 import type {End, Shape} from "./types";
 import type {Viewport} from "./viewport";
@@ -13,7 +14,7 @@ interface Source {
   shape: Shape;
   port: string;
   file: number;
-  /** As wires of the text have it. */
+  /** With its port, also where the drawing shows one output of several. */
   name: string;
 }
 
@@ -32,10 +33,12 @@ export class Connecting {
   private source: Source | undefined;
   private targets: Target[] = [];
   private target: Target | undefined;
+  private readonly refusal: Refusal;
   private readonly ends: (() => void)[];
 
   constructor(private readonly canvas: HTMLElement, private readonly shapes: Shapes, private readonly viewport: Viewport, private readonly context: Context,
               private readonly places: Places) {
+    this.refusal = new Refusal(context);
     this.ends = [
       listen(canvas, "pointerdown", (event: PointerEvent) => this.grab(event), {capture: true}),
       listen(document, "keydown", (event: KeyboardEvent) => { if (event.key === "Escape" && this.source) this.stop(); }),
@@ -44,6 +47,7 @@ export class Connecting {
 
   dispose(): void {
     for (const end of this.ends) end();
+    this.refusal.hide();
   }
 
   /** Offers the inputs for the first output of a block in a list. */
@@ -64,7 +68,7 @@ export class Connecting {
   private sourceOf(shape: Shape, port: string): Source | undefined {
     if (shape.own === "input") return {shape, port, file: this.places.file, name: port};
     const place = this.places.place(shape.id);
-    return place ? {shape, port, file: place.file, name: shape.outputs.length === 1 && !shape.isPart ? place.name : `${place.name}.${port}`} : undefined;
+    return place ? {shape, port, file: place.file, name: `${place.name}.${port}`} : undefined;  // the server leaves out the name of an only output
   }
 
   /** Inputs in the same file that take an output. */
@@ -143,10 +147,34 @@ export class Connecting {
   private drop(event: PointerEvent): void {
     const {source, target, targets} = this, [x, y] = this.viewport.at(event);
     this.stop();
-    if (!source || !target) return;
+    if (!source) return;
+    if (!target) return this.dropAside(source, event, [x, y]);
     const own = targets.filter(({placed}) => placed === target.placed), isBeside = target.isDrawn && Math.hypot(target.x - x, target.y - y) < near;
     if (isBeside || own.length === 1) return void this.connect(source, target);
     openMenu({x: event.clientX, y: event.clientY}, own.map((one): [string, () => void] => [`${this.labelOf(one)}${one.isDrawn ? "" : ", new"}`, () => void this.connect(source, one)]), "Connect to");
+  }
+
+  /** On what was not offered: the edit is tried, and says why it is refused. */
+  private dropAside(source: Source, event: PointerEvent, [x, y]: [number, number]): void {
+    const inside = ({shape}: Placed) => !shape.isFrame && x >= shape.x - near / 2 && x <= shape.x + shape.width + near / 2 && y >= shape.y - near / 2 && y <= shape.y + shape.height + near / 2;
+    const placed = [...this.shapes.placed.values()].find(inside);
+    if (!placed || placed.shape === source.shape && x > placed.shape.x + placed.shape.width / 2) return;
+    const why = this.reasonAgainst(source, placed), [first] = placed.shape.inputs.map(({port}) => this.targetAt(placed, port)).sort((a, b) => Math.hypot(a.x - x, a.y - y) - Math.hypot(b.x - x, b.y - y));
+    if (why || !first) return this.refusal.show(event, why || `${placed.shape.name || placed.shape.type} takes no signal: it has no input`);
+    const port = this.openPort(placed, first.port);
+    void this.connect(source, {...first, port}, event);
+  }
+
+  /** The name of an output of the file, whose shape has a port without a name. */
+  private openPort({shape}: Placed, port: string): string {
+    return /^:output:(.*)$/.exec(shape.id)?.[1] ?? port;
+  }
+
+  /** Why no input of a shape can have the signal, where that needs no look at the text. */
+  private reasonAgainst(source: Source, {shape}: Placed): string {
+    if (shape.within.join() !== source.shape.within.join()) return `${shape.name} lies in another file than ${source.name}; open the part, and connect its input there`;
+    if (shape.own === "input") return `${shape.name || "this"} is an input of the file: it gives a signal and takes none`;
+    return shape.id.startsWith(":constant:") ? "this is a number of the text: it takes no signal; drop the wire on the block behind it" : "";
   }
 
   private stop(): void {
@@ -161,13 +189,23 @@ export class Connecting {
     this.shapes.overlay();
   }
 
-  private async connect(source: Source, target: Target): Promise<void> {
-    const {shape} = target.placed, to = this.places.place(shape.id)?.name ?? "";
+  private async connect(source: Source, target: Target, at?: {clientX: number; clientY: number}): Promise<void> {
+    const {shape} = target.placed, to = this.places.place(shape.id)?.name ?? "", before = this.sourceOfInput(target);
     try {
       await this.context.workbench.splice(source.file, {kind: "connect", from: source.name, to, input: target.port});
-      this.context.announce(`${source.name} is connected to ${this.labelOf(target)}`);
+      const said = `${source.name} is connected to ${this.labelOf(target)}`;
+      if (before && before !== source.name) this.context.notify(`${said} in the place of ${before}: an input has one source; undo (Ctrl+Z) brings it back`);
+      else this.context.announce(said);
     } catch (thrown) {
-      this.context.notify(Fault.from(thrown).message, "fault");
+      const why = Fault.from(thrown).message;
+      if (at) this.refusal.show(at, `${source.name} to ${this.labelOf(target)}: ${why}`);
+      else this.context.notify(why, "fault");
     }
+  }
+
+  /** What feeds a drawn input now. */
+  private sourceOfInput({placed: {shape}, port, isDrawn}: Target): string {
+    const fed = isDrawn ? this.shapes.laid.find(({wire: {to}}) => to?.node === shape.id && (to.port === port || to.port === `${port}.1`)) : undefined;
+    return fed ? this.places.path(fed.wire.from) : "";
   }
 }

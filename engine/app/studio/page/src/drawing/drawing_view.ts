@@ -13,7 +13,7 @@ import {Selection} from "./selection";
 import {ShapeEdits} from "./shape_edits";
 import {type Placed, Shapes} from "./shapes";
 import {dragSignals} from "./signal_drag";
-import type {Picture, TextRange} from "./types";
+import type {Picture, Shape, TextRange} from "./types";
 import {Viewport} from "./viewport";
 import "./drawing.css";
 
@@ -26,7 +26,7 @@ export class DrawingView implements View {
   private readonly crumbs: Crumbs;
   private readonly card: BlockCard;
   private readonly connecting: Connecting;
-  private readonly canvas = h("div", {class: "canvas", tabindex: 0, role: "listbox", "aria-label": "Drawing", "data-focus": true, "data-own-keys": true});
+  private readonly canvas = h("div", {class: "canvas", tabindex: 0, role: "listbox", "aria-label": "Drawing", "data-focus": true, "data-own-keys": "Enter Left Right Up Down"});
   private readonly fault = h("div", {class: "drawing-fault", hidden: true, role: "status"});
   private readonly busy = h("div", {class: "drawing-busy", hidden: true}, "laying out…");
   private readonly ends: (() => void)[];
@@ -107,7 +107,7 @@ export class DrawingView implements View {
     this.canvas.classList.remove("old");
     this.shapes.show(picture, groups, (shape) => describe(shape, picture), isFirst || this.context.theme.isStill);
     this.viewport.resize(picture.width, picture.height);
-    if (isFirst) this.viewport.begin();
+    if (isFirst) this.viewport.begin(picture.shapes.filter(({isFrame}) => !isFrame).reduce<Shape | undefined>((first, one) => (first && first.x <= one.x ? first : one), undefined));
     if (isFirst && this.places.scope.length > 0) void this.context.workbench.activate(this.places.file);
     this.canvas.setAttribute("aria-label", `Drawing of ${[this.context.workbench.nameOf(this.context.workbench.root), ...this.places.scope].join(", ")}: ${picture.shapes.filter(({own, id}) => !own && !id.startsWith(":")).length} blocks`);
     this.mark();

@@ -3,7 +3,14 @@
 import {listen} from "../shell/dom";
 import type {Box} from "./types";
 
-const least = 0.1, readable = 0.35, most = 4, margin = 12;
+/** From `readable` on the letters of blocks, of 13 pixels, are 10 pixels high. */
+const least = 0.1, readable = 0.77, most = 4, margin = 12;
+
+/** Where a view of some size begins in a picture: in its middle where all is seen, else around a place, without leaving the picture. */
+function placed(whole: number, seen: number, room: number, around?: number): number {
+  if (around === undefined || whole <= seen - 2 * room) return (whole - seen) / 2;
+  return Math.max(-room, Math.min(around - seen / 2, whole + room - seen));
+}
 
 export class Viewport {
   /** Pixels of the screen for one of the picture, and what of the picture is at the left and top. */
@@ -48,20 +55,20 @@ export class Viewport {
     this.put(least);
   }
 
-  /** The same, but where its letters would be too small only what lies at the left, where signals begin. */
-  begin(): void {
+  /** The same, but where its letters would be too small only what lies around the block where signals begin. */
+  begin(start?: Box): void {
     this.isFitted = true;
-    this.put(readable);
+    this.put(readable, start);
   }
 
-  private put(smallest: number): void {
+  private put(smallest: number, start?: Box): void {
     const {width, height} = this.size;
     if (width === 0 || height === 0) return;
     const whole = Math.min((width - 2 * margin) / this.picture.width, (height - 2 * margin) / this.picture.height);
     this.scale = Math.min(1.25, Math.max(smallest, whole));
     if (whole < smallest) this.isFitted = false;
-    this.x = whole < smallest ? -margin / this.scale : (this.picture.width - width / this.scale) / 2;
-    this.y = (this.picture.height - height / this.scale) / 2;
+    this.x = placed(this.picture.width, width / this.scale, margin / this.scale, start && start.x);
+    this.y = placed(this.picture.height, height / this.scale, margin / this.scale, start && start.y + start.height / 2);
     this.apply();
   }
 

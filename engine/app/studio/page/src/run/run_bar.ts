@@ -106,7 +106,8 @@ export class RunBar implements View {
   }
 
   private showFacts(measured: string, missed: number, latency: number | undefined): void {
-    const facts = [["pace", measured, "Seconds of the run in one second of the clock, measured"], ["missed", String(missed), "Deadlines missed"],
+    const facts = [["pace", measured, "Seconds of the run in one second of the clock, measured"],
+      ...(this.context.run.loaded?.loop ? [["missed", String(missed), "Deadlines missed"]] : []),
       ["input", latency === undefined ? "–" : `${latency.toFixed(0)} ms`, "From an input to the first picture that shows it, median"]];
     if (this.facts.childElementCount !== facts.length)
       this.facts.replaceChildren(...facts.map(([name, , title]) => h("span", {class: "fact", title}, `${name} `, h("b", {}))));

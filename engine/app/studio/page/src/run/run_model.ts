@@ -18,6 +18,7 @@ export interface RunEvents {
 }
 
 const rest: RunNews = {run: 0, state: "paused", time: 0, tick: 0, rate: 0, wanted: 1, missed: 0, compiled: false, fault: null};
+const si = {text: "", scale: 1, offset: 0};
 const seconds = () => performance.now() / 1000;
 
 /** The run of the page: what was loaded, where it stands, and what may be done with it. All views share one. */
@@ -140,7 +141,7 @@ export class RunModel {
 
   /** Runs the diagram at `count` values between `low` and `high` [SI] in the background. */
   async fan(name: string, low: number, high: number, count: number): Promise<Fan> {
-    const columns = this.fanColumns(), unit = this.loaded?.parameters.find((one) => one.name === name)?.unit ?? "";
+    const columns = this.fanColumns(), unit = this.loaded?.parameters.find((one) => one.name === name)?.shown ?? si;
     const {points} = await this.connection.call<Pick<Fan, "points">>("fan", {name, low, high, count, columns});
     const fan = {name, unit, columns, points};
     this.listeners.emit("fan", fan);
@@ -148,7 +149,7 @@ export class RunModel {
   }
 
   clearFan(): void {
-    this.listeners.emit("fan", {name: "", unit: "", columns: [], points: []});
+    this.listeners.emit("fan", {name: "", unit: si, columns: [], points: []});
   }
 
   /** Loads the text again where it is another than the one that runs. */

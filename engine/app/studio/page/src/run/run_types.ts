@@ -1,5 +1,7 @@
 // What the server says of a run (protocol 1). Values are SI; times in s of the run.
 
+import type {DisplayUnit} from "../scopes/display_unit";
+
 /** A scalar signal; `unit` is the text of its SI unit. */
 export interface Column {
   column: number;
@@ -14,6 +16,8 @@ export interface Parameter {
   text: string;
   value: number;
   unit: string;
+  /** In which its file writes it: SI * scale + offset. */
+  shown: DisplayUnit;
   low: number | null;
   high: number | null;
   doc: string;
@@ -92,7 +96,8 @@ export interface Verdict {
 /** Results of a sweep over a parameter; columns in the order of `columns`, SI. */
 export interface Fan {
   name: string;
-  unit: string;
+  /** In which the file writes the parameter. */
+  unit: DisplayUnit;
   columns: number[];
   points: {value: number; time: number[]; columns: number[][]}[];
 }

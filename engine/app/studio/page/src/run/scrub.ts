@@ -1,6 +1,5 @@
 import {h, listen} from "../shell/dom";
 import type {RunModel} from "./run_model";
-import {toggleBySpace} from "./toggle_by_space";
 
 const parts = 1000;
 /** A key press moves by this share. */
@@ -16,7 +15,6 @@ export class Scrub {
   constructor(private readonly run: RunModel) {
     listen(this.element, "input", () => this.moved());
     listen(this.element, "change", () => { this.isHeld = false; });
-    toggleBySpace(this.element, run);
   }
 
   /** The run went on. */

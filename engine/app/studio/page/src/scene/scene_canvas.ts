@@ -9,7 +9,7 @@ const ring = {radius: 9, color: "#ffffff", edge: "#000000"}; // of the hand [px]
 
 /** The picture of a scene: as large as its host allows, a metre as long upward as to the right, sharp on every screen. */
 export class SceneCanvas {
-  readonly element = h("canvas", {class: "scene-canvas", tabindex: 0, role: "application", "data-focus": true, "data-own-keys": true});
+  readonly element = h("canvas", {class: "scene-canvas", tabindex: 0, role: "application", "data-focus": true, "data-own-keys": "Left Right Up Down"});
   private width = 0; // px of the page
   private height = 0;
   private density = 1;

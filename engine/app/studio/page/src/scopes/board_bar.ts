@@ -51,7 +51,7 @@ export class BoardBar {
   private listPins(): void {
     const {pins} = this.board.shared;
     this.lastPin = pins.all.at(-1);
-    this.pins.replaceChildren(...pins.all.map((pin) => h("li", {class: "chip"}, pin.label,
+    this.pins.replaceChildren(...pins.all.map((pin) => h("li", {class: "chip", title: pin.label}, h("span", {class: "pin-label"}, pin.label),
       h("button", {type: "button", class: "plain small", "aria-label": `Drop ${pin.label}`, onclick: () => pins.drop(pin)}, "×"))));
   }
 

@@ -1,6 +1,7 @@
 import type {Wanted} from "../connection/connection";
 import {axisOf, fanSamples, grouped, visible} from "./axis_group";
 import {type Axes, type Content, type Curve, curveOver, samplesOf, strokeOf, type Subject} from "./content";
+import {shownOf} from "./display_unit";
 import {numberText, quantityText} from "./numbers";
 import {paintOverTime, type Plane} from "./paint";
 import type {Plot} from "./plot";
@@ -46,7 +47,7 @@ export class OverTime implements Content {
   note(): string {
     const {fan} = this.subject.shared;
     if (!fan) return "";
-    const from = numberText(fan.points[0]?.value ?? NaN), to = quantityText(fan.points.at(-1)?.value ?? NaN, fan.unit);
+    const shown = (value = NaN) => shownOf(value, fan.unit), from = numberText(shown(fan.points[0]?.value)), to = quantityText(shown(fan.points.at(-1)?.value), fan.unit.text);
     return `behind: ${fan.points.length} runs with ${fan.name} from ${from} to ${to}`;
   }
 

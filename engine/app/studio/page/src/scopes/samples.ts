@@ -55,3 +55,10 @@ export function valueAt(samples: Samples, at: number): Range | undefined {
   const row = nearestRow(samples.time, at);
   return row < 0 ? undefined : {low: samples.low[row], high: samples.high[row]};
 }
+
+/** The time of the first sample where those before it are missing; undefined where none is. */
+export function gapOf(samples: Samples | undefined): number | undefined {
+  if (!samples || samples.low.length === 0 || !Number.isNaN(samples.low[0])) return undefined;
+  const first = samples.low.findIndex((value) => !Number.isNaN(value));
+  return samples.time[first < 0 ? samples.time.length - 1 : first];
+}

@@ -12,8 +12,9 @@ import {MarksLayer} from "./marks_layer";
 import {OverTime} from "./over_time";
 import {freeNumber, mostTraces} from "./palette";
 import type {Pin} from "./pins";
+import {fixedText} from "./numbers";
 import {Plot} from "./plot";
-import {valueAt} from "./samples";
+import {gapOf, valueAt} from "./samples";
 import {ScopeGestures} from "./scope_gestures";
 import {pressed} from "./scope_keys";
 import {entriesOf} from "./scope_menu";
@@ -231,12 +232,20 @@ export class Scope implements Subject {
 
   /** Text that follows what is drawn. */
   private tell(window: Range): void {
-    const {hover, cursors} = this.shared, time = hover ?? cursors.a, note = this.content.note();
+    const {hover, cursors} = this.shared, time = hover ?? cursors.a, note = [this.content.note(), this.gaps()].filter(Boolean).join("; ");
     this.legend.show(this.groups, (trace) => (time === undefined ? this.newest(trace) : this.valueOf(trace, time)));
     if (this.note.textContent !== note) this.note.textContent = note;
     this.note.hidden = note === "";
     this.chip.hidden = !this.own;
     if (this.own) this.chip.textContent = this.own.isFollowing ? `own time, following ${this.own.width} s` : `own time, ${window.low.toFixed(3)} to ${window.high.toFixed(3)} s`;
+  }
+
+  /** Traces without samples at the beginning of what is seen: they were asked for later, and may still be computed. */
+  private gaps(): string {
+    return this.traces.flatMap(({label, column}) => {
+      const from = gapOf(this.feed.samples.get(column));
+      return from === undefined ? [] : [`${label} is stored from ${fixedText(from, 3)} s on; before that it is computed again, or is not there`];
+    }).join("; ");
   }
 
   /** Where values in the legend become wider it may take another line; it keeps that, so that the plot does not jump. */

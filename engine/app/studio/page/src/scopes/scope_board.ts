@@ -12,6 +12,7 @@ import {layoutOf} from "./board_layout";
 import {addressOf} from "./kept_layout";
 import {copyText} from "./hand_over";
 import {traceColors} from "./palette";
+import {historyOf, type LogEvent} from "./pin_history";
 import {Pins} from "./pins";
 import {resolve} from "./resolve";
 import {Scope, type ScopeHost} from "./scope";
@@ -110,6 +111,8 @@ export class ScopeBoard implements View, ScopeHost {
       const trace = await resolve(source, this.context.run.loaded?.columns ?? [], this.context.connection, 0);
       (scope ?? this.open(trace.label)).add(trace);
       this.context.announce(`${trace.label} is in ${scope ? scope.name : "a new scope"}`);
+      const {news, loaded} = this.context.run, isLate = loaded?.loop !== undefined && news.time > 0 && !loaded.columns.some(({column, recorded}) => column === trace.column && recorded);
+      if (isLate) this.context.notify(`${trace.label} is stored from now on: a real-time loop cannot be run again for what was before; record it in the file`);
       this.keep();
       this.moved();
       return undefined;
@@ -135,9 +138,11 @@ export class ScopeBoard implements View, ScopeHost {
 
   /** Keeps this run to compare later ones with it. */
   async pin(): Promise<void> {
-    const {news, loaded} = this.context.run, note = loaded?.parameters.filter(({block}) => !block).slice(0, 2).map(({name, text}) => `${name} ${text}`).join(", ");
-    if (news.time === 0) return this.context.notify("there is nothing to keep before the run has begun");
-    const pin = await this.shared.pins.take(this.scopes.flatMap(({traces}) => traces), news.time, note ?? "");
+    const {news, loaded} = this.context.run;
+    if (news.time === 0 || !loaded) return this.context.notify("there is nothing to keep before the run has begun");
+    const {events} = await this.context.connection.call<{events: LogEvent[]}>("run.log").catch(() => ({events: []}));
+    const history = historyOf(loaded.parameters, events.filter(({tick}) => tick * loaded.step <= news.time), loaded.step);
+    const pin = await this.shared.pins.take(this.scopes.flatMap(({traces}) => traces), news.time, history.join("; "));
     this.context.announce(`kept ${pin.label}`);
   }
 

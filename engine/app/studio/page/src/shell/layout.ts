@@ -128,9 +128,12 @@ export class Layout {
     pane.view.catch((thrown) => host.append(h("p", {class: "empty"}, `${pane.title} cannot be shown: ${thrown?.message ?? thrown}`)));
   }
 
-  private focus({section}: Placed): void {
-    const inside = section.querySelector<HTMLElement>("[data-focus], .cm-content, button, input, select, [tabindex='0']");
+  /** What is made for the focus, else the first that may have it; a view that is still on its way gets it when it is there. */
+  private focus({section, view}: Placed): void {
+    const first = (selector: string) => [...section.querySelectorAll<HTMLElement>(selector)].find((one) => one.checkVisibility({visibilityProperty: true}) && !one.matches(":disabled"));
+    const inside = first("[data-focus]") ?? first(".cm-content") ?? first("[tabindex='0']") ?? first("button, input, select");
     (inside ?? section).focus();
+    if (!inside) void view?.then(() => { if (document.activeElement === section && first("*")) this.focus({section} as Placed); });
   }
 
   private press(event: KeyboardEvent): void {

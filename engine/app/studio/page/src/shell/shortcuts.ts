@@ -30,14 +30,27 @@ function takesText(target: EventTarget | null): boolean {
 
 /** Buttons and the like have uses of their own for these keys. */
 const ownKeys = new Set(["Space", "Enter", "Left", "Right", "Up", "Down", "Home", "End", "PageUp", "PageDown"]);
-const hasOwnKeys = (target: EventTarget | null) =>
-  target instanceof Element && target.closest("button, a[href], summary, [role=tab], [role=slider], [role=separator], [role=option], [role=listbox], [role=menuitem], input, [data-own-keys]") !== null;
+const controls = "button, a[href], summary, [role=tab], [role=slider], [role=separator], [role=option], [role=listbox], [role=menuitem], input, [data-own-keys]";
+/** These have none for Space. */
+const spaceless = "[role=slider], [role=separator], input[type=range]";
+
+/** Has whoever has the focus a use for a key? `data-own-keys` lists those of an element. */
+function hasOwnKey(target: EventTarget | null, key: string): boolean {
+  const control = target instanceof Element ? target.closest<HTMLElement>(controls) : null;
+  if (!control || !ownKeys.has(key)) return false;
+  if (control.dataset.ownKeys !== undefined) return control.dataset.ownKeys.split(" ").includes(key);
+  return key !== "Space" || !control.matches(spaceless);
+}
 
 export class Shortcuts {
   private readonly all: Shortcut[] = [];
+  /** The button that has the focus by a click: Space is not for it, but for the page. */
+  private clicked: Element | null = null;
 
   constructor() {
     document.addEventListener("keydown", (event) => this.press(event));
+    document.addEventListener("click", ({target, detail}) => { if (detail > 0) this.clicked = target instanceof Element ? target.closest("button") : null; });
+    document.addEventListener("focusin", ({target}) => { if (target !== this.clicked) this.clicked = null; });
   }
 
   /** Adds a key; a later one goes before an earlier one. Returns what removes it. */
@@ -53,8 +66,9 @@ export class Shortcuts {
 
   private press(event: KeyboardEvent): void {
     if (event.defaultPrevented || event.isComposing || document.querySelector("dialog[open]")) return;
-    const key = keyOf(event), plain = !key.startsWith("Ctrl+") && !key.startsWith("Alt+") && !/^F\d/.test(key);
-    if (plain && (takesText(event.target) || (ownKeys.has(key) && hasOwnKeys(event.target)))) return;
+    const key = keyOf(event), plain = !key.startsWith("Ctrl+") && !key.startsWith("Alt+") && !/^(Shift\+)?F\d/.test(key);
+    const isFree = key === "Space" && event.target === this.clicked;
+    if (plain && (takesText(event.target) || (!isFree && hasOwnKey(event.target, key)))) return;
     const found = this.all.find((one) => one.key === key && (one.within?.() ?? true));
     if (!found) return;
     event.preventDefault();

@@ -1,13 +1,13 @@
-// A file was changed elsewhere while it was edited here: both texts side by side, and a choice.
+// A file was changed elsewhere while it was edited here: both texts side by side, and a choice. Lines that only one of them has changed are merged before that.
 
 import {type Extension, RangeSetBuilder} from "@codemirror/state";
 import {Decoration, EditorView} from "@codemirror/view";
 import type {Context} from "../shell/context";
 import {openDialog} from "../shell/dialog";
 import {h} from "../shell/dom";
-import type {Document} from "./document";
 import {reading} from "./editor";
 import {differentLines} from "./line_differences";
+import type {Conflict} from "./saving";
 
 /** Marks lines of a text by their numbers from 0. */
 function marked(text: string, lines: Set<number>): Extension {
@@ -21,21 +21,22 @@ function marked(text: string, lines: Set<number>): Extension {
 }
 
 /** Shows both texts; the own one is kept or given up. */
-export function showConflict(context: Context, document: Document, text: string, hash: string): void {
-  const own = document.state.doc.toString(), {ours, theirs} = differentLines(own.split("\n"), text.split("\n"));
+export function showConflict(context: Context, conflict: Conflict): void {
+  const {document, text, hash} = conflict, own = document.state.doc.toString(), {ours, theirs} = differentLines(own.split("\n"), text.split("\n"));
   const holders = [h("div", {class: "side"}), h("div", {class: "side"})];
   const editors = [[own, ours, "Your text"], [text, theirs, "The file"]].map(([content, lines, title], i) =>
     new EditorView({parent: holders[i], doc: content as string, extensions: [reading(title as string), marked(content as string, lines as Set<number>)]}));
   const scrollers = editors.map(({scrollDOM}) => scrollDOM);
   scrollers.forEach((one, i) => one.addEventListener("scroll", () => { scrollers[1 - i].scrollTop = one.scrollTop; }));
   const {workbench, notify} = context;
-  const keep = async () => { if (await workbench.saving.write(document, hash)) notify(`${document.name} is saved with your text`); };
+  const overwrite = async () => { if (await workbench.saving.overwrite(document, text, hash)) notify(`${document.name} is saved with your text; undo brings the file's back`); };
   openDialog(`${document.name} was changed by another program`, [
     h("p", {}, `${ours.size} of your lines and ${theirs.size} of the file's lines differ (marked). Nothing has been written.`),
     h("div", {class: "conflict"}, h("h3", {}, "Your text"), h("h3", {}, "The file as it is now"), ...holders),
   ], (close) => [
     h("button", {type: "button", onclick: close}, "Go on editing"),
     h("button", {type: "button", onclick: () => { close(); workbench.saving.takeText(document, text, hash); }}, "Take the file (undo brings yours back)"),
-    h("button", {type: "button", class: "main", onclick: () => { close(); void keep().catch((fault) => notify(fault.message, "fault")); }}, "Write mine over it"),
+    h("button", {type: "button", onclick: () => { close(); void overwrite().catch((fault) => notify(fault.message, "fault")); }}, "Write mine over it"),
+    h("button", {type: "button", class: "main", autofocus: true, onclick: () => { close(); workbench.saving.takeBoth(document, conflict); }}, "Keep both: the file's lines as comments"),
   ], () => editors.forEach((editor) => editor.destroy()));
 }

@@ -1,22 +1,18 @@
-// What other panes write into the text: events that bubble from them.
+// Lines and values that other panes put into the text, by events that bubble from them. The server makes them by the tree of the text.
 
-import {isolateHistory} from "@codemirror/commands";
 import {Fault} from "../connection/connection";
 import type {Context} from "../shell/context";
-import {insertedItem, insertedPair} from "./insert_line";
 
 async function insert({workbench, notify}: Context, {section, text}: {section: string; text: string}): Promise<void> {
   const document = await workbench.activate(workbench.root);
-  workbench.dispatch(document, {changes: insertedItem(document.state, section, text), userEvent: "input.insert", annotations: isolateHistory.of("full")});
+  await workbench.splice(document.file, {kind: "item", section, text});
   notify(`a line is added to ${section} of ${document.name}`);
 }
 
 /** A linear analysis of the loop through a signal, cut there at the time of the run, and its Bode plot, which follows what is tuned. */
 async function addBode({workbench, run, notify, show}: Context, {signal}: {signal: string}): Promise<void> {
-  const document = await workbench.activate(workbench.root), {time} = run.news, at = time > 0 ? `, at: ${Number(time.toPrecision(6))} s` : "";
-  const {name, changes} = insertedPair(document.state, "linear", "loop", `{from: ${signal}, to: ${signal}, open: ${signal}${at}}`);
-  const figure = insertedItem(document.state, "figure", `{plot: bode, of: ${name}, title: The loop cut behind ${signal}}`);
-  workbench.dispatch(document, {changes: [changes, figure].flat() as typeof changes[], userEvent: "input.insert", annotations: isolateHistory.of("full")});
+  const document = await workbench.activate(workbench.root), {time} = run.news;
+  await workbench.splice(document.file, {kind: "bode", signal, ...(time > 0 ? {at: `${Number(time.toPrecision(6))} s`} : {})});
   show("figures");
   notify(`a Bode plot of the loop cut behind ${signal} is added to the text; play or From the start (R) draws it`);
 }

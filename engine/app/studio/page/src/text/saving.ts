@@ -3,6 +3,7 @@
 import {isolateHistory} from "@codemirror/commands";
 import type {TransactionSpec} from "@codemirror/state";
 import type {Connection} from "../connection/connection";
+import {difference} from "./differences";
 import {type Document, textOf} from "./document";
 import type {TextSync} from "./text_sync";
 
@@ -11,6 +12,8 @@ export interface Conflict {
   document: Document;
   text: string;
   hash: string;
+  /** A text with all lines of both; those of the file that differ are comments. */
+  both: string;
 }
 
 interface Owner {
@@ -43,7 +46,8 @@ export class Saving {
   /** Writes one text over what has the hash. Returns whether it was written. */
   async write(document: Document, hash: string): Promise<boolean> {
     const text = document.base;
-    const result = await this.connection.call<{hash?: string; conflict?: {text: string; hash: string}}>("save", {file: document.file, hash});
+    const result = await this.connection.call<{hash?: string; merged?: boolean; conflict?: Omit<Conflict, "document">}>("save", {file: document.file, hash});
+    if (result.merged) return false;  // the news brings what was merged
     if (result.conflict) this.owner.conflict({document, ...result.conflict});
     else this.keep(document, text, result.hash ?? hash);
     return !result.conflict;
@@ -64,6 +68,22 @@ export class Saving {
     this.keep(document, textOf(text), hash);
   }
 
+  /** All lines of both instead of the own text; undo brings that back. Nothing is written. */
+  takeBoth(document: Document, {both, text, hash}: Conflict): void {
+    const spec = {changes: difference(document.state.doc, textOf(both)), annotations: isolateHistory.of("full")};
+    this.owner.dispatch(document, spec);
+    this.keep(document, textOf(text), hash);
+  }
+
+  /** Writes the own text over the file, whose text comes back by undo. */
+  async overwrite(document: Document, text: string, hash: string): Promise<boolean> {
+    const own = document.state.doc;
+    this.takeText(document, text, hash);
+    this.owner.dispatch(document, {changes: {from: 0, to: document.state.doc.length, insert: own}, annotations: isolateHistory.of("full")});
+    await this.sync.whenSynced(document);
+    return this.write(document, hash);
+  }
+
   private keep(document: Document, saved: Document["saved"], hash: string): void {
     document.saved = saved;
     document.hash = hash;
@@ -76,14 +96,15 @@ export class Saving {
     if (document) this.keep(document, document.base, hash);
   }
 
-  /** A file was written by another program: taken at once where there is no draft of another text, else both are shown. */
-  private takeChanged({file, text, hash, version}: {file: number; text: string; hash: string; version: number}): void {
+  /** A file was written by another program: taken at once where there is no draft of another text, or merged with it; else both are shown. */
+  private takeChanged({file, text, hash, version, merged, both = ""}: {file: number; text: string; hash: string; version: number; merged: boolean; both?: string}): void {
     const document = this.owner.document(file), isSame = document?.state.doc.eq(textOf(text));
     if (!document || document.hash === hash) return;
-    if (document.isChanged && !isSame) return this.owner.conflict({document, text, hash});
-    if (version > document.version) this.sync.applyRemote(document, document.rebaseText(text, version));
+    if (!merged && document.isChanged && !isSame) return this.owner.conflict({document, text, hash, both});
+    if (!merged && version > document.version) this.sync.applyRemote(document, document.rebaseText(text, version));
     this.keep(document, textOf(text), hash);
     this.owner.synced(document);
-    if (!isSame) this.notify(`${document.name} was changed by another program; the new text is shown`);
+    if (merged) this.notify(`${document.name} was changed by another program; its lines are merged with yours, and nothing is saved yet`);
+    else if (!isSame) this.notify(`${document.name} was changed by another program; the new text is shown`);
   }
 }

@@ -29,7 +29,7 @@ export class TextView implements View {
     this.ends = [
       workbench.on("active", () => this.list()), workbench.on("files", () => this.list()), workbench.on("changed", () => this.list()),
       workbench.on("faults", ({file, faults}) => language.showFaults(file, faults)),
-      workbench.on("conflict", ({document, text, hash}) => showConflict(context, document, text, hash)),
+      workbench.on("conflict", (conflict) => showConflict(context, conflict)),
       context.shortcuts.add({key: "Ctrl+S", text: "save all changed texts", group: "Text", action: () => this.save()}),
     ];
     this.list();

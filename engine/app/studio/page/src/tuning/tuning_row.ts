@@ -1,10 +1,10 @@
 import {Fault} from "../connection/connection";
 import {icon} from "../run/icons";
 import type {Parameter, SetEcho} from "../run/run_types";
-import {toggleBySpace} from "../run/toggle_by_space";
+import type {DisplayUnit} from "../scopes/display_unit";
 import type {Context} from "../shell/context";
 import {h, listen} from "../shell/dom";
-import {type OwnUnit, ownUnit, placeOf, places, sliderRange, valueAt, valueText} from "./parameter_range";
+import {placeOf, places, sliderRange, valueAt, valueText} from "./parameter_range";
 import {SetQueue} from "./set_queue";
 
 /** How many runs a fan has. */
@@ -21,7 +21,7 @@ export class TuningRow {
   private readonly back: HTMLButtonElement;
   private readonly write: HTMLButtonElement;
   private readonly queue = new SetQueue<string | number>((value) => this.send(value));
-  private readonly unit: OwnUnit;
+  private readonly unit: DisplayUnit;
   /** Has a value been set? Until then the ends of the slider stand below it. */
   private isTuned = false;
   private range: {low: number; high: number};
@@ -29,7 +29,7 @@ export class TuningRow {
 
   constructor(private readonly parameter: Parameter, private readonly context: Context, isPinned: boolean, pin: () => void) {
     const {name, doc} = parameter;
-    this.unit = ownUnit(parameter);
+    this.unit = parameter.shown;
     this.range = sliderRange(parameter);
     this.inText = {text: parameter.text, value: parameter.value};
     this.back = this.button("Reset", `Back to ${parameter.text}, as the text has it`, () => void this.queue.put(this.inText.text));
@@ -43,7 +43,6 @@ export class TuningRow {
       h("div", {class: "tuned-line"}, this.slider, this.field),
       h("div", {class: "tuned-foot"}, this.echo, this.back, this.write, this.button("Sweep", `Run it at ${fanRuns} values between the ends, drawn behind the scopes`, () => void this.fan())), this.fault);
     listen(this.slider, "input", () => void this.queue.put(valueAt(Number(this.slider.value), this.range)));
-    toggleBySpace(this.slider, context.run);
     listen(this.field, "keydown", (event: KeyboardEvent) => this.press(event));
     listen(this.field, "change", () => this.enter());
     this.show();
@@ -58,7 +57,7 @@ export class TuningRow {
     this.refuse(undefined);
     this.show();
     this.echo.textContent = `${valueText(value, this.unit)} from tick ${tick}`;
-    this.echo.title = `${this.echo.textContent}; ${value} in SI`;
+    this.echo.title = this.echo.textContent;
   }
 
   setPinned(isPinned: boolean): void {
@@ -89,16 +88,22 @@ export class TuningRow {
   /** A number without a unit has that of the field. */
   private enter(): void {
     const text = this.field.value.trim();
-    if (text === "" || text === valueText(this.parameter.value, this.unit)) return;
+    if (text === this.entered || text === "" || text === valueText(this.parameter.value, this.unit)) return;
     const isBare = /^[-+]?[\d.]+(e[-+]?\d+)?$/i.test(text);
-    void this.queue.put(isBare && this.unit.text ? `${text} ${this.unit.text}` : text);
+    this.entered = text;
+    void this.queue.put(isBare && this.unit.text && this.unit.text !== "1" ? `${text} ${this.unit.text}` : text);
   }
+
+  /** What is on its way: Enter and the change of the field come one behind the other. */
+  private entered = "";
 
   private async send(value: string | number): Promise<void> {
     try {
       await this.context.run.set(this.parameter.name, value);
     } catch (thrown) {
       this.refuse(Fault.from(thrown).message);
+    } finally {
+      this.entered = "";
     }
   }
 

@@ -1,0 +1,50 @@
+// With which values a run was made: those that it began with, and those that were set on its way.
+
+import type {Parameter} from "../run/run_types";
+import {valueText} from "../tuning/parameter_range";
+
+/** What was done to a run, as the call `run.log` has it. */
+export interface LogEvent {
+  tick: number;
+  name: string;
+  text?: string;
+  values?: number[];
+}
+
+/** Values that follow each other so soon are one movement of a slider [s]. */
+const together = 0.25;
+const secondsOf = (time: number) => `${Number(time.toPrecision(4))} s`;
+
+/** A value that was set: a bare number is SI. */
+function setText(text: string, parameter: Parameter | undefined): string {
+  const number = Number(text);
+  return parameter && text.trim() !== "" && Number.isFinite(number) ? valueText(number, parameter.shown) : text;
+}
+
+/** "then 3.8 kg at 0.7 s" for each value, and one text for those of a movement. */
+function changes(events: LogEvent[], parameter: Parameter | undefined, step: number): string[] {
+  const moves: LogEvent[][] = [];
+  for (const event of events) {
+    const last = moves.at(-1);
+    if (last && (event.tick - last.at(-1)!.tick) * step <= together) last.push(event);
+    else moves.push([event]);
+  }
+  return moves.map((move) => {
+    const from = move[0].tick * step, to = move.at(-1)!.tick * step, text = setText(move.at(-1)!.text ?? "", parameter);
+    return from === to ? `then ${text} at ${secondsOf(to)}` : `then moved to ${text} from ${secondsOf(from)} to ${secondsOf(to)}`;
+  });
+}
+
+/** "mass 2 kg, then 3.8 kg at 0.7 s" of each parameter that was set; of `others` those that were not. */
+export function historyOf(parameters: Parameter[], events: LogEvent[], step: number, others = 2): string[] {
+  const set = new Map<string, LogEvent[]>(), find = (name: string) => parameters.find((one) => one.name === name);
+  for (const event of events) if (event.text !== undefined) set.set(event.name, [...(set.get(event.name) ?? []), event]);
+  const lines = [...set].map(([name, all]) => {
+    const parameter = find(name), before = all.filter(({tick}) => tick <= 0).at(-1)?.text;
+    const start = before === undefined ? parameter?.text ?? "its value in the text" : setText(before, parameter);
+    return [`${name} ${start}`, ...changes(all.filter(({tick}) => tick > 0), parameter, step)].join(", ");
+  });
+  const unset = parameters.filter(({name, block}) => !block && !set.has(name)).slice(0, Math.max(0, others - lines.length));
+  const inputs = [...new Set(events.filter(({values}) => values).map(({name}) => name))];
+  return [...lines, ...unset.map(({name, text}) => `${name} ${text}`), ...(inputs.length > 0 ? [`with a hand on ${inputs.join(", ")}`] : [])];
+}
