@@ -30,7 +30,7 @@ void declare_parameters(Declare<Block>& is) {
               "integrates "
               "its states, and its events are found as those of other blocks are: where `events: locate` "
               "stands at their instant, else at the ticks. A fault of the unit ends the run with its "
-              "message. A unit that asks for an end ends the run with its last "
+              "message. A unit that terminates the simulation ends the run with its last "
               "values, as `stop_when` does. The "
               "unit is foreign code: it runs in a process of its own, and a crash, an exit or a call that "
               "does not "

@@ -1,4 +1,4 @@
-// Units that ask for the end of the run, which is an end as by `stop_when`.
+// Units that terminate the simulation: such a run ends as by `stop_when`.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -12,8 +12,8 @@ using namespace stepwire;
 
 namespace {
 
-/// A unit that asks for an end in a call, beside a block that reads it. It counts 100 more from its end on,
-/// and each call but for values is an error then.
+/// A unit that terminates the simulation in a call, beside a block that reads it. It counts 100 more from its
+/// end on, and each call but for values is an error then.
 struct Ending {
   int version;
   std::string call, interface, head;
