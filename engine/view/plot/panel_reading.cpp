@@ -183,6 +183,13 @@ class PanelReader {
               fmt::format("goes with '{}', which is not given", of));
   }
 
+  /// True for a series of numbers that the panel makes of each run, which no recording has.
+  bool is_number(const query::Series& series) const {
+    return !series.formula.columns.empty() &&
+           std::ranges::find(panel_.numbers, series.formula.columns.front(), &RunNumber::name) !=
+               panel_.numbers.end();
+  }
+
   /// Each y is drawn with the other channels, so these must have been recorded together.
   void find_recordings() {
     std::vector<const query::Formula*> shared;
@@ -192,7 +199,7 @@ class PanelReader {
         for (const query::Formula& value : one.values) shared.push_back(&value);
     for (const auto& [key, list] : panel_.series)
       for (const query::Series& series : list)
-        if (key != "y") shared.push_back(&series.formula);
+        if (key != "y" && !is_number(series)) shared.push_back(&series.formula);
     const auto y = panel_.series.find("y");
     if (y == panel_.series.end()) {
       panel_.recordings = {query::common_recording(shared, names_, node_, "figure", faults_)};
@@ -200,7 +207,7 @@ class PanelReader {
     }
     for (const query::Series& series : y->second) {
       auto all = shared;
-      all.push_back(&series.formula);
+      if (!is_number(series)) all.push_back(&series.formula);
       panel_.recordings.push_back(query::common_recording(all, names_, node_, "figure", faults_));
     }
   }

@@ -54,7 +54,7 @@ TEST_CASE("labels and what is wrong are those of the expression") {
   CHECK_THAT(figures_of("{plot: lines, x: current, y: [max(rig.x), rig.x]}").faults,
              Contains("figure.y: 'rig.x' has many values in a run"));
   CHECK_THAT(figures_of("{plot: lines, x: current, y: max(rig.x) - rig.x}").faults,
-             Contains("1:44: figure.y: 'rig.x' is no number of a run"));
+             Contains("1:43: figure.y: 'rig.x' is no number of a run"));
   CHECK_THAT(figures_of("{plot: lines, x: current, y: max(rig.x) in N}").faults,
              Contains("cannot be drawn in N"));
   CHECK_THAT(figures_of("{plot: lines, x: current, y: max(rig.y)}").faults,
