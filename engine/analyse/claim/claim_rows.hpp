@@ -13,7 +13,8 @@ struct Unjudged : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a claim looks at in a recording. Throws Unjudged, and std::invalid_argument where a column is not there.
+/// What a claim looks at in a recording. Throws Unjudged, and std::invalid_argument where a column is not
+/// there.
 Rows rows_of(const Claim& claim, const record::Recording& recording);
 
 /// Does `where` select a row of a run?

@@ -42,8 +42,7 @@ std::string handy(const std::string& si, double value) {
   return si;
 }
 
-/// The first unit of this dimension behind a number of a sentence, as "mm" in "it ends at 5 mm"; empty where
-/// there is none.
+/// The first unit of this dimension behind a number of a sentence, as "mm" in "it ends at 5 mm"; else empty.
 std::string unit_in(const std::string& sentence, const unit::Dimension& dimension) {
   constexpr std::string_view marks = ",;:.!?()";
   for (std::size_t at = sentence.find(' '); at != std::string::npos; at = sentence.find(' ', at + 1)) {
@@ -65,6 +64,16 @@ std::string unit_of(const Claim& claim, double value) {
   if (!dimension || *dimension == unit::Dimension{}) return "";
   const std::string written = unit_in(claim.that, *dimension);
   return written.empty() ? handy(unit::si_name(*dimension), value) : written;
+}
+
+/// 0 for a value below the rounding of numbers of that magnitude and below 1 % of the bound, if 0 is on the
+/// same side of the comparison.
+double resolved(const Comparison& comparison, double value, double magnitude) {
+  constexpr double resolution = 1e-12, part_of_bound = 0.01;
+  const double bound = std::max({std::abs(comparison.low), std::abs(comparison.high), comparison.within});
+  const double unseen = std::min(resolution * std::max(magnitude, bound), part_of_bound * bound);
+  const bool alike = (comparison.margin(0.0) >= 0.0) == (comparison.margin(value) >= 0.0);
+  return alike && std::abs(value) <= unseen ? 0.0 : value;
 }
 
 /// The number with four digits that is nearest to a value and on the right side of the comparison, as the
@@ -138,7 +147,8 @@ std::string check_text(const Claim& claim, const std::string& time) {
   return text;
 }
 
-std::string value_text(const Claim& claim, double value) {
+std::string value_text(const Claim& claim, double exact, double magnitude) {
+  const double value = resolved(claim.comparison, exact, magnitude);
   const std::string name = unit_of(claim, value);
   const unit::Unit unit =
       claim.reduction == Reduction::fit ? unit::Unit{} : unit::parse_unit(name).value_or(unit::Unit{});

@@ -22,7 +22,8 @@ std::string check_text(const Claim& claim, const std::string& time);
 
 /// A reduced value with its unit: that of the comparison, else the one in which the statement has a number of
 /// this kind. It has four digits and is on the same side of the comparison; where the claim does not hold, or
-/// nothing of four digits is there, it has more. That of an `equals` that holds is rounded.
-std::string value_text(const Claim& claim, double value);
+/// nothing of four digits is there, it has more. That of an `equals` that holds is rounded. A value below the
+/// rounding of numbers of that magnitude and below 1 % of the bound is 0.
+std::string value_text(const Claim& claim, double value, double magnitude = 0.0);
 
 }  // namespace stepwire::claim

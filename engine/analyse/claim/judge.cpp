@@ -18,6 +18,22 @@ bool looks_at_runs(const Claim& claim) {
   return claim.each_run || claim.reduction == Reduction::max || claim.reduction == Reduction::min;
 }
 
+/// How large the recorded quantities of the reduced one's kind are.
+double magnitude_of(const Claim& claim, const record::Recording& recording) {
+  const auto dimension = reduced_dimension(claim);
+  double largest = 0.0;
+  if (!dimension) return largest;
+  for (const query::Formula& formula : claim.values)
+    for (const std::string& name : formula.columns) {
+      const table::Column* column = recording.table.find(name);
+      const auto unit = column ? unit::parse_unit(column->unit) : std::nullopt;
+      if (!unit || unit->dimension != *dimension) continue;
+      for (const double value : column->values)
+        if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    }
+  return largest;
+}
+
 }  // namespace
 
 bool keeps_rows(const Claim& claim) {
@@ -49,6 +65,7 @@ void Judge::add_rows(const record::Recording& runs) {
     ++selected_;
     if (std::isnan(rows.value[row])) ++undefined_;
   }
+  magnitude_ = std::max(magnitude_, magnitude_of(claim_, runs));
   if (!claim_.each_run) all_.add(rows);
   try {
     if (looks_at_runs(claim_) && trouble_.empty()) add_runs(rows);
@@ -93,7 +110,7 @@ std::string Judge::note_of_undefined() const {
 
 /// With ", 16 of 20": of how many runs a condition holds that has one row of each.
 std::string Judge::shown(double value, std::optional<std::size_t> worst) const {
-  std::string text = value_text(claim_, value);
+  std::string text = value_text(claim_, value, magnitude_);
   const bool single = runs_ == rows_ && rows_ > 1;
   if (claim_.reduction == Reduction::fraction && !claim_.each_run && single && !std::isnan(value))
     text += fmt::format(", {} of {}", std::lround(value * static_cast<double>(selected_)), selected_);

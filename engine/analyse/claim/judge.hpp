@@ -38,6 +38,7 @@ class Judge {
   std::optional<std::size_t> worst_run_;
   bool differs_ = false;  ///< not all runs give the same value
   std::size_t runs_ = 0, rows_ = 0, selected_ = 0, undefined_ = 0;
+  double magnitude_ = 0.0;       ///< of the recorded quantities of the reduced one's kind
   std::vector<double> numbers_;  ///< one of each run that counts, of a claim about several runs
 };
 

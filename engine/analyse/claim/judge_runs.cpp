@@ -67,7 +67,7 @@ std::string undecided(const Claim& claim, const Found& found, double confidence,
 }
 
 std::string shown_text(const Claim& claim, const Found& found, double confidence, std::size_t runs) {
-  const auto text = [&](double value) { return value_text(claim, value); };
+  const auto text = [&](double value) { return value_text(claim, value, std::abs(found.value)); };
   return fmt::format("{} in {} runs ({} to {} at {:g} % confidence)", text(found.value), runs,
                      text(found.interval.low), text(found.interval.high), 100.0 * confidence);
 }

@@ -26,8 +26,8 @@ struct Rows {
   }
 };
 
-/// Makes the number of a reduction of all selected rows of runs that come one after the other, without keeping
-/// them where it can. Not for `final` and `at`, and those of steps.
+/// Makes the number of a reduction of all selected rows of runs that come one after the other, without
+/// keeping them where it can. Not for `final` and `at`, and those of steps.
 class Reducing {
  public:
   explicit Reducing(Reduction reduction) : reduction_(reduction) {}
@@ -50,9 +50,9 @@ class Reducing {
   double largest_ = 0.0, smallest_ = 0.0;
   double integral_ = 0.0, duration_ = 0.0, sum_ = 0.0;
   SumOfSquares square_integral_, square_sum_;  ///< of rms
-  std::size_t all_ = 0;               ///< selected rows
-  std::size_t counted_ = 0;           ///< of them, those that a fraction or a count counts
-  std::vector<double> values_, others_;  ///< of reductions that have to sort or to see all
+  std::size_t all_ = 0;                        ///< selected rows
+  std::size_t counted_ = 0;                    ///< of them, those that a fraction or a count counts
+  std::vector<double> values_, others_;        ///< of reductions that have to sort or to see all
 };
 
 /// Has the reduction to see all rows of all runs at once?

@@ -22,7 +22,7 @@ struct RunFormula {
   std::vector<std::string> columns() const;
 };
 
-/// Does a text call a reduction?
+/// True for a text that calls a reduction.
 bool has_reduction(const std::string& text);
 
 /// Reads such an expression. Reductions have the names that claims have, and what they reduce in brackets;

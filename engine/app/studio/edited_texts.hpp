@@ -33,8 +33,8 @@ struct EditedText {
 struct WrittenElsewhere {
   EditedText now;                     ///< of the file, in the version of the edited text
   bool is_merged = false;             ///< true where the edited text has its lines
-  std::vector<TextChange> changes{};  ///< by which it got them.
-  std::string both{};                 ///< All lines of both texts, where it has not.
+  std::vector<TextChange> changes{};  ///< of the edited text then
+  std::string both{};                 ///< all lines of both texts otherwise
 };
 
 /// The texts that pages edit, by the paths of their files. One thread at a time.

@@ -22,9 +22,7 @@
 #include "engine/base/io/owned_folder.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/subprocess/process.hpp"
-#include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
-#include "engine/simulate/run/code_trial.hpp"
 
 namespace stepwire::thesis {
 
@@ -150,10 +148,7 @@ class Maker {
 
   session::Outcome run(const session::LoadedModel& model, const std::string& folder) const {
     replay::write_replay(folder, model.job);
-    codegen::GeneratedCode code(run::code_trial());
     run::RunOptions options;
-    options.engine = run::ExecutionMode::automatic;
-    options.code = &code;
     options.interrupt = monitor_.interrupt;
     options.observers = monitor_.observers;
     // The figures themselves are made in parallel, until no more of them wait than there are cores.

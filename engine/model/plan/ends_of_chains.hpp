@@ -5,9 +5,9 @@
 
 namespace stepwire::plan {
 
-/// Nodes that follow from no other one, and of each loop of nodes that follow from each other alone the first
-/// that may be chosen. `followings` has pairs of a node and one that it follows from; only those of nodes
-/// that are `open` count. The result does not depend on the order of the pairs.
+/// Finds the open nodes that follow from no other open one. Of a loop of nodes that follow from each other
+/// alone it takes the first that may be chosen. `followings` has pairs of a node and one that it follows from,
+/// in any order.
 std::vector<int> ends_of_chains(const std::vector<bool>& open, const std::vector<bool>& may_be_chosen,
                                 const std::vector<std::pair<int, int>>& followings);
 

@@ -100,8 +100,8 @@ class EventPlan {
   std::vector<std::size_t> open_;
 };
 
-/// Finds what no discrete block, guard or input from outside has a part in, of what crossings depend on. What
-/// shows another mode at the tick than before it has to be computed there.
+/// Finds what no discrete block, guard or input from outside has a part in, of what crossings depend on.
+/// Blocks that show another mode at a tick than before it are computed at the tick.
 class AheadBlocks {
  public:
   AheadBlocks(Draft& draft, const CallOrder& order) : draft_(draft), order_(order) {}

@@ -32,7 +32,7 @@ struct RecordedSweep {
 };
 
 /// Opens the file of a recording, recorded_file(), for the request of the plan with this number: text is read
-/// whole, HDF5 some runs at a time. What `sweep` refers to must outlive it. Throws as next() does.
+/// whole, HDF5 some runs at a time. The objects behind `sweep` must outlive it. Throws as next() does.
 std::unique_ptr<RecordedRuns> open_recorded_runs(const std::string& file, std::size_t request,
                                                  const RecordedSweep& sweep);
 

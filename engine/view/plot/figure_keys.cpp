@@ -134,7 +134,8 @@ const std::vector<PanelKey>& panel_keys() {
                [](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
                  for (const yaml::Node& item : node.as_list()) panel.legend.push_back(read.text(item));
                }}),
-      {"equal", "true: one unit is as long on both axes", form::truth(), &Panel::equal},
+      needing(KeyNeeds::ratio,
+              {"equal", "true: one unit is as long on both axes", form::truth(), &Panel::equal}),
       range_key("x", "ends of the axis: [-5 mm, 5 mm]", &Panel::x),
       needing(KeyNeeds::up, range_key("y", "ends of the axis", &Panel::y)),
       label_key("x", "text at the axis, to which the unit is added", &Panel::x),
@@ -155,9 +156,9 @@ const std::vector<PanelKey>& panel_keys() {
               "normalised, label: error}",
               form::series(), read_note, KeyNeeds::nothing, KeyStage::rows),
       own_key("region", "name of a Region (or a list): its boundary is drawn, and its inside shaded",
-              form::one_or_list(form::block()), read_regions, KeyNeeds::nothing),
-      needing(KeyNeeds::plane, {"region_line", "how the boundary of a region is drawn: line or dashes",
-                                form::word({"line", "dashes"}), &Panel::dashed_regions}),
+              form::one_or_list(form::block()), read_regions, KeyNeeds::outlines),
+      needing(KeyNeeds::outlines, {"region_line", "how the boundary of a region is drawn: line or dashes",
+                                   form::word({"line", "dashes"}), &Panel::dashed_regions}),
       own_key("marks", "points with names, drawn on top: {A: [0 mm, 20 mm]}; a list of points numbers them",
               form::either({form::names(plane_point(), 1), form::list(plane_point())}), read_marks,
               KeyNeeds::both, KeyStage::points),

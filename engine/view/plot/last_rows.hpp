@@ -15,6 +15,7 @@ RowsRead rows_read(const Panel& panel, std::size_t recordings);
 
 /// The first row of a recording of one run that a panel may draw which reads last rows: the last one in which
 /// all that it shows has a value, or the first one where none has. The number of rows where it draws none.
-std::size_t first_drawn_row(const Panel& panel, std::span<const record::Recording> run, std::size_t recording);
+std::size_t first_drawn_row(const Panel& panel, std::span<const record::Recording> run,
+                            std::size_t recording);
 
 }  // namespace stepwire::plot

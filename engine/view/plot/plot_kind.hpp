@@ -13,9 +13,11 @@ class PlotBuilder;
 /// What a key needs of its plot.
 enum class KeyNeeds {
   nothing,
-  plane,      ///< axes in a plane
-  both,       ///< axes in a plane, and something along both
-  depth,      ///< something along a third axis
+  plane,      ///< two axes in a plane
+  both,       ///< numbers along both axes of a plane
+  depth,      ///< numbers along a third axis
+  outlines,   ///< axes in a plane or in space
+  ratio,      ///< axes whose lengths the file may relate
   choice,     ///< rows or runs of which some may be left out
   rows,       ///< several rows of each run
   legend,     ///< texts that tell its curves apart

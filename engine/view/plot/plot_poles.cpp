@@ -199,7 +199,7 @@ PlotKind nyquist_plot() {
   PlotKind kind{"nyquist", "the loop of an analysis in the plane of complex numbers, with its margins",
                 {},        {analysis_key()},
                 true,      draw_nyquist};
-  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar};
+  kind.lacks = {KeyNeeds::ratio, KeyNeeds::rows, KeyNeeds::color_bar};
   return kind;
 }
 

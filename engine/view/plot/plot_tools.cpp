@@ -74,9 +74,9 @@ void draw_by_color(const Panel& panel, const geometry::Curves& all, PlotBuilder&
     auto curves = drawn(panel, all, group, rows_for(plot, all.groups.size()));
     plot.cover(curves);
     for (geometry::Curve& curve : curves) curve = with_group_value(std::move(curve), all);
-    LineStyle line = line_of(panel, 1, false);
+    LineStyle line = line_of(panel, 0, false);
     line.color.clear();
-    add_rows(panel, curves, LineMark{plane_rows(curves), line, dots_of(panel, 1)}, plot);
+    add_rows(panel, curves, LineMark{plane_rows(curves), line, dots_of(panel, 0)}, plot);
   }
   plot.color_bar(*panel.find("by"), geometry::extent_of(all.groups));
 }

@@ -22,6 +22,7 @@ bool PlotKind::takes(KeyNeeds needs) const {
   if (needs == KeyNeeds::plane) return plane;
   if (needs == KeyNeeds::both) return plane && channel("x") && channel("y");
   if (needs == KeyNeeds::depth) return channel("z") != nullptr;
+  if (needs == KeyNeeds::outlines) return plane || channel("z");
   return std::ranges::find(lacks, needs) == lacks.end();
 }
 

@@ -71,7 +71,7 @@ test("a wire is drawn from an output to an input that takes it", {skip}, () => w
   await page.mouse.move(to.x + 12, to.y + to.height / 2);
   await page.mouse.up();
   await until(() => diagram.splices.length > 0);
-  assert.deepEqual(diagram.splices, [{kind: "connect", from: "source", to: "lag", input: "u"}]);
+  assert.deepEqual(diagram.splices, [{kind: "connect", from: "source.y", to: "lag", input: "u"}]);
 }));
 
 test("what is typed reaches the server, and an edit of another page the text, also between two keys", {skip}, () => withPage(async ({page, diagram, news}) => {

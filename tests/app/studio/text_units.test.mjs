@@ -1,4 +1,4 @@
-// Texts of the page and of the server come together whatever is edited when; lines and items are found where a person would see them.
+// Texts of the page and of the server come together whatever is edited when; different lines are found where a person would see them.
 
 import assert from "node:assert/strict";
 import {readdirSync, readFileSync} from "node:fs";
@@ -7,9 +7,9 @@ import {test} from "node:test";
 import {fileURLToPath} from "node:url";
 import {bundled} from "./scopes/bundled.mjs";
 
-const {Document, difference, differentLines, insertedItem, readFrame, textOf, ChangeSet, EditorState, yaml} = await bundled(
-  "text/document", "text/differences", "text/line_differences", "text/insert_line", "connection/frame",
-  "../node_modules/@codemirror/state/dist/index.js", "../node_modules/@codemirror/lang-yaml/dist/index.js");
+const {Document, difference, differentLines, readFrame, textOf, ChangeSet} = await bundled(
+  "text/document", "text/differences", "text/line_differences", "connection/frame",
+  "../node_modules/@codemirror/state/dist/index.js");
 
 /** The same sequence of numbers below `limit` in every run. */
 function numbers(seed) {
@@ -95,18 +95,6 @@ test("lines that both texts have are not different, in whatever order others sta
   assert.deepEqual([...ours], [1]);
   assert.deepEqual([...theirs], [1, 3]);
   assert.deepEqual(differentLines(["a"], ["a"]), {ours: new Set(), theirs: new Set()});
-});
-
-test("an item is added to a list, to a single mapping, and to a section that is not there yet", () => {
-  const after = (text) => {
-    const state = EditorState.create({doc: text, extensions: [yaml()]});
-    return state.update({changes: insertedItem(state, "claims", "{that: new}")}).newDoc.toString();
-  };
-  assert.equal(after("a: 1\nclaims:\n  - {that: old}\nb: 2\n"), "a: 1\nclaims:\n  - {that: old}\n  - {that: new}\nb: 2\n");
-  assert.equal(after("claims:\n- {that: old,\n   max: x}\n"), "claims:\n- {that: old,\n   max: x}\n- {that: new}\n");
-  assert.equal(after("claims: {that: old}\n"), "claims: \n  - {that: old}\n  - {that: new}\n");
-  assert.equal(after("a: 1\n"), "a: 1\nclaims:\n  - {that: new}\n");
-  assert.throws(() => after("claims: nothing\n"), /other way/);
 });
 
 test("a frame is read in place, and one that is cut or of another kind is refused", () => {

@@ -215,9 +215,11 @@ TEST_CASE("a claim that is known not to hold surprises when it holds") {
   CHECK(verdict_of("max: rig.x, at_most: 1", records).fails());
 }
 
-TEST_CASE("a small value is shown by its size, with at most four digits where the claim holds") {
+TEST_CASE("a small value is shown by its size beside a small bound, and as 0 beside a large one") {
   const auto records = record_of({0, 1, 2}, {0.2, 0.2, -0.2});
-  CHECK(verdict_of("max: 1e-14*rig.x, at_most: 1 m", records).shown == "2e-15 m");
+  CHECK(verdict_of("max: 1e-14*rig.x, at_most: 4e-15 m", records).shown == "2e-15 m");
+  CHECK(verdict_of("max: rig.x + 1e-17 - rig.x, at_most: 1 m", record_of({0}, {0.2})).shown == "0 m");
+  CHECK(verdict_of("final: rig.x*5e-320, at_least: -1 mm", records).shown == "0 mm");
   CHECK(verdict_of("max: 1e-15*rig.x, at_most: 0 m", records).shown == "2e-16 m");
   CHECK(verdict_of("max: 1e-9*rig.x, at_most: 1 m", records).shown == "2e-10 m");
   CHECK(verdict_of("max: rig.x - rig.x, at_most: 1 m", records).shown == "0 m");

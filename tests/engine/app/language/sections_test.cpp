@@ -63,6 +63,7 @@ TEST_CASE("a section without a value, or without its key, is begun in lines") {
 TEST_CASE("an item is added to a list in lines or brackets, and one map becomes the first item") {
   CHECK(item("figure:\n  - {x: 1}\nz: 1\n") == "figure:\n  - {x: 1}\n  - {x: 2}\nz: 1\n");
   CHECK(item("figure:\n- {x: 1}\n# of z\nz: 1\n") == "figure:\n- {x: 1}\n- {x: 2}\n# of z\nz: 1\n");
+  CHECK(item("figure:\n- {x: 1,\n   y: 2}\n") == "figure:\n- {x: 1,\n   y: 2}\n- {x: 2}\n");
   CHECK(item("figure: [{x: 1}]  # one\n") == "figure: [{x: 1}, {x: 2}]  # one\n");
   CHECK(item("figure:\n  - x: 1\n    y: 2\n") == "figure:\n  - x: 1\n    y: 2\n  - {x: 2}\n");
   CHECK(item("figure: {x: 1}  # one\nz: 1\n") == "figure: [{x: 1}, {x: 2}]  # one\nz: 1\n");
