@@ -66,11 +66,16 @@ void SteppedFmu::start() {
   if (unit.works()) std::copy_n(unit.exchange().outputs(), unit.numbers_shown(), unit_outputs.data());
 }
 
-// What a unit ends with a step is over behind the tick that the step leads to.
+// A step with which a unit ends leads to the last tick of the run.
+void SteppedFmu::outputs() {
+  follow();
+  show(unit_outputs.data());
+  if (has_ended()) unit_over.raise(t);
+}
+
 void SteppedFmu::update() {
   follow();
-  if (unit.works() && unit.exchange().ended) return unit_over.raise(t);
-  if (unit.works()) {
+  if (unit.works() && !has_ended()) {
     hand_over();
     unit.exchange().time = t;
     unit.exchange().length = period;
@@ -93,7 +98,7 @@ void ContinuousFmu::start() {
 
 bool ContinuousFmu::at_present(fmi::Operation operation) const {
   auto& self = const_cast<ContinuousFmu&>(*this);
-  if (!self.unit.works()) return false;
+  if (!self.unit.works() || has_ended()) return false;
   self.hand_over();
   fmi::Exchange& exchange = unit.exchange();
   exchange.time = t;
@@ -103,7 +108,7 @@ bool ContinuousFmu::at_present(fmi::Operation operation) const {
 
 void ContinuousFmu::outputs() {
   follow();
-  if (at_present(fmi::Operation::outputs)) show(unit.exchange().outputs());
+  if (at_present(fmi::Operation::outputs) || has_ended()) show(unit.exchange().outputs());
 }
 
 void ContinuousFmu::derivatives() {
@@ -119,14 +124,14 @@ void ContinuousFmu::update() {
     if (unit.exchange().changed)
       std::copy_n(unit.exchange().states(), unit_states.size(), unit_states.data());
     unit_event = unit.exchange().next;
-    if (unit.exchange().ended) unit_over.raise(t);
   }
+  if (has_ended()) unit_over.raise(t);
   settle();
 }
 
 /// Once for the inputs that it has at an instant.
 void ContinuousFmu::update_at_event() {
-  if (!unit.works()) return;
+  if (!unit.works() || has_ended()) return;
   hand_over();
   const double* const inputs = unit.exchange().inputs();
   if (unit.acted_at == t && std::equal(unit.acted_on.begin(), unit.acted_on.end(), inputs)) return;

@@ -40,6 +40,8 @@ struct Fmu {
   void show(const double* numbers);
   /// Puts the unit back to where the run was put back to.
   void follow();
+  /// True once the unit has ended the run: no call may follow.
+  bool has_ended() const { return unit.works() && unit.exchange().ended != 0; }
   /// Notes that the unit has moved on, and what became of it.
   void settle();
 };
@@ -49,10 +51,7 @@ struct SteppedFmu : Fmu {
   DiscreteState<> unit_outputs{};  ///< its outputs after the last step
   Period period{};
 
-  void outputs() {
-    follow();
-    show(unit_outputs.data());
-  }
+  void outputs();
   void update();
   void start();
   void configure(Configure& is);

@@ -131,6 +131,7 @@ BlockType type_of(const fmi::Description& description, fmi::Mode mode) {
     add_ports<ContinuousFmu>(type, description);
     set_shape(type, "unit_states", description.state_count);
     type.timing = Timing::continuous;
+    type.at_events = true;  // without states and indicators it still has events by time
     CrossingSpec crossing{"an event of the unit", std::to_string(description.indicator_count), {}};
     for (const InputSpec& input : type.inputs) crossing.inputs.push_back(input.name);
     type.crossings.push_back(std::move(crossing));

@@ -22,7 +22,7 @@ struct MovingAverage : ResetInput {
       y = u;
       return;
     }
-    const double seen = count < length ? count + 1.0 : count;
+    const double seen = is_full() ? count : count + 1.0;
     for (Index i = 0; i < y.size(); ++i) y[i] = with_new(i) / seen;
   }
 
@@ -39,13 +39,14 @@ struct MovingAverage : ResetInput {
       samples[here * u.size() + i] = u[i];
     }
     row = closes ? 0.0 : static_cast<double>(here + 1);
-    if (count < length) count = count + 1.0;
+    if (!is_full()) count = count + 1.0;
   }
 
   void configure(Configure& is);
   static void declare(Declare<MovingAverage>& is);
 
  private:
+  bool is_full() const { return count >= static_cast<double>(length); }
   void forget() {
     samples = 0.0;
     sum = 0.0;

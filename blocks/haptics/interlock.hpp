@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cmath>
-#include <string>
-#include <vector>
 
 #include "engine/model/block/block.hpp"
+#include "engine/model/signal/texts.hpp"
 
 namespace stepwire {
 
@@ -12,7 +11,7 @@ namespace stepwire {
 /// within `ramp`, and is 0 from the tick at which a fault is seen (latched until a reset) and while nobody
 /// holds the dead-man switch.
 struct Interlock {
-  std::vector<std::string> causes{};
+  Texts causes{};
   double ramp = 0.1;
   bool stop = false;
   Input<> u{};

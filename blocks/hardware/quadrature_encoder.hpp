@@ -20,7 +20,7 @@ struct QuadratureEncoder {
   double levels = 2.0;    ///< of the counter
 
   void prepare() {
-    turn = counts_per_revolution.map([](double counts) { return 2.0 * std::numbers::pi / counts; });
+    turn = counts_per_revolution.map([](double per_turn) { return 2.0 * std::numbers::pi / per_turn; });
     levels = std::exp2(static_cast<double>(bits));
   }
   void outputs() {

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "engine/base/expression/language.hpp"  // for guards that are code
 #include "engine/base/math/function.hpp"
 #include "engine/model/block/block.hpp"
 #include "engine/model/block/tree.hpp"
+#include "engine/model/signal/texts.hpp"
 
 namespace stepwire {
 
@@ -16,7 +14,7 @@ struct StateMachine {
   static constexpr Index max_inputs = 64, max_counters = 32, max_depth = 8, max_states = 256;
 
   Tree states, counters;
-  std::vector<std::string> variables{};
+  Texts variables{};
   Text initial;
   Inputs u{};
   Output<1> state{};

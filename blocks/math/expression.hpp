@@ -1,12 +1,11 @@
 #pragma once
 
 #include <array>
-#include <string>
-#include <vector>
 
 #include "engine/base/expression/language.hpp"  // for formulas that are code
 #include "engine/base/math/function.hpp"
 #include "engine/model/block/block.hpp"
+#include "engine/model/signal/texts.hpp"
 
 namespace stepwire {
 
@@ -16,7 +15,7 @@ struct ExpressionBlock {
   static constexpr std::size_t max_conditions = 4;  ///< that are located; further ones act at ticks
 
   Text expression = Text::literal<"u1">();
-  std::vector<std::string> variables{};
+  Texts variables{};
   Inputs u{};
   Output<> y{};
   Function formula{};                              ///< of one element of each input

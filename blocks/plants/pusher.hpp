@@ -47,27 +47,26 @@ struct Pusher {
   enum LegNumber { starts, before, way, rising, cruising, leg_size };
 
  private:
-  /// Way, speed and acceleration along a leg.
+  /// Way, speed and acceleration along a leg k.
   struct Instant {
     double way, speed, rise;
   };
 
-  double number(Index leg, LegNumber which) const { return legs[leg * leg_size + which]; }
-  double run(Index leg, Index i) const { return points(leg + 1, i) - points(leg, i); }
+  double number(Index k, LegNumber which) const { return legs[k * leg_size + which]; }
+  double run(Index k, Index i) const { return points(k + 1, i) - points(k, i); }
 
   /// Time from the start of a leg to its braking.
-  double up_to_brake(Index leg) const { return number(leg, rising) + number(leg, cruising); }
+  double up_to_brake(Index k) const { return number(k, rising) + number(k, cruising); }
 
-  Instant instant(Index leg, double t) const {
-    const double up = number(leg, rising), top = highest_acceleration * up,
-                 start = begin + number(leg, starts);
+  Instant instant(Index k, double t) const {
+    const double up = number(k, rising), top = highest_acceleration * up, start = begin + number(k, starts);
     if (!reached(time, begin)) return {0.0, 0.0, 0.0};
     if (!reached(time, start + up))
       return {0.5 * highest_acceleration * t * t, highest_acceleration * t, highest_acceleration};
-    if (!reached(time, start + up_to_brake(leg))) return {top * (t - 0.5 * up), top, 0.0};
-    const double left = up_to_brake(leg) + up - t;
-    if (left <= 0.0 || reached(time, start + up_to_brake(leg) + up)) return {number(leg, way), 0.0, 0.0};
-    return {number(leg, way) - 0.5 * highest_acceleration * left * left, highest_acceleration * left,
+    if (!reached(time, start + up_to_brake(k))) return {top * (t - 0.5 * up), top, 0.0};
+    const double left = up_to_brake(k) + up - t;
+    if (left <= 0.0 || reached(time, start + up_to_brake(k) + up)) return {number(k, way), 0.0, 0.0};
+    return {number(k, way) - 0.5 * highest_acceleration * left * left, highest_acceleration * left,
             -highest_acceleration};
   }
 };

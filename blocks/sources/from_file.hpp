@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
-#include <vector>
 
 #include "blocks/records/band_limited.hpp"
 #include "blocks/sources/own_time.hpp"
 #include "blocks/sources/samples.hpp"
 #include "engine/model/block/tree.hpp"
 #include "engine/model/signal/file_path.hpp"
+#include "engine/model/signal/texts.hpp"
 
 namespace stepwire {
 
@@ -24,7 +23,7 @@ struct FromFile : OwnTime {
   static constexpr double open = std::numeric_limits<double>::infinity();
 
   FilePath file{};
-  std::vector<std::string> column{}, unit{};
+  Texts column{}, unit{};
   Text time = Text::literal<"time">();
   double sample_time = 0.0, from = -open, to = open, start_ = -open;
   Decimal decimal = Decimal::detect;

@@ -25,10 +25,10 @@ struct StraightMotion : OwnTime {
     unit = direction.map([length = length()](double element) { return element / length; });
   }
   void outputs() {
-    const double begin = began() + start_, t = std::max(this->t - begin, 0.0);
-    distance = speed * (t < rise ? rising(t) : t - 0.5 * rise);
-    const double v = this->t < begin ? 0.0 : t < rise ? 0.5 * speed * (1.0 - std::cos(angle(t))) : speed;
-    const double a = t < rise ? 0.5 * speed * std::numbers::pi / rise * std::sin(angle(t)) : 0.0;
+    const double begin = began() + start_, since = std::max(t - begin, 0.0);
+    distance = speed * (since < rise ? rising(since) : since - 0.5 * rise);
+    const double v = t < begin ? 0.0 : since < rise ? 0.5 * speed * (1.0 - std::cos(angle(since))) : speed;
+    const double a = since < rise ? 0.5 * speed * std::numbers::pi / rise * std::sin(angle(since)) : 0.0;
     const Turn by = turn.connected() ? Turn{std::cos(turn), std::sin(turn)} : Turn{};
     position.each([&](Index i) { return from[i] + distance * turned(i, by); });
     velocity.each([&](Index i) { return v * turned(i, by); });
@@ -57,9 +57,11 @@ struct StraightMotion : OwnTime {
     return i == 0 ? by.cos * unit[0] - by.sin * unit[1] : by.sin * unit[0] + by.cos * unit[1];
   }
 
-  double angle(double t) const { return std::numbers::pi * t / rise; }
+  double angle(double since) const { return std::numbers::pi * since / rise; }
   /// Distance at unit speed while the speed rises.
-  double rising(double t) const { return 0.5 * (t - rise / std::numbers::pi * std::sin(angle(t))); }
+  double rising(double since) const {
+    return 0.5 * (since - rise / std::numbers::pi * std::sin(angle(since)));
+  }
 };
 
 }  // namespace stepwire

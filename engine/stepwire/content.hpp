@@ -33,7 +33,7 @@ struct Model::Content {
 /// plan.
 void set_value(run::Executor& run, const std::string& name, yaml::Node value);
 
-/// Throws Error where an input does not have so many numbers.
-void check_size(const InputInfo& input, std::size_t count);
+/// Throws Error for a wrong count of numbers, and for NaN.
+void check_numbers(const InputInfo& input, std::span<const double> numbers);
 
 }  // namespace stepwire

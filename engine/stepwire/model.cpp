@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "engine/analyse/kept/kept_numbers.hpp"
@@ -69,12 +70,14 @@ Model::Content::Content(std::shared_ptr<const run::Job> of) : job(std::move(of))
   const plan::Plan& plan = job->plan;
   for (const auto& [name, signal] : diagram::named_signals(plan.diagram)) {
     slots.push_back(plan.slot(signal));
-    signals.push_back({name, unit_of(plan.dimension(signal)), static_cast<std::size_t>(slots.back().size)});
+    signals.push_back({name, unit_of(plan.dimension(signal)), static_cast<std::size_t>(slots.back().size),
+                       static_cast<std::size_t>(slots.back().columns)});
   }
   for (const diagram::DiagramInput& input : plan.diagram.inputs) {
     const diagram::SignalRef signal{input.block, 0, -1};
-    inputs.push_back({input.name, unit_of(plan.dimension(signal)),
-                      static_cast<std::size_t>(plan.slot(signal).size), input.doc});
+    const plan::SignalSlot slot = plan.slot(signal);
+    inputs.push_back({input.name, unit_of(plan.dimension(signal)), static_cast<std::size_t>(slot.size),
+                      input.doc, static_cast<std::size_t>(slot.columns)});
   }
 }
 
@@ -107,10 +110,17 @@ void set_value(run::Executor& run, const std::string& name, yaml::Node value) {
       {}});
 }
 
-void check_size(const InputInfo& input, std::size_t count) {
-  if (count == input.size) return;
-  throw yaml::Error(
-      yaml::Fault{{}, input.name, fmt::format("takes {} numbers, not {}", input.size, count), {}});
+void check_numbers(const InputInfo& input, std::span<const double> numbers) {
+  const auto refuse = [&](const std::string& message) {
+    throw yaml::Error(yaml::Fault{{}, input.name, message, {}});
+  };
+  if (numbers.size() != input.size)
+    refuse(fmt::format("takes {} numbers, not {}", input.size, numbers.size()));
+  const auto nan = std::ranges::find_if(numbers, [](double number) { return std::isnan(number); });
+  if (nan == numbers.end()) return;
+  refuse(numbers.size() == 1
+             ? "takes a number, not nan"
+             : fmt::format("takes numbers, and element {} is nan", nan - numbers.begin() + 1));
 }
 
 const std::string& Model::file() const {
@@ -154,8 +164,7 @@ std::vector<ParameterInfo> Model::parameters() const {
 
 Model load(const std::string& path, Registry blocks, const NamedTexts& settings) {
   const auto loaded = std::make_shared<const Loaded>(path, std::move(blocks), settings_of(settings));
-  return Model(
-      std::make_shared<const Model::Content>(std::shared_ptr<const run::Job>(loaded, &loaded->job)));
+  return Model(std::make_shared<const Model::Content>(std::shared_ptr<const run::Job>(loaded, &loaded->job)));
 }
 
 }  // namespace stepwire

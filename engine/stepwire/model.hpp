@@ -31,6 +31,7 @@ struct SignalInfo {
   std::string name;  ///< "cart.position"
   std::string unit;  ///< of its numbers, which are SI: "m"; empty where none is known or it has none
   std::size_t size = 1;
+  std::size_t columns = 1;  ///< of a matrix, whose numbers are column by column
 };
 
 /// An input of the diagram itself, which whoever runs it writes.
@@ -38,6 +39,7 @@ struct InputInfo {
   std::string name, unit;
   std::size_t size = 1;
   std::string doc;
+  std::size_t columns = 1;  ///< of a matrix, whose numbers are column by column
 };
 
 /// A parameter of the diagram or of one of its parts.

@@ -34,7 +34,7 @@ void Running::set(InputId input, double value) {
 
 void Running::set(InputId input, std::span<const double> values) {
   const std::size_t index = view_.model.index(input);
-  check_size(view_.model.inputs[index], values.size());
+  check_numbers(view_.model.inputs[index], values);
   view_.run.write_input(index, values.data());
 }
 

@@ -52,7 +52,7 @@ struct Simulation::State {
     inputs.write_to(run);
     run.evaluate();
     require_health();
-    ended = run.finished() || stopper.stops(run.values());
+    ended = run.finished() || run.has_stopped() || stopper.stops(run.values());
     if (!ended) return;
     run.look_at_end();
     require_health();
@@ -101,7 +101,7 @@ void Simulation::set(InputId input, double value) {
 
 void Simulation::set(InputId input, std::span<const double> values) {
   const std::size_t index = state_->model.content().index(input);
-  check_size(state_->model.inputs()[index], values.size());
+  check_numbers(state_->model.inputs()[index], values);
   state_->inputs.put(index, values);
 }
 

@@ -39,7 +39,7 @@ class Simulation {
   void set(const std::string& name, double value);
   void set(const std::string& name, const std::string& text);
   /// Writes an input from the next tick on, until it is written again; the numbers are SI. Throws Error where
-  /// there are not as many as the input has.
+  /// there are not as many as the input has, or one is NaN.
   void set(InputId input, double value);
   void set(InputId input, std::span<const double> values);
   void set(InputId input, std::initializer_list<double> values) {

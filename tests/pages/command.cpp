@@ -33,7 +33,8 @@ bool has_placeholder(const std::string& command) {
 
 /// Is it done by the wrapper, and no verb of the program? It takes minutes.
 bool is_of_wrapper(const std::vector<std::string>& words) {
-  return has(words, "test") || has(words, "install") || has(words, "package") || has(words, "setup");
+  return has(words, "test") || has(words, "install") || has(words, "package") || has(words, "setup") ||
+         has(words, "python");
 }
 
 /// For minutes, or until somebody ends it.

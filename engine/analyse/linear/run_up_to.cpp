@@ -30,7 +30,8 @@ std::unique_ptr<run::Executor> run_up_to(const plan::Plan& plan, double time, st
     if (stop.stops(run->values()))
       refuse(place, time, fmt::format("'stop_when' ends it at {:.12g} s", run->time()));
     if (run->healthy()) run->advance();
-    if (run->has_stopped()) refuse(place, time, fmt::format("'stop_when' ends it at {:.12g} s", run->time()));
+    if (run->has_stopped())
+      refuse(place, time, fmt::format("'stop_when' or a block ends it at {:.12g} s", run->time()));
     if (run->healthy()) continue;
     if (const auto fault = run->fault()) throw yaml::Error(fault->fault);
     break;

@@ -64,6 +64,9 @@ ExitCode write_program(const GenerateCall& call, const std::string& name, const 
   const std::string folder = text::shell_word(call.out), build = text::shell_word(call.out + "/build");
   say("{}: {} blocks written to {}; cmake -S {} -B {} -G Ninja && cmake --build {} makes a program\n",
       call.file, model.job.plan.blocks.size(), call.out, folder, build, build);
+  if (codegen::needs_eigen(files))
+    say("  to compile it needs the headers of Eigen 3 (Debian package libeigen3-dev), for its solver or "
+        "blocks\n");
   return ExitCode::done;
 }
 

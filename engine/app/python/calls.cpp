@@ -144,11 +144,17 @@ void add_numbers(py::class_<LoadedFile, Shared>& file) {
       .def_property_readonly("runs", [](const LoadedFile& of) { return of.model().job.points.size(); });
 }
 
+/// As numpy has it: () of a number, (n,), or (rows, columns) of a matrix.
+py::tuple shape_of(std::size_t size, std::size_t columns) {
+  if (columns > 1) return py::make_tuple(size / columns, columns);
+  return size == 1 ? py::tuple() : py::make_tuple(size);
+}
+
 py::list signals_of(const Shared& of) {
   py::list all;
   const Model model = LoadedFile::library_model(of);
   for (const SignalInfo& signal : model.signals())
-    all.append(py::make_tuple(signal.name, signal.unit, signal.size));
+    all.append(py::make_tuple(signal.name, signal.unit, signal.size, shape_of(signal.size, signal.columns)));
   return all;
 }
 
@@ -156,7 +162,8 @@ py::list inputs_of(const Shared& of) {
   py::list all;
   const Model model = LoadedFile::library_model(of);
   for (const InputInfo& input : model.inputs())
-    all.append(py::make_tuple(input.name, input.unit, input.size, input.doc));
+    all.append(py::make_tuple(input.name, input.unit, input.size, input.doc,
+                              shape_of(input.size, input.columns)));
   return all;
 }
 

@@ -4,6 +4,10 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "engine/base/text/characters.hpp"
 #include "engine/base/unit/unit.hpp"
 
@@ -11,8 +15,12 @@ namespace stepwire::python {
 
 namespace py = pybind11;
 
-_object* numbers_of(std::span<const double> numbers) {
+_object* numbers_of(std::span<const double> numbers, std::size_t columns) {
   if (numbers.size() == 1) return PyFloat_FromDouble(numbers[0]);
+  if (columns > 1) {
+    const std::array<std::size_t, 2> shape{numbers.size() / columns, columns};
+    return py::array_t<double, py::array::f_style>(shape, numbers.data()).release().ptr();
+  }
   return py::array_t<double>(static_cast<py::ssize_t>(numbers.size()), numbers.data()).release().ptr();
 }
 
@@ -51,23 +59,48 @@ bool has_texts(py::handle value) {
   return false;
 }
 
-}  // namespace
+py::type_error wrong_kind(const InputInfo& input) {
+  if (input.columns == 1)
+    return py::type_error(input.name +
+                          " takes numbers: one, a list or an array in SI, or texts with their unit");
+  return py::type_error(fmt::format("{} takes an array ({}, {}) in SI", input.name, input.size / input.columns,
+                                    input.columns));
+}
 
-std::vector<double> numbers_in(_object* value, const std::string& name, const std::string& unit) {
+std::vector<double> read_matrix(py::handle value, const InputInfo& input) {
+  const auto array = py::array_t<double, py::array::f_style | py::array::forcecast>::ensure(value);
+  const auto columns = static_cast<py::ssize_t>(input.columns);
+  if (!array || array.ndim() != 2 || array.shape(1) != columns ||
+      array.size() != static_cast<py::ssize_t>(input.size))
+    throw wrong_kind(input);
+  return {array.data(), array.data() + array.size()};
+}
+
+std::vector<double> read_numbers(py::handle of, const InputInfo& input) {
+  PyObject* const value = of.ptr();
+  if (input.columns > 1) return read_matrix(of, input);
   if (PyFloat_CheckExact(value)) return {PyFloat_AS_DOUBLE(value)};
-  if (PyUnicode_Check(value)) return {number_in(value, name, unit)};
+  if (PyUnicode_Check(value)) return {number_in(value, input.name, input.unit)};
   if (has_texts(value)) {
     std::vector<double> numbers;
     for (const py::handle item : py::reinterpret_borrow<py::sequence>(value))
-      numbers.push_back(number_in(item, name, unit));
+      numbers.push_back(number_in(item, input.name, input.unit));
     return numbers;
   }
-  const auto refuse = [&] {
-    return py::type_error(name + " takes numbers: one, a list or an array in SI, or texts with their unit");
-  };
   const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
-  if (!array || array.ndim() > 1) throw refuse();
+  if (!array || array.ndim() > 1) throw wrong_kind(input);
   return {array.data(), array.data() + array.size()};
+}
+
+}  // namespace
+
+std::vector<double> numbers_in(_object* value, const InputInfo& input) {
+  std::vector<double> numbers = read_numbers(value, input);
+  const auto nan = std::ranges::find_if(numbers, [](double number) { return std::isnan(number); });
+  if (nan == numbers.end()) return numbers;
+  throw py::value_error(numbers.size() == 1 ? input.name + " takes a number, not nan"
+                                            : fmt::format("{} takes numbers, and element {} is nan", input.name,
+                                                          nan - numbers.begin() + 1));
 }
 
 yaml::Node node_of(_object* value) {

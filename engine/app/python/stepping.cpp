@@ -39,7 +39,9 @@ class Stepping {
   }
   py::object signal(const std::string& name) {
     const Use use(*this);
-    return py::reinterpret_steal<py::object>(numbers_of(simulation_[simulation_.model().signal(name)]));
+    const SignalId id = simulation_.model().signal(name);
+    const std::size_t columns = simulation_.model().signals()[id.index].columns;
+    return py::reinterpret_steal<py::object>(numbers_of(simulation_[id], columns));
   }
   void set(const std::string& name, const py::object& value) {
     const Use use(*this);
@@ -51,8 +53,8 @@ class Stepping {
   void write(const std::string& name, const py::object& value) {
     const Use use(*this);
     const InputId input = simulation_.model().input(name);
-    simulation_.set(input, std::span<const double>(numbers_in(
-                               value.ptr(), name, simulation_.model().inputs()[input.index].unit)));
+    const std::vector<double> numbers = numbers_in(value.ptr(), simulation_.model().inputs()[input.index]);
+    simulation_.set(input, std::span<const double>(numbers));
   }
   Snapshot snapshot() {
     const Use use(*this);
@@ -134,7 +136,7 @@ void add_stepping(_object* module) {
            "solver\n"
            "ends the run, and where it has ended.")
       .def("__getitem__", &Stepping::signal, py::arg("signal"),
-           "The numbers of a signal at the tick that is shown, SI: a float, or a new array (n,).")
+           "The numbers of a signal at the tick that is shown, SI: a float, or a new array (n,) or (m, n).")
       .def("set", &Stepping::set, py::arg("name"), py::arg("value"),
            "Sets a parameter ('rig.mass') or a value of a block ('spring.gain') from the next tick on: a "
            "number in\n"

@@ -75,9 +75,10 @@ ReferenceTable presets_of(const BlockType& type) {
 
 ReferenceTable diagnostics_of(const BlockType& type) {
   ReferenceTable table{"Notices", {"name", "effect", "meaning"}, {}};
-  for (const DiagnosticSpec& diagnostic : type.diagnostics)
-    table.rows.push_back(
-        {diagnostic.name, diagnostic.ends_run ? "ends the run" : "is told once", diagnostic.doc});
+  for (const DiagnosticSpec& diagnostic : type.diagnostics) {
+    const char* const end = diagnostic.is_fault ? "ends the run" : "ends the run, as 'stop_when' does";
+    table.rows.push_back({diagnostic.name, diagnostic.ends_run ? end : "is told once", diagnostic.doc});
+  }
   return table;
 }
 

@@ -16,8 +16,7 @@ namespace stepwire::expression {
 /// What is wrong with an expression, and where: `position` counts characters of the text from 0.
 class ExpressionError : public std::runtime_error {
  public:
-  ExpressionError(const std::string& message, std::size_t position)
-      : std::runtime_error(message), position(position) {}
+  ExpressionError(const std::string& message, std::size_t at) : std::runtime_error(message), position(at) {}
   std::size_t position;
 };
 

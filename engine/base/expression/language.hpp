@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
 #include "engine/base/math/normal_quantile.hpp"
 
@@ -43,14 +44,14 @@ inline double largest(const double* values, int count) {
 }
 
 /// min({a, b, c})
-template <int count>
+template <std::size_t count>
 double min(const double (&values)[count]) {
-  return smallest(values, count);
+  return smallest(values, static_cast<int>(count));
 }
 
-template <int count>
+template <std::size_t count>
 double max(const double (&values)[count]) {
-  return largest(values, count);
+  return largest(values, static_cast<int>(count));
 }
 
 /// A whole number that doubles count.

@@ -98,6 +98,7 @@ class Second : public UnitCalls {
     if (mode == Mode::co_simulation) {
       library_.find(step_, "fmi2DoStep");
       library_.find(get_boolean_status_, "fmi2GetBooleanStatus");
+      library_.find_if_there(get_real_status_, "fmi2GetRealStatus");
     } else {
       model_.emplace(library_);
     }
@@ -181,8 +182,8 @@ class Second : public UnitCalls {
   bool step(double time, double length, StepInfo& info) override {
     const int status = static_cast<int>(call("fmi2DoStep", step_, unit_, time, length, fmi2False));
     info.terminates = status == fmi2Discard && wants_end();
-    info.made = !info.terminates;
-    info.reached = info.made ? time + length : time;
+    info.reached = info.terminates ? last_successful_time(time) : time + length;
+    info.made = !info.terminates || info.reached > time;
     return info.terminates || accept("fmi2DoStep", status);
   }
 
@@ -210,6 +211,13 @@ class Second : public UnitCalls {
   }
 
  private:
+  /// Returns the time that a discarded step has reached; `before` where the unit has no such time.
+  double last_successful_time(double before) {
+    fmi2Real reached = before;
+    if (!get_real_status_) return before;
+    const auto status = call("fmi2GetRealStatus", get_real_status_, unit_, fmi2LastSuccessfulTime, &reached);
+    return status == fmi2OK ? reached : before;
+  }
   /// Has it discarded a step since its run is over?
   bool wants_end() {
     fmi2Boolean terminated = fmi2False;
@@ -223,6 +231,7 @@ class Second : public UnitCalls {
   std::optional<ModelFunctions> model_;
   decltype(fmi2DoStep)* step_ = nullptr;
   decltype(fmi2GetBooleanStatus)* get_boolean_status_ = nullptr;
+  decltype(fmi2GetRealStatus)* get_real_status_ = nullptr;
   fmi2Component unit_ = nullptr;
   bool started_ = false;
 };

@@ -21,9 +21,15 @@ class Library {
   void find(Function*& function, const char* name) const {
     function = reinterpret_cast<Function*>(address(name));
   }
+  /// Sets a pointer to the function of a name, nullptr without such a function.
+  template <class Function>
+  void find_if_there(Function*& function, const char* name) const {
+    function = reinterpret_cast<Function*>(address_if_there(name));
+  }
 
  private:
   void* address(const char* name) const;
+  void* address_if_there(const char* name) const;
 
   CallNote& note_;
   void* handle_;

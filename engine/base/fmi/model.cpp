@@ -190,7 +190,7 @@ bool Model::act() {
   exchange_.changed = exchange_.ended = 0;
   StepInfo info;
   if (!move_to(exchange_.time) || !calls_->complete_step(info)) return false;
-  if (info.terminates) exchange_.ended = 1;
+  if (info.terminates) return end();
   bool due = info.enters_event || exchange_.time >= exchange_.next - 1e-9 * std::abs(exchange_.next);
   if (!signs_.empty()) {
     if (!read_indicators()) return false;
@@ -204,7 +204,14 @@ bool Model::act() {
   }
   if (!due) return true;
   if (!calls_->enter_event() || !inputs_.set(*calls_, exchange_.inputs()) || !iterate_events()) return false;
+  if (exchange_.ended && !end()) return false;
   return !exchange_.changed || calls_->get_states(exchange_.states(), exchange_.counts.states);
+}
+
+/// Reads the outputs that the unit has at its end. It is called no more.
+bool Model::end() {
+  exchange_.ended = 1;
+  return outputs_.get(*calls_, exchange_.outputs());
 }
 
 bool Model::step() {
@@ -230,9 +237,10 @@ void Model::require_reached(double reached) {
   reached_ = reached;
 }
 
-// Behind the bytes of the unit stands what is remembered of its events.
+// The numbers of its events follow the bytes of the unit. The state of a unit that has ended is the one before
+// its end.
 bool Model::save() {
-  if (exchange_.counts.kept == 0 || exchange_.state_bytes == 0) return true;
+  if (exchange_.counts.kept == 0 || exchange_.state_bytes == 0 || exchange_.ended) return true;
   if (exchange_.kept_numbers > exchange_.counts.kept)
     throw UnitError("its state takes more bytes than that of the instance before");
   double* behind = exchange_.kept() + (exchange_.state_bytes + 7) / 8;

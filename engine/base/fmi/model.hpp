@@ -53,6 +53,7 @@ class Model {
   bool read_indicators();
   bool move_to(double time);
   bool act();
+  bool end();
   bool step();
   bool save();
   bool load();

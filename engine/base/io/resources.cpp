@@ -23,6 +23,17 @@ std::string& package() {
   return of_package;
 }
 
+/// How the folder of a name comes.
+std::string source_of(const std::string& name) {
+  if (name == "mpi")
+    return "'./stepwire setup mpi' in a checkout builds it with the Debian packages libopenmpi-dev and "
+           "openmpi-bin, and './stepwire install' puts it into a prefix";
+  const bool is_for_compilers = name == "headers" || name == "public" || name == "eigen";
+  return fmt::format(
+      "the Debian package {} has it, and './stepwire install' in a checkout puts it into a prefix",
+      is_for_compilers ? "libstepwire-dev" : "stepwire");
+}
+
 /// Where the folder may be, the likeliest place first.
 std::vector<fs::path> candidates() {
   if (const char* named = std::getenv("STEPWIRE_HOME"); named && *named)
@@ -58,9 +69,9 @@ std::string resource(const std::string& name) {
   std::string places;
   for (const fs::path& place : candidates()) places += (places.empty() ? "" : ", ") + (place / name).string();
   throw EnvironmentError(
-      fmt::format("the folder '{}' that comes with stepwire is not there: {}; STEPWIRE_HOME names the folder "
-                  "{} of an installation",
-                  name, places, share));
+      fmt::format("the folder '{}' that comes with stepwire is not there: {}; {}. STEPWIRE_HOME names the "
+                  "folder {} of an installation",
+                  name, places, source_of(name), share));
 }
 
 }  // namespace stepwire::io

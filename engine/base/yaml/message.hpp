@@ -22,8 +22,8 @@ class Message {
   /// words of a user, in which "; " may occur, is made by fault_text().
   Message(const std::string& text);
   Message(const char* text) : Message(std::string(text)) {}
-  Message(std::string wrong, std::string cure, std::optional<Suggestion> suggestion = {})
-      : wrong(std::move(wrong)), cure(std::move(cure)), suggestion(std::move(suggestion)) {}
+  Message(std::string what_is_wrong, std::string what_cures, std::optional<Suggestion> offered = {})
+      : wrong(std::move(what_is_wrong)), cure(std::move(what_cures)), suggestion(std::move(offered)) {}
 
   bool empty() const { return wrong.empty() && cure.empty(); }
   /// "what is wrong; what would be right".

@@ -17,8 +17,8 @@ namespace stepwire {
 /// What a block refuses about its own parameters; the loader adds the place.
 class ParameterRefused : public std::runtime_error {
  public:
-  ParameterRefused(std::string parameter, const std::string& message, int line = 0, int column = 0)
-      : std::runtime_error(message), parameter(std::move(parameter)), line(line), column(column) {}
+  ParameterRefused(std::string refused, const std::string& message, int at_line = 0, int at_column = 0)
+      : std::runtime_error(message), parameter(std::move(refused)), line(at_line), column(at_column) {}
   std::string parameter;
   int line, column;  ///< of the piece of a tree that is wrong; 0: the parameter as a whole
 };

@@ -210,7 +210,7 @@ class Declare {
   template <auto member, auto detail = nullptr>
   void diagnostic(DiagnosticOptions is) {
     type_.diagnostics.push_back({std::string(member_name<member>()), is.doc,
-                                 std::string(member_identifier<member>()), is.ends_run,
+                                 std::string(member_identifier<member>()), is.ends_run, is.is_fault,
                                  [](void* block, double* first) { of<member>(block).bind(first); }});
     if constexpr (!std::is_null_pointer_v<decltype(detail)>)
       type_.diagnostics.back().detail = [](const void* block) {

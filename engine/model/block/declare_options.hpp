@@ -78,6 +78,7 @@ struct StateOptions {
 struct DiagnosticOptions {
   std::string doc;
   bool ends_run = false;
+  bool is_fault = true;  ///< false: the run that it ends is whole, as with `stop_when`
 };
 
 }  // namespace stepwire

@@ -106,6 +106,7 @@ struct DiagnosticSpec {
   std::string name, doc;
   std::string member;  ///< its name in C++
   bool ends_run = false;
+  bool is_fault = true;  ///< false: the run that it ends is whole, as with `stop_when`
   void (*bind)(void* block, double* first) = nullptr;
   std::string (*detail)(const void* block) = nullptr;  ///< names and numbers of the case, once it is raised
 };

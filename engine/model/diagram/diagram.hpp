@@ -67,7 +67,7 @@ struct InitialValue {
 
 /// One block after parts are opened.
 struct DiagramBlock {
-  DiagramBlock(std::string name, const BlockType& type) : name(std::move(name)), block(type) {}
+  DiagramBlock(std::string full_name, const BlockType& type) : name(std::move(full_name)), block(type) {}
 
   std::string name;  ///< full: "rig.carriage"
   AnyBlock block;    ///< with its parameters set

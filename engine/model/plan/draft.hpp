@@ -39,7 +39,7 @@ struct Draft {
     bool at_events = false;      ///< does it act where an event is located?
     bool before_guards = false;  ///< and first with the guards as they were?
     bool updates_at_events = false;
-    bool on_sides = false;  ///< is it computed for a row just before an instant?
+    bool on_sides = false;  ///< is it computed for a row just before an instant, or at the end of a run?
     std::vector<Eigen::Index> output_sizes, state_sizes, input_sizes;
     std::vector<Eigen::Index> output_columns, state_columns;  ///< of matrices; 1 of vectors
   };

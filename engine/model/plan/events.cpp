@@ -156,6 +156,14 @@ class AheadBlocks {
   const CallOrder& order_;
 };
 
+/// True where a block may end the run as `stop_when` does: its last row is then computed anew.
+bool may_end(const Draft& draft) {
+  const auto ends = [](const DiagnosticSpec& spec) { return spec.ends_run && !spec.is_fault; };
+  for (std::size_t b = 0; b < draft.blocks.size(); ++b)
+    if (std::ranges::any_of(draft.type(b).diagnostics, ends)) return true;
+  return false;
+}
+
 /// Marks blocks whose outputs change between instants. Guards act at instants alone.
 void find_sides(Draft& draft) {
   for (std::size_t b = 0; b < draft.blocks.size(); ++b)
@@ -167,7 +175,7 @@ void find_sides(Draft& draft) {
 }  // namespace
 
 void find_events(Draft& draft, const CallOrder& order) {
-  if (draft.plan.records_instants()) find_sides(draft);
+  if (draft.plan.records_instants() || may_end(draft)) find_sides(draft);
   if (!draft.diagram().events.locate) return;
   EventPlan(draft).run();
   if (!draft.plan.jumps) AheadBlocks(draft, order).run();

@@ -190,7 +190,9 @@ struct Plan {
   std::vector<KernelCall> event_outputs;     ///< of what follows at every instant
   std::vector<KernelCall> event_befores;     ///< the same without guards; empty where none follows
   std::vector<KernelCall> event_updates;
-  std::vector<KernelCall> sides;  ///< outputs just before an instant, where both of its sides are recorded
+  /// Outputs just before an instant, where both of its sides are recorded, and after one at which a block
+  /// ends the run.
+  std::vector<KernelCall> sides;
   std::vector<LoopCall> side_loops;
   std::vector<LoopCall> ahead_loops, rest_loops, crossing_loops, crossing_start_loops, event_loops,
       event_before_loops;

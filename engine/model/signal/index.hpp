@@ -23,6 +23,16 @@ inline constexpr Index lanes = STEPWIRE_LANES;
 inline constexpr Index lanes = 1;
 #endif
 
+/// How many numbers a list holds in itself. A generated program defines its longest list, so that lists need
+/// no heap there: none of them is longer. Elsewhere longer lists take memory of their own.
+#ifdef STEPWIRE_LONGEST_LIST
+inline constexpr bool lists_take_memory = false;
+inline constexpr Index numbers_in_list = STEPWIRE_LONGEST_LIST;
+#else
+inline constexpr bool lists_take_memory = true;
+inline constexpr Index numbers_in_list = 6;
+#endif
+
 /// A port or state whose size is known only when the diagram is planned.
 inline constexpr int any_size = -1;
 

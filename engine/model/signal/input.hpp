@@ -48,7 +48,7 @@ class Inputs {
     Index size = 0;
 
     Element() = default;
-    Element(const double* data, Index size) : size(size), data_(data) {}
+    Element(const double* data, Index elements) : size(elements), data_(data) {}
     /// Element i of the signal; the only one where it has but one.
     double operator[](Index i) const {
       if (__builtin_constant_p(i) && i == 0) return *data_;

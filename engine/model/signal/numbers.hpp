@@ -46,11 +46,11 @@ class Numbers {
   }
   Numbers& operator=(Numbers&& other) noexcept {
     if (this == &other) return *this;
-    delete[] many_;
+    free();
     take(other);
     return *this;
   }
-  ~Numbers() { delete[] many_; }
+  ~Numbers() { free(); }
 
   double operator[](Index i) const { return data_[i]; }
   Index size() const { return size_; }
@@ -66,15 +66,19 @@ class Numbers {
   const double* begin() const { return data_; }
   const double* end() const { return data_ + size_; }
 
-  static constexpr Index capacity = 6;  ///< as many take no memory of their own
+  static constexpr Index capacity = numbers_in_list;  ///< as many take no memory of their own
 
  private:
   double* make(Index size) {
     size_ = size;
-    if (size > capacity) many_ = new double[static_cast<std::size_t>(size)];
-    double* place = size > capacity ? many_ : few_;
+    double* place = few_;
+    if constexpr (lists_take_memory)
+      if (size > capacity) place = many_ = new double[static_cast<std::size_t>(size)];
     data_ = place;
     return place;
+  }
+  void free() {
+    if constexpr (lists_take_memory) delete[] many_;
   }
   void take_copy(const Numbers& other) {
     if (other.owns()) {

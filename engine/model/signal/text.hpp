@@ -18,6 +18,26 @@ struct LiteralText {
 
 }  // namespace detail
 
+#ifdef STEPWIRE_LONGEST_LIST
+/// Text in a generated program, which only steps: a view of a literal.
+class Text {
+ public:
+  Text() = default;
+  Text(std::string_view text) : view_(text) {}
+  Text(const char* text) : view_(text) {}
+  template <detail::LiteralText text>
+  static Text literal() {
+    return Text(text.text);
+  }
+
+  std::string_view view() const { return view_; }
+  operator std::string_view() const { return view_; }
+
+ private:
+  std::string_view view_;
+};
+#else
+
 /// Text that a block is given and reads before a run only: a parameter. It takes no more room in the block
 /// than a pointer.
 class Text {
@@ -61,5 +81,7 @@ class Text {
 
   const Held* held_ = nullptr;
 };
+
+#endif
 
 }  // namespace stepwire

@@ -173,7 +173,7 @@ const Diagram& of(const @_instance* instance) {
 template <class From, class To>
 void copy(const From& from, To& to) {
   static_assert(sizeof from == sizeof to && std::is_trivially_copyable_v<From> && std::is_trivially_copyable_v<To>);
-  std::memcpy(&to, &from, sizeof to);
+  std::memcpy(static_cast<void*>(&to), &from, sizeof to);
 }
 
 static_assert(sizeof(Diagram) <= sizeof(@_instance) && alignof(Diagram) <= alignof(@_instance));

@@ -26,7 +26,7 @@ constexpr char locate_form[] =
     "  struct Between {{\n    double* w;\n    [[maybe_unused]] const double* numbers;\n    std::int64_t "
     "tick;\n"
     "    void advance([[maybe_unused]] double now, [[maybe_unused]] double end, "
-    "[[maybe_unused]] double step) const {{\n{8}    }}\n"
+    "[[maybe_unused]] double length) const {{\n{8}    }}\n"
     "{18}"
     "    void begin() const {{\n    forget_fault();\n{9}    settle();\n    "
     "}}\n"
@@ -48,7 +48,7 @@ constexpr char locate_form[] =
 /// Of the solver's step.
 constexpr char watched_form[] =
     "    void advance_watched([[maybe_unused]] double now, [[maybe_unused]] double end, "
-    "[[maybe_unused]] double step, const solve::Stops& stops) const {{\n{}    }}\n";
+    "[[maybe_unused]] double length, const solve::Stops& stops) const {{\n{}    }}\n";
 
 constexpr char in_place[] = "slopes_in_place(w, numbers)";
 
@@ -159,6 +159,12 @@ std::string after_step_text(const plan::Plan& plan) {
 std::string end_of_step_text(const plan::Plan& plan) {
   constexpr char next[] = "static_cast<double>(tick + 1) * step";
   return plan.jumps ? fmt::format("solve::left_of({}, step)", next) : next;
+}
+
+std::string times_of_step_text(const plan::Plan& plan) {
+  return fmt::format(
+      "  [[maybe_unused]] const double length = step, now = static_cast<double>(tick) * step, end = {};\n",
+      end_of_step_text(plan));
 }
 
 }  // namespace stepwire::codegen

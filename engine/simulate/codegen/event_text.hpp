@@ -22,11 +22,13 @@ std::string locate_text(const plan::Plan& plan, const PlaceNames& names);
 std::string before_step_text(const plan::Plan& plan);
 std::string after_step_text(const plan::Plan& plan);
 
-/// True where a solver chooses its steps, behind each of which crossings are looked at. Then locate() takes its
-/// steps, too.
+/// True where a solver chooses its steps, behind each of which crossings are looked at. Then locate() takes
+/// its steps, too.
 bool watches(const plan::Plan& plan);
 
 /// The time at which the last stage of a step is computed.
 std::string end_of_step_text(const plan::Plan& plan);
+/// Declares `length`, `now` and `end` of a step.
+std::string times_of_step_text(const plan::Plan& plan);
 
 }  // namespace stepwire::codegen

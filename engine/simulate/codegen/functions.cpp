@@ -13,7 +13,8 @@ constexpr std::size_t longest = 60;  // pieces of code in a function
 }  // namespace
 
 std::string Functions::attribute() const {
-  return small_ ? "[[gnu::always_inline, gnu::flatten]] inline" : "[[gnu::noinline, gnu::flatten]] inline";
+  return small_ ? "[[gnu::always_inline, gnu::flatten, maybe_unused]] inline"
+                : "[[gnu::noinline, gnu::flatten, maybe_unused]] inline";
 }
 
 void Functions::add(const std::string& name, const std::string& parameters, const std::string& arguments,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,10 +12,10 @@
 #include <utility>
 
 #include "engine/base/io/environment_error.hpp"
-#include "engine/simulate/codegen/event_text.hpp"
 #include "engine/base/io/resources.hpp"
 #include "engine/model/block/typed_by_file.hpp"
 #include "engine/model/diagram/external_input.hpp"
+#include "engine/simulate/codegen/event_text.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire::codegen {
@@ -131,6 +132,8 @@ std::string why_not_generated(const BlockType& type) {
   if (!type.not_generated.empty()) return type.not_generated;
   if (type.file_output) return "it writes files";
   if (find_typed_by_file(type.name)) return "it is a foreign unit, of which nothing but a binary is known";
+  const auto ends_whole_run = [](const DiagnosticSpec& spec) { return spec.ends_run && !spec.is_fault; };
+  if (std::ranges::any_of(type.diagnostics, ends_whole_run)) return "it may end a run before its time";
   const bool declared = !type.header.empty() || &type == &diagram::external_input_type();
   return declared ? "" : "no header declares its struct";
 }

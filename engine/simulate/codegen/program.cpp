@@ -203,8 +203,7 @@ class Maker {
     const bool moves = plan_.layout.state_count > 0, splits = plan_.splits_steps();
     std::string body = stop_guard() + "  update(w, numbers, tick);\n";
     if (moves) {
-      body += "  const double now = static_cast<double>(tick) * step;\n";
-      body += "  const double end = " + end_of_step_text(plan_) + ";\n" + keep_text(names_, plan_);
+      body += times_of_step_text(plan_) + keep_text(names_, plan_);
       if (plan_.updates_continuous) {
         const std::vector<Code> stage =
             calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_workspace());

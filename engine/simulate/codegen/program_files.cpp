@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "engine/simulate/codegen/c_interface.hpp"
 #include "engine/simulate/codegen/compiler.hpp"
@@ -12,6 +13,7 @@
 #include "engine/simulate/codegen/headers.hpp"
 #include "engine/simulate/codegen/program.hpp"
 #include "engine/simulate/codegen/program_main.hpp"
+#include "engine/simulate/codegen/value_text.hpp"
 
 namespace stepwire::codegen {
 
@@ -19,10 +21,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool uses_eigen(const std::map<std::string, std::string>& files) {
-  return std::ranges::any_of(
-      files, [](const auto& file) { return file.second.find("#include <Eigen/") != std::string::npos; });
-}
+/// For compilers that are called by hand.
+constexpr char eigen_check[] =
+    "#if !__has_include(<Eigen/Core>)\n"
+    "#error this diagram needs the headers of Eigen 3: -I names their folder, /usr/include/eigen3 with "
+    "Debian\n"
+    "#error package libeigen3-dev\n"
+    "#endif\n\n";
+constexpr char eigen_search[] =
+    "# Solver or blocks need the headers of Eigen.\n"
+    "find_package(Eigen3 QUIET NO_MODULE)\n"
+    "if(NOT TARGET Eigen3::Eigen)\n"
+    "  message(FATAL_ERROR \"{0} needs the headers of Eigen 3; on Debian the package libeigen3-dev has them, "
+    "else \"\n"
+    "                      \"-DEigen3_DIR=FOLDER names the folder of their Eigen3Config.cmake\")\n"
+    "endif()\n\n";
 
 /// Where headers lie in a program's folder: ours under stepwire/, those of others under blocks_of_others/ as
 /// they lie to each other.
@@ -38,11 +51,13 @@ class HeaderFiles {
   std::string included(const std::string& header) const {
     return is_of_others(header) ? moved(header) : header;
   }
-  void add_to(std::map<std::string, std::string>& files) const {
+  std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> files;
     for (const std::string& header : headers_.all) {
       const bool has_place = is_of_others(header) || header.starts_with("stepwire/");
       files[has_place ? included(header) : "stepwire/" + header] = header_text(header);
     }
+    return files;
   }
   /// Folders in which headers are looked for, beside that of the program and stepwire/.
   std::vector<std::string> folders() const {
@@ -108,17 +123,41 @@ std::string cmake_text(const ProgramNames& names, const std::vector<std::string>
   for (const std::string& flag : Compiler::flags()) flags += " " + flag;
   return fmt::format(
       cmake_form, names.space, names.stem, flags, names.main,
-      uses_eigen ? "find_package(Eigen3 REQUIRED NO_MODULE)  # of the solver\n" : "",
+      uses_eigen ? fmt::format(eigen_search, names.space) : "",
       uses_eigen ? fmt::format("target_link_libraries({} PRIVATE Eigen3::Eigen)\n", names.space) : "",
       c_interface ? " " + names.c_source : "", more);
 }
 
-std::string source_text(const GeneratedProgram& program, const ProgramNames& names, const HeaderFiles& headers,
+/// Returns the size of the longest list that a block is given anew as parameters change. With it no list
+/// takes memory of the heap. Blocks of others may make lists of any size: nullopt.
+std::optional<std::size_t> longest_list(const plan::Plan& plan, const Tuning& tuning,
+                                        const IncludedHeaders& headers) {
+  if (std::ranges::any_of(headers.all, is_of_others)) return std::nullopt;
+  auto longest = static_cast<std::size_t>(Numbers::capacity);
+  for (const int binding : tuning.bindings) {
+    const diagram::Target& target = plan.diagram.bindings->bindings[static_cast<std::size_t>(binding)].target;
+    if (target.kind != diagram::Target::Kind::parameter) continue;
+    const diagram::DiagramBlock& block = plan.diagram.blocks[static_cast<std::size_t>(target.block)];
+    const ParameterSpec& spec = block.type().parameters[static_cast<std::size_t>(target.index)];
+    longest = std::max(longest, numbers_of(spec.get(block.block.get())).size());
+  }
+  return longest;
+}
+
+std::string source_text(const GeneratedProgram& program, const ProgramNames& names,
+                        const HeaderFiles& headers, const std::optional<std::size_t>& longest,
                         const std::string& definitions) {
-  std::string text = fmt::format(
-      "#include \"{}\"\n\n#include <bit>\n#include <cmath>\n#include <cstring>\n#include <limits>\n\n"
+  std::string text = fmt::format("#include \"{}\"\n\n", names.header);
+  if (longest)
+    text += fmt::format(
+        "// No list of a block is longer, so that none needs a heap.\n"
+        "#define STEPWIRE_LONGEST_LIST {}\n",
+        *longest);
+  if (needs_eigen(headers.files())) text += eigen_check;
+  text += fmt::format(
+      "#include <bit>\n#include <cmath>\n#include <cstring>\n#include <limits>\n\n"
       "// Blocks of another version may be linked beside these.\n#define stepwire stepwire_of_{}\n",
-      names.header, names.space);
+      names.space);
   for (const std::string& header : program.headers)
     text += fmt::format("#include \"{}\"\n", headers.included(header));
   return text + "\nnamespace {\n\nusing namespace stepwire;\n\n" + program.text + "\n}  // namespace\n\n" +
@@ -126,6 +165,11 @@ std::string source_text(const GeneratedProgram& program, const ProgramNames& nam
 }
 
 }  // namespace
+
+bool needs_eigen(const std::map<std::string, std::string>& files) {
+  return std::ranges::any_of(
+      files, [](const auto& file) { return file.second.find("#include <Eigen/") != std::string::npos; });
+}
 
 ProgramNames::ProgramNames(const std::string& name)
     : stem(cpp_identifier(name)),
@@ -149,7 +193,7 @@ std::map<std::string, std::string> program_files(const plan::Plan& plan, const T
   std::map<std::string, std::string> files;
   files[names.header] = note + struct_text(plan, tuning, groups, names.space, options.between_ticks);
   files[names.source] =
-      note + source_text(program, names, headers,
+      note + source_text(program, names, headers, longest_list(plan, tuning, included),
                          struct_definitions(plan, tuning, groups, names.space, options.between_ticks));
   files[names.main] = note + main_text(plan, names.header, names.space);
   if (options.c_interface) {
@@ -157,8 +201,8 @@ std::map<std::string, std::string> program_files(const plan::Plan& plan, const T
     files[names.c_header] = "/* " + made + " */\n\n" + c.header;
     files[names.c_source] = note + c.source;
   }
-  headers.add_to(files);
-  files["CMakeLists.txt"] = cmake_text(names, headers.folders(), options.c_interface, uses_eigen(files));
+  files.merge(headers.files());
+  files["CMakeLists.txt"] = cmake_text(names, headers.folders(), options.c_interface, needs_eigen(files));
   return files;
 }
 

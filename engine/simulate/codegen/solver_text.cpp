@@ -11,6 +11,10 @@ namespace stepwire::codegen {
 
 namespace {
 
+/// For g++: no turn of the loop that follows reads what another one writes. Other compilers warn of its
+/// pragma.
+constexpr char independent[] = "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC ivdep\n#endif\n";
+
 constexpr std::size_t few = 16;  // states that are written out one by one
 
 class ExplicitText {
@@ -50,8 +54,9 @@ class ExplicitText {
   /// What a stage works on.
   std::string stage_text() const {
     if (!in_lanes())
-      return form_.small ? fmt::format("  double s[first_derivative], dot[{}];\n", states_)
-                         : "  double* const s = w;\n  double* const dot = w + first_derivative;\n";
+      return form_.small
+                 ? fmt::format("  [[maybe_unused]] double s[first_derivative];\n  double dot[{}];\n", states_)
+                 : "  [[maybe_unused]] double* const s = w;\n  double* const dot = w + first_derivative;\n";
     return form_.small ? fmt::format(
                              "  alignas(64) double s_[first_derivative * lanes], dot_[{} * lanes];\n"
                              "  const Lanes s{{s_}}, dot{{dot_}};\n",
@@ -66,7 +71,8 @@ class ExplicitText {
   }
 
   std::string evaluation_text(double fraction) const {
-    const std::string time = fraction == 1.0 ? "end" : fmt::format("now + {} * step", number_text(fraction));
+    const std::string time =
+        fraction == 1.0 ? "end" : fmt::format("now + {} * length", number_text(fraction));
     std::string text = fmt::format("  w[at::time] = {};\n", time);
     if (form_.small) text += "  s[at::time] = w[at::time];\n";
     if (timed_) text += "  follow_time(w, numbers);\n";
@@ -79,7 +85,7 @@ class ExplicitText {
     if (in_lanes()) {
       for (const LanePlaces::Stretch& one : form_.lanes.stretches(first_, first_ + states_))
         text +=
-            fmt::format("#pragma GCC ivdep\n  for (int i = {} * lanes; i < {} * lanes; i += {}) {{ {} }}\n",
+            fmt::format("{}  for (int i = {} * lanes; i < {} * lanes; i += {}) {{ {} }}\n", independent,
                         one.first - first_, one.end - first_, one.differs ? "1" : "lanes", statement("i"));
       return text;
     }
@@ -92,7 +98,7 @@ class ExplicitText {
   }
 
   std::string piece_text(const plan::ActivePiece& piece, const std::string& statement) const {
-    const std::string loop = fmt::format("#pragma GCC ivdep\n  for (int i = {}; i < {}; ++i) {{ {} }}\n",
+    const std::string loop = fmt::format("{}  for (int i = {}; i < {}; ++i) {{ {} }}\n", independent,
                                          piece.first - first_, piece.end - first_, statement);
     return piece.active < 0 ? loop : fmt::format("  if (w[{}] != 0.0) {{\n{}  }}\n", piece.active, loop);
   }
@@ -106,7 +112,7 @@ class ExplicitText {
     return each([&](const std::string& i) {
       std::string text;
       for (const solve::Addition& addition : stage.additions)
-        text += fmt::format("{}{} = {} + (step * {}) * {}[{}];", text.empty() ? "" : " ",
+        text += fmt::format("{}{} = {} + (length * {}) * {}[{}];", text.empty() ? "" : " ",
                             element(addition.to, i), element(addition.from, i), number_text(addition.weight),
                             in_lanes() ? "dot.first" : "dot", i);
       return text;
@@ -135,7 +141,7 @@ std::string called_text(const solve::CalledMethod& method, const plan::Plan& pla
       "  [[maybe_unused]] double* const s = w;\n  double* const dot = w + first_derivative;\n{0}"
       "  {1} method({2});\n"
       "  const auto evaluate = [&] {{{4} {5}; }};\n"
-      "  method.advance(w + states, dot, w + at::time, now, end, step, {3}, {6});\n",
+      "  method.advance(w + states, dot, w + at::time, now, end, length, {3}, {6});\n",
       form.begins ? "  derivatives(w, numbers, dot);\n" : "",
       fmt::format(fmt::runtime(method.type), plan.layout.state_count), plan.layout.state_count,
       task_text(plan), plan.timed.empty() ? "" : " follow_time(w, numbers);", form.slopes,

@@ -9,12 +9,13 @@ std::string places_text(const plan::Plan& plan, const PlaceNames& names) {
   for (const NamedPlace& place : names.places())
     text += fmt::format("  {} = {},  // {}\n", place.name, place.offset, place.meaning);
   text += "};\n}  // namespace at\n\n";
-  return text +
-         fmt::format(
-             "constexpr double step = {};  // [s]\n"
-             "constexpr int states = {}, first_derivative = {};  // where the first state and slope lie\n"
-             "constexpr int size = {};  // of the workspace\n\n",
-             number_text(plan.diagram.step), plan.layout.states, plan.layout.derivatives, plan.layout.size);
+  return text + fmt::format(
+                    "constexpr double step = {};  // [s]\n"
+                    "[[maybe_unused]] constexpr int states = {}, first_derivative = {};  // where the first "
+                    "state and slope lie\n"
+                    "constexpr int size = {};  // of the workspace\n\n",
+                    number_text(plan.diagram.step), plan.layout.states, plan.layout.derivatives,
+                    plan.layout.size);
 }
 
 std::string tables_text(const Literals& literals) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/model/plan/element_slot.hpp"
@@ -39,14 +40,30 @@ std::vector<table::Column> empty_columns(const plan::Plan& plan, const diagram::
 
 Recorder::Recorder(const plan::Plan& plan, const diagram::RecordRequest& request,
                    std::vector<double*> columns)
-    : step_(plan.diagram.step), every_(ticks_between_rows(plan, request)), columns_(std::move(columns)) {
+    : step_(plan.diagram.step),
+      every_(ticks_between_rows(plan, request)),
+      ready_(std::numeric_limits<std::size_t>::max()),
+      instants_(request.instants),
+      columns_(std::move(columns)) {
   for (const RecordedColumn& column : recorded_columns(plan, request)) offsets_.push_back(column.offset);
 }
 
 Recorder::Recorder(const plan::Plan& plan, const diagram::RecordRequest& request,
                    std::vector<std::vector<double>*> columns)
-    : Recorder(plan, request, std::vector<double*>()) {
+    : Recorder(plan, request, std::vector<double*>(columns.size())) {
   grown_ = std::move(columns);
+  ready_ = 0;
+  if (!instants_) make_ready(1);
+}
+
+void Recorder::make_ready(std::size_t rows) {
+  const std::size_t needed = filled_ + rows;
+  if (needed <= ready_) return;
+  ready_ = std::max(needed, std::min(grown_.front()->capacity(), ready_ + rows_at_once));
+  for (std::size_t i = 0; i < grown_.size(); ++i) {
+    grown_[i]->resize(ready_);
+    columns_[i] = grown_[i]->data();
+  }
 }
 
 void Recorder::record_side(const double* values, Side side) {
@@ -71,24 +88,19 @@ RunRecording::RunRecording(const plan::Plan& plan, bool last_only) {
   for (std::size_t i = 0; i < recordings_.size(); ++i) {
     const diagram::RecordRequest& request = plan.diagram.records[i];
     recordings_[i].table.columns = empty_columns(plan, request);
-    rows_.push_back(request.instants ? 0 : last_only ? 1 : max_rows(plan, request));
-    add(plan, request, recordings_[i]);
+    add(plan, request, recordings_[i], request.instants ? 0 : last_only ? 1 : max_rows(plan, request));
     if (last_only) recorders_.back().keep_last_only();
   }
 }
 
-void RunRecording::add(const plan::Plan& plan, const diagram::RecordRequest& request, Recording& recording) {
-  std::vector<double*> columns;
-  std::vector<std::vector<double>*> grown;
+void RunRecording::add(const plan::Plan& plan, const diagram::RecordRequest& request, Recording& recording,
+                       std::size_t rows) {
+  std::vector<std::vector<double>*> columns;
   for (table::Column& column : recording.table.columns) {
-    column.values.resize(rows_.back());
-    columns.push_back(column.values.data());
-    grown.push_back(&column.values);
+    column.values.reserve(rows);
+    columns.push_back(&column.values);
   }
-  if (request.instants)
-    recorders_.emplace_back(plan, request, std::move(grown));
-  else
-    recorders_.emplace_back(plan, request, std::move(columns));
+  recorders_.emplace_back(plan, request, std::move(columns));
 }
 
 const std::vector<Recording>& RunRecording::finished() {
@@ -99,17 +111,17 @@ const std::vector<Recording>& RunRecording::finished() {
 
 // Columns keep what they have room for, and stay where they are.
 void RunRecording::restart() {
-  for (std::size_t i = 0; i < recordings_.size(); ++i) {
-    for (table::Column& column : recordings_[i].table.columns) column.values.resize(rows_[i]);
-    recorders_[i].go_back_to(0);
-  }
+  for (Recorder& recorder : recorders_) recorder.restart();
 }
 
+// Of long columns no more has been written to than they hold, so that what is reserved takes no memory.
 std::vector<Recording> RunRecording::take() {
   for (std::size_t i = 0; i < recordings_.size(); ++i)
     for (table::Column& column : recordings_[i].table.columns) {
       column.values.resize(recorders_[i].rows());
-      if (column.values.size() < column.values.capacity() / 2) column.values.shrink_to_fit();
+      const std::size_t capacity = column.values.capacity();
+      if (capacity <= Recorder::rows_at_once && column.values.size() < capacity / 2)
+        column.values.shrink_to_fit();
     }
   return std::move(recordings_);
 }

@@ -31,9 +31,14 @@ std::vector<table::Column> empty_columns(const plan::Plan& plan, const diagram::
 /// both sides of each instant.
 class Recorder {
  public:
+  /// Rows that are made ready at a time: a run of many rows begins, and ends early, without those that it
+  /// lacks.
+  static constexpr std::size_t rows_at_once = 65'536;
+
   /// Writes from the first row of these columns on, which have room for max_rows().
   Recorder(const plan::Plan& plan, const diagram::RecordRequest& request, std::vector<double*> columns);
-  /// Writes both sides of instants to these columns, which grow.
+  /// Writes from the first row of these columns on. They grow up to their capacity, where they stay; those
+  /// for both sides of instants beyond it.
   Recorder(const plan::Plan& plan, const diagram::RecordRequest& request,
            std::vector<std::vector<double>*> columns);
 
@@ -42,11 +47,12 @@ class Recorder {
     if (records_instants()) return record_side(values, Side::after);
     if (tick != next_tick_ && !last) return;
     next_tick_ += every_;
+    if (filled_ == ready_) make_ready(1);
     for (std::size_t i = 0; i < offsets_.size(); ++i) columns_[i][filled_] = values[offsets_[i]];
     ++filled_;
   }
 
-  bool records_instants() const { return !grown_.empty(); }
+  bool records_instants() const { return instants_; }
   enum class Side { before, after };
   /// Keeps the signals of one side of an instant. That after it is kept once, also where the run ends there.
   void record_side(const double* values, Side side);
@@ -59,6 +65,7 @@ class Recorder {
   /// Keeps rows of the recorder's next ticks, one behind the other: numbers lie `stride` apart.
   void record_rows(const double* numbers, std::size_t rows, std::size_t stride) {
     if (last_only_) return;
+    make_ready(rows);
     for (std::size_t i = 0; i < columns_.size(); ++i)
       for (std::size_t row = 0; row < rows; ++row)
         columns_[i][filled_ + row] = numbers[(row * columns_.size() + i) * stride];
@@ -72,6 +79,12 @@ class Recorder {
   std::int64_t every() const { return every_; }
   /// Rows so far.
   std::size_t rows() const { return filled_; }
+  /// Begins anew after a cut of the columns.
+  void restart() {
+    ready_ = 0;
+    go_back_to(0);
+    if (!records_instants()) make_ready(1);
+  }
   /// Goes back to just before a tick that was reached: what is recorded from there on replaces what was kept.
   void go_back_to(std::int64_t tick) {
     if (records_instants()) return go_back_to_side(tick);
@@ -85,15 +98,18 @@ class Recorder {
 
  private:
   void go_back_to_side(std::int64_t tick);
+  /// Lengthens the columns until `rows` more fit.
+  void make_ready(std::size_t rows);
 
   bool last_only_ = false;
   Side side_ = Side::before;  ///< of the last row
   double step_;               ///< [s]
   std::int64_t every_, next_tick_ = 0;
-  std::size_t filled_ = 0;
+  std::size_t filled_ = 0, ready_ = 0;
+  bool instants_;                     ///< are both sides of instants recorded?
   std::vector<std::size_t> offsets_;  ///< in the workspace, the time first
   std::vector<double*> columns_;
-  std::vector<std::vector<double>*> grown_;  ///< in place of them, for both sides of instants
+  std::vector<std::vector<double>*> grown_;  ///< owners of these numbers, if they grow
 };
 
 /// The recordings of one run, or of several ones after each other, with their recorders.
@@ -112,9 +128,9 @@ class RunRecording {
   void restart();
 
  private:
-  void add(const plan::Plan& plan, const diagram::RecordRequest& request, Recording& recording);
+  void add(const plan::Plan& plan, const diagram::RecordRequest& request, Recording& recording,
+           std::size_t rows);
 
-  std::vector<std::size_t> rows_;  ///< for which there is room
   std::vector<Recording> recordings_;
   std::vector<Recorder> recorders_;
 };

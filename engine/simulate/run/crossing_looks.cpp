@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "engine/model/plan/active.hpp"
+#include "engine/model/signal/diagnostic.hpp"
+#include "engine/simulate/run/health.hpp"
 
 namespace stepwire::run {
 
@@ -34,7 +36,7 @@ std::vector<bool> settled_numbers(const plan::Plan& plan) {
 }  // namespace
 
 CrossingLooks::CrossingLooks(BoundBlocks& blocks)
-    : plan_(blocks.plan()), blocks_(blocks), values_(blocks.values()) {
+    : plan_(blocks.plan()), blocks_(blocks), values_(blocks.values()), ends_(places_of_ends(plan_, false)) {
   for (const std::size_t block : plan_.edges)
     edges_.push_back({plan_.diagram.blocks[block].type().run_next_edge, blocks.memory(block)});
   const std::vector<bool> settled = settled_numbers(plan_);
@@ -73,6 +75,11 @@ void CrossingLooks::find(const std::vector<Look>& looks, double* numbers) {
     else
       look.run(look.block, numbers + look.first);
   }
+}
+
+bool CrossingLooks::stops() const {
+  const auto is_raised = [&](std::size_t place) { return values_[place] != Diagnostic::never; };
+  return (stop_margin_ && stop_margin_->stops(values_)) || std::ranges::any_of(ends_, is_raised);
 }
 
 void CrossingLooks::find(double* numbers) const {

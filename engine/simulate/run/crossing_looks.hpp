@@ -19,8 +19,8 @@ class CrossingLooks {
   void find_changing(double* numbers) const;
   /// When a source jumps or bends next [s]; infinite where none does.
   double next_edge() const;
-  /// True once `stop_when` is, where it is located.
-  bool stops() const { return stop_margin_ && stop_margin_->stops(values_); }
+  /// True once `stop_when` is, where it is located, or a block has ended the run.
+  bool stops() const;
   bool may_stop() const { return stop_margin_.has_value(); }
 
  private:
@@ -46,6 +46,7 @@ class CrossingLooks {
   std::vector<Look> looks_, changing_;
   std::vector<Edge> edges_;
   std::optional<StopMargin> stop_margin_;  ///< where `stop_when` is located
+  std::vector<std::size_t> ends_;          ///< places of diagnostics that end the run as `stop_when` does
   bool stop_changes_ = false;              ///< is its number one of those that may have changed?
 };
 

@@ -17,20 +17,36 @@ Drive::End Drive::run() {
         return flow == Flow::pause ? End::paused : end(End::stopped);
     simulation_.evaluate();
     if (!simulation_.healthy()) return end(End::finished);
-    const bool last = simulation_.finished() || stopper_.stops(simulation_.values());
-    if (!observers.empty()) watched_->evaluated(last);
-    for (record::Recorder& recorder : recorders_)
-      recorder.record(simulation_.tick(), simulation_.values(), last);
+    const bool last = is_last();
+    record(last);
     if (last) {
       if (judges_steps) simulation_.look_at_end();
       return end(End::finished);
     }
     simulation_.advance();
     if (!simulation_.healthy()) return end(End::finished);
+    forget_row_of_end();
     if (simulation_.tick() % ticks_between_looks != 0) continue;
     if (look) look();
     if (interrupt && *interrupt) return end(End::interrupted);
   }
+}
+
+void Drive::record(bool last) {
+  if (!observers.empty()) watched_->evaluated(last);
+  for (record::Recorder& recorder : recorders_)
+    recorder.record(simulation_.tick(), simulation_.values(), last);
+}
+
+bool Drive::is_last() const {
+  return simulation_.finished() || simulation_.has_stopped() || stopper_.stops(simulation_.values());
+}
+
+/// Where a block has ended the run at a tick, the last row shows that tick after its end.
+void Drive::forget_row_of_end() {
+  const std::int64_t before = simulation_.tick() - 1;
+  if (!simulation_.has_stopped() || simulation_.time() != simulation_.plan().time_of(before)) return;
+  for (record::Recorder& recorder : recorders_) recorder.go_back_to(before);
 }
 
 void Drive::record_side(const double* values, record::Recorder::Side side) {

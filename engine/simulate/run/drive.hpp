@@ -44,6 +44,9 @@ class Drive : SideObserver {
   void before_instant(const double* values) override { record_side(values, record::Recorder::Side::before); }
   void after_event(const double* values) override { record_side(values, record::Recorder::Side::after); }
   void record_side(const double* values, record::Recorder::Side side);
+  void record(bool last);
+  bool is_last() const;
+  void forget_row_of_end();
   Flow show_tick();
   End end(End how);
 

@@ -18,6 +18,7 @@ Executor::Executor(const plan::Plan& plan)
       health_(blocks_) {
   if (plan.records_instants()) sides_.emplace(blocks_, who_, stepper_);
   if (plan.splits_steps()) events_.emplace(blocks_, who_, stepper_, phase_, sides_ ? &*sides_ : nullptr);
+  if (health_.may_end()) last_outputs_.emplace(plan.sides, blocks_, who_);
   reset();
 }
 
@@ -132,6 +133,7 @@ void Executor::advance() {
 
 void Executor::take_step() {
   phase_.update();
+  if (health_.has_ended()) return last_outputs_->run();
   if (stepper_.moves()) who_.keep();
   if (plan_.updates_continuous) stepper_.find_outputs();
   events_ ? events_->step(workspace_.tick) : stepper_.step(workspace_.tick);

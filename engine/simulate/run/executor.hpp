@@ -80,8 +80,9 @@ class Executor {
   /// False after a value that is not finite, a step that the solver finds wrong or a diagnostic that ends the
   /// run.
   bool healthy() const { return health_.fine(); }
-  /// True once `stop_when` has ended the run at an event, between two ticks.
-  bool has_stopped() const { return events_ && events_->has_stopped(); }
+  /// True once `stop_when` has ended the run at an event, between two ticks, or a block has ended it that is
+  /// no fault.
+  bool has_stopped() const { return (events_ && events_->has_stopped()) || health_.has_ended(); }
   bool finished() const { return workspace_.tick >= plan_.steps; }
   std::int64_t tick() const { return workspace_.tick; }
   double time() const {
@@ -143,6 +144,7 @@ class Executor {
   std::optional<BothSides> sides_;      ///< where both sides of instants are recorded
   ValueSetter setter_;
   Health health_;
+  std::optional<CallTable> last_outputs_;     ///< outputs after the end that a block has set
   const plan::CompiledPlan* code_ = nullptr;  ///< none while interpreted
   std::optional<plan::NumberTable> numbers_;  ///< values that the code reads
 };

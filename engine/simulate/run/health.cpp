@@ -39,23 +39,38 @@ RunFault fault_of(const plan::Plan& plan, std::size_t block, const std::string& 
   return {from.name, port, time, plan.diagram.fault(from.origin, subject, message)};
 }
 
+std::vector<std::size_t> places_of_ends(const plan::Plan& plan, bool as_fault) {
+  std::vector<std::size_t> places;
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
+    const auto& specs = plan.diagram.blocks[b].type().diagnostics;
+    for (std::size_t n = 0; n < specs.size(); ++n)
+      if (specs[n].ends_run && specs[n].is_fault == as_fault)
+        places.push_back(plan.blocks[b].diagnostics[n].offset);
+  }
+  return places;
+}
+
 Health::Health(const BoundBlocks& blocks)
     : blocks_(blocks),
       plan_(blocks.plan()),
       values_(blocks.values()),
       checked_(plan::active_pieces(plan_, plan_.layout.signals,
-                                   plan_.layout.derivatives + plan_.layout.state_count)) {
-  for (std::size_t b = 0; b < plan_.blocks.size(); ++b) {
-    const auto& specs = plan_.diagram.blocks[b].type().diagnostics;
-    for (std::size_t n = 0; n < specs.size(); ++n)
-      if (specs[n].ends_run) ending_.push_back(plan_.blocks[b].diagnostics[n].offset);
-  }
+                                   plan_.layout.derivatives + plan_.layout.state_count)),
+      ending_(places_of_ends(plan_, true)),
+      whole_ends_(places_of_ends(plan_, false)) {}
+
+bool Health::is_raised(const std::vector<std::size_t>& places) const {
+  return !places.empty() &&
+         std::ranges::any_of(places, [&](std::size_t place) { return values_[place] != Diagnostic::never; });
+}
+
+bool Health::has_ended() const {
+  return is_raised(whole_ends_);
 }
 
 void Health::look_at_step() {
   const plan::Layout& layout = plan_.layout;
-  const auto raised = [&](std::size_t place) { return values_[place] != Diagnostic::never; };
-  if (!ending_.empty() && std::ranges::any_of(ending_, raised)) fine_ = false;
+  if (is_raised(ending_)) fine_ = false;
   if (values_[layout.report] != solve::StepReport::fine || !loops_solved()) fine_ = false;
   if (plan_.splits_steps() && values_[layout.events + solve::EventReport::end] != 0.0) fine_ = false;
 }
@@ -93,7 +108,7 @@ std::optional<RunFault> Health::diagnostic_fault() const {
     const auto& specs = plan_.diagram.blocks[b].type().diagnostics;
     for (std::size_t n = 0; n < specs.size(); ++n) {
       const double first = values_[plan_.blocks[b].diagnostics[n].offset];
-      if (specs[n].ends_run && first != Diagnostic::never)
+      if (specs[n].ends_run && specs[n].is_fault && first != Diagnostic::never)
         return fault_of(plan_, b, "", first,
                         fmt::format("{} (at {:.12g} s); the run ends here", diagnostic_text(b, n), first));
     }
@@ -130,7 +145,9 @@ std::vector<RaisedDiagnostic> Health::diagnostics() const {
     const diagram::DiagramBlock& block = plan_.diagram.blocks[b];
     for (std::size_t n = 0; n < block.type().diagnostics.size(); ++n) {
       const double first = values_[plan_.blocks[b].diagnostics[n].offset];
-      if (!block.type().diagnostics[n].ends_run && first != Diagnostic::never)
+      const DiagnosticSpec& spec = block.type().diagnostics[n];
+      const bool is_fault = spec.ends_run && spec.is_fault;
+      if (!is_fault && first != Diagnostic::never)
         raised.push_back({block.name, diagnostic_text(b, n), first});
     }
   }

@@ -11,12 +11,18 @@
 
 namespace stepwire::run {
 
+/// Returns the places of diagnostics that end a run: as a fault, or as `stop_when` does.
+std::vector<std::size_t> places_of_ends(const plan::Plan& plan, bool as_fault);
+
 /// Whether a run may be continued, and what ended it.
 class Health {
  public:
   explicit Health(const BoundBlocks& blocks);
 
   bool fine() const { return fine_; }
+  /// True once a diagnostic has ended the run that is no fault.
+  bool has_ended() const;
+  bool may_end() const { return !whole_ends_.empty(); }
   void restart() { fine_ = true; }
   /// Look at the outputs of a tick, and at the states after a step.
   void look_at_outputs() { fine_ = fine_ && is_finite() && loops_solved(); }
@@ -31,6 +37,7 @@ class Health {
   std::vector<RaisedDiagnostic> diagnostics() const;
 
  private:
+  bool is_raised(const std::vector<std::size_t>& places) const;
   bool loops_solved() const;
   std::optional<RunFault> diagnostic_fault() const;
   std::optional<RunFault> not_finite(double time) const;
@@ -40,7 +47,8 @@ class Health {
   const plan::Plan& plan_;
   const double* const values_;
   std::vector<plan::ActivePiece> checked_;  ///< what has to be finite
-  std::vector<std::size_t> ending_;         ///< places of diagnostics that end a run
+  std::vector<std::size_t> ending_;         ///< places of diagnostics that end a run as a fault
+  std::vector<std::size_t> whole_ends_;     ///< of those that end it as `stop_when` does
   bool fine_ = true, accepts_unsolved_ = false;
 };
 

@@ -22,6 +22,7 @@ def test_a_spring_is_tuned_so_that_the_cart_stands_at_the_end(cart_file):
     assert tuning.model.parameters["stiffness"].value == pytest.approx(tuning["stiffness"], rel=1e-12)
     assert tuning.data["claims"][0]["holds"] is True
     assert "stiffness" in str(tuning) and "<svg" in tuning.figures[0].svg
+    assert "stiffness" in tuning._repr_html_()
 
 
 def test_the_history_is_a_table_of_all_evaluations(cart_file):

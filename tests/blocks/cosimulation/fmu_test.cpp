@@ -108,6 +108,16 @@ TEST_CASE("time events of model exchange come at their time") {
   CHECK(counter[41] == 3.0);
 }
 
+TEST_CASE("a time event of a unit without states is located between ticks, beside blocks that read it") {
+  const Scratch scratch;
+  const auto run = run_text(diagram(scratch, "stair", ", interface: model_exchange",
+                                    "step: 300 ms\nstop: 2.4 s\nsolver: rk4\nevents: locate") +
+                            "  x: {block: Integrator, u: unit.counter}\nrecord: [unit.counter, x]\n");
+  CHECK(column(run, "unit.counter")[3] == 1.0);  // at 0.9 s
+  CHECK(column(run, "unit.counter")[4] == 2.0);
+  CHECK(column(run, "x").back() == Approx(1.0 + 2.0 + 3.0 * 0.4));
+}
+
 TEST_CASE("a unit hands over every type of number") {
   const Scratch scratch;
   std::string keys;

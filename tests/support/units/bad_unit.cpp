@@ -1,5 +1,6 @@
 // A unit of FMI 3 and 2 that does one thing wrong in one of its calls: its token has both, "exit DoStep". Its
-// output is the time that it has reached; it has one event indicator and events by time.
+// output is the time that it has reached; it has one event indicator and events by time. With "end" it asks
+// for the end of the run instead, and its output is higher by 100 from then on; a further call is an error.
 #include <unistd.h>
 #include <xmmintrin.h>
 
@@ -23,7 +24,9 @@ constexpr double begins = 0.25;  // [s] of what is wrong in a run
 struct Unit {
   std::string deed, call;
   double time = 0.0;
+  bool over = false;  ///< true once it has terminated the simulation
 
+  double output() const { return over ? time + 100.0 : time; }
   bool does(const char* what) const { return deed == what; }
 };
 
@@ -37,6 +40,7 @@ int status_of(const std::string& deed) {
 
 /// Does the deed where this is its call and its time; returns the status of the call.
 int act(const Unit& unit, const std::string& call) {
+  if (unit.over) return call == "Get" || call == "FreeInstance" ? 0 : 3;
   const bool runs = call == "DoStep" || call == "Get";
   if (unit.call != call || (runs && unit.time < begins)) return 0;
   if (unit.does("exit")) std::exit(0);
@@ -80,7 +84,16 @@ Unit& of(void* unit) {
   return *static_cast<Unit*>(unit);
 }
 
+/// Terminates the simulation in this call, once it is time; true where it does.
+bool ends(Unit& unit, const std::string& call) {
+  const double since = call == "Start" ? 0.0 : begins;
+  const bool asks = unit.does("end") && unit.call == call && unit.time >= since && !unit.over;
+  unit.over = unit.over || asks;
+  return asks;
+}
+
 int step(Unit& unit, double end) {
+  if (unit.over) return 3;
   unit.time = end;
   return act(unit, "DoStep");
 }
@@ -99,6 +112,10 @@ double indicator_of(const Unit& unit) {
 extern "C" {
 
 // --- FMI 3
+#define RETURNS_3(status, name, ...)           \
+  fmi3Status name(fmi3Instance, __VA_ARGS__) { \
+    return status;                             \
+  }
 fmi3Instance fmi3InstantiateModelExchange(fmi3String, fmi3String token, fmi3String, fmi3Boolean, fmi3Boolean,
                                           fmi3InstanceEnvironment, fmi3LogMessageCallback) {
   return make(token);
@@ -123,13 +140,17 @@ fmi3Status fmi3EnterInitializationMode(fmi3Instance unit, fmi3Boolean, fmi3Float
   }
 ALWAYS(fmi3ExitInitializationMode)
 ALWAYS(fmi3Terminate)
-ALWAYS(fmi3EnterEventMode)
-ALWAYS(fmi3EnterContinuousTimeMode)
 #undef ALWAYS
+fmi3Status fmi3EnterEventMode(fmi3Instance unit) {
+  return static_cast<fmi3Status>(act(of(unit), "Mode"));
+}
+fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance unit) {
+  return static_cast<fmi3Status>(act(of(unit), "Mode"));
+}
 #define VALUES(Type)                                                                                       \
   fmi3Status fmi3Get##Type(fmi3Instance unit, const fmi3ValueReference[], size_t, fmi3##Type values[],     \
                            size_t n) {                                                                     \
-    for (size_t i = 0; i < n; ++i) values[i] = static_cast<fmi3##Type>(of(unit).time);                     \
+    for (size_t i = 0; i < n; ++i) values[i] = static_cast<fmi3##Type>(of(unit).output());                 \
     return static_cast<fmi3Status>(act(of(unit), "Get"));                                                  \
   }                                                                                                        \
   fmi3Status fmi3Set##Type(fmi3Instance, const fmi3ValueReference[], size_t, const fmi3##Type[], size_t) { \
@@ -147,44 +168,28 @@ VALUES(Int64)
 VALUES(UInt64)
 VALUES(Boolean)
 #undef VALUES
-fmi3Status fmi3GetFMUState(fmi3Instance, fmi3FMUState*) {
-  return fmi3Error;
-}
-fmi3Status fmi3SetFMUState(fmi3Instance, fmi3FMUState) {
-  return fmi3Error;
-}
-fmi3Status fmi3FreeFMUState(fmi3Instance, fmi3FMUState*) {
-  return fmi3Error;
-}
-fmi3Status fmi3SerializedFMUStateSize(fmi3Instance, fmi3FMUState, size_t*) {
-  return fmi3Error;
-}
-fmi3Status fmi3SerializeFMUState(fmi3Instance, fmi3FMUState, fmi3Byte[], size_t) {
-  return fmi3Error;
-}
-fmi3Status fmi3DeserializeFMUState(fmi3Instance, const fmi3Byte[], size_t, fmi3FMUState*) {
-  return fmi3Error;
-}
+RETURNS_3(fmi3Error, fmi3GetFMUState, fmi3FMUState*)
+RETURNS_3(fmi3Error, fmi3SetFMUState, fmi3FMUState)
+RETURNS_3(fmi3Error, fmi3FreeFMUState, fmi3FMUState*)
+RETURNS_3(fmi3Error, fmi3SerializedFMUStateSize, fmi3FMUState, size_t*)
+RETURNS_3(fmi3Error, fmi3SerializeFMUState, fmi3FMUState, fmi3Byte[], size_t)
+RETURNS_3(fmi3Error, fmi3DeserializeFMUState, const fmi3Byte[], size_t, fmi3FMUState*)
 fmi3Status fmi3SetTime(fmi3Instance unit, fmi3Float64 time) {
   of(unit).time = time;
-  return fmi3OK;
+  return static_cast<fmi3Status>(act(of(unit), "SetTime"));
 }
-fmi3Status fmi3SetContinuousStates(fmi3Instance, const fmi3Float64[], size_t) {
-  return fmi3OK;
-}
-fmi3Status fmi3GetContinuousStates(fmi3Instance, fmi3Float64[], size_t) {
-  return fmi3OK;
-}
-fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance, fmi3Float64[], size_t) {
-  return fmi3OK;
-}
+RETURNS_3(fmi3OK, fmi3SetContinuousStates, const fmi3Float64[], size_t)
+RETURNS_3(fmi3OK, fmi3GetContinuousStates, fmi3Float64[], size_t)
+RETURNS_3(fmi3OK, fmi3GetContinuousStateDerivatives, fmi3Float64[], size_t)
 fmi3Status fmi3GetEventIndicators(fmi3Instance unit, fmi3Float64 indicators[], size_t) {
   indicators[0] = indicator_of(of(unit));
-  return fmi3OK;
+  return static_cast<fmi3Status>(act(of(unit), "Indicators"));
 }
-fmi3Status fmi3CompletedIntegratorStep(fmi3Instance, fmi3Boolean, fmi3Boolean* event, fmi3Boolean* end) {
-  *event = *end = false;
-  return fmi3OK;
+fmi3Status fmi3CompletedIntegratorStep(fmi3Instance unit, fmi3Boolean, fmi3Boolean* event, fmi3Boolean* end) {
+  const int status = act(of(unit), "CompletedStep");
+  *event = false;
+  *end = ends(of(unit), "CompletedStep");
+  return static_cast<fmi3Status>(status);
 }
 fmi3Status fmi3UpdateDiscreteStates(fmi3Instance unit, fmi3Boolean* again, fmi3Boolean* end,
                                     fmi3Boolean* nominals, fmi3Boolean* changed, fmi3Boolean* has_next,
@@ -192,17 +197,24 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance unit, fmi3Boolean* again, fmi3B
   *again = *end = *nominals = *changed = false;
   *has_next = true;
   *next = next_of(of(unit));
-  return static_cast<fmi3Status>(act(of(unit), "Update"));
+  const int status = act(of(unit), "Update");
+  *end = ends(of(unit), of(unit).time == 0.0 ? "Start" : "Update");
+  return static_cast<fmi3Status>(status);
 }
 fmi3Status fmi3DoStep(fmi3Instance unit, fmi3Float64 time, fmi3Float64 length, fmi3Boolean,
                       fmi3Boolean* event, fmi3Boolean* end, fmi3Boolean* early, fmi3Float64* last) {
   *event = *end = *early = false;
   const int status = step(of(unit), time + length);
+  *end = ends(of(unit), "DoStep");
   *last = of(unit).call == "DoStep" ? told(of(unit), time + length) : time + length;
   return static_cast<fmi3Status>(status);
 }
 
 // --- FMI 2
+#define RETURNS_2(status, name, ...)            \
+  fmi2Status name(fmi2Component, __VA_ARGS__) { \
+    return status;                              \
+  }
 fmi2Component fmi2Instantiate(fmi2String, fmi2Type, fmi2String token, fmi2String,
                               const fmi2CallbackFunctions*, fmi2Boolean, fmi2Boolean) {
   return make(token);
@@ -222,12 +234,16 @@ fmi2Status fmi2SetupExperiment(fmi2Component unit, fmi2Boolean, fmi2Real, fmi2Re
 ALWAYS(fmi2EnterInitializationMode)
 ALWAYS(fmi2ExitInitializationMode)
 ALWAYS(fmi2Terminate)
-ALWAYS(fmi2EnterEventMode)
-ALWAYS(fmi2EnterContinuousTimeMode)
 #undef ALWAYS
+fmi2Status fmi2EnterEventMode(fmi2Component unit) {
+  return static_cast<fmi2Status>(act(of(unit), "Mode"));
+}
+fmi2Status fmi2EnterContinuousTimeMode(fmi2Component unit) {
+  return static_cast<fmi2Status>(act(of(unit), "Mode"));
+}
 #define VALUES(Type)                                                                                        \
   fmi2Status fmi2Get##Type(fmi2Component unit, const fmi2ValueReference[], size_t n, fmi2##Type values[]) { \
-    for (size_t i = 0; i < n; ++i) values[i] = static_cast<fmi2##Type>(of(unit).time);                      \
+    for (size_t i = 0; i < n; ++i) values[i] = static_cast<fmi2##Type>(of(unit).output());                  \
     return static_cast<fmi2Status>(act(of(unit), "Get"));                                                   \
   }                                                                                                         \
   fmi2Status fmi2Set##Type(fmi2Component, const fmi2ValueReference[], size_t, const fmi2##Type[]) {         \
@@ -237,53 +253,46 @@ VALUES(Real)
 VALUES(Integer)
 VALUES(Boolean)
 #undef VALUES
-fmi2Status fmi2GetFMUstate(fmi2Component, fmi2FMUstate*) {
-  return fmi2Error;
-}
-fmi2Status fmi2SetFMUstate(fmi2Component, fmi2FMUstate) {
-  return fmi2Error;
-}
-fmi2Status fmi2FreeFMUstate(fmi2Component, fmi2FMUstate*) {
-  return fmi2Error;
-}
-fmi2Status fmi2SerializedFMUstateSize(fmi2Component, fmi2FMUstate, size_t*) {
-  return fmi2Error;
-}
-fmi2Status fmi2SerializeFMUstate(fmi2Component, fmi2FMUstate, fmi2Byte[], size_t) {
-  return fmi2Error;
-}
-fmi2Status fmi2DeSerializeFMUstate(fmi2Component, const fmi2Byte[], size_t, fmi2FMUstate*) {
-  return fmi2Error;
-}
+RETURNS_2(fmi2Error, fmi2GetFMUstate, fmi2FMUstate*)
+RETURNS_2(fmi2Error, fmi2SetFMUstate, fmi2FMUstate)
+RETURNS_2(fmi2Error, fmi2FreeFMUstate, fmi2FMUstate*)
+RETURNS_2(fmi2Error, fmi2SerializedFMUstateSize, fmi2FMUstate, size_t*)
+RETURNS_2(fmi2Error, fmi2SerializeFMUstate, fmi2FMUstate, fmi2Byte[], size_t)
+RETURNS_2(fmi2Error, fmi2DeSerializeFMUstate, const fmi2Byte[], size_t, fmi2FMUstate*)
 fmi2Status fmi2SetTime(fmi2Component unit, fmi2Real time) {
   of(unit).time = time;
-  return fmi2OK;
+  return static_cast<fmi2Status>(act(of(unit), "SetTime"));
 }
-fmi2Status fmi2SetContinuousStates(fmi2Component, const fmi2Real[], size_t) {
-  return fmi2OK;
-}
-fmi2Status fmi2GetContinuousStates(fmi2Component, fmi2Real[], size_t) {
-  return fmi2OK;
-}
-fmi2Status fmi2GetDerivatives(fmi2Component, fmi2Real[], size_t) {
-  return fmi2OK;
-}
+RETURNS_2(fmi2OK, fmi2SetContinuousStates, const fmi2Real[], size_t)
+RETURNS_2(fmi2OK, fmi2GetContinuousStates, fmi2Real[], size_t)
+RETURNS_2(fmi2OK, fmi2GetDerivatives, fmi2Real[], size_t)
 fmi2Status fmi2GetEventIndicators(fmi2Component unit, fmi2Real indicators[], size_t) {
   indicators[0] = indicator_of(of(unit));
-  return fmi2OK;
+  return static_cast<fmi2Status>(act(of(unit), "Indicators"));
 }
-fmi2Status fmi2CompletedIntegratorStep(fmi2Component, fmi2Boolean, fmi2Boolean* event, fmi2Boolean* end) {
-  *event = *end = fmi2False;
-  return fmi2OK;
+fmi2Status fmi2CompletedIntegratorStep(fmi2Component unit, fmi2Boolean, fmi2Boolean* event,
+                                       fmi2Boolean* end) {
+  const int status = act(of(unit), "CompletedStep");
+  *event = fmi2False;
+  *end = ends(of(unit), "CompletedStep");
+  return static_cast<fmi2Status>(status);
 }
 fmi2Status fmi2NewDiscreteStates(fmi2Component unit, fmi2EventInfo* info) {
-  *info = {fmi2False, fmi2False, fmi2False, fmi2False, fmi2True, next_of(of(unit))};
-  return static_cast<fmi2Status>(act(of(unit), "Update"));
+  const int status = act(of(unit), "Update");
+  const fmi2Boolean end = ends(of(unit), of(unit).time == 0.0 ? "Start" : "Update") ? fmi2True : fmi2False;
+  *info = {fmi2False, end, fmi2False, fmi2False, fmi2True, next_of(of(unit))};
+  return static_cast<fmi2Status>(status);
 }
 fmi2Status fmi2DoStep(fmi2Component unit, fmi2Real time, fmi2Real length, fmi2Boolean) {
-  return static_cast<fmi2Status>(step(of(unit), time + length));
+  const int status = step(of(unit), time + length);
+  return ends(of(unit), "DoStep") ? fmi2Discard : static_cast<fmi2Status>(status);
 }
-fmi2Status fmi2GetBooleanStatus(fmi2Component, const fmi2StatusKind, fmi2Boolean*) {
-  return fmi2Error;
+fmi2Status fmi2GetBooleanStatus(fmi2Component unit, const fmi2StatusKind, fmi2Boolean* value) {
+  *value = fmi2True;
+  return of(unit).over ? fmi2OK : fmi2Error;
+}
+fmi2Status fmi2GetRealStatus(fmi2Component unit, const fmi2StatusKind, fmi2Real* value) {
+  *value = of(unit).time;
+  return of(unit).over ? fmi2OK : fmi2Error;
 }
 }

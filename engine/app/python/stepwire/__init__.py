@@ -8,7 +8,12 @@
 
 import pathlib as _pathlib
 
-from . import _core
+try:
+    from . import _core
+except ImportError as _error:
+    from ._missing import reason as _reason
+
+    raise ImportError(_reason(_pathlib.Path(__file__).parent, _error)) from None
 
 
 def _note_package() -> None:

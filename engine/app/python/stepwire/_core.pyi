@@ -20,7 +20,7 @@ class Running:
     def time(self) -> float:
         """[s]"""
     def __getitem__(self, signal: str) -> _Numbers:
-        """The numbers of a signal at this tick, SI: a float, or an array (n,)."""
+        """The numbers of a signal at this tick, SI: a float, or an array (n,) or (m, n)."""
     def set(self, name: str, value: Union[float, str]) -> None:
         """Sets a parameter or a value of a block from the next tick on: a number in SI, or a text with its unit."""
     def write(self, input: str, numbers: ArrayLike) -> None:
@@ -50,7 +50,7 @@ class Simulation:
     def compile_problem(self) -> str:
         """Why there is no compiled code although it was chosen."""
     def __getitem__(self, signal: str) -> _Numbers:
-        """The numbers of a signal at the tick that is shown, SI: a float, or a new array (n,)."""
+        """The numbers of a signal at the tick that is shown, SI: a float, or a new array (n,) or (m, n)."""
     def set(self, name: str, value: Union[float, str]) -> None:
         """Sets a parameter ('rig.mass') or a value of a block ('spring.gain') from the next tick on: a number in
         SI, or a text with its unit. Raises Error where it is refused; nothing is changed then."""
@@ -159,9 +159,9 @@ class File:
     @property
     def runs(self) -> int: ...
     @property
-    def signals(self) -> list[tuple[str, str, int]]: ...
+    def signals(self) -> list[tuple[str, str, int, tuple[int, ...]]]: ...
     @property
-    def inputs(self) -> list[tuple[str, str, int, str]]: ...
+    def inputs(self) -> list[tuple[str, str, int, str, tuple[int, ...]]]: ...
     @property
     def parameters(self) -> list[tuple[str, str, Any, str, str]]: ...
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Mapping, Sequence
-from typing import Any, Union
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeVar, Union
 
-Port = Union[str, tuple]
+Port = Union[str, "tuple[Any, ...]"]
+_Class = TypeVar("_Class")
 Ports = Union[Mapping[str, Port], Sequence[str]]
 
 _TIME, _PERIOD, _INPUT, _STATE, _MEMORY = range(5)  # as `Source` of the module has them
@@ -14,7 +15,7 @@ _METHODS = {"outputs": "output_method", "derivatives": "slope_method", "update":
 
 
 def block(*, inputs: Ports = (), outputs: Ports = (), states: Ports = (), memory: Ports = (),
-          parameters: Ports = (), name: str | None = None):
+          parameters: Ports = (), name: str | None = None) -> Callable[[type[_Class]], type[_Class]]:
     """Declares a class as a kind of block, which `load(..., blocks=[Drag])` knows by the name of the class.
 
     Each argument maps names to units, ``{"v": "m/s"}``, or to units and sizes, ``{"v": ("m/s", 3)}``; a letter as
@@ -36,15 +37,16 @@ def block(*, inputs: Ports = (), outputs: Ports = (), states: Ports = (), memory
             def outputs(self, v):
                 return -self.c * abs(v) * v
     """
-    def declare(cls: type) -> type:
-        cls._stepwire_block = _declaration(cls, name or cls.__name__, inputs, outputs, states, memory, parameters)
+    def declare(cls: type[_Class]) -> type[_Class]:
+        declared = _declaration(cls, name or cls.__name__, inputs, outputs, states, memory, parameters)
+        setattr(cls, "_stepwire_block", declared)
         return cls
     return declare
 
 
-def declaration_of(cls: Any) -> dict:
+def declaration_of(cls: Any) -> dict[str, Any]:
     """What the module needs of a class."""
-    declared = getattr(cls, "_stepwire_block", None)
+    declared: dict[str, Any] | None = getattr(cls, "_stepwire_block", None)
     if not isinstance(cls, type) or declared is None:
         raise TypeError(f"{cls!r} is no block; decorate a class with @stepwire.block(inputs=..., outputs=...)")
     if declared["class"] is not cls:
@@ -54,14 +56,14 @@ def declaration_of(cls: Any) -> dict:
 
 
 def _declaration(cls: type, name: str, inputs: Ports, outputs: Ports, states: Ports, memory: Ports,
-                 parameters: Ports) -> dict:
+                 parameters: Ports) -> dict[str, Any]:
     kinds = {"inputs": inputs, "outputs": outputs, "states": states, "memory": memory}
     ports = {kind: [_port(cls, kind, *item) for item in _items(given)] for kind, given in kinds.items()}
     _require_own_names(cls, [port[0] for listed in ports.values() for port in listed])
     known = {"t": (_TIME, 0), "period": (_PERIOD, 0)}
     for code, kind in ((_INPUT, "inputs"), (_STATE, "states"), (_MEMORY, "memory")):
         known |= {port[0]: (code, index) for index, port in enumerate(ports[kind])}
-    declared: dict = {"name": name, "doc": inspect.getdoc(cls) or "A block in Python.", "class": cls,
+    declared: dict[str, Any] = {"name": name, "doc": inspect.getdoc(cls) or "A block in Python.", "class": cls,
                       "place": f"{cls.__module__}.{cls.__qualname__}"}
     declared |= {key: _arguments(cls, method, known) for method, key in _METHODS.items()}
     for method, kind in (("outputs", "outputs"), ("derivatives", "states"), ("update", "memory")):
@@ -95,7 +97,7 @@ def _port(cls: type, kind: str, name: str, said: Port) -> tuple[str, str, str, b
 def _parameter(cls: type, name: str, unit: Port) -> tuple[str, str, Any, bool]:
     if not isinstance(unit, str):
         raise TypeError(f"{cls.__name__}.{name}: a parameter has a unit alone; its size is that of its default")
-    value = getattr(cls, name, None)
+    value: Any = getattr(cls, name, None)
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, (list, tuple)):
@@ -111,7 +113,7 @@ def _require_own_names(cls: type, names: list[str]) -> None:
             raise ValueError(f"{cls.__name__} has two ports or states with the name {name!r}")
 
 
-def _arguments(cls: type, method: str, known: dict) -> list[tuple[int, int]] | None:
+def _arguments(cls: type, method: str, known: dict[str, tuple[int, int]]) -> list[tuple[int, int]] | None:
     function = getattr(cls, method, None)
     if function is None:
         return None

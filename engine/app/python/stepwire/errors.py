@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import traceback
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .results import Run
@@ -70,7 +70,7 @@ class RunError(Error):
         super().__init__(faults)
         self.run, self.block, self.time = run, block, time
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[type[Error], tuple[list[Fault]]]:
         return (Error, (self.faults,))
 
 
@@ -86,7 +86,7 @@ class Interrupted(KeyboardInterrupt):
         self.run = run
 
 
-def error_of(tuples: list[tuple]) -> Error:
+def error_of(tuples: list[tuple[Any, ...]]) -> Error:
     """The exception of faults as the module _core gives them."""
     return Error([Fault(*each) for each in tuples])
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -24,6 +24,7 @@ class Signal:
     name: str
     unit: str  #: SI; empty where it has none
     size: int
+    shape: tuple[int, ...] = ()  #: () of one number, (n,), or (rows, columns) of a matrix
 
 
 @dataclass(frozen=True)
@@ -34,6 +35,7 @@ class Input:
     unit: str
     size: int
     doc: str
+    shape: tuple[int, ...] = ()  #: () of one number, (n,), or (rows, columns) of a matrix
 
 
 @dataclass(frozen=True)
@@ -47,7 +49,7 @@ class Parameter:
     doc: str
 
 
-class Named(Mapping):
+class Named(Mapping[str, Any]):
     """Things of a model by name, in their order."""
 
     def __init__(self, kind: str, items: Iterable[Any]):
@@ -59,7 +61,7 @@ class Named(Mapping):
             raise KeyError(f"there is no {self._kind} {name!r}; there are: {', '.join(self._items) or 'none'}")
         return self._items[name]
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self._items)
 
     def __len__(self) -> int:
@@ -233,7 +235,7 @@ class Model:
     def _repr_html_(self) -> str:
         return show.heading(self.title) + self.parameters._repr_html_() + self.draw()._repr_html_()
 
-    def __reduce__(self):
+    def __reduce__(self) -> tuple[type[Model], tuple[Any, ...]]:
         return (Model, (self.file, self._texts, self._blocks, self._folders))
 
 

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import functools
+import itertools
 import json
 import warnings
+from collections.abc import Iterator, KeysView
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from . import _core, show
 from .errors import Error, Fault, Interrupted, RunError
 
 if TYPE_CHECKING:
     import numpy as np
-    import pandas as pd
+    import pandas as pd  # type: ignore[import]
+    from numpy.typing import NDArray
 
     from .model import Model
 
@@ -47,7 +51,7 @@ class Run:
 
     ``run["cart.position"]`` is a column as a numpy array (rows,) in SI, a view without copy that keeps the run
     alive; ``run["time"]`` is in s. A vector signal p is there element by element as p.1, p.2, ..., and as a
-    whole, p, as a copy (rows, n).
+    whole, p, as a copy (rows, n); a matrix k of m x n numbers as k.1.1, k.2.1, ..., and as a copy (rows, m, n).
     """
 
     def __init__(self, results: _core.Results, model: Model):
@@ -60,32 +64,39 @@ class Run:
                 self._places.setdefault(name, (recording, index))
                 self._units.setdefault(name, unit)
 
-    def __getitem__(self, name: str) -> np.ndarray:
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
         place = self._places.get(name)
         if place is not None:
             return self._results.column(*place)
-        elements = self._elements(name)
-        if not elements:
+        shape = self._shapes.get(name)
+        if not shape:
             raise KeyError(f"nothing of the name {name!r} is recorded; recorded are: {', '.join(self._places)}")
+        names = _elements(name, shape)
+        missing = [element for element in names if element not in self._places]
+        if missing:
+            raise KeyError(f"{name!r} is not recorded as a whole, {', '.join(missing)} being left out; "
+                           f"recorded are: {', '.join(self._places)}")
         import numpy as np
-        return np.column_stack([self[element] for element in elements])
+        values = np.stack([self._results.column(*self._places[element]) for element in names], axis=-1)
+        return values.reshape(len(values), *shape)
 
-    def _elements(self, name: str) -> list[str]:
-        count = 1
-        while f"{name}.{count}" in self._places:
-            count += 1
-        return [f"{name}.{index}" for index in range(1, count)]
+    @property
+    def _shapes(self) -> dict[str, tuple[int, ...]]:
+        return {name: shape for name, _, _, shape in self.model._file.signals if shape}
 
-    def __contains__(self, name: str) -> bool:
-        return name in self._places or bool(self._elements(name))
+    def __contains__(self, name: object) -> bool:
+        if name in self._places or not isinstance(name, str):
+            return name in self._places
+        shape = self._shapes.get(name, ())
+        return bool(shape) and all(element in self._places for element in _elements(name, shape))
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self._places)
 
     def __len__(self) -> int:
         return len(self._places)
 
-    def keys(self):
+    def keys(self) -> KeysView[str]:
         """The names of all columns."""
         return self._places.keys()
 
@@ -114,7 +125,7 @@ class Run:
         """What each run of a sweep sets, as texts; empty without a sweep."""
         return self._results.points
 
-    def run(self, index: int) -> dict[str, np.ndarray]:
+    def run(self, index: int) -> dict[str, NDArray[np.float64]]:
         """The columns of one run of a sweep, from 0: views without copy."""
         count = max(len(self.points), 1)
         if not -count <= index < count:
@@ -139,7 +150,7 @@ class Run:
     @property
     def figures(self) -> show.Pictures:
         """The figures of the file. Empty where the run ended early or the file has none."""
-        pictures = [show.Picture(f"figure {index + 1}", lambda index=index: self._results.figure(index))
+        pictures = [show.Picture(f"figure {index + 1}", functools.partial(self._results.figure, index))
                     for index in range(self._results.figures)]
         return show.Pictures(pictures, "the run ended early, so there is no picture of it" if self.early
                              else "the file has no section 'figure'")
@@ -179,9 +190,9 @@ class Run:
         return self._results.seconds
 
     @property
-    def info(self) -> dict:
+    def info(self) -> dict[str, Any]:
         """What was run, as run.json of `stepwire run` has it."""
-        return json.loads(self._results.json)
+        return dict(json.loads(self._results.json))
 
     def write(self, folder: str) -> None:
         """Writes all files that `stepwire run --out` writes."""
@@ -199,8 +210,20 @@ class Run:
         claims = show.table(("claim", "value", ""), rows) if rows else ""
         return show.heading(repr(self)[1:-1]) + "".join(f"<p>{_escaped(fault)}</p>" for fault in self.faults) + claims
 
-    def __reduce__(self):
+    def __copy__(self) -> Run:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Run:
+        return self
+
+    def __reduce__(self) -> NoReturn:
         raise TypeError("a run is not pickled; pickle run.table(), or write the run to a folder")
+
+
+def _elements(name: str, shape: tuple[int, ...]) -> list[str]:
+    """The columns of a vector or a matrix, row by row."""
+    places = itertools.product(*(range(1, count + 1) for count in shape))
+    return [".".join([name, *map(str, place)]) for place in places]
 
 
 def _escaped(fault: Fault) -> str:
@@ -209,7 +232,7 @@ def _escaped(fault: Fault) -> str:
 
 
 def _distinct(words: list[str] | None) -> bool:
-    return bool(words) and len(set(words)) == len(words)
+    return words is not None and bool(words) and len(set(words)) == len(words)
 
 
 class Study(Run):
@@ -217,8 +240,8 @@ class Study(Run):
     study.json of `stepwire study` has it."""
 
     @property
-    def data(self) -> dict:
-        return json.loads(self._results.study)
+    def data(self) -> dict[str, Any]:
+        return dict(json.loads(self._results.study))
 
 
 @dataclass(frozen=True)
@@ -241,13 +264,14 @@ class Fit:
     def __init__(self, fit: _core.Fit, model: Model):
         self._fit = fit
         self._of = model
-        self.data: dict = json.loads(fit.json)
+        self.data: dict[str, Any] = json.loads(fit.json)
         self.parameters: dict[str, FittedParameter] = {}
         for number in self.data["parameters"]:
             record = number.get("record", "")
+            low, high = (_number(end) for end in number["interval"])
             self.parameters[number["name"] + (f" of {record}" if record else "")] = FittedParameter(
                 number["name"], _number(number["value"]), number["unit"] or "", _number(number["standard_error"]),
-                tuple(_number(end) for end in number["interval"]), number["at_bound"], record)
+                (low, high), number["at_bound"], record)
 
     def __getitem__(self, name: str) -> float:
         """The number of a parameter, SI."""
@@ -257,12 +281,12 @@ class Fit:
 
     @property
     def converged(self) -> bool:
-        return self.data["converged"]
+        return bool(self.data["converged"])
 
     @property
     def findings(self) -> list[str]:
         """What cannot be known, is at a bound or is refused."""
-        return self.data["findings"]
+        return list(self.data["findings"])
 
     @property
     def model(self) -> Model:
@@ -271,7 +295,7 @@ class Fit:
 
     @property
     def figures(self) -> show.Pictures:
-        pictures = [show.Picture(name, lambda index=index: self._fit.figure(index))
+        pictures = [show.Picture(name, functools.partial(self._fit.figure, index))
                     for index, name in enumerate(self._fit.figures)]
         return show.Pictures(pictures, "the fit has no pictures")
 
@@ -289,6 +313,11 @@ class Fit:
         numbers = ", ".join(f"{name}={one.value:g} {one.unit}".strip() for name, one in self.parameters.items())
         return f"<Fit of {self._of.file}: {numbers}>"
 
+    def _repr_html_(self) -> str:
+        rows = [(name, f"{one.value:.6g}", one.unit, f"{one.interval[0]:.6g} .. {one.interval[1]:.6g}")
+                for name, one in self.parameters.items()]
+        return show.table(("parameter", "value", "unit", "95 %"), rows)
+
 
 class Tuning:
     """What the tuning of a file found. `parameters` by name in SI, `objective`, `feasible` (do all claims hold?),
@@ -297,7 +326,7 @@ class Tuning:
     def __init__(self, tuning: _core.Tuning, model: Model):
         self._tuning = tuning
         self._of = model
-        self.data: dict = json.loads(tuning.json)
+        self.data: dict[str, Any] = json.loads(tuning.json)
         self.parameters: dict[str, float] = {one["name"]: _number(one["value"]) for one in self.data["parameters"]}
         self.objective: float = _number(self.data["objective"])
         self.feasible: bool = self.data["feasible"]
@@ -310,12 +339,12 @@ class Tuning:
 
     @property
     def converged(self) -> bool:
-        return self.data["converged"]
+        return bool(self.data["converged"])
 
     @property
     def findings(self) -> list[str]:
         """What is at a bound, in the way, or could not be run."""
-        return self.data["findings"]
+        return list(self.data["findings"])
 
     @property
     def model(self) -> Model:
@@ -346,9 +375,8 @@ class Tuning:
         return f"<Tuning of {self._of.file}: {numbers}>"
 
     def _repr_html_(self) -> str:
-        rows = [(name, f"{one.value:.6g}", one.unit, f"{one.interval[0]:.6g} .. {one.interval[1]:.6g}")
-                for name, one in self.parameters.items()]
-        return show.table(("parameter", "value", "unit", "95 %"), rows)
+        rows = [(name, f"{value:.6g}") for name, value in self.parameters.items()]
+        return show.table(("parameter", "value (SI)"), rows)
 
 
 def _number(value: float | None) -> float:
@@ -362,7 +390,7 @@ class Linear:
 
     def __init__(self, text: str, words: str):
         import numpy as np
-        self.data: dict = json.loads(text)
+        self.data: dict[str, Any] = json.loads(text)
         self._words = words
         self.states: list[str] = self.data["states"]
         self.inputs: list[str] = self.data["inputs"]
@@ -376,11 +404,11 @@ class Linear:
 
     @property
     def stable(self) -> bool:
-        return self.data["stable"]
+        return bool(self.data["stable"])
 
     def scipy(self) -> Any:
         """The system as scipy.signal.StateSpace."""
-        from scipy import signal
+        from scipy import signal  # type: ignore[import]
         sampled = {"dt": self.sample_time} if self.sample_time > 0 else {}
         return signal.StateSpace(self.A, self.B, self.C, self.D, **sampled)
 
@@ -391,7 +419,10 @@ class Linear:
         return f"<Linear: {len(self.states)} states, from {', '.join(self.inputs)} to {', '.join(self.outputs)}>"
 
 
-def finished(results: _core.Results, run: Run, check: bool) -> Run:
+_Run = TypeVar("_Run", bound=Run)
+
+
+def finished(results: _core.Results, run: _Run, check: bool) -> _Run:
     """The run, or what ended it as an exception that has it."""
     for note in results.notes:
         warnings.warn(note, RuntimeWarning, stacklevel=4)
@@ -399,7 +430,7 @@ def finished(results: _core.Results, run: Run, check: bool) -> Run:
     if isinstance(raised, KeyboardInterrupt):
         raise Interrupted(run) from raised
     if raised is not None:
-        raised.run = run
+        setattr(raised, "run", run)
         raise raised
     if check and results.faults:
         block, _, time, _ = results.faults[0]

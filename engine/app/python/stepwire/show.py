@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import os
 from collections.abc import Callable, Sequence
+from typing import overload
 
 
 class Picture:
@@ -46,7 +47,7 @@ class Picture:
         return f"<{self.name}: a picture; .svg has its text, .save(path) writes it>"
 
 
-class Pictures(Sequence):
+class Pictures(Sequence[Picture]):
     """Pictures by their number, from 0."""
 
     def __init__(self, pictures: Sequence[Picture], why_none: str):
@@ -56,7 +57,13 @@ class Pictures(Sequence):
     def __len__(self) -> int:
         return len(self._pictures)
 
-    def __getitem__(self, index):
+    @overload
+    def __getitem__(self, index: int) -> Picture: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[Picture]: ...
+
+    def __getitem__(self, index: int | slice) -> Picture | list[Picture]:
         if not self._pictures and isinstance(index, int):
             raise IndexError(self._why_none)
         return self._pictures[index]

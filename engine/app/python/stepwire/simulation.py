@@ -3,30 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from . import _core
 
 if TYPE_CHECKING:
     import numpy as np
+    from numpy.typing import NDArray
 
     from .model import Model
 
 
-class Inputs(Mapping):
+class Inputs(Mapping[str, "float | NDArray[np.float64]"]):
     """The inputs of a simulation. Writing one, ``inputs["push"] = 3.0``, holds from the next tick on until it is
     written again; numbers are SI, a text has its unit ("3 mm"), and of an input of n numbers it is a list or an
-    array. Reading one gives what stands at
-    the tick that is shown."""
+    array, of a matrix an array (rows, columns). NaN is refused. Reading one gives its numbers at the tick that is
+    shown."""
 
     def __init__(self, simulation: Simulation, names: list[str]):
         self._simulation = simulation
         self._names = names
 
-    def __setitem__(self, name: str, value) -> None:
+    def __setitem__(self, name: str, value: Any) -> None:
         self._simulation._write(name, value)
 
-    def __getitem__(self, name: str) -> float | np.ndarray:
+    def __getitem__(self, name: str) -> float | NDArray[np.float64]:
         if name not in self._names:
             raise KeyError(f"there is no input {name!r}; inputs are: {', '.join(self._names) or 'none'}")
         return self._simulation[name]
@@ -56,5 +57,5 @@ class Simulation(_core.Simulation):
     def __repr__(self) -> str:
         return f"<Simulation of {self.model.file} at {self.time:g} s{', finished' if self.finished else ''}>"
 
-    def __reduce__(self):
+    def __reduce__(self) -> NoReturn:
         raise TypeError("a simulation is not pickled; pickle its model")

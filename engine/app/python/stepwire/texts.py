@@ -7,7 +7,7 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any, Union
 
-Value = Union[str, float, int, bool, Sequence, "os.PathLike[str]"]
+Value = Union[str, float, int, bool, Sequence[Any], "os.PathLike[str]"]
 
 
 def text_of(value: Any, name: str) -> str:
@@ -15,7 +15,7 @@ def text_of(value: Any, name: str) -> str:
     if isinstance(value, str):
         return value
     if isinstance(value, os.PathLike):
-        return os.fspath(value)
+        return str(os.fspath(value))
     if isinstance(value, bool) or type(value).__name__ == "bool_":
         return "true" if value else "false"
     if isinstance(value, numbers.Integral):
@@ -33,7 +33,7 @@ def tree_of(value: Any, name: str) -> Any:
     """The same for a section: dictionaries and lists of texts."""
     if isinstance(value, Mapping):
         return {str(key): tree_of(item, f"{name}.{key}") for key, item in value.items()}
-    if hasattr(value, "tolist") and getattr(value, "ndim", 0):
+    if hasattr(value, "tolist") and getattr(value, "ndim", False):
         value = value.tolist()
     if isinstance(value, Sequence) and not isinstance(value, str):
         return [tree_of(item, name) for item in value]

@@ -208,5 +208,5 @@ TEST_CASE("processes share what can be shared, in a folder") {
   folder.file("lag.yaml", lag_yaml);
   CHECK_THAT(run_program(folder, {"run", "lag.yaml", "--mpi", "--out", "x"}).err,
              Contains("--mpi: needs a file with a section 'sweep', 'study' or 'fit'") ||
-                 Contains("built without MPI"));
+                 Contains("the folder 'mpi' that comes with stepwire is not there"));
 }

@@ -35,6 +35,9 @@ TEST_CASE("STEPWIRE_HOME names another place, or the prefix above it, and no oth
     CHECK(find_resource("headers").empty());
     CHECK_THROWS_AS(resource("headers"), EnvironmentError);
     CHECK_THROWS_WITH(resource("headers"), Catch::Contains(scratch.path("here/headers")));
+    CHECK_THROWS_WITH(resource("headers"), Catch::Contains("the Debian package libstepwire-dev has it"));
+    CHECK_THROWS_WITH(resource("mpi"), Catch::Contains(scratch.path("here/mpi")) &&
+                                           Catch::Contains("'./stepwire setup mpi' in a checkout builds it"));
   }
   const Home home(scratch.path("prefix"));
   CHECK(resource("drawing") == std::filesystem::canonical(scratch.path("prefix/share/stepwire/drawing")));

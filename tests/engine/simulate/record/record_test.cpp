@@ -43,6 +43,25 @@ TEST_CASE("a recording that no memory holds is refused before the run") {
                       Catch::Contains("long.yaml:6:9: record") && Catch::Contains("GB"));
 }
 
+TEST_CASE("a run of very many rows begins with few of them, and what it has recorded stays in its place") {
+  const plan::Plan plan = plan_text("blocks:\n  t: {block: Clock}\nstep: 1 s\nstop: 10000000 s\nrecord: t\n");
+  RunRecording recording(plan);
+  Recorder& recorder = recording.recorders().front();
+  std::vector<double> values(plan.layout.size, 0.0);
+  const std::int64_t count = 2 * Recorder::rows_at_once + 3;
+  for (std::int64_t tick = 0; tick < count; ++tick) {
+    values.assign(values.size(), static_cast<double>(tick));
+    recorder.record(tick, values.data());
+  }
+  const auto& columns = recording.finished().front().table;
+  REQUIRE(column(columns, "t").size() == static_cast<std::size_t>(count));
+  for (std::size_t row = 0; row < column(columns, "t").size(); row += 1001)
+    REQUIRE(column(columns, "t")[row] == static_cast<double>(row));
+  recording.restart();
+  recorder.record(0, values.data());
+  CHECK(column(recording.take().front().table, "t").size() == 1);
+}
+
 TEST_CASE("a recorder that goes back replaces what it kept from there on") {
   const plan::Plan plan =
       plan_text("blocks:\n  t: {block: Clock}\nstop: 9 s\nrecord: {every: 2 s, signals: t}\n");
