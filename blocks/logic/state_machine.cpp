@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "blocks/logic/chart_reader.hpp"
+#include "engine/base/expression/margin.hpp"
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
@@ -34,6 +35,12 @@ class Flat {
   }
   Numbers what() const { return Numbers(what_); }
   const std::vector<ChartFormula>& formulas() const { return formulas_; }
+  std::vector<ChartFormula> margins() const {
+    std::vector<ChartFormula> margins;
+    for (const ChartFormula& guard : formulas_)
+      margins.push_back({expression::margin_of(guard.formula), guard.places});
+    return margins;
+  }
 
  private:
   std::vector<double> first_, what_;
@@ -72,6 +79,7 @@ void take_transitions(StateMachine& machine, const std::vector<ChartState>& stat
   machine.first_to = to.first();
   machine.target = to.what();
   machine.guard = choice_of(to.formulas(), choice);
+  machine.margin = choice_of(to.margins(), choice);
   machine.first_setting = set.first();
   machine.set_counter = set.what();
   machine.setting = choice_of(set.formulas(), choice);
@@ -146,8 +154,12 @@ void StateMachine::declare(Declare<StateMachine>& is) {
            "output where it gives none. `enter`, `exit` and `each` (tick that it stays) set `counters`: "
            "{enter: "
            "{tries: tries + 1}}. Outputs are numbers, 0 where a state gives none. In figures and claims the "
-           "state is a word: m.state == \"on.fast\". States that cannot be reached are refused.",
-       .source = "D. Harel, Statecharts, Sci. Comput. Program. 8 (1987) 231, without parallel states"});
+           "state is a word: m.state == \"on.fast\". States that cannot be reached are refused. "
+           "With `events: locate` a transition acts where its guard begins to hold, also a timeout, between "
+           "ticks as well: the first eight guards of the active state and of those that hold it are located. "
+           "An instant has one transition at most; a machine with `every` keeps to its ticks.",
+       .source = "D. Harel, Statecharts, Sci. Comput. Program. 8 (1987) 231, without parallel states",
+       .at_events = true});
   is.parameter<&StateMachine::states>(
       {.doc = "the states, each with its output and transitions",
        .required = true,
@@ -171,11 +183,19 @@ void StateMachine::declare(Declare<StateMachine>& is) {
   is.state<&StateMachine::begun>({.doc = "0 before the first tick, then 1", .settable = false});
   is.state<&StateMachine::ticks>(
       {.shape = "l", .doc = "ticks since it and those that hold it were entered", .settable = false});
+  is.state<&StateMachine::late>(
+      {.unit = "s", .shape = "l", .doc = "time from the tick before to their entry", .settable = false});
+  is.state<&StateMachine::last_tick>({.unit = "s", .doc = "time of the last tick", .settable = false});
+  is.state<&StateMachine::moved_at>({.unit = "s", .doc = "time of the last transition", .settable = false});
   is.state<&StateMachine::kept>({.unit = "*", .shape = "c", .doc = "the counters", .settable = false});
   is.state<&StateMachine::past>(
       {.shape = "h", .doc = "the state that each held when it was left, -1 for none", .settable = false});
   is.clock<&StateMachine::period>();
+  is.clock<&StateMachine::time>();
+  for (int guard = 1; guard <= max_located; ++guard)
+    is.crossing<&StateMachine::u>(fmt::format("guard {} of the active state begins to hold", guard));
   is.derived<&StateMachine::guard>();
+  is.derived<&StateMachine::margin>();
   is.derived<&StateMachine::setting>();
   is.derived<&StateMachine::values>();
   is.derived<&StateMachine::parent>();

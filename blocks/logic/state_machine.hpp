@@ -12,6 +12,7 @@ namespace stepwire {
 /// transitions where their guards hold.
 struct StateMachine {
   static constexpr Index max_inputs = 64, max_counters = 32, max_depth = 8, max_states = 256;
+  static constexpr Index max_located = 8;  ///< guards of the active states; further ones act at ticks
 
   Tree states, counters;
   Texts variables{};
@@ -19,12 +20,16 @@ struct StateMachine {
   Inputs u{};
   Output<1> state{};
   Output<> y{}, counts{};
-  DiscreteState<1> active{}, begun{};  // index of the state; 0 before the first tick, then 1
-  DiscreteState<> ticks{};  // since the active state and those that hold it were entered, outermost first
-  DiscreteState<> kept{};   // the counters
-  DiscreteState<> past{};   // for each state the state in it that was active last, -1 for none
+  DiscreteState<1> active{}, begun{};        // index of the state; 0 before the first tick, then 1
+  DiscreteState<1> last_tick{}, moved_at{};  // times of the last tick and of the last transition
+  // Ticks since the active state and those that hold it were entered, outermost first. An entry between two
+  // ticks counts from the first of them, and is later than it by `late`.
+  DiscreteState<> ticks{}, late{};
+  DiscreteState<> kept{};  // the counters
+  DiscreteState<> past{};  // for each state the state in it that was active last, -1 for none
 
   Function guard{};    ///< of transition v[choice]: u1, u2, ..., counters, time in the state, choice
+  Function margin{};   ///< of the same: passes 0 where the guard begins to hold
   Function setting{};  ///< the value of setting v[choice]
   Numbers values{};    ///< y of the first state, of the second, ...
   Numbers parent{}, inner{}, history{};  ///< of each state: -1 for none; where it begins; is that remembered?
@@ -44,28 +49,54 @@ struct StateMachine {
 
   void update() {
     const Now now = next();
-    active = static_cast<double>(now.leaf);
-    for (Index l = 0; l < ticks.size(); ++l) ticks[l] = l <= depth(now.leaf) ? now.ticks[l] + 1.0 : 0.0;
-    for (Index c = 0; c < first_counts.size(); ++c) kept[c] = now.v[u.count() + c];
-    if (remembers)
-      for (Index s = 0; s < past.size(); ++s) past[s] = now.past[s];
-    begun = 1.0;
+    for (Index l = 0; l < ticks.size(); ++l) {
+      const bool stays = !now.entered[l];
+      ticks[l] = l > depth(now.leaf) ? 0.0 : stays ? ticks[l] + 1.0 : 1.0;
+      late[l] = stays && l <= depth(now.leaf) ? double(late[l]) : 0.0;
+    }
+    remember(now);
+    last_tick = time;
+  }
+  void update_at_event() {
+    const Now now = next();
+    for (Index l = 0; l < ticks.size(); ++l) {
+      if (l <= depth(now.leaf) && !now.entered[l]) continue;
+      ticks[l] = l > depth(now.leaf) ? 0.0 : 1.0;
+      late[l] = l > depth(now.leaf) ? 0.0 : time - last_tick;
+    }
+    remember(now);
+  }
+
+  void crossings(Crossings& zero) const {
+    Now now = present();
+    Index located = 0;
+    for (Index l = 0; l <= depth(now.leaf); ++l) {
+      const Index s = holder(now.leaf, l);
+      now.v[place_of_time()] = now.after[l];
+      for (Index t = at(first_to, s); t < at(first_to, s + 1) && located < max_located; ++t, ++located) {
+        now.v[place_of_time() + 1] = static_cast<double>(t);
+        zero.add(margin(now.v));
+      }
+    }
+    for (; located < max_located; ++located) zero.add(1.0);
   }
 
   void start() {
     active = static_cast<double>(first);
     for (Index c = 0; c < first_counts.size(); ++c) kept[c] = first_counts[c];
     past = -1.0;
+    moved_at = -1.0;
   }
   void configure(Configure& is);
   static void declare(Declare<StateMachine>& is);
 
  private:
-  /// A moment of the machine, which outputs() may change.
+  /// The machine at an instant, before or after its transition.
   struct Now {
     Index leaf;
     double v[max_inputs + max_counters + 2];
-    double ticks[max_depth];
+    double after[max_depth];         ///< time since the states were entered, outermost first [s]
+    bool entered[max_depth], moved;  ///< by a transition of this instant
     double past[max_states];
   };
   enum Kind { enter, exit, each };
@@ -87,32 +118,57 @@ struct StateMachine {
   }
   Index place_of_time() const { return u.count() + first_counts.size(); }
 
-  /// The moment after this tick's transition, if there is one.
-  Now next() {
+  /// False between ticks, and at a tick after its update.
+  bool is_tick() const { return begun == 0.0 || time - last_tick >= (1.0 - 1e-9) * period; }
+  double time_in(Index level) const {
+    if (is_tick()) return ticks[level] * period - late[level];
+    return (ticks[level] - 1.0) * period + (time - last_tick) - late[level];
+  }
+
+  Now present() const {
     Now now;
     now.leaf = static_cast<Index>(active);
+    now.moved = false;
     for (Index i = 0; i < u.count(); ++i) now.v[i] = u.first(i);
     for (Index c = 0; c < first_counts.size(); ++c) now.v[u.count() + c] = kept[c];
-    for (Index l = 0; l < ticks.size(); ++l) now.ticks[l] = ticks[l];
+    for (Index l = 0; l < ticks.size(); ++l) {
+      now.after[l] = time_in(l);
+      now.entered[l] = false;
+    }
     if (remembers)
       for (Index s = 0; s < past.size(); ++s) now.past[s] = past[s];
+    return now;
+  }
+
+  /// Returns the machine after the transition of this instant, if there is one. An instant has one at most.
+  Now next() {
+    Now now = present();
     if (sets && begun == 0.0)
       for (Index l = 0; l <= depth(now.leaf); ++l) run(now, 3 * holder(now.leaf, l) + enter, 0.0);
-    if (!moves(now) && sets)
-      for (Index l = 0; l <= depth(now.leaf); ++l)
-        run(now, 3 * holder(now.leaf, l) + each, now.ticks[l] * period);
+    now.moved = moved_at != time && moves(now);
+    if (!now.moved && sets && is_tick())
+      for (Index l = 0; l <= depth(now.leaf); ++l) run(now, 3 * holder(now.leaf, l) + each, now.after[l]);
     return now;
+  }
+
+  void remember(const Now& now) {
+    active = static_cast<double>(now.leaf);
+    for (Index c = 0; c < first_counts.size(); ++c) kept[c] = now.v[u.count() + c];
+    if (remembers)
+      for (Index s = 0; s < past.size(); ++s) past[s] = now.past[s];
+    if (now.moved) moved_at = time;
+    begun = 1.0;
   }
 
   /// Transitions of the outermost state come first.
   bool moves(Now& now) {
-    const Index time = place_of_time();
+    const Index time_place = place_of_time();
     for (Index l = 0; l < levels; ++l) {
       if (l > depth(now.leaf)) return false;
       const Index s = holder(now.leaf, l);
-      now.v[time] = now.ticks[l] * period;
+      now.v[time_place] = now.after[l];
       for (Index t = at(first_to, s); t < at(first_to, s + 1); ++t) {
-        now.v[time + 1] = static_cast<double>(t);
+        now.v[time_place + 1] = static_cast<double>(t);
         if (guard(now.v) == 0.0) continue;
         take(now, s, t);
         return true;
@@ -126,7 +182,7 @@ struct StateMachine {
     Index to = at(target, t);
     while (common >= 0 && !holds(common, to)) common = at(parent, common);
     for (Index s = now.leaf; s != common; s = at(parent, s)) {
-      if (sets) run(now, 3 * s + exit, now.ticks[depth(s)] * period);
+      if (sets) run(now, 3 * s + exit, now.after[depth(s)]);
       if (remembers && at(parent, s) >= 0) now.past[at(parent, s)] = static_cast<double>(s);
     }
     if (sets) run(now, 3 * parent.size() + t, 0.0);
@@ -136,23 +192,25 @@ struct StateMachine {
     }
     now.leaf = to;
     for (Index l = common < 0 ? 0 : depth(common) + 1; l <= depth(to); ++l) {
-      now.ticks[l] = 0.0;
+      now.after[l] = 0.0;
+      now.entered[l] = true;
       if (sets) run(now, 3 * holder(to, l) + enter, 0.0);
     }
   }
 
   /// The settings of one occasion, one after the other.
   void run(Now& now, Index occasion, double after) {
-    const Index time = place_of_time();
-    now.v[time] = after;
+    const Index time_place = place_of_time();
+    now.v[time_place] = after;
     for (Index a = at(first_setting, occasion); a < at(first_setting, occasion + 1); ++a) {
-      now.v[time + 1] = static_cast<double>(a);
+      now.v[time_place + 1] = static_cast<double>(a);
       now.v[u.count() + at(set_counter, a)] = setting(now.v);
     }
   }
 
  public:
   Period period{};
+  Time time{};
 };
 
 }  // namespace stepwire
