@@ -64,7 +64,7 @@ def _declaration(cls: type, name: str, inputs: Ports, outputs: Ports, states: Po
     for code, kind in ((_INPUT, "inputs"), (_STATE, "states"), (_MEMORY, "memory")):
         known |= {port[0]: (code, index) for index, port in enumerate(ports[kind])}
     declared: dict[str, Any] = {"name": name, "doc": inspect.getdoc(cls) or "A block in Python.", "class": cls,
-                      "place": f"{cls.__module__}.{cls.__qualname__}"}
+                                "place": f"{cls.__module__}.{cls.__qualname__}"}
     declared |= {key: _arguments(cls, method, known) for method, key in _METHODS.items()}
     for method, kind in (("outputs", "outputs"), ("derivatives", "states"), ("update", "memory")):
         if ports[kind] and declared[_METHODS[method]] is None:
