@@ -13,9 +13,9 @@ struct DrivenLinkage : LinkageCore {
   void outputs() {
     begin_energy(velocity);
     Balance now = begin_balance();
-    for_each_link(position, velocity, [&](Index k, const Link& link) {
-      write_link(k, link);
-      add_link(k, link, now);
+    for_each_link(position, velocity, [&](auto n, Index k, const Link& link) {
+      write_link(n, k, link);
+      add_link(n, k, link, now);
     });
     external.each([&](Index i) { return inertial(now, i) - at(now.load, i); });
   }

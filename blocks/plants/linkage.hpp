@@ -15,12 +15,13 @@ struct Linkage : LinkageCore {
     position = position_;
     velocity = velocity_;
     begin_energy(velocity_);
-    for_each_link(position_, velocity_, [&](Index k, const Link& now) { write_link(k, now); });
+    for_each_link(position_, velocity_, [&](auto n, Index k, const Link& now) { write_link(n, k, now); });
   }
 
   void derivatives() {
     Balance now = begin_balance();
-    for_each_link(position_, velocity_, [&](Index k, const Link& link) { add_link(k, link, now); });
+    for_each_link(position_, velocity_,
+                  [&](auto n, Index k, const Link& link) { add_link(n, k, link, now); });
     for (Index i = 0; external.connected() && i < dimensions(); ++i) at(now.load, i) += external[i];
     solve(now);
     position_.derivative = velocity_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/block/block.hpp"
@@ -55,29 +56,39 @@ struct LinkageCore {
   Index links() const { return anchors.rows(); }
   Index dimensions() const { return anchors.columns(); }
 
-  template <class Position, class Velocity>
-  Link link(Index k, const Position& position, const Velocity& velocity) const {
+  template <Index dimension>
+  using Dimension = std::integral_constant<Index, dimension>;
+
+  template <Index n, class Position, class Velocity>
+  Link link(Dimension<n>, Index k, const Position& position, const Velocity& velocity) const {
     Link is;
     SumOfSquares squares;
-    for (Index i = 0; i < dimensions(); ++i) {
+    for (Index i = 0; i < n; ++i) {
       at(is.along, i) = position[i] - anchors(k, i);
       squares.add(at(is.along, i));
     }
     is.length = squares.root();
-    for (Index i = 0; is.length > 0.0 && i < dimensions(); ++i) {
+    for (Index i = 0; is.length > 0.0 && i < n; ++i) {
       at(is.along, i) /= is.length;
       is.rate += at(is.along, i) * velocity[i];
     }
-    for (Index i = 0; i < dimensions(); ++i) {
+    for (Index i = 0; i < n; ++i) {
       at(is.across, i) = velocity[i] - is.rate * at(is.along, i);
       is.turning += at(is.across, i) * at(is.across, i);
     }
     return is;
   }
 
+  /// Calls visit(dimension, k, link) for each link. The dimension is a constant of the compiler, so that
+  /// loops over elements are unrolled.
   template <class Position, class Velocity, class Visitor>
   void for_each_link(const Position& position, const Velocity& velocity, const Visitor& visit) const {
-    for (Index k = 0; k < links(); ++k) visit(k, link(k, position, velocity));
+    const auto walk = [&](auto dimension) {
+      for (Index k = 0; k < links(); ++k) visit(dimension, k, link(dimension, k, position, velocity));
+    };
+    if (dimensions() == 1) return walk(Dimension<1>{});
+    if (dimensions() == 2) return walk(Dimension<2>{});
+    walk(Dimension<3>{});
   }
 
   template <class Velocity>
@@ -87,13 +98,13 @@ struct LinkageCore {
     kinetic_energy = 0.5 * pin_mass * square;
   }
 
-  void write_link(Index k, const Link& now) {
+  template <Index n>
+  void write_link(Dimension<n>, Index k, const Link& now) {
     length[k] = now.length;
     rate[k] = now.rate;
     angular_rate[k] = 0.0;
     if (now.length == 0.0) return;
-    if (dimensions() == 2)
-      angular_rate[k] = (now.along[0] * now.across[1] - now.along[1] * now.across[0]) / now.length;
+    if (n == 2) angular_rate[k] = (now.along[0] * now.across[1] - now.along[1] * now.across[0]) / now.length;
     kinetic_energy =
         kinetic_energy + 0.5 * (rod_mass[k] * now.rate * now.rate + mass_across(k, now.length) * now.turning);
   }
@@ -106,15 +117,15 @@ struct LinkageCore {
   }
 
   /// Adds a link's part of M, its force, and minus its part of h; nothing where it has no direction.
-  void add_link(Index k, const Link& now, Balance& sum) const {
+  template <Index n>
+  void add_link(Dimension<n>, Index k, const Link& now, Balance& sum) const {
     if (now.length == 0.0) return;
     const double l = now.length, across = mass_across(k, l), along = rod_mass[k] - across;
     const double pull = force[k] - rod_mass[k] * rod_centre[k] * now.turning / (l * l);
     const double drag = slope_of_mass_across(k, l) * now.rate;
-    for (Index i = 0; i < dimensions(); ++i) {
+    for (Index i = 0; i < n; ++i) {
       at(row(sum, i), i) += across;
-      for (Index j = 0; j < dimensions(); ++j)
-        at(row(sum, i), j) += along * at(now.along, i) * at(now.along, j);
+      for (Index j = 0; j < n; ++j) at(row(sum, i), j) += along * at(now.along, i) * at(now.along, j);
       at(sum.load, i) += pull * at(now.along, i) - drag * at(now.across, i);
     }
     if (!torque.connected()) return;

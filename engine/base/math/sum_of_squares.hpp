@@ -28,11 +28,14 @@ class SumOfSquares {
   /// The sum of the squares of numbers that are multiplied by scale().
   double scaled() const { return middle_ > largest ? large_ : middle_ < smallest ? small_ : middle_; }
   /// The root of the sum, divided by `count` before.
-  double root(double count = 1.0) const { return std::sqrt(scaled() / count) / scale(); }
+  double root(double count = 1.0) const { return std::sqrt(scaled() / count) * back(); }
 
  private:
   static constexpr double up = 0x1p600, down = 0x1p-600;  // 2^-1074 to 2^1023 have squares within range so
   static constexpr double smallest = 0x1p-900, largest = 0x1p1000;
+
+  /// 1 / scale(), a power of two as well.
+  double back() const { return middle_ > largest ? up : middle_ < smallest ? down : 1.0; }
 
   double middle_ = 0.0, large_ = 0.0, small_ = 0.0;
 };
