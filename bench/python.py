@@ -33,9 +33,11 @@ def processor_seconds(act):
 
 def run_ratios(rounds):
     """Python over the program: the run itself as both report it, and all of it from the text to the verdicts."""
-    program, inner, outer = root / "build" / "stepwire", [], []
+    program = root / "build" / "stepwire"
+    inner: list[float] = []
+    outer: list[float] = []
     for engine in ("interpreted", "compiled"):
-        call = [program, "run", W1, "--stop", "400s", "--engine", engine, "--json"]
+        call = [str(program), "run", str(W1), "--stop", "400s", "--engine", engine, "--json"]
         for _ in range(rounds):
             told = []
             whole = seconds(lambda: told.append(subprocess.run(call, check=True, capture_output=True).stdout))
@@ -44,7 +46,8 @@ def run_ratios(rounds):
             inner.append(runs[0].seconds / json.loads(told[0])[0]["duration"])
             outer.append(mine / whole)
         yield engine, statistics.median(inner), statistics.median(outer)
-        inner.clear(), outer.clear()
+        inner.clear()
+        outer.clear()
 
 
 def tick_cost(rounds, ticks=200_000):

@@ -1,4 +1,3 @@
-// More than 300 lines with its header: both interfaces of a unit share its process and its state.
 #include "blocks/cosimulation/fmu.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// More than 300 lines with its header: states in states, history and counters are parts of one transition.
 #include "blocks/logic/state_machine.hpp"
 
 #include <fmt/format.h>

@@ -21,7 +21,7 @@ std::map<std::string, std::string> generated_files(const Model& model, const Gen
 /// Writes them into a folder, which is made.
 void generate(const Model& model, const std::string& folder, const GenerateOptions& options = {});
 
-/// "0.1.0"
+/// Returns the version of the library: "major.minor.patch".
 const char* version();
 
 }  // namespace stepwire

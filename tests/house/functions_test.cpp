@@ -130,6 +130,30 @@ std::vector<std::size_t> long_bodies(const std::string& code) {
   return lines;
 }
 
+std::size_t indentation_of(const std::string& line) {
+  return std::min(line.find_first_not_of(' '), line.size());
+}
+
+/// Lines of functions in Python whose bodies are too long. A body begins behind the line that ends the head
+/// with a colon, and ends with the last line that is indented further than the head.
+std::vector<std::size_t> long_functions(const std::vector<std::string>& lines) {
+  static const std::regex head(R"( *(async )?def \w+\(.*)"), head_end(R"(.*:\s*(#.*)?)");
+  std::vector<std::size_t> found;
+  for (std::size_t first = 0; first < lines.size(); ++first) {
+    if (!std::regex_match(lines[first], head)) continue;
+    std::size_t begin = first;
+    while (begin + 1 < lines.size() && !std::regex_match(lines[begin], head_end)) ++begin;
+    std::size_t last = begin;
+    for (std::size_t at = begin + 1; at < lines.size(); ++at) {
+      if (lines[at].empty()) continue;
+      if (indentation_of(lines[at]) <= indentation_of(lines[first])) break;
+      last = at;
+    }
+    if (last - begin > max_lines) found.push_back(first + 1);
+  }
+  return found;
+}
+
 std::string repeated(const std::string& line, std::size_t count) {
   std::string text;
   for (std::size_t i = 0; i < count; ++i) text += line;
@@ -184,4 +208,28 @@ TEST_CASE("what computes is no table") {
   CHECK(long_bodies("Rows f() {\n  return {{\"a\", [] {\n" + more + "  }}};\n}\n") == Lines{2});
   CHECK(long_bodies("void f(Is& is) {\n  is.a();\n" + repeated("  if (b) is.c();\n", max_lines) + "}\n") ==
         Lines{1});
+}
+
+TEST_CASE("no function of the Python module has more lines than fit into one view") {
+  std::size_t files = 0;
+  for (const std::string& file : all_sources_under({"engine", "blocks"})) {
+    if (!file.ends_with(".py")) continue;
+    std::vector<std::string> code;
+    for (const Line& line : lines_of(file)) code.push_back(line.text);
+    for (const std::size_t line : long_functions(code)) FAIL_CHECK(file << ":" << line);
+    ++files;
+  }
+  CHECK(files > 5);
+}
+
+TEST_CASE("a long function in Python is found by its indentation") {
+  const std::vector<std::string> body(max_lines, "    step()"), deep(max_lines + 1, "        step()");
+  const auto joined = [](std::vector<std::string> lines, const std::vector<std::string>& more) {
+    lines.insert(lines.end(), more.begin(), more.end());
+    return lines;
+  };
+  CHECK(long_functions(joined({"def f(a,", "      b):"}, body)).empty());
+  CHECK(long_functions(joined(joined({"def f():"}, body), {"", "", "g()"})).empty());
+  CHECK(long_functions(joined(joined({"def f():"}, body), {"", "    g()"})) == Lines{1});
+  CHECK(long_functions(joined({"class A:", "    def f(self):"}, deep)) == Lines{2});
 }

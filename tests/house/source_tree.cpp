@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 
 namespace {
@@ -14,6 +15,15 @@ bool is_foreign(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
   const bool at_top = path.parent_path() == top;
   return name == "node_modules" || (at_top && (name == ".git" || name == "out" || name.starts_with("build")));
+}
+
+std::vector<std::string> files_ending_with(const std::set<std::string>& endings,
+                                           const std::vector<std::string>& folders) {
+  std::vector<std::string> found;
+  for (const std::string& folder : folders)
+    for (const std::string& file : files_under(folder))
+      if (endings.contains(std::filesystem::path(file).extension().string())) found.push_back(file);
+  return found;
 }
 
 }  // namespace
@@ -45,11 +55,11 @@ std::vector<Line> lines_of(const std::string& file) {
 }
 
 std::vector<std::string> sources_under(const std::vector<std::string>& folders) {
-  std::vector<std::string> sources;
-  for (const std::string& folder : folders)
-    for (const std::string& file : files_under(folder))
-      if (file.ends_with(".cpp") || file.ends_with(".hpp")) sources.push_back(file);
-  return sources;
+  return files_ending_with({".cpp", ".hpp"}, folders);
+}
+
+std::vector<std::string> all_sources_under(const std::vector<std::string>& folders) {
+  return files_ending_with({".cpp", ".hpp", ".ts", ".mjs", ".py"}, folders);
 }
 
 std::string folder_of(const std::string& file) {

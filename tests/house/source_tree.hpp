@@ -22,5 +22,8 @@ std::vector<Line> lines_of(const std::string& file);
 /// The sources in C++ of the folders.
 std::vector<std::string> sources_under(const std::vector<std::string>& folders);
 
+/// The sources of the folders in all languages: C++, TypeScript, JavaScript modules and Python.
+std::vector<std::string> all_sources_under(const std::vector<std::string>& folders);
+
 /// The folder of a file: "engine/model/plan" of "engine/model/plan/order.cpp".
 std::string folder_of(const std::string& file);

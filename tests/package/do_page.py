@@ -5,6 +5,7 @@ import pathlib
 import re
 import subprocess
 import sys
+from typing import Any
 
 
 def done(fence, lead, names):
@@ -20,7 +21,7 @@ def done(fence, lead, names):
                 subprocess.run(line, shell=True, check=True)
 
 
-names = {}
+names: dict[str, Any] = {}
 fences = re.findall(r"((?:[^\n]+\n)*)\n```(\w+)\n(.*?)```", pathlib.Path(sys.argv[1]).read_text(), re.DOTALL)
 for lead, language, text in fences:
     done((language, text), lead, names)

@@ -1,5 +1,3 @@
-// More than 300 lines with its header: what makes a shape of the plane, and what joins two, work on the
-// same list of pieces.
 #include "blocks/haptics/region/plane_shape.hpp"
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-// More than 300 lines with its header: each kind of shape has its keys and its check here, and nothing else
-// knows them.
 #include "blocks/haptics/region/shape_reader.hpp"
 
 #include <fmt/format.h>

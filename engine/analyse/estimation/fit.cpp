@@ -1,5 +1,3 @@
-// More than 300 lines with its header: the steps of one search, which share its best point, and all that a
-// fit returns.
 #include "engine/analyse/estimation/fit.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// More than 300 lines with its header: rows, unknowns and slopes are numbered alike, which is hidden here.
 #include "engine/analyse/estimation/residuals.hpp"
 
 #include <fmt/format.h>

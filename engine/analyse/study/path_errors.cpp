@@ -1,4 +1,3 @@
-// More than 300 lines with its header: both tasks score a path by the same steps.
 #include "engine/analyse/study/path_errors.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,3 @@
-// More than 300 lines with its header: trials of a study and of a sweep of studies are planned, varied and
-// run by one pool.
 #include "engine/analyse/study/trial_runs.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// More than 300 lines with its header: all ways to run a model are one service to a search.
 #include "engine/analyse/tuning/tune_runs.hpp"
 
 #include <fmt/format.h>

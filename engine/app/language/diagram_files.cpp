@@ -1,4 +1,3 @@
-// More than 300 lines with its header: what a name means follows through parts from file to file.
 #include "engine/app/language/diagram_files.hpp"
 
 #include <algorithm>

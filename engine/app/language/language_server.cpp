@@ -1,5 +1,3 @@
-// More than 300 lines with its header: each method of the protocol has its answer here and in
-// language_methods.cpp.
 #include "engine/app/language/language_server.hpp"
 
 #include <fmt/format.h>

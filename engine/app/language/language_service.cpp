@@ -1,5 +1,3 @@
-// More than 300 lines with its header: all that editors ask goes through one door; the answers have files of
-// their own.
 #include "engine/app/language/language_service.hpp"
 
 #include <algorithm>

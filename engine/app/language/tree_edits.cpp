@@ -1,4 +1,3 @@
-// More than 300 lines with its header: splices of the text and the tree that they lead to are noted together.
 #include "engine/app/language/tree_edits.hpp"
 
 #include <algorithm>

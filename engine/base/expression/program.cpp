@@ -1,5 +1,3 @@
-// More than 300 lines with its header: one pass over the text of an expression with one stack, and the
-// program that it makes.
 #include "engine/base/expression/program.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,3 @@
-// More than 300 lines with its header: what a unit is called for, in the order in which it may be called, is
-// one table.
 #include "engine/base/fmi/model.hpp"
 
 #include <fmt/format.h>

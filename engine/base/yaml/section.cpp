@@ -1,4 +1,3 @@
-// More than 300 lines with its header: the forms that a key may have are read here once, for all sections.
 #include "engine/base/yaml/section.hpp"
 
 #include <fmt/format.h>

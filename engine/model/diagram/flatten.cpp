@@ -1,4 +1,3 @@
-// More than 300 lines with its header: a flattened file has one form for all that a diagram keeps.
 #include "engine/model/diagram/flatten.hpp"
 
 #include <fmt/format.h>

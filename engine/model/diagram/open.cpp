@@ -1,5 +1,3 @@
-// More than 300 lines with its header: a file and the parts in it are opened by one recursion with one
-// report.
 #include "engine/model/diagram/open.hpp"
 
 #include <fmt/format.h>

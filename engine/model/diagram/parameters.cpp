@@ -1,5 +1,3 @@
-// More than 300 lines with its header: values, lists, expressions and inserted texts are read by each
-// other, and by the kind of what they are for.
 #include "engine/model/diagram/parameters.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,3 @@
-// More than 300 lines with its header: a name leads through ports, parts, buses and elements to other names,
-// by one recursion that carries whom to blame.
 #include "engine/model/diagram/resolve.hpp"
 
 #include <fmt/format.h>

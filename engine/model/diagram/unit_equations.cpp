@@ -1,4 +1,3 @@
-// More than 300 lines with its header: the equations of units, angles and temperatures are solved together.
 #include "engine/model/diagram/unit_equations.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// More than 300 lines with its header: the functions of a program share its tables of names and numbers.
 #include "engine/simulate/codegen/program.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// More than 300 lines with its header: rows of blocks, calls and loops share the set-up of a block.
 #include "engine/simulate/codegen/runs.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,3 @@
-// More than 300 lines with its header: one measurement; its samples and counts mean something only
-// together.
 #include "engine/simulate/profile/profile.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// More than 300 lines with its header: all that joins runs to one table, column by column.
 #include "engine/simulate/run/pooling.hpp"
 
 #include <fmt/format.h>

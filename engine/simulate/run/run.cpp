@@ -1,5 +1,3 @@
-// More than 300 lines with its header: a run and the runs of a sweep have one set of options, faults and
-// results.
 #include "engine/simulate/run/run.hpp"
 
 #include "engine/simulate/run/drive.hpp"

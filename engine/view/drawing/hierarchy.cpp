@@ -1,5 +1,3 @@
-// More than 300 lines with its header: what one reading of a file and its parts finds, of blocks, buses and
-// conditions.
 #include "engine/view/drawing/hierarchy.hpp"
 
 #include <map>

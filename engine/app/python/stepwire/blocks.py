@@ -19,9 +19,8 @@ def block(*, inputs: Ports = (), outputs: Ports = (), states: Ports = (), memory
     """Declares a class as a kind of block, which `load(..., blocks=[Drag])` knows by the name of the class.
 
     Each argument maps names to units, ``{"v": "m/s"}``, or to units and sizes, ``{"v": ("m/s", 3)}``; a letter as
-    size is the same for all ports that have it, and ``(3, 2)`` is a matrix of 3 rows; a list of names means numbers
-    without unit. `states` are
-    continuous, `memory` is what `update` changes; an attribute of the class of their name is the initial number.
+    size is the same for all ports that have it, and ``(3, 2)`` is a matrix of 3 rows. A list of names means numbers
+    without unit. `states` are continuous, `memory` is changed by `update`. Their initial numbers are attributes.
     `parameters` are values of the file: an attribute of their name is the default, others are required.
 
     Methods take what their arguments name, inputs, states, memory, `t` (time [s]) and `period` [s], as a float or
@@ -64,7 +63,7 @@ def _declaration(cls: type, name: str, inputs: Ports, outputs: Ports, states: Po
     for code, kind in ((_INPUT, "inputs"), (_STATE, "states"), (_MEMORY, "memory")):
         known |= {port[0]: (code, index) for index, port in enumerate(ports[kind])}
     declared: dict[str, Any] = {"name": name, "doc": inspect.getdoc(cls) or "A block in Python.", "class": cls,
-                      "place": f"{cls.__module__}.{cls.__qualname__}"}
+                                "place": f"{cls.__module__}.{cls.__qualname__}"}
     declared |= {key: _arguments(cls, method, known) for method, key in _METHODS.items()}
     for method, kind in (("outputs", "outputs"), ("derivatives", "states"), ("update", "memory")):
         if ports[kind] and declared[_METHODS[method]] is None:

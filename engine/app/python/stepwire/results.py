@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from . import _core, show
-from .errors import Error, Fault, Interrupted, RunError
+from .errors import Fault, Interrupted, RunError
 
 if TYPE_CHECKING:
     import numpy as np

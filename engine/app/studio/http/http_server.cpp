@@ -1,4 +1,3 @@
-// More than 300 lines with its header: the only source that includes Beast and Asio, slow to compile.
 #include "engine/app/studio/http/http_server.hpp"
 
 #include <boost/asio/io_context.hpp>

@@ -1,4 +1,3 @@
-// More than 300 lines with its header: the calls of one protocol, and what follows from them for all pages.
 #include "engine/app/studio/live/live_run.hpp"
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-// More than 300 lines with its header: what the hub does of its own accord shares its loop, rows and inputs with
-// what others have it do.
 #include "engine/app/studio/live/loop_thread.hpp"
 
 #include <algorithm>

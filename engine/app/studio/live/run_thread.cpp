@@ -1,4 +1,3 @@
-// More than 300 lines with its header: what a run does between two ticks shares its log, moments and pace.
 #include "engine/app/studio/live/run_thread.hpp"
 
 #include <fmt/format.h>
