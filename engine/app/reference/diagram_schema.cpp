@@ -12,7 +12,7 @@ using json::Json;
 
 namespace {
 
-/// A part need not say how it is run.
+/// Schema for the head: a file that runs needs step and stop. A part has inputs or outputs instead.
 Json runnable_or_part() {
   const auto needs = [](Json keys) { return Json::object().set("required", std::move(keys)); };
   return Json::list(
