@@ -7,8 +7,8 @@
 
 namespace stepwire::cli {
 
-/// What the command line shows while something goes on: a bar on the terminal, diagnostics on the standard
-/// error, and the signals that interrupt it. The progress may be null: then no bar.
+/// Returns the monitor of the command line: a progress bar on the terminal, diagnostics on the standard
+/// error, and interruption by signals. `progress` nullptr: no bar.
 session::Monitor terminal_monitor(Progress* progress);
 
 }  // namespace stepwire::cli

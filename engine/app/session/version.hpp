@@ -4,9 +4,9 @@
 
 namespace stepwire::session {
 
-/// "0.1.0".
+/// Returns the version of the program, "0.1.0".
 std::string program_version();
-/// "g++ 12.2.0 -O2 ...".
+/// Returns compiler, version and flags, "g++ 12.2.0 -O2 ...".
 std::string compiler_version();
 
 }  // namespace stepwire::session
