@@ -14,7 +14,7 @@ struct ConsoleStyle {
   bool data_only = false;  ///< the standard output is data; text goes to the standard error
 };
 
-/// Style of this process.
+/// Returns the style of this process.
 ConsoleStyle& console_style();
 
 /// True if output to a stream (STDOUT_FILENO, STDERR_FILENO) is coloured.

@@ -44,8 +44,7 @@ ExitCode guarded(const std::function<ExitCode()>& action, json::Json* faults) {
     return refused(
         "there is not enough memory for this run; record fewer signals or give 'record' an 'every'",
         ExitCode::surroundings);
-  } catch (const std::exception& error) {  // EnvironmentError, std::system_error of files and threads, and
-                                           // others
+  } catch (const std::exception& error) {  // EnvironmentError, std::system_error and others
     return refused(error.what(), ExitCode::surroundings);
   }
 }

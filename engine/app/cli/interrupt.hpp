@@ -12,10 +12,10 @@ const std::atomic<bool>& interrupted();
 /// Installs the handlers, and ignores SIGPIPE and SIGXFSZ, so that failed writes return errors instead.
 void catch_signals();
 
-/// Delays the end of the process during its lifetime: signals only set interrupted(), which the code in its
-/// scope polls.
-/// `first` delays only the first signal, so that results are kept; `all` delays every signal, so that outputs
-/// are completed.
+/// Guard that delays the end of the process during its lifetime: signals only set interrupted(), which the
+/// code in its scope polls.
+/// The kind `first` delays only the first signal, so that results are kept; `all` delays every signal, so
+/// that outputs are completed.
 class EndDelay {
  public:
   enum class Signals { first, all };

@@ -91,8 +91,8 @@ ExitCode MpiRun::finish(ExitCode code) {
   if (!server_.deaths().empty() && code == ExitCode::interrupted) code = ExitCode::surroundings;
   if (interrupted() || !server_.finish()) messages_.abort(static_cast<int>(code));
   if (code != ExitCode::wrong)
-    say_deaths();  // For code 2 the other processes gave up because of faults that
-                   // are already reported.
+    // With code 2 the other processes gave up because of faults that are already reported.
+    say_deaths();
   messages_.finish();
   return code;
 }

@@ -11,8 +11,7 @@ namespace stepwire::cli {
 std::string folder_of(const RunCall& call, const std::string& file);
 
 /// Performs the call on a loaded model: fits it, runs it or its study, prints and writes the results, and
-/// pushes the JSON results to the list.
-/// `session` is shared by the files of one call. `mpi` may be nullptr.
+/// pushes the JSON results to the list. Files of one call share `session`. `mpi` may be nullptr.
 ExitCode run_file(const RunCall& call, session::Session& session, session::LoadedModel& model,
                   json::Json& results, MpiRun* mpi);
 

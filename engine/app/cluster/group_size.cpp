@@ -8,13 +8,11 @@ namespace stepwire::cluster {
 namespace {
 
 constexpr double share_of_answers = 0.25;  // Largest fraction of the server's time for answers.
-constexpr double longest = 10.0;           // Longest duration of a group [s]; its work is lost with a
-                                           // process.
+constexpr double longest = 10.0;           // Longest duration of a group [s], which bounds lost work.
 constexpr std::size_t first_group = 8;     // Group size before the first measurement: the lanes of a run.
 constexpr std::size_t most = 100'000;      // Largest number of items whose numbers fit into a message.
 constexpr std::size_t groups_left = 4;     // Groups per process that the remaining items make.
-constexpr double forget_beyond = 1e4;      // Number of notes after which a mean halves the weight of old
-                                           // ones.
+constexpr double forget_beyond = 1e4;      // Number of notes after which old ones lose weight.
 
 std::size_t whole(double number) {
   return static_cast<std::size_t>(std::clamp(std::ceil(number), 1.0, 1e15));

@@ -18,7 +18,7 @@ class GroupSize {
 
   /// Returns the size of the next group, with `left` items not given out yet and `processes` processes.
   std::size_t next(std::size_t left, std::size_t processes) const;
-  /// Mean time of an answer [s]; 0 before the first note.
+  /// Returns the mean time of an answer [s]; 0 before the first note.
   double answer() const { return answer_.value(); }
 
  private:

@@ -30,7 +30,8 @@ class ItemServer {
   bool finish();
   /// One sentence for each death: "process 2 on node7 has died ..., and with it 3 ...".
   const std::vector<std::string>& deaths() const { return deaths_; }
-  /// Measured mean costs without waiting: of answering a message, and of storing the result of an item [s].
+  /// Return measured mean costs [s], without waiting: of answering a message, and of storing the result of an
+  /// item.
   double seconds_of_answer() const { return size_.answer(); }
   double seconds_of_item() const;
 

@@ -20,7 +20,7 @@ struct SharedCall {
   unsigned threads = 1;  ///< threads per process
 };
 
-/// Runs the jobs that process 0 distributes.
+/// Worker that runs the jobs which process 0 distributes.
 class JobWorker {
  public:
   JobWorker(const Registry& registry, SharedCall call, ItemClient& client);

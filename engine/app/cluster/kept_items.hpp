@@ -26,7 +26,7 @@ class KeptItems : public ItemSource {
   void take(std::size_t number, std::string_view bytes) override;
   double done() const override;
 
-  /// Number of stored results.
+  /// Returns the number of stored results.
   std::size_t kept() const { return journal_.count(); }
   bool has(const messages::Item& item) const { return journal_.has(item.number); }
   /// Returns the results of the items, which must all be stored. Throws EnvironmentError if the file is
@@ -37,7 +37,7 @@ class KeptItems : public ItemSource {
  private:
   journal::ByteJournal journal_;
   std::vector<messages::Item> wanted_;  ///< in reverse order
-  std::size_t asked_ = 0;               ///< size of the last list given to want()
+  std::size_t asked_ = 0;               ///< size of the last queued list
 };
 
 }  // namespace stepwire::cluster

@@ -6,7 +6,7 @@
 
 namespace stepwire::cluster {
 
-/// Runs the items of one job on the worker processes, with a journal in the job's folder.
+/// Item runner that uses the worker processes, with a journal in the job's folder.
 class ServedWork : public messages::ItemWorkers {
  public:
   /// `follows_from` is the text that determines all results of the job; `most` is the largest number of
@@ -15,7 +15,7 @@ class ServedWork : public messages::ItemWorkers {
              const std::string& folder, const std::string& follows_from, std::size_t most);
 
   std::vector<std::string> run(const std::vector<messages::Item>& items) override;
-  /// Number of results that an earlier call left.
+  /// Returns the number of results that an earlier call left.
   std::size_t found() const { return found_; }
   /// Returns a note on the stored results, "3 of 8 searches are kept ...".
   std::string state() const;

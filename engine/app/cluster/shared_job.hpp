@@ -13,8 +13,7 @@ struct SharedJob {
   enum class Kind : std::uint8_t { points, study, fit, tune };
 
   Kind kind = Kind::points;
-  std::vector<diagram::Setting> settings{};  ///< settings with which the file is loaded, fitted values
-                                             ///< included
+  std::vector<diagram::Setting> settings{};  ///< settings of the load, with fitted values
   run::PointSettings of_points{};
 };
 

@@ -14,8 +14,8 @@ struct UnitAbout {
   std::string identifier;  ///< model identifier, the name of the binary
   std::string title, made_by;
   std::string token;
-  std::string source;  ///< file name of the compiled source; not a C++ identifier, so it differs from the
-                       ///< diagram's source
+  std::string source;  ///< file name of the compiled source; unlike that of the diagram's source it is no C++
+                       ///< identifier
   double step = 0.0, stop = 0.0;
   bool exchange = false;
   std::size_t crossings = 0;

@@ -43,8 +43,8 @@ class Difference {
 
  private:
   void add(const UnitVariable& known, int k, double seed, double* sum) {
-    constexpr double part = 6e-6, least = 1e-3;  // relative step, the cube root of the machine epsilon;
-                                                 // smallest magnitude that it is relative to
+    // Relative step, the cube root of the machine epsilon, and the smallest magnitude that it refers to.
+    constexpr double part = 6e-6, least = 1e-3;
     look(known, k, 0.0, nullptr);
     const double x = trial_->number(known, k);
     const double h = part * std::fmax(std::fabs(x), least), above = x + h, below = x - h;

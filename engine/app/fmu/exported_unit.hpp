@@ -146,8 +146,7 @@ class ExportedUnit {
 struct UnitSource {
   const char* token;
   const char* no_exchange;  ///< reason why model exchange is not possible; nullptr if it is
-  ExportedUnit* (*make)(bool exchange, void* caller, ExportedUnit::Log log);  ///< returns nullptr if out of
-                                                                              ///< memory
+  ExportedUnit* (*make)(bool exchange, void* caller, ExportedUnit::Log log);  ///< nullptr if out of memory
 };
 extern const UnitSource unit_source;
 

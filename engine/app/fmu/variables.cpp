@@ -53,9 +53,7 @@ class Collector {
   void add(Variable variable, const plan::SignalSlot& slot, const diagram::Origin& origin) {
     const auto [known, is_new] = names_.emplace(variable.name, Named{variables_.size(), slot.offset});
     if (is_new) return variables_.push_back(std::move(variable));
-    if (slot.offset != 0 && known->second.offset == slot.offset)
-      return;  // the same signal under its name
-               // again
+    if (slot.offset != 0 && known->second.offset == slot.offset) return;  // the same signal again
     faults_.add(plan_.diagram.fault(
         origin, "record",
         fmt::format("'{}' would have the name of another variable of the unit, {}; give it another name",

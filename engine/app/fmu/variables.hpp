@@ -25,8 +25,7 @@ struct Variable {
   int rows = 1;                ///< Rows of a matrix in column-major order; else 1.
   int block = -1;              ///< Block of a state or an input.
   int derivative_of = -1;      ///< Index of the state of which this is the derivative.
-  std::set<int> depends_on{};  ///< Blocks of inputs and continuous states that affect an output or a
-                               ///< derivative.
+  std::set<int> depends_on{};  ///< Blocks of inputs and states that affect an output or derivative.
 
   std::size_t count() const;
 };

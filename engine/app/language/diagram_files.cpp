@@ -38,7 +38,7 @@ void add_files_below(const std::string& folder, std::set<std::string>& files) {
   }
 }
 
-/// The first piece of a name, up to its first dot.
+/// Returns the first piece of a name, up to its first dot.
 std::string_view first_piece(std::string_view name) {
   return name.substr(0, name.find('.'));
 }
@@ -105,7 +105,8 @@ const std::vector<WrittenName>& DiagramFiles::names(const std::string& file) {
   } catch (const yaml::Error&) {
     return (known = {}).names;
   }
-  // A part that changes may give the keys of its user another meaning; those are cheap to find again.
+  // The names are always recomputed, since a changed part may give the keys of its users another meaning.
+  // This is cheap.
   known = {now, written_names(*now, *texts_.text(file), forms(file))};
   return known.names;
 }
@@ -206,12 +207,12 @@ std::optional<FilePlace> DiagramFiles::definition(const Meaning& meaning) {
 std::vector<FilePlace> DiagramFiles::references(const Meaning& meaning) {
   std::vector<FilePlace> places;
   for (const std::string& file : paths()) {
-    const std::vector<WrittenName> all = names(file);  // what resolves them looks into other files
+    const std::vector<WrittenName> all = names(file);  // copied, because resolving names reads other files
     for (const WrittenName& name : all)
       for (const NamePiece& piece : pieces(file, name))
         if (piece.meaning == meaning) places.push_back({file, piece.range});
   }
-  std::ranges::sort(places);  // an alias has the places of what it names once more
+  std::ranges::sort(places);  // sorted, because the content of an alias occurs twice
   places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
 }

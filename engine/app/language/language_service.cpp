@@ -1,5 +1,4 @@
-// More than 300 lines with its header: all that editors ask goes through one door; the answers have files of
-// their own.
+// More than 300 lines with its header: all operations of an editor; their algorithms have files of their own.
 #include "engine/app/language/language_service.hpp"
 
 #include <algorithm>
@@ -69,7 +68,7 @@ std::vector<TextDiagnostic> LanguageService::diagnostics_of(const std::string& f
 }
 
 std::map<std::string, std::vector<TextDiagnostic>> LanguageService::take_diagnostics() {
-  // What was wrong with an older text has no place in the newer one.
+  // Faults of an older text have no valid place in the newer one.
   if (std::ranges::any_of(known_, [](const auto& one) { return one.second.faults_are_old; })) return {};
   std::set<std::string> files;
   for (const auto& [file, before] : shown_) files.insert(file);

@@ -8,7 +8,7 @@ struct _object;  // PyObject; Python's headers are included only by sources of t
 
 namespace stepwire::python {
 
-/// Holds the interpreter lock during its lifetime. It may be used on any thread, and nested.
+/// Guard that holds the interpreter lock during its lifetime. It may be used on any thread, and nested.
 /// The first lock on a foreign thread registers the thread with Python until the thread ends, so later locks
 /// are cheap. The destructor restores the floating-point state that Python code may have changed.
 class Lock {
@@ -23,8 +23,8 @@ class Lock {
   int state_;
 };
 
-/// Releases the interpreter lock of this thread during its lifetime. Sets the usual floating-point state
-/// meanwhile.
+/// Guard that releases the interpreter lock of this thread, which must hold it. It sets the usual
+/// floating-point state meanwhile.
 class Unlocked {
  public:
   Unlocked();

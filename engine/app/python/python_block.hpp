@@ -27,8 +27,8 @@ struct PythonBlock {
   Time t{};
   Period period{};
   double now = 0.0, between = 0.0;       ///< copies of t and period, as arguments of the methods
-  std::shared_ptr<Instance> instance{};  ///< nullptr in a copy
-  std::string why{};                     ///< reason of the failure; empty while it works
+  std::shared_ptr<Instance> instance{};  ///< nullptr in a copy.
+  std::string why{};                     ///< Reason of the failure; empty before it.
 
   PythonBlock() = default;
   /// Copies all but the object, which start() makes.

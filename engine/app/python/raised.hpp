@@ -13,7 +13,7 @@ class Raised {
   /// Stores the current exception of the interpreter.
   void keep();
   bool any() const { return any_; }
-  /// Latest stored exception; the object owns it.
+  /// Returns the latest stored exception; the object owns it.
   _object* latest() const { return latest_.get(); }
   /// Returns the first exception with its traceback and clears the store; nullptr if there is none.
   Held take();

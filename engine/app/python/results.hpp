@@ -13,11 +13,11 @@ namespace stepwire::python {
 struct Results {
   std::shared_ptr<const session::LoadedModel> model;
   session::Outcome outcome{};
-  std::vector<std::string> notes{};  ///< notes such as the reason for not compiling
-  std::string study{};               ///< results of a study as JSON; empty for a run
-  std::string words{};               ///< results as text for the terminal
-  Held raised{};                     ///< exception of an observer, or an interruption; nullptr if none
-  Held cause{};                      ///< exception of a block, whose fault is also in the outcome
+  std::vector<std::string> notes{};  ///< Notes such as the reason for not compiling.
+  std::string study{};               ///< Results of a study as JSON; empty for a run.
+  std::string words{};               ///< Results as text for the terminal.
+  Held raised{};                     ///< Exception of an observer, or an interruption; nullptr if none.
+  Held cause{};                      ///< Exception of a block, whose fault is also in the outcome.
 };
 
 void add_results(_object* module);

@@ -14,7 +14,7 @@ std::vector<std::pair<std::string, std::string>> required_keys(const BlockType& 
 
 /// Returns a short entry for `blocks:`, derived from the declaration: required keys, a preset, and one or two
 /// parameters.
-/// lag: {block: Lag, u: source, tau: 1 s, gain: 1}
+///   lag: {block: Lag, u: source, tau: 1 s, gain: 1}
 std::string block_example(const BlockType& type);
 
 }  // namespace stepwire::reference

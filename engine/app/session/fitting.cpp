@@ -55,8 +55,8 @@ messages::ItemWork fit_work(const Registry& registry, const LoadedModel& model, 
   return [parts, work](const messages::Item& item) { return work->work(item); };
 }
 
-/// A global search gives starts beside those of the request. Each start has a few first steps and may be
-/// continued.
+/// Each start, from the request or from the global search, has a short first search and may have a continued
+/// one.
 std::size_t most_searches(const LoadedModel& model, const FitCall& call) {
   return 2 * (request_of(model, call).starts + 1);
 }

@@ -49,13 +49,13 @@ class KeptPoints : public run::PointExchange {
   void take(run::PointResult result) override;
   double done() const override;
 
-  /// Number of points of the share.
+  /// Returns the number of points of the share.
   std::size_t points() const { return end_ - first_; }
-  /// Number of points that next() has not returned yet.
+  /// Returns the number of points that next() has not returned yet.
   std::size_t left() const { return end_ - std::min<std::size_t>(next_, end_); }
-  /// Number of stored points of the share.
+  /// Returns the number of stored points of the share.
   std::size_t kept() const;
-  /// Number of points that an earlier call had stored.
+  /// Returns the number of points that an earlier call had stored.
   std::size_t found() const { return found_; }
   journal::Journal& journal() { return journal_; }
   /// Takes the result of an interrupted run, which the journal does not store; std::nullopt without one.

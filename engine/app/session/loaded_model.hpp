@@ -39,13 +39,12 @@ struct LoadedModel {
   run::Job job;
   std::vector<plot::Figure> figures;
   std::vector<claim::Claim> claims;
-  std::optional<estimation::FitRequest> fit;    ///< parameters to estimate from records before the run
-  std::string hash;                             ///< hash of the flattened diagram and its data before the run
-  std::shared_ptr<const scene::Scene> scene{};  ///< nullptr without a section `scene`
-  std::optional<study::StudyRequest> study{};   ///< study whose trials are the runs of the file
-  std::vector<query::NamedTable> tables{};      ///< tables of the study or the sensitivity, filled later
-  std::shared_ptr<const run::RunNumbers> kept{};  ///< numbers that the sweep keeps of each run; nullptr: it
-                                                  ///< keeps rows
+  std::optional<estimation::FitRequest> fit;  ///< Parameters to estimate from records before the run.
+  std::string hash;                           ///< Hash of the flattened diagram and its data before the run.
+  std::shared_ptr<const scene::Scene> scene{};    ///< nullptr without a section `scene`.
+  std::optional<study::StudyRequest> study{};     ///< Study whose trials are the runs of the file.
+  std::vector<query::NamedTable> tables{};        ///< Tables of the study or the sensitivity, filled later.
+  std::shared_ptr<const run::RunNumbers> kept{};  ///< Numbers kept of each run; nullptr: rows are kept.
   std::optional<sensitivity::Request> sensitivity{};
   std::vector<linear::NamedAnalysis> linear{};  ///< analyses whose recordings follow those of the runs
   std::optional<linear::TrimRequest> trim{};    ///< request for an operating point

@@ -108,9 +108,7 @@ std::vector<plot::NumberCurve> worst_over_time(const LoopOutcome& outcome) {
       {{}, {}, "wake-up latency"}, {{}, {}, "response"}, {{}, {}, "cost of a step"}};
   const auto& all = outcome.loop.measurements().worst();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].wake_up == 0 && all[i].response == 0)
-      continue;  // no deadline in this interval, or not
-                 // reached
+    if (all[i].wake_up == 0 && all[i].response == 0) continue;  // no deadline, or not reached
     const auto add = [&](plot::NumberCurve& curve, std::int64_t longest) {
       curve.x.push_back(stretch_of(outcome) * (static_cast<double>(i) + 0.5));
       curve.y.push_back(1e-3 * static_cast<double>(longest));

@@ -12,8 +12,7 @@ namespace stepwire::session {
 
 namespace {
 
-constexpr double slowest = 1.0, fastest = 1e6;  // Limits of the rate [Hz]; a loop checks for Ctrl-C when it
-                                                // wakes.
+constexpr double slowest = 1.0, fastest = 1e6;  // Limits of the rate [Hz]; a loop polls for Ctrl-C.
 constexpr double longest = 1e8;                 // Longest duration [s], three years.
 
 /// Parser of the options of a call, which collects all faults.

@@ -11,13 +11,12 @@ namespace stepwire::session {
 
 /// Callbacks and interruption of long operations. Callbacks may be called from any thread.
 struct Monitor {
-  const std::atomic<bool>* interrupt = nullptr;  ///< if true, operations end early and keep their results
+  const std::atomic<bool>* interrupt = nullptr;  ///< True: operations end early and keep their results.
   /// Receives the finished fraction, 0 to 1, and a note of a fit or a study.
   std::function<void(double fraction, const std::string& what)> progress;
-  std::function<void(const std::string& text)> diagnostic;  ///< Receives messages such as the reason for not
-                                                            ///< compiling.
-  std::vector<run::RunObserver*> observers;                 ///< Observers of every run and trial; they must
-                                                            ///< outlive the call.
+  std::function<void(const std::string& text)> diagnostic;  ///< Receives notes, such as why nothing is
+                                                            ///< compiled.
+  std::vector<run::RunObserver*> observers;                 ///< Observers of all runs; must outlive the call.
 
   bool interrupted() const { return interrupt && *interrupt; }
   void show(double fraction, const std::string& what = {}) const {

@@ -67,8 +67,7 @@ void PartialSignals::row(const run::ObservedRun&, std::size_t recording, std::sp
 void PartialSignals::write() {
   try {
     for (const auto& file : files_) file->write();
-  } catch (const std::exception&) {  // for example a full disk; the rows remain in memory, and are written at
-                                     // the end of the run
+  } catch (const std::exception&) {  // e.g. a full disk; the rows stay in memory until the end
     refused_ = true;
   }
   due_ = Clock::now() + between_writes;

@@ -72,7 +72,7 @@ class PointsInOrder : public run::PointExchange {
   double done() const override;
   /// Returns the outcome, after the results of all named points.
   Outcome outcome();
-  /// Largest size of waiting results so far [bytes].
+  /// Returns the largest size of waiting results so far [bytes].
   std::size_t peak() const;
 
  private:

@@ -29,8 +29,7 @@ class RunViews {
 
   const record::Recording& recording_;
   std::size_t first_;
-  std::vector<std::size_t> points_{};      ///< Indices of the runs, if the recording has only some runs; else
-                                           ///< empty.
+  std::vector<std::size_t> points_{};      ///< Indices of the runs if only some are recorded; else empty.
   std::set<std::string> swept_;            ///< Columns with one value per run.
   std::vector<record::Categories> words_;  ///< Texts without quotes.
 };

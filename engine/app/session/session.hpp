@@ -25,7 +25,7 @@ class Session {
       : registry_(registry), monitor_(std::move(monitor)) {}
 
   const Registry& registry() const { return registry_; }
-  /// Monitor of later calls.
+  /// Returns the monitor of later calls.
   Monitor& monitor() { return monitor_; }
 
   /// Loads and plans a file, and reads its figures, claims, fit, study and scene. It reports all faults that

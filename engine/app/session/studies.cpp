@@ -25,8 +25,7 @@ study::Experiments make_experiments(const Registry& registry, const LoadedModel&
   KeptExperiments kept(model, call.kept);
   const std::vector<std::uint64_t> seeds = kept.missing();
   StudyCall own = call;
-  if (call.workers) own.engine = run::ExecutionMode::interpreted;  // the workers run the trials; this process
-                                                                   // needs no code
+  if (call.workers) own.engine = run::ExecutionMode::interpreted;  // the workers run the trials
   StudyParts parts(registry, model, own, seeds.size(), monitor);
   study::Experiments experiments = call.workers ? perform_by(*call.workers, parts, model, seeds, kept)
                                                 : perform_here(*parts.runs, model, seeds, kept, monitor);

@@ -176,8 +176,8 @@ std::string errors_text(const LoadedModel& model, const study::Experiments& expe
 
 std::string tables_text(const LoadedModel& model) {
   std::string all;
-  for (const query::NamedTable& one : model.tables)  // the tables "experiments..." compare several
-                                                     // experiments
+  // The tables "experiments..." compare several experiments.
+  for (const query::NamedTable& one : model.tables)
     if (model.study->experiments > 1 || !one.name.starts_with("experiments"))
       all += (all.empty() ? "" : "\n") + text::text(*one.table);
   return all;

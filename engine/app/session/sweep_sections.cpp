@@ -24,8 +24,8 @@ query::SymbolTable names_of_figures(const LoadedModel& model, const query::Symbo
   }
   for (query::RecordedName name : rows.columns) {
     if (!name.recording && all.find(name.name)) continue;
-    name.recording = name.recording.value_or(0) + 1;  // a swept parameter of the cases is a column of these
-                                                      // rows only
+    // A swept parameter of the cases is a column of these rows only.
+    name.recording = name.recording.value_or(0) + 1;
     all.columns.push_back(std::move(name));
   }
   all.unknown = "is no number that the sweep keeps of a run, and no signal that is recorded";

@@ -15,8 +15,8 @@ struct ThesisContents {
   std::map<int, int> tables;  ///< number of a table to the number of the figure that it follows in the text
   std::vector<gallery::ChapterSummary> summaries;
 
-  /// Sort key of an entry: (figure, 0) for a figure, (preceding figure, number) for a table. Entries that are
-  /// neither, and tables that are not listed, sort last.
+  /// Returns the sort key of an entry: (figure, 0) for a figure, (preceding figure, number) for a table.
+  /// Entries that are neither, and tables that are not listed, sort last.
   std::pair<int, int> place_of(const gallery::GalleryEntry& entry) const;
 };
 

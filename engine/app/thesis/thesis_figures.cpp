@@ -54,7 +54,7 @@ std::vector<fs::path> figure_files(const ThesisCall& call) {
   return files;
 }
 
-/// Folder of the experiment journals, from which a repeated call continues.
+/// Returns the folder of the experiment journals, from which a repeated call continues.
 std::string kept_folder(const ThesisCall& call) {
   return (fs::path(call.out) / "experiments").string();
 }
@@ -67,7 +67,7 @@ io::OwnedFolder::Files kept_files(const ThesisCall& call) {
   return files;
 }
 
-/// Makes the figures, several at a time; each entry has the index of its file.
+/// Maker of the figures, several at a time; each entry has the index of its file.
 class Maker {
  public:
   Maker(const ThesisCall& call, const Registry& registry, const session::Monitor& monitor,
@@ -143,7 +143,7 @@ class Maker {
     figure.outcome = std::move(outcome);
   }
 
-  /// Folder that contains the diagram files and their parts.
+  /// Returns the folder that contains the diagram files and their parts.
   std::string root() const { return fs::path(call_.diagrams).parent_path().string(); }
 
   session::Outcome run(const session::LoadedModel& model, const std::string& folder) const {
@@ -177,7 +177,7 @@ class Maker {
     return pictures;
   }
 
-  /// Monitor without progress display; progress counts whole figures.
+  /// Returns a monitor without progress display; progress counts whole figures.
   session::Monitor quiet() const { return {monitor_.interrupt, {}, {}, monitor_.observers}; }
 
   const ThesisCall& call_;
