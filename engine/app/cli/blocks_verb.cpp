@@ -58,8 +58,8 @@ ExitCode show_parts(const std::string& path) {
   return ExitCode::done;
 }
 
-/// Prints the results for a word that is no block name: the answer to a name of Simulink, or the blocks whose
-/// page contains the word.
+/// Prints the results for a word that is no block name: the answer to a name of Simulink, or the blocks with
+/// the word in their page.
 ExitCode search(const std::string& word, const Registry& registry) {
   const std::string answer = diagram::answer_to_simulink(word),
                     found = reference::blocks_about(registry, word);

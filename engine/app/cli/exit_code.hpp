@@ -6,7 +6,7 @@
 
 namespace stepwire::cli {
 
-/// Exit codes, which scripts rely on. If several apply, the greatest wins, except that 130 is always last.
+/// Exit codes, which scripts rely on. If several apply, the greatest wins.
 enum class ExitCode {
   done = 0,          ///< Success; all claims hold.
   fails = 1,         ///< Failed claim, replay with differences, or a loop stopped after misses.

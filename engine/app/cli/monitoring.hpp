@@ -7,8 +7,8 @@
 
 namespace stepwire::cli {
 
-/// Returns the monitor of the command line: a progress bar on the terminal, diagnostics on the standard
-/// error, and interruption by signals. `progress` nullptr: no bar.
+/// Returns the monitor of the command line. It shows a progress bar on the terminal and diagnostics on the
+/// standard error, and signals interrupt its operation. Without `progress` there is no bar.
 session::Monitor terminal_monitor(Progress* progress);
 
 }  // namespace stepwire::cli

@@ -10,8 +10,8 @@ namespace stepwire::cli {
 /// archive, get subfolders.
 std::string folder_of(const RunCall& call, const std::string& file);
 
-/// Performs the call on a loaded model: fits it, runs it or its study, prints and writes the results, and
-/// pushes the JSON results to the list. Files of one call share `session`. `mpi` may be nullptr.
+/// Performs the call on a loaded model: fits it, runs it or its study, and prints and writes the results.
+/// Results for --json are pushed to the list. Files of one call share `session`. `mpi` may be nullptr.
 ExitCode run_file(const RunCall& call, session::Session& session, session::LoadedModel& model,
                   json::Json& results, MpiRun* mpi);
 

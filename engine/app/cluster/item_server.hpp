@@ -23,8 +23,9 @@ class ItemServer {
         workers_(static_cast<std::size_t>(messages.size())),
         living_(workers_.size() - 1) {}
 
-  /// Serves until all items of a job are done, the processes of the remaining ones have died, or an
-  /// interruption. `job` is the content of the job message. Throws the Error that a worker reports.
+  /// Serves until all items of the job are done, until the processes of the remaining ones have died, or
+  /// until an interruption. The text `job` is the content of the job message. Throws the Error that a worker
+  /// reports.
   void serve(ItemSource& source, const std::string& job, const session::Monitor& monitor);
   /// Ends all workers. False if some of them are lost and will not exit by themselves.
   bool finish();

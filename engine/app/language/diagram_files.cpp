@@ -124,6 +124,12 @@ void DiagramFiles::add_parameter(const std::string& file, TextRange range, std::
     found.push_back({range, {file, Meaning::Kind::parameter, std::string(name)}});
 }
 
+/// Resolves a dotted name of a signal from left to right and appends its pieces.
+/// Problem: names of blocks can contain dots, and a name can lead through parts into other files. Idea: each
+/// step takes the longest block whose name is a prefix. If that is a part, the rest is resolved in the part's
+/// file.
+/// Within a part, outputs hide inputs and blocks, unless `blocks_first`. The depth is limited, because files
+/// under edit can use each other in a cycle.
 void DiagramFiles::add_signal(const std::string& file, TextRange rest, std::string_view name,
                               std::vector<NamePiece>& found, bool blocks_first, int depth) {
   const auto document = tree(file);

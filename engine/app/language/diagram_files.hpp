@@ -58,7 +58,7 @@ class DiagramFiles {
   /// Returns the pieces of a name from the left, up to the first one that cannot be resolved.
   std::vector<NamePiece> pieces(const std::string& file, const WrittenName& name);
   std::optional<NamePiece> piece_at(const std::string& file, std::size_t offset);
-  /// Returns the key that defines a name; std::nullopt if there is none.
+  /// Returns the key that defines a name, for a port the key of its block; std::nullopt if there is none.
   std::optional<FilePlace> definition(const Meaning& meaning);
   /// Returns all uses of a name in all known files, with its definition.
   std::vector<FilePlace> references(const Meaning& meaning);

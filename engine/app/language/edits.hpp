@@ -24,8 +24,8 @@ struct SetValueAt {
 struct Rename {
   std::string name, to;
 };
-/// Wire from a signal to an input of a block or part ("u", of a list "u.2"), or with an empty block to an
-/// output of the file.
+/// Wire from a signal to an input of a block or part ("u", of a list "u.2"). With an empty block the input is
+/// an output of the file.
 struct Connect {
   std::string from, to, input;
 };

@@ -67,8 +67,8 @@ class LanguageService {
 
   /// Analyses one file that has changed since its last analysis; false if there is none.
   bool analyse_next();
-  /// Returns the diagnostics of each file whose text or faults have changed since the last call. They are
-  /// empty before all analyses are finished.
+  /// Returns the diagnostics of each file whose text or faults have changed since the last call. The map is
+  /// empty until all analyses are finished.
   std::map<std::string, std::vector<TextDiagnostic>> take_diagnostics();
 
   std::vector<std::pair<Completion, EditorRange>> completions(const std::string& file,

@@ -7,8 +7,8 @@
 
 namespace stepwire::language {
 
-/// Returns the text range of each item in the drawing of a file: blocks with their keys, inputs with their
-/// sources, outputs at the name of their block.
+/// Returns the text range of each item in the drawing of a file. Items are blocks with their keys, inputs
+/// with their sources, and outputs, at the name of their block.
 /// Names are those of the drawn graph: "cart", "cart.force", "sum.u.2" for lists, "rig.mount.x" within parts
 /// (in their own files), "x" for ports of the file.
 /// While the text is invalid YAML, the last valid one counts.

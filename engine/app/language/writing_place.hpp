@@ -23,8 +23,10 @@ struct WritingPlace {
   TextRange scalar;                 ///< Whole scalar without quotes.
 };
 
-/// Returns the context of an offset. Returns std::nullopt if no trial text is valid YAML: the text with an
-/// inserted name and closing brackets.
+/// Returns the context of an offset; std::nullopt if no trial text is valid YAML.
+/// Problem: the text around a cursor is seldom valid YAML. Idea: a probe name is inserted at the cursor, and
+/// several trial texts are parsed, for example with the open brackets closed. The probe is found in the first
+/// valid tree, and its ancestors determine the possible forms. Cost: at most eight parses.
 std::optional<WritingPlace> writing_place(DiagramFiles& files, const std::string& file, std::size_t offset);
 
 }  // namespace stepwire::language

@@ -26,7 +26,8 @@ class SessionCall {
   /// Throws the exceptions of the session.
   void make(const std::function<void(session::Session&)>& act);
   const std::vector<std::string>& notes() const { return notes_; }
-  /// Returns the first exception of observers, progress or signal handlers, and of blocks; nullptr if none.
+  /// Return the first exception of observers, progress or signal handlers, and that of blocks; nullptr if
+  /// none.
   Held take_raised() { return raised_.take(); }
   Held take_cause() { return file_->kinds()->raised->take(); }
   void throw_if_raised() { raised_.throw_if_any(); }

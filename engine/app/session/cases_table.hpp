@@ -11,8 +11,8 @@ namespace stepwire::session {
 /// Without cases it changes nothing.
 void name_cases(const diagram::Sweep& sweep, const run::RunNumbers& kept, query::SymbolTable& names);
 
-/// Converts the kept rows of runs to a table with one row for all cases of a point: the other swept values,
-/// and the numbers of each case. After an interruption, with missing runs, the table is empty.
+/// Converts the kept rows of runs to a table with one row for all cases of a point. It has the other swept
+/// values, and the numbers of each case. After an interruption, with missing runs, the table is empty.
 record::Recording by_cases(const diagram::Sweep& sweep, const run::RunNumbers& kept,
                            const record::Recording& runs);
 

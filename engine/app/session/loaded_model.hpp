@@ -46,11 +46,11 @@ struct LoadedModel {
   std::vector<query::NamedTable> tables{};        ///< Tables of the study or the sensitivity, filled later.
   std::shared_ptr<const run::RunNumbers> kept{};  ///< Numbers kept of each run; nullptr: rows are kept.
   std::optional<sensitivity::Request> sensitivity{};
-  std::vector<linear::NamedAnalysis> linear{};  ///< analyses whose recordings follow those of the runs
-  std::optional<linear::TrimRequest> trim{};    ///< request for an operating point
-  std::optional<tuning::TuneRequest> tune{};    ///< request for an optimisation; it does not affect runs
-  const Registry* registry = nullptr;           ///< registry of the load
-  std::vector<std::string> blocksets{};         ///< folders of the external blocks at the load
+  std::vector<linear::NamedAnalysis> linear{};  ///< Analyses whose recordings follow those of the runs.
+  std::optional<linear::TrimRequest> trim{};    ///< Request for an operating point.
+  std::optional<tuning::TuneRequest> tune{};    ///< Request for an optimisation; it does not affect runs.
+  const Registry* registry = nullptr;           ///< Registry of the load.
+  std::vector<std::string> blocksets{};         ///< Folders of the external blocks at the load.
 };
 
 /// Name of the table of a sensitivity analysis.

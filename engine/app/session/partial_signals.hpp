@@ -12,8 +12,8 @@
 
 namespace stepwire::session {
 
-/// Observer that writes the rows of a long run to HDF5 files, so that they survive a kill of the process:
-/// `signals.h5.partial`, and one for each further period.
+/// Observer that writes the rows of a long run to HDF5 files, so that they survive a kill of the process. The
+/// files are `signals.h5.partial`, and one for each further period.
 /// It writes every second, after the first two seconds. It supports runs without a sweep.
 class PartialSignals : public run::RunObserver {
  public:
