@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Throws EnvironmentError with the first line that tar prints.
+/// Runs tar. Throws EnvironmentError with the first line of its errors.
 void make(const std::vector<std::string>& command) {
   try {
     subprocess::run_helper("tar", {.command = command});
@@ -39,7 +39,7 @@ void put_archive(const std::string& folder, const std::string& file) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     command.push_back(entry.path().filename().string());
   std::sort(command.begin() + static_cast<std::ptrdiff_t>(options), command.end());
-  if (command.size() == options) return;  // no run began
+  if (command.size() == options) return;  // no run has written a file
   make(command);
   std::ifstream archive(file, std::ios::binary);
   std::array<char, 1 << 16> block;

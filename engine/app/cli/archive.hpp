@@ -4,8 +4,8 @@
 
 namespace stepwire::cli {
 
-/// Puts a tar archive of all in a folder on the standard output, by way of a file beside it: its entries in
-/// the order of their names, without times and owners, so that the same files give the same bytes. Throws
+/// Writes a tar archive of a folder to the standard output, by way of the temporary `file`.
+/// Entries are sorted by name and have no times and owners, so equal files give equal bytes. Throws
 /// EnvironmentError.
 void put_archive(const std::string& folder, const std::string& file);
 

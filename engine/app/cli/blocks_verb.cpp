@@ -41,7 +41,8 @@ bool is_diagram(const std::filesystem::path& path) {
   return path.extension() == ".yaml" || path.extension() == ".yml";
 }
 
-/// A part is explained as a block is, from what its file declares; of a folder all files are listed.
+/// Prints the page of a part, in the form of a block's page; for a folder, prints a list of its diagram
+/// files.
 ExitCode show_parts(const std::string& path) {
   if (!std::filesystem::is_directory(path)) {
     put_data(reference::page_text(reference::part_reference(yaml::read_document(path), io::read_file(path))));
@@ -57,7 +58,8 @@ ExitCode show_parts(const std::string& path) {
   return ExitCode::done;
 }
 
-/// What there is about a word that is no block: blocks in whose pages it stands, or a name of Simulink.
+/// Prints the results for a word that is no block name: the answer to a name of Simulink, or the blocks with
+/// the word in their page.
 ExitCode search(const std::string& word, const Registry& registry) {
   const std::string answer = diagram::answer_to_simulink(word),
                     found = reference::blocks_about(registry, word);

@@ -9,17 +9,17 @@ class App;
 
 namespace stepwire::cli {
 
-/// The folders with blocks from outside that a call names. Code is only ever what the call or its environment
-/// names, never what a diagram file does.
+/// Options that name folders with external blocks. Code is loaded only from folders that the call or its
+/// environment names, never from those of a diagram file.
 class BlocksetOptions {
  public:
-  /// Adds `--blocks` to a program and to all verbs that it has.
+  /// Adds `--blocks` to a program and to all its verbs.
   void add_to(CLI::App& app);
-  /// As they are named, each once.
+  /// Returns the named folders in order, without duplicates.
   std::vector<std::string> folders() const;
 
  private:
-  std::vector<std::string> of_program_, of_verb_;  ///< before and behind the verb
+  std::vector<std::string> of_program_, of_verb_;  ///< before and after the verb
 };
 
 }  // namespace stepwire::cli

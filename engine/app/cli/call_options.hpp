@@ -10,7 +10,7 @@ class App;
 
 namespace stepwire::cli {
 
-/// Options that several verbs have.
+/// Adds options that several verbs have.
 void add_engine_option(CLI::App& verb, run::ExecutionMode& engine, const std::string& what);
 
 }  // namespace stepwire::cli

@@ -7,7 +7,7 @@ namespace stepwire::cli {
 
 namespace {
 
-/// The words of "TEXT:{bash,fish,zsh}", with which the library describes a closed list.
+/// Returns the choices in a type such as "TEXT:{bash,fish,zsh}", which is CLI11's notation of a closed list.
 std::vector<std::string> choices_of(std::string_view type) {
   std::vector<std::string> result;
   const std::size_t open = type.find('{'), close = type.find('}');
@@ -20,7 +20,7 @@ std::vector<std::string> choices_of(std::string_view type) {
   return result;
 }
 
-/// The word for a value: what the verb has chosen, or the library's word for its type.
+/// Returns the placeholder of a value: the option text, or CLI11's name of the type.
 std::string value_of(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return "";
   const std::string type =

@@ -9,25 +9,25 @@ class App;
 
 namespace stepwire::cli {
 
-/// An option or a positional word of a verb, as its verb declares it.
+/// Option or positional argument of a verb, as declared.
 struct OptionWords {
-  std::vector<std::string> names;    ///< with their dashes: "-o", "--out"; the bare name of a positional
-  std::string value;                 ///< what its value is called: "TEXT"; empty for a flag
-  std::vector<std::string> choices;  ///< all values that it takes; empty where these are not listed
+  std::vector<std::string> names;    ///< with dashes: "-o", "--out"; without for a positional argument
+  std::string value;                 ///< placeholder of the value, "TEXT"; empty for a flag
+  std::vector<std::string> choices;  ///< allowed values; empty if there is no closed list
   std::string about;
   bool required = false, repeated = false;
 };
 
-/// A verb with its words. The program as a whole has no name.
+/// Verb with its options and arguments. The program itself has an empty name.
 struct VerbWords {
   std::string name, about, footer;
   std::vector<OptionWords> positionals, options;
 };
 
-/// What the program takes before a verb.
+/// Returns the options of the program before the verb.
 VerbWords program_words(const CLI::App& program);
 
-/// All verbs of the program, in the order of their declaration.
+/// Returns all verbs of the program in the order of declaration.
 std::vector<VerbWords> verb_words(const CLI::App& program);
 
 }  // namespace stepwire::cli

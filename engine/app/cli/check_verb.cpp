@@ -18,7 +18,7 @@ using json::Json;
 
 namespace {
 
-/// How data files were read.
+/// Returns a list of the conversions that were applied when data files were read.
 Json files_json() {
   Json all = Json::list();
   for (const data_file::FileReading& file : data_file::ReadingLog::files())
@@ -50,7 +50,7 @@ ExitCode check(const session::LoadedModel& model, const ModelCall& call, Json& r
   return ExitCode::done;
 }
 
-/// One file of a round: what is wrong with it goes to the standard error.
+/// Checks one file in a round of --watch. Faults are printed on the standard error.
 void check_again(const std::string& file, const ModelCall& call, const Registry& registry,
                  WatchedFiles& watched) {
   diagram::Loader loader(registry,

@@ -23,7 +23,7 @@ struct CollectCall {
   render::PictureKinds pictures = render::usual_pictures;
 };
 
-/// The journals of the folders, which must be of one sweep.
+/// Journals in the given folders, which must be of the same sweep.
 class Shares {
  public:
   Shares(const std::vector<std::string>& folders, const Registry& registry)

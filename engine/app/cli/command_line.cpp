@@ -30,7 +30,7 @@ namespace {
 
 constexpr const char* no_value = "has no value";
 
-/// All verbs with what they fill in.
+/// Parser of all verbs.
 class CommandLine {
  public:
   CommandLine() {
@@ -69,7 +69,7 @@ class CommandLine {
   }
 
  private:
-  /// The library takes the next word for the value of an option that ends in '='.
+  /// Refuses options that end in '=': CLI11 would take the next word as the value.
   static void require_values(int argc, char** argv) {
     for (const std::string_view word : std::span(argv, static_cast<std::size_t>(argc)))
       if (word.starts_with("--") && word.find('=') == word.size() - 1)
@@ -99,7 +99,7 @@ class CommandLine {
     return code;
   }
 
-  /// What is wrong with blocks that a call names is JSON where the results of its verb are.
+  /// Loads external blocks. Their faults are printed as JSON if the verb prints JSON.
   ExitCode load(const std::string& call, const std::function<void()>& blocks) const {
     json::Json faults;
     const auto loaded = [&] {
@@ -114,7 +114,7 @@ class CommandLine {
     return code;
   }
 
-  /// Prints the help of --help, or what is wrong in the call.
+  /// Prints the help of --help, or the faults of the call.
   ExitCode explain(const CLI::ParseError& error) const {
     std::ostringstream help, wrong;
     const int code = app_.exit(error, help, wrong);
@@ -138,7 +138,7 @@ class CommandLine {
   CLI::App app_{"Block diagrams in text, run at a fixed step."};
   BlocksetOptions blocksets_;
   Action action_;
-  bool json_ = false;  ///< whether `--json` is among the words of the call
+  bool json_ = false;  ///< true if the call contains `--json`
 };
 
 }  // namespace

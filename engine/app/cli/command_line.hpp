@@ -4,8 +4,8 @@
 
 namespace stepwire::cli {
 
-/// The program: reads its arguments, does what they ask, and returns the exit code (see ExitCode). `blocks`
-/// makes the registry, which may fail as all else does.
+/// Runs the program with these arguments and returns its exit code (see ExitCode). `blocks` makes the
+/// registry; its exceptions are reported like all others.
 int run_command_line(int argc, char** argv, Registry (*blocks)());
 
 }  // namespace stepwire::cli

@@ -25,7 +25,7 @@ std::string verb_names(const std::vector<VerbWords>& verbs) {
 
 // bash
 
-/// The words that may stand behind an option, or in the place of a positional word.
+/// Returns a case that completes the choices of an option or a positional argument.
 std::string choices_case(const std::string& pattern, const std::vector<std::string>& choices) {
   return fmt::format("    {}) COMPREPLY=($(compgen -W {} -- \"$word\")); return ;;\n", pattern,
                      shell_word(fmt::format("{}", fmt::join(choices, " "))));
@@ -45,7 +45,8 @@ std::string bash_verb(const VerbWords& verb) {
 
 // zsh
 
-/// A text in a specification of _arguments: between single quotes, where brackets and colons have a meaning.
+/// Escapes a text for a specification of _arguments, in which brackets and colons have a meaning. The result
+/// is used in single quotes.
 std::string zsh_text(std::string_view plain) {
   std::string text;
   for (const char c : plain) {

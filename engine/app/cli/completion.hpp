@@ -6,8 +6,8 @@
 
 namespace stepwire::cli {
 
-/// Scripts by which a shell completes verbs, options, their choices, and files. They are made of what the
-/// verbs declare and run no other program.
+/// Return shell scripts that complete verbs, options, their choices, and files. The scripts are generated
+/// from the declarations of the verbs and run no other program.
 std::string bash_completion(const VerbWords& program, const std::vector<VerbWords>& verbs);
 std::string zsh_completion(const VerbWords& program, const std::vector<VerbWords>& verbs);
 std::string fish_completion(const VerbWords& program, const std::vector<VerbWords>& verbs);

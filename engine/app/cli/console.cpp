@@ -16,7 +16,7 @@ namespace stepwire::cli {
 
 namespace {
 
-std::atomic<int> refusal = 0;  // the first reason for which output was not taken
+std::atomic<int> refusal = 0;  // errno of the first failed write
 
 void note_refusal() {
   int none = 0;

@@ -9,27 +9,27 @@
 
 namespace stepwire::cli {
 
-/// Puts data on the standard output, byte for byte. Neither this nor the others throw: a full disk or a
-/// reader who has left shows in finish_output().
+/// Writes data to the standard output, byte for byte. None of these functions throws; finish_output() reports
+/// a full disk or a closed pipe.
 void put_data(std::string_view data);
 
-/// Puts a result for programs there.
+/// Writes a JSON result to the standard output.
 inline void put_json(const json::Json& result) {
   put_data(result.text() + "\n");
 }
 
-/// Puts text for people on the standard output; control characters in it are written out. A quiet call has
-/// none, and one whose standard output is data has it on the standard error.
+/// Writes text to the standard output, with control characters escaped. A quiet call drops it. If the
+/// standard output has data, the text goes to the standard error.
 void put_text(std::string_view text);
-/// The same of what failed, in a quiet call too.
+/// Writes the text of a failure like put_text(), in a quiet call as well.
 void put_failure(std::string_view text);
-/// One or the other.
+/// Writes a report as a failure or as plain text.
 inline void put_report(std::string_view text, bool failed) {
   failed ? put_failure(text) : put_text(text);
 }
-/// Errors, on the standard error.
+/// Writes an error to the standard error.
 void put_trouble(std::string_view text);
-/// What is no error, on the standard error; nothing in a quiet call.
+/// Writes a note to the standard error. A quiet call drops it.
 void put_note(std::string_view text);
 
 template <class... Values>
@@ -45,12 +45,12 @@ void complain(fmt::format_string<Values...> format, Values&&... values) {
   put_trouble(fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// Gives all of the standard output to the system; false, with one line on the standard error, where some of
-/// it was not taken. A reader who has left, such as `head`, has what it needs.
+/// Flushes the standard output. After a failed write, prints one line on the standard error and returns
+/// false. A closed pipe, as of `head`, is no failure.
 bool finish_output();
 
-/// A caller may close a standard stream; the first file that is opened then would take its place and get what
-/// is printed. Such a stream takes nothing.
+/// Opens closed standard streams on /dev/null. Otherwise the next opened file would get the descriptor and
+/// the output. The mode is chosen so that reading or writing fails.
 void fill_standard_streams();
 
 }  // namespace stepwire::cli

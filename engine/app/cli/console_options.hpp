@@ -6,7 +6,7 @@ class App;
 
 namespace stepwire::cli {
 
-/// Declares --quiet and --color of the program and of all its verbs.
+/// Declares --quiet and --color for the program and all its verbs.
 void add_console_options(CLI::App& program);
 
 }  // namespace stepwire::cli

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view plain = "\x1b[0m", bold = "\x1b[1m", red = "\x1b[1;31m", green = "\x1b[32m",
                            yellow = "\x1b[33m";
 
-/// How a line may begin, and the part of it that has a colour.
+/// Start of a line, and its part that is coloured.
 struct Beginning {
   std::string_view before, word, color;
 };
@@ -25,7 +25,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// The length of "file.yaml:10:48:" at the begin of a line; 0 where it has none.
+/// Returns the length of a location such as "file.yaml:10:48:" at the start of a line; 0 without one.
 std::size_t length_of_place(std::string_view line) {
   for (std::size_t colon = line.find(':'); colon != line.npos; colon = line.find(':', colon + 1)) {
     std::size_t at = colon;
@@ -74,7 +74,7 @@ bool has_colors(int stream) {
   if (color != Color::automatic) return color == Color::always;
   const char* terminal = std::getenv("TERM");
   const bool dumb = terminal && std::string_view(terminal) == "dumb";
-  const bool forwarded = is_set("PMIX_RANK");  // mpirun gives its processes terminals of their own
+  const bool forwarded = is_set("PMIX_RANK");  // mpirun connects its processes to terminals of its own
   return !is_set("NO_COLOR") && !dumb && !forwarded && ::isatty(stream) == 1;
 }
 

@@ -4,24 +4,24 @@
 
 namespace stepwire::cli {
 
-/// Whether what is printed has colours: on terminals, unless NO_COLOR has a value or TERM is dumb; or as the
-/// call says.
+/// Colour mode of the output. Automatic: colours on terminals, unless NO_COLOR is set or TERM is dumb.
 enum class Color { automatic, always, never };
 
-/// How a call prints, for all of its verbs alike.
+/// Output options of a call, the same for all verbs.
 struct ConsoleStyle {
-  bool quiet = false;  ///< only errors, failures, and the data that the call is for
+  bool quiet = false;  ///< only errors, failures and the requested data
   Color color = Color::automatic;
-  bool data_only = false;  ///< the standard output has data: text for people goes to the standard error
+  bool data_only = false;  ///< the standard output is data; text goes to the standard error
 };
 
-/// Of this process.
+/// Returns the style of this process.
 ConsoleStyle& console_style();
 
-/// Whether what goes to a stream (STDOUT_FILENO, STDERR_FILENO) has colours.
+/// True if output to a stream (STDOUT_FILENO, STDERR_FILENO) is coloured.
 bool has_colors(int stream);
 
-/// A text of whole lines with colours at the begin of verdicts, notes, and errors with their place.
+/// Colours the starts of lines that are verdicts, notes, or errors with a location. The text must have whole
+/// lines.
 std::string painted(const std::string& text);
 
 }  // namespace stepwire::cli

@@ -20,8 +20,8 @@ struct DrawCall {
   std::string file;
   drawing::GraphOptions options;
   std::string out;     ///< file; empty: standard output
-  bool json = false;   ///< the graph that is drawn, not the picture
-  bool again = false;  ///< when a file changes
+  bool json = false;   ///< write the graph as JSON instead of the picture
+  bool again = false;  ///< redraw after each change of a file
 };
 
 void require_names(const DrawCall& call, const drawing::DiagramView& view) {
@@ -31,7 +31,7 @@ void require_names(const DrawCall& call, const drawing::DiagramView& view) {
   faults.throw_if_any();
 }
 
-/// By the ending of the file; SVG for any other.
+/// Returns the picture format by the file extension; SVG for unknown ones.
 render::PictureKind kind_of(const DrawCall& call) {
   const std::string ending = std::filesystem::path(call.out).extension().string();
   return render::picture_kind(ending.empty() ? "" : ending.substr(1)).value_or(render::PictureKind::svg);

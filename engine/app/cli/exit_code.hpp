@@ -6,12 +6,12 @@
 
 namespace stepwire::cli {
 
-/// What scripts may rely on. Where several apply, the greatest but for 130 wins.
+/// Exit codes, which scripts rely on. If several apply, the greatest wins.
 enum class ExitCode {
-  done = 0,          ///< and all claims hold
-  fails = 1,         ///< a claim, a replay that is not the same, a loop that stops after misses
-  wrong = 2,         ///< the diagram or the call, also where it shows only in the run
-  surroundings = 3,  ///< disk full, gnuplot missing, data folder absent, no permission
+  done = 0,          ///< Success; all claims hold.
+  fails = 1,         ///< Failed claim, replay with differences, or a loop stopped after misses.
+  wrong = 2,         ///< Fault in the diagram or the call, also one that only the run reveals.
+  surroundings = 3,  ///< Disk full, gnuplot missing, data folder absent, no permission.
   interrupted = 130
 };
 
@@ -19,11 +19,11 @@ inline ExitCode worst(ExitCode a, ExitCode b) {
   return static_cast<int>(a) > static_cast<int>(b) ? a : b;
 }
 
-/// How it went: claims that fail, claims that surprise, faults, interruption.
+/// Returns the code of a run: failed claims, unexpected verdicts, faults, interruption.
 ExitCode code_of(const session::Outcome& outcome);
-/// Interrupted, refused by the diagram, or done.
+/// Returns interrupted, wrong if the diagram refused the fit, or done.
 ExitCode code_of(const estimation::FitResult& result);
-/// Interrupted, no point with all claims, or done.
+/// Returns interrupted, wrong if no point satisfies all claims, or done.
 ExitCode code_of(const tuning::TuneResult& result);
 
 }  // namespace stepwire::cli

@@ -12,7 +12,7 @@ namespace stepwire::cli {
 namespace {
 
 struct FormatCall {
-  std::string section;  ///< empty: all of them
+  std::string section;  ///< empty: all sections
   bool markdown = false;
 };
 

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The icon, as PNG; empty without the program that makes it.
+/// Returns the icon as PNG; empty if the converter is missing.
 std::string icon_of(const std::string& drawing, std::string& left_out) {
   if (const std::string problem = render::converter_problem(); !problem.empty()) {
     left_out = "the icon, since " + problem;
@@ -32,7 +32,7 @@ std::string icon_of(const std::string& drawing, std::string& left_out) {
   return render::converted(drawing, render::PictureKind::png, width);
 }
 
-/// A unit is as good without its pictures: where they cannot be made, `left_out` has why.
+/// Draws the pictures of a unit. They are optional: after a failure `left_out` has the reason.
 void draw(const UnitCall& call, const Registry& registry, fmu::ExportOptions& options,
           std::string& left_out) {
   try {
@@ -46,7 +46,7 @@ void draw(const UnitCall& call, const Registry& registry, fmu::ExportOptions& op
   }
 }
 
-/// Refuses a target early that cannot be written.
+/// Throws early if the target cannot be written.
 void require_target(const std::string& out) {
   if (fs::is_directory(out))
     throw io::EnvironmentError(out + ": is a folder; a unit is a file, such as " + out + "/unit.fmu");

@@ -9,15 +9,15 @@
 
 namespace stepwire::cli {
 
-/// A unit of FMI that is made of a diagram file.
+/// Options for exporting a diagram file as an FMI unit.
 struct UnitCall {
   std::string file;
-  std::string out;  ///< the unit's file
+  std::string out;  ///< path of the unit
   std::string name;
   int version = 3;
 };
 
-/// Makes it, and says what is to be known of it.
+/// Exports the unit and prints notes on it.
 ExitCode generate_unit(const UnitCall& call, const Registry& registry, const session::LoadedModel& model,
                        const codegen::Tuning& tuning);
 

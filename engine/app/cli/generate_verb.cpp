@@ -23,14 +23,14 @@ namespace {
 struct GenerateCall {
   std::string file;
   LoadWords words;
-  std::string out;   ///< folder
-  std::string name;  ///< of the program; empty: that of the file
+  std::string out;   ///< output folder
+  std::string name;  ///< name of the program; empty: that of the file
   bool c_interface = false;
   bool constant_parameters = false;
-  int fmi = 0;  ///< version of a unit; 0: no unit
+  int fmi = 0;  ///< major version of FMI; 0: C++ sources
 };
 
-/// What of the file is no part of the program, as words; empty where it is all there.
+/// Lists the parts of the file that are not generated; empty if there are none.
 std::string left_out(const session::LoadedModel& model) {
   std::vector<std::string> parts;
   if (const auto& sweep = model.job.plan.diagram.sweep) {

@@ -38,13 +38,13 @@ ExitCode guarded(const std::function<ExitCode()>& action, json::Json* faults) {
     return refused(text::visible(error.what()), ExitCode::wrong);
   } catch (const subprocess::ProcessStopped&) {
     return ExitCode::interrupted;
-  } catch (const std::length_error&) {  // of a container: beyond any memory
+  } catch (const std::length_error&) {  // requested container size exceeds the address space
     return refused("this run needs more memory than there can be", ExitCode::surroundings);
   } catch (const std::bad_alloc&) {
     return refused(
         "there is not enough memory for this run; record fewer signals or give 'record' an 'every'",
         ExitCode::surroundings);
-  } catch (const std::exception& error) {  // EnvironmentError, system_error of files and threads, and others
+  } catch (const std::exception& error) {  // EnvironmentError, std::system_error and others
     return refused(error.what(), ExitCode::surroundings);
   }
 }

@@ -8,11 +8,11 @@
 
 namespace stepwire::cli {
 
-/// Does something that may fail as users' things do, prints why on the standard error (one line each), and
-/// returns the code that fits. What is wrong goes to `faults` as data, too, where that is not null.
+/// Runs an action that may throw, prints exceptions on the standard error (one line per fault), and returns
+/// the exit code. Faults are also appended to `faults` as JSON unless it is nullptr.
 ExitCode guarded(const std::function<ExitCode()>& action, json::Json* faults = nullptr);
 
-/// Why runs ended early, on the standard error; of many runs the first few.
+/// Prints why runs ended early, on the standard error; at most the first few of many runs.
 void print_faults(const run::RunResult& result);
 
 }  // namespace stepwire::cli

@@ -13,7 +13,7 @@ namespace stepwire::cli {
 namespace {
 
 struct HelpCall {
-  std::string verb;  ///< empty: the program
+  std::string verb;  ///< empty: help of the program
   bool man = false;
 };
 

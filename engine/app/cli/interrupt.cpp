@@ -9,7 +9,7 @@ namespace stepwire::cli {
 
 namespace {
 
-// A signal handler can reach nothing else.
+// Globals, because a signal handler gets no context.
 std::atomic<bool> flag = false;
 std::atomic<int> delays_of_first = 0, delays_of_all = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
@@ -39,11 +39,11 @@ const std::atomic<bool>& interrupted() {
 }
 
 void catch_signals() {
-  subprocess::processes_stop() = false;  // it is made before a handler needs it
+  subprocess::processes_stop() = false;  // constructs the static object before a handler uses it
   for (const int signal : {SIGINT, SIGTERM}) catch_signal(signal);
   struct sigaction known {};
   ::sigaction(SIGHUP, nullptr, &known);
-  if (known.sa_handler != SIG_IGN) catch_signal(SIGHUP);  // nohup
+  if (known.sa_handler != SIG_IGN) catch_signal(SIGHUP);  // SIGHUP stays ignored under nohup
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }

@@ -4,15 +4,18 @@
 
 namespace stepwire::cli {
 
-/// Set by SIGINT (Ctrl-C), SIGTERM and SIGHUP after catch_signals(). Each of them ends the programs that run
-/// for this one, and then this process without its temporary files, unless an EndDelay exists.
+/// True after SIGINT (Ctrl-C), SIGTERM or SIGHUP, from catch_signals() on.
+/// The signal terminates the child processes. Then it ends this process without its temporary files, unless
+/// an EndDelay exists.
 const std::atomic<bool>& interrupted();
 
-/// Catches these signals, and has a broken pipe and a limit of file size show where something is written.
+/// Installs the handlers, and ignores SIGPIPE and SIGXFSZ, so that failed writes return errors instead.
 void catch_signals();
 
-/// As long as one exists, signals set interrupted(), which the code in its scope polls, and do not end the
-/// process: the first signal only, so that results are kept, or all of them, so that outputs are made safe.
+/// Guard that delays the end of the process during its lifetime: signals only set interrupted(), which the
+/// code in its scope polls.
+/// The kind `first` delays only the first signal, so that results are kept; `all` delays every signal, so
+/// that outputs are completed.
 class EndDelay {
  public:
   enum class Signals { first, all };
@@ -23,7 +26,7 @@ class EndDelay {
   EndDelay& operator=(const EndDelay&) = delete;
 
  private:
-  std::atomic<int>& count_;  ///< of those that exist for these signals
+  std::atomic<int>& count_;  ///< number of existing delays of this kind
 };
 
 }  // namespace stepwire::cli

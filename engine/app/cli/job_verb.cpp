@@ -23,7 +23,7 @@ struct JobCall {
   std::size_t tasks = 0, threads = 1;
 };
 
-/// What a scheduler calls its parts; tasks of an array are numbered from 1.
+/// Syntax of a batch scheduler. Array tasks are numbered from 1.
 struct Scheduler {
   const char *head, *task, *behind;
 };
@@ -33,12 +33,12 @@ constexpr Scheduler slurm{
 constexpr Scheduler pbs{"#PBS -N {}\n#PBS -J 1-{}\n#PBS -l select=1:ncpus={}\n", "$PBS_ARRAY_INDEX",
                         "echo {} | qsub -W depend=afterany:JOB"};
 
-/// A path as a word of a shell that no program takes for an option.
+/// Quotes a path for the shell, so that no program takes it for an option.
 std::string path_word(const std::string& path) {
   return text::shell_word(path.starts_with('-') ? "./" + path : path);
 }
 
-/// The options by which each task reads the file as this call does.
+/// Returns the load options of this call, for the command of each task.
 std::string load_options_text(const LoadWords& words) {
   std::string text;
   for (const std::string& file : words.set_from) text += " --set-from " + path_word(file);
@@ -48,7 +48,7 @@ std::string load_options_text(const LoadWords& words) {
   return text;
 }
 
-/// A name that every scheduler takes.
+/// Returns a job name that every scheduler accepts.
 std::string job_name(const std::string& file) {
   std::string name = std::filesystem::path(file).stem().string();
   for (char& letter : name)

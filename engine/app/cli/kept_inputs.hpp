@@ -7,7 +7,7 @@
 
 namespace stepwire::cli {
 
-/// Refuses to write the file `out` over one that the call has read: the diagram, its parts or its data. An
+/// Refuses to overwrite an input of the call (the diagram, its parts, its data) by the output file `out`. An
 /// empty `out` is no file. Throws Error.
 template <class Paths>
 void keep_inputs(const std::string& out, const Paths& read) {

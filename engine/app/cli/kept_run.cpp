@@ -15,7 +15,7 @@ namespace stepwire::cli {
 
 namespace {
 
-/// A journal that is followed, whatever happens to what adds its points.
+/// Scope guard for following a journal; ends the following even after an exception.
 class Followed {
  public:
   explicit Followed(journal::Journal& journal) : journal_(journal) { journal_.follow(); }
@@ -45,7 +45,8 @@ session::Outcome KeptRun::joined(const std::function<session::PointsReport()>& r
   const std::function<void()> join = [&] { task(); };
   std::vector<std::jthread> writer;
   const Followed followed(kept_.journal());
-  // What needs all rows at once takes its memory when they are there.
+  // Writes runs during the sweep if their files allow it. Otherwise the join needs all rows at once, and
+  // waits for the end to save memory.
   if (session::goes_run_by_run(model_, use_)) writer = parallel::begin_threads(2, join);
   const session::PointsReport report = run();
   kept_.journal().end_following();

@@ -10,24 +10,22 @@
 
 namespace stepwire::cli {
 
-/// A sweep whose points are kept in its folder while it goes on: a call that was interrupted or killed goes
-/// on by the same words.
+/// Sweep with a journal in its folder. After an interruption or a kill, the same call continues it.
 class KeptRun {
  public:
-  /// Says what an earlier call has left. Throws EnvironmentError.
+  /// Opens the journal and reports the points of an earlier call. Throws EnvironmentError.
   KeptRun(const session::LoadedModel& model, const session::RowUse& use, const session::Share& share = {});
 
-  /// Runs what is missing, on so many threads (0: all cores), and joins all.
+  /// Runs the missing points on `threads` threads (0: all cores) and joins all points.
   session::Outcome run(session::Session& session, run::ExecutionMode engine, unsigned threads = 0);
-  /// Runs what is missing of a share, and says what is to be done with it.
+  /// Runs the missing points of a share, and prints how to collect the shares.
   ExitCode run_share(session::Session& session, run::ExecutionMode engine, unsigned threads);
-  /// The same for a share that was run meanwhile, as far as it was.
+  /// Ends a share that was run elsewhere, like run_share().
   ExitCode end_share();
-  /// Has points run, by a function that says how, and joins all that is there. Files of runs are written
-  /// meanwhile.
+  /// Calls `run`, which runs the missing points, and joins all points. Files of runs are written meanwhile.
   session::Outcome joined(const std::function<session::PointsReport()>& run);
   session::KeptPoints& points() { return kept_; }
-  /// Once the results are written: the points go.
+  /// Removes the journal, after the results are written.
   void drop();
 
  private:
@@ -40,7 +38,7 @@ class KeptRun {
   session::KeptPoints kept_;
 };
 
-/// "2/3" as a share. Throws CLI::ValidationError.
+/// Parses a share such as "2/3". Throws CLI::ValidationError.
 session::Share share_of(const std::string& text);
 
 }  // namespace stepwire::cli

@@ -19,10 +19,10 @@ struct LinearizeCall {
   std::string file;
   LoadWords words;
   session::LinearCall linear;
-  std::string at;        ///< a time; empty: 0
-  std::string feedback;  ///< positive or negative; empty: as the analysis has it
-  bool trim = false;     ///< at the point that the section `trim` asks for
-  std::string out;       ///< folder; empty: nothing is written
+  std::string at;        ///< time; empty: 0
+  std::string feedback;  ///< positive or negative; empty: default of the analysis
+  bool trim = false;     ///< linearize at the operating point of the section `trim`
+  std::string out;       ///< folder; empty: no files
   bool json = false;
 };
 
@@ -33,7 +33,7 @@ double time_of(const std::string& text) {
   return time->value;
 }
 
-/// Sets what trim finds. What was not found is no point to be linearized at.
+/// Adds the trimmed operating point to the settings. Throws Error if the trim has not converged.
 void add_trimmed(const std::string& file, const Registry& registry, session::LoadOptions& options) {
   const linear::TrimResult found = session::trim_file(registry, file, options);
   if (!found.converged)
@@ -59,7 +59,7 @@ ExitCode linearize(const LinearizeCall& call, const Registry& registry) {
   return ExitCode::done;
 }
 
-/// What is varied, what is looked at, and which wires are cut.
+/// Adds the options for inputs, outputs and opened loops.
 void add_signal_options(CLI::App& verb, session::LinearCall& linear) {
   const auto names = [&](const char* option, std::vector<std::string>& into, const char* about) {
     verb.add_option(option, into, about)->delimiter(',')->expected(1, -1);

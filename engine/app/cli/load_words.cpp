@@ -31,7 +31,7 @@ void append_file(const std::string& path, std::vector<diagram::Setting>& setting
   }
 }
 
-/// Child processes look there, too.
+/// Adds folders of parts in front of STEPWIRE_PARTS, which child processes inherit.
 void look_for_parts(const std::vector<std::string>& folders) {
   if (folders.empty()) return;
   const char* known = std::getenv("STEPWIRE_PARTS");

@@ -11,7 +11,7 @@ class Option;
 
 namespace stepwire::cli {
 
-/// Declares how a real-time loop is timed: --rate, --policy, --cpu, --overrun, --spin. Returns them.
+/// Declares the timing options of a real-time loop: --rate, --policy, --cpu, --overrun, --spin. Returns them.
 std::vector<CLI::Option*> add_timing_options(CLI::App& verb, session::LoopWords& words);
 
 }  // namespace stepwire::cli

@@ -29,7 +29,7 @@ ExitCode code_of_loop(const session::LoopOutcome& outcome) {
   return ExitCode::done;
 }
 
-/// What went wrong, on the standard error.
+/// Prints the faults of a loop on the standard error.
 ExitCode print_troubles(const session::LoopOutcome& outcome) {
   ExitCode code = code_of_loop(outcome);
   if (const auto fault = outcome.loop.simulation().fault()) complain("{}\n", fault->fault.text());

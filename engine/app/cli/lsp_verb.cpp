@@ -21,7 +21,7 @@ std::size_t read_standard_input(char* to, std::size_t most) {
   return count > 0 ? static_cast<std::size_t>(count) : 0;
 }
 
-/// Hands all messages of the standard input to the server.
+/// Passes all messages of the standard input to the server.
 void read_messages(language::LanguageServer& server) {
   language::FrameReader frames(read_standard_input);
   try {
@@ -37,7 +37,7 @@ ExitCode serve(const Registry& registry) {
     put_data(language::framed(message));
     finish_output();
   });
-  // An editor may end the server and keep the pipe open; what waits for its bytes is left behind then.
+  // An editor may end the server and keep the pipe open. So the thread that waits for input is detached.
   std::thread([server] { read_messages(*server); }).detach();
   return server->run() ? ExitCode::done : ExitCode::fails;
 }

@@ -8,7 +8,7 @@ namespace stepwire::cli {
 
 namespace {
 
-/// A text in which roff finds no request, escape or hyphen of its own.
+/// Escapes requests, escapes and hyphens of roff.
 std::string roff(std::string_view plain) {
   std::string text;
   bool begins = true;

@@ -6,7 +6,7 @@
 
 namespace stepwire::cli {
 
-/// The manual page stepwire(1) as roff: all verbs with their options, made of what they declare.
+/// Returns the manual page stepwire(1) as roff, generated from the declarations of the verbs.
 std::string man_page(const VerbWords& program, const std::vector<VerbWords>& verbs);
 
 }  // namespace stepwire::cli

@@ -23,7 +23,7 @@ void add_model_options(CLI::App& verb, ModelCall& call) {
 
 namespace {
 
-/// Loads a file and does the action with it. How its data files are read is logged meanwhile.
+/// Loads a file and performs the action on it, with a log of the conversions of its data files.
 ExitCode load_and_act(const Registry& registry, const std::string& file, const session::LoadOptions& options,
                       const ModelAction& action, Json& results) {
   const data_file::ReadingLog log;
@@ -38,7 +38,7 @@ ExitCode each_model(const ModelCall& call, const Registry& registry, const Model
   session::LoadOptions options;
   try {
     options = load_options(call.words);
-  } catch (const yaml::Error& error) {  // of no file alone
+  } catch (const yaml::Error& error) {  // fault that concerns no single file
     if (call.json) put_json(results.push(Json::object().set("faults", session::faults_json(error.faults()))));
     throw;
   }

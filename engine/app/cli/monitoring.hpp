@@ -7,8 +7,8 @@
 
 namespace stepwire::cli {
 
-/// What the command line shows while something goes on: a bar on the terminal, diagnostics on the standard
-/// error, and the signals that interrupt it. The progress may be null: then no bar.
+/// Returns the monitor of the command line. It shows a progress bar on the terminal and diagnostics on the
+/// standard error, and signals interrupt its operation. Without `progress` there is no bar.
 session::Monitor terminal_monitor(Progress* progress);
 
 }  // namespace stepwire::cli

@@ -14,7 +14,7 @@ using cluster::SharedJob;
 
 namespace {
 
-/// A process of many has one thread, unless the call says otherwise.
+/// Returns the threads of a process; 1 by default, since many processes share a machine.
 unsigned threads_of(unsigned threads) {
   return std::max(1u, threads);
 }
@@ -90,7 +90,9 @@ void MpiRun::drop() {
 ExitCode MpiRun::finish(ExitCode code) {
   if (!server_.deaths().empty() && code == ExitCode::interrupted) code = ExitCode::surroundings;
   if (interrupted() || !server_.finish()) messages_.abort(static_cast<int>(code));
-  if (code != ExitCode::wrong) say_deaths();  // else the others gave up for what is said already
+  if (code != ExitCode::wrong)
+    // With code 2 the other processes gave up because of faults that are already reported.
+    say_deaths();
   messages_.finish();
   return code;
 }

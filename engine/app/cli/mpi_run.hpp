@@ -10,31 +10,31 @@
 
 namespace stepwire::cli {
 
-/// Process 0 of those of mpirun: it keeps and writes, and the others run points of a sweep, people of a
-/// study, and searches of a fit or a tuning.
+/// Process 0 of an mpirun call. It writes journals and results; the other processes run points of a sweep,
+/// subjects of a study, and searches of a fit or an optimisation.
 class MpiRun {
  public:
   explicit MpiRun(messages::Messages& messages) : messages_(messages), server_(messages) {}
 
-  /// Are there others?
+  /// True if there are other processes.
   bool shares() const { return messages_.size() > 1; }
-  /// Has the others run the points of a model, and joins them.
+  /// Distributes the points of a model to the other processes and joins them.
   session::Outcome run(KeptRun& kept, const session::LoadedModel& model, const session::Monitor& monitor);
-  /// Has the others run those of a share.
+  /// Distributes the points of a share to the other processes.
   ExitCode run_share(KeptRun& kept, const session::LoadedModel& model, const session::Monitor& monitor);
-  /// The others, for a job of a model whose items follow from a text and are so many at most. They stay until
-  /// the call's end.
+  /// Returns the other processes as workers for a job. `follows_from` determines the results of the items,
+  /// and `most` is their largest number. The workers exist until the end of the call.
   messages::ItemWorkers& workers(const cluster::SharedJob& job, const std::string& folder,
                                  const std::string& follows_from, std::size_t most,
                                  const session::Monitor& monitor);
-  /// Says which processes have died since it was said last.
+  /// Prints the deaths of processes since the last call.
   void say_deaths();
-  /// Says what is kept of searches and people.
+  /// Prints the state of the journals of searches and subjects.
   void say_kept() const;
-  /// Once all results are written: what was kept of searches and people goes.
+  /// Removes the journals of searches and subjects, after all results are written.
   void drop();
-  /// Ends all processes, where some of them may not come to their end at once, and gives the status of the
-  /// call that ends with `code`.
+  /// Ends all processes, by force if some do not respond, and returns the exit code of a call that ends with
+  /// `code`.
   ExitCode finish(ExitCode code);
 
  private:
@@ -46,7 +46,7 @@ class MpiRun {
   std::size_t said_ = 0;
 };
 
-/// Works for process 0 until it has no more. Says nothing: what goes wrong is said by process 0.
+/// Works for process 0 until there are no more jobs. It prints nothing, because process 0 reports the faults.
 ExitCode work_for(messages::Connection& server, const RunCall& call, const Registry& registry);
 
 }  // namespace stepwire::cli

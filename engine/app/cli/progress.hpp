@@ -5,7 +5,7 @@
 
 namespace stepwire::cli {
 
-/// A bar on the standard error while something takes long; silent where that is no terminal.
+/// Progress bar on the standard error; silent unless that is a terminal.
 class Progress {
  public:
   explicit Progress(const std::string& label);
@@ -13,7 +13,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `fraction` 0 to 1; may be called from any thread.
+  /// Sets the finished fraction, 0 to 1. Thread-safe.
   void show(double fraction, const std::string& what = "");
 
  private:

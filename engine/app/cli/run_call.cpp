@@ -24,7 +24,8 @@ using json::Json;
 
 namespace {
 
-/// Files of one name in different folders would write over each other.
+/// True if each file has an output folder of its own. Files of one name from different folders would
+/// overwrite each other's results.
 bool folders_differ(const RunCall& call) {
   std::map<std::string, std::string> files;
   for (const std::string& file : call.models.files) {
@@ -37,7 +38,7 @@ bool folders_differ(const RunCall& call) {
   return true;
 }
 
-/// Two of --json, --csv - and --out - would mix on the standard output.
+/// True if at most one of --json, --csv - and --out - uses the standard output, and --csv has a single file.
 bool output_is_single(const RunCall& call) {
   std::vector<std::string> takers;
   if (call.models.json) takers.emplace_back("--json");
@@ -61,8 +62,8 @@ ExitCode run_each(const RunCall& call, const Registry& registry, MpiRun* mpi = n
   });
 }
 
-/// Each process has a worker, made before MPI begins, whose death leaves the process as it is. Of all
-/// processes only process 0 writes and says anything.
+/// Runs a file on the processes of mpirun. Each process forks a worker before MPI starts, so the death of a
+/// worker does not end the process. Only process 0 writes and prints.
 ExitCode run_by_mpi(const RunCall& call, const Registry& registry) {
   if (call.models.files.size() != 1) {
     complain("--mpi runs one file; give each file a call of its own\n");
@@ -82,7 +83,7 @@ ExitCode run_by_mpi(const RunCall& call, const Registry& registry) {
   return mpi.finish(guarded([&] { return run_each(call, registry, shared); }));
 }
 
-/// What --out - gives: the folders of the runs, which are there as long as this takes.
+/// Runs the files into a temporary folder and writes it as an archive to the standard output.
 ExitCode run_into_archive(RunCall call, const Registry& registry) {
   if (::isatty(STDOUT_FILENO) == 1) {
     complain(
@@ -99,7 +100,8 @@ ExitCode run_into_archive(RunCall call, const Registry& registry) {
   return code;
 }
 
-/// A list of words, each once, separated by commas; `kind_of` gives nothing for a word that is none.
+/// Splits a list of words, separated by commas, and removes duplicates. `kind_of` returns std::nullopt for an
+/// unknown word.
 template <class KindOf>
 auto kinds_of(const std::string& option, const std::string& list, const std::string& names,
               const KindOf& kind_of) {
@@ -122,7 +124,7 @@ auto kinds_of(const std::string& option, const std::string& list, const std::str
 void add_kinds_options(CLI::App& verb, std::optional<session::FileKinds>& of_files,
                        render::PictureKinds& of_pictures) {
   const std::string files = session::file_kind_names(), pictures = render::picture_kind_names();
-  CLI::Option* const out = verb.get_option("--out");  // without it these would do nothing
+  CLI::Option* const out = verb.get_option("--out");  // these options have no effect without --out
   verb.add_option_function<std::string>(
           "--files",
           [&of_files, files](const std::string& list) {

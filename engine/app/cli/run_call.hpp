@@ -14,33 +14,32 @@
 
 namespace stepwire::cli {
 
-/// A call of `run`, `fit`, `tune` or `study`.
+/// Call of `run`, `fit`, `tune` or `study`.
 struct RunCall {
   ModelCall models;
-  std::string out;       ///< folder; empty: nothing is written; "-": an archive on the standard output
-  bool archive = false;  ///< `out` holds what becomes an archive: a folder for each file
-  std::string csv;       ///< file for the recorded table; "-": the standard output; empty: none
+  std::string out;       ///< Folder; empty: no files; "-": archive on the standard output.
+  bool archive = false;  ///< True: `out` is the folder of an archive, with a subfolder for each file.
+  std::string csv;       ///< File for the recorded table; "-": standard output; empty: none.
   std::optional<session::FileKinds> files{};
   render::PictureKinds pictures = render::usual_pictures;
   run::ExecutionMode engine = run::ExecutionMode::automatic;
-  bool profile = false;          ///< measure what each block costs
-  std::string requires_section;  ///< a file without this section is refused; empty: any file will do
+  bool profile = false;          ///< measure the cost of each block
+  std::string requires_section;  ///< section that each file must have; empty: none
   session::FitCall fit;
   session::TuneCall tune;
-  std::optional<session::Share> part;  ///< of a sweep: what this call runs
-  bool mpi = false;                    ///< the processes of mpirun share the work of the one file
+  std::optional<session::Share> part;  ///< share of a sweep that this call runs
+  bool mpi = false;                    ///< distribute the work of the one file to the processes of mpirun
 };
 
 inline constexpr const char* standard_output = "-";
 
-/// Declares the options that the four have; `out` explains --out.
+/// Declares the common options of the four verbs; `out` is the help text of --out.
 void add_run_options(CLI::App& verb, RunCall& call, const std::string& out);
 
-/// Declares --files and --pictures.
 void add_kinds_options(CLI::App& verb, std::optional<session::FileKinds>& files,
                        render::PictureKinds& pictures);
 
-/// Runs the files; one with a fit is fitted first, and of one with a study the trials are run.
+/// Runs the files. A file with a fit is fitted first; for a file with a study the trials are run.
 ExitCode run_models(const RunCall& call, const Registry& registry);
 
 }  // namespace stepwire::cli

@@ -35,7 +35,7 @@ std::string file_name(const session::LoadedModel& model) {
   return std::filesystem::path(model.file).filename().string();
 }
 
-/// What is done with one file.
+/// Run of one file.
 class FileRun {
  public:
   FileRun(const RunCall& call, session::Session& session, MpiRun* mpi)
@@ -83,7 +83,7 @@ class FileRun {
                 : kept.run_share(session_, call_.engine, call_.models.threads);
   }
 
-  /// Other processes for a job of the model; null where there are none.
+  /// Returns the other processes as workers for a job; nullptr without MPI.
   messages::ItemWorkers* others(cluster::SharedJob::Kind kind, const session::LoadedModel& model,
                                 const std::string& folder, const std::string& follows_from,
                                 std::size_t most) {
@@ -91,7 +91,7 @@ class FileRun {
     return &mpi_->workers(job_of(kind, model), folder, follows_from, most, session_.monitor());
   }
 
-  /// Finds the parameters of the section `tune`, prints them, and loads the model with them.
+  /// Optimises the parameters of the section `tune`, prints them, and reloads the model with them.
   ExitCode tune(session::LoadedModel& model, const std::string& folder, Json& results) {
     session::TuneCall call = call_.tune;
     call.engine = call_.engine;
@@ -111,7 +111,7 @@ class FileRun {
     return code;
   }
 
-  /// Finds the parameters of the section `fit`, prints them, and loads the model with them.
+  /// Estimates the parameters of the section `fit`, prints them, and reloads the model with them.
   ExitCode fit(session::LoadedModel& model, const std::string& folder, Json& results) {
     session::FitCall call = call_.fit;
     call.engine = call_.engine;
@@ -132,7 +132,7 @@ class FileRun {
   }
 
   ExitCode run(const session::LoadedModel& model, const std::string& folder, Json& results) {
-    // Better now than after an hour, in which data files may change.
+    // Written before the run, during which data files may change.
     if (!folder.empty()) replay::write_replay(folder, model.job);
     const session::Outcome outcome = written_run(model, folder);
     const std::optional<profile::Profile> profile = wanted_profile(model);
@@ -175,7 +175,8 @@ class FileRun {
     return outcome;
   }
 
-  /// What is left of a run that is killed; null where that has no place.
+  /// Returns the writer of rows that survive a killed run; nullptr if no folder or no HDF5 file is written,
+  /// or in a sweep.
   std::unique_ptr<session::PartialSignals> partial_signals(const std::string& folder,
                                                            const session::LoadedModel& model) const {
     const bool kept = std::ranges::find(use_.files, session::FileKind::h5) != use_.files.end();
@@ -193,14 +194,14 @@ class FileRun {
     if (!folder.empty() && !call_.archive) say("  written to {}\n", folder);
   }
 
-  /// A bar on the terminal for what the session does from now on, as long as it lives.
+  /// Returns a progress bar for the session's next operation, shown during its lifetime.
   std::unique_ptr<Progress> watched(const std::string& label) {
     auto progress = std::make_unique<Progress>(label);
     session_.monitor() = terminal_monitor(progress.get());
     return progress;
   }
 
-  /// Measured behind the run, on a run of its own: what is recorded and judged is that of any other call.
+  /// Measures the costs in a separate run, so that the recorded run is not disturbed.
   std::optional<profile::Profile> wanted_profile(const session::LoadedModel& model) const {
     if (!call_.profile || interrupted()) return std::nullopt;
     return report::profile_of(model, &interrupted());
@@ -220,11 +221,11 @@ class FileRun {
     return session_.study(model, call);
   }
 
-  /// Makes the study of the section `study`, in the place of a run.
+  /// Runs the study of the section `study` instead of a single run.
   ExitCode study(session::LoadedModel& model, const std::string& folder, Json& results) {
     const session::Studies::Shared experiments = perform(model, folder);
     const session::Outcome outcome = session::study_outcome(model, *experiments);
-    if (outcome.result.interrupted) {  // nothing is kept of half an experiment
+    if (outcome.result.interrupted) {  // an unfinished experiment leaves no results
       if (!folder.empty() && model.study->experiments > 1)
         say("the experiments that are done are kept in {}; the same call goes on\n", folder);
       return ExitCode::interrupted;

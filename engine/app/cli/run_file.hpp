@@ -6,17 +6,16 @@
 
 namespace stepwire::cli {
 
-/// The folder for the results of a file: several files get one each, and those of an archive; empty where
-/// nothing is written.
+/// Returns the folder for the results of a file; empty without --out. Several files, and the files of an
+/// archive, get subfolders.
 std::string folder_of(const RunCall& call, const std::string& file);
 
-/// Does with a loaded model what the call is for: fits it, runs it or its study, prints and writes the
-/// results, and pushes those for programs to the list. `session` is what the files of one call share; `mpi`
-/// may be null.
+/// Performs the call on a loaded model: fits it, runs it or its study, and prints and writes the results.
+/// Results for --json are pushed to the list. Files of one call share `session`. `mpi` may be nullptr.
 ExitCode run_file(const RunCall& call, session::Session& session, session::LoadedModel& model,
                   json::Json& results, MpiRun* mpi);
 
-/// Prints what a run came to; of a quiet call what failed.
+/// Prints the outcome of a run; in a quiet call only its failures.
 void put_outcome(const session::LoadedModel& model, const session::Outcome& outcome);
 
 }  // namespace stepwire::cli

@@ -22,7 +22,7 @@ void require_section(const RunCall& call, const session::LoadedModel& model) {
     refuse("has no section 'study'; it names task, people and conditions");
 }
 
-/// The one table that --csv has.
+/// Refuses --csv unless the model has exactly one recorded table.
 void require_one_table(const RunCall& call, const session::LoadedModel& model) {
   if (call.csv.empty()) return;
   const auto refuse = [&](const std::string& message) {
@@ -38,7 +38,8 @@ void require_one_table(const RunCall& call, const session::LoadedModel& model) {
         count));
 }
 
-/// What several calls or processes share lies in a folder. A share is of a sweep alone.
+/// Refuses --part and --mpi for a model that cannot be shared, or without a folder for the journal. A share
+/// is always a part of a sweep.
 void require_shares(const RunCall& call, const session::LoadedModel& model) {
   if (!call.part && !call.mpi) return;
   const auto refuse = [&](const char* message) {
@@ -52,7 +53,7 @@ void require_shares(const RunCall& call, const session::LoadedModel& model) {
   if (call.out.empty() || call.archive) refuse("needs --out DIR, in which what is done is kept");
 }
 
-/// Better now than after the run.
+/// Refuses a missing folder before the run rather than after it.
 void require_place(const std::string& file) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   if (!folder.empty()) io::require_folder(folder.string());

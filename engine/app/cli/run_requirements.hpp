@@ -4,8 +4,8 @@
 
 namespace stepwire::cli {
 
-/// Refuses, before the first step, a model that has not what a call needs, or more than it has room for.
-/// Throws Error, EnvironmentError.
+/// Refuses a model that does not fit the options of a call, before the first step. Throws Error and
+/// EnvironmentError.
 void require_fitting(const RunCall& call, const session::LoadedModel& model);
 
 }  // namespace stepwire::cli

@@ -19,7 +19,7 @@ struct StatisticsCall {
   std::string sums = "partial";
   bool power = false;
   std::uint64_t seed = 1;
-  std::string out;  ///< folder; empty: nothing is written
+  std::string out;  ///< folder; empty: no files
   bool json = false;
 };
 

@@ -24,7 +24,7 @@ struct StudioWords {
   session::LoopWords timing;
 };
 
-/// 0 is any free port. Throws Error where the text is no port.
+/// Parses a port; 0 means any free port. Throws Error.
 std::uint16_t port_of(const std::string& text) {
   std::uint16_t port = 0;
   const char* const end = text.data() + text.size();
@@ -42,7 +42,7 @@ studio::StudioCall call_of(const StudioWords& words) {
   return call;
 }
 
-/// There is a browser where there is a display.
+/// True if a graphical display exists, which a browser needs.
 bool has_display() {
   return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY");
 }

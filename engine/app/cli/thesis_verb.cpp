@@ -26,7 +26,7 @@ void summarise(const std::vector<gallery::GalleryEntry>& entries) {
                                 text::visible(verdict.check)));
 }
 
-/// Prints why a figure is not as it should be.
+/// Prints the faults of a figure and returns its exit code.
 ExitCode report(const thesis::ThesisFigure& figure) {
   return guarded([&] {
     if (figure.error) std::rethrow_exception(figure.error);

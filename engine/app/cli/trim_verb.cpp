@@ -18,7 +18,7 @@ namespace {
 struct TrimCall {
   std::string file;
   LoadWords words;
-  std::string out;  ///< folder; empty: nothing is written
+  std::string out;  ///< folder; empty: no files
   bool json = false;
 };
 

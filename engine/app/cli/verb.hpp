@@ -12,18 +12,18 @@ class App;
 
 namespace stepwire::cli {
 
-/// What a call of a verb does, once its words are read.
+/// Action of a verb, after its arguments are parsed.
 using Action = std::function<ExitCode(const Registry&)>;
 
-/// A verb of the command line. Its file declares its options, and what it does with them.
+/// Verb of the command line. Its source file declares its options and its action.
 struct Verb {
   const char* name;
-  const char* about;   ///< its line of `stepwire --help`
-  const char* footer;  ///< the end of its own help: an example
+  const char* about;   ///< line in `stepwire --help`
+  const char* footer;  ///< end of its own help: an example
   Action (*declare)(CLI::App&);
 };
 
-/// All verbs, in the order of `stepwire --help`.
+/// Returns all verbs in the order of `stepwire --help`.
 const std::vector<Verb>& verbs();
 
 }  // namespace stepwire::cli

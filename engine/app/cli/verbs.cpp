@@ -2,7 +2,7 @@
 
 namespace stepwire::cli {
 
-// Each stands in a file of its own: run_verb() in run_verb.cpp.
+// Each of these has a source file of its own: run_verb() is in run_verb.cpp.
 Verb run_verb(), fit_verb(), tune_verb(), study_verb(), check_verb(), flatten_verb(), generate_verb(),
     draw_verb(), verify_verb(), loop_verb(), thesis_verb(), blocks_verb(), format_verb(), schema_verb(),
     lsp_verb(), studio_verb(), linearize_verb(), trim_verb(), help_verb(), completion_verb(), collect_verb(),

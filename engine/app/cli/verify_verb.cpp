@@ -15,7 +15,8 @@ namespace stepwire::cli {
 
 namespace {
 
-/// Trials that were recorded cannot be replayed; they are analysed again.
+/// Verifies a folder of recorded trials by repeating their analysis, because trials of persons cannot be
+/// replayed.
 ExitCode verify_analysis(const std::string& folder, const Registry& registry) {
   const std::string difference = session::verify_recorded(folder, registry);
   const std::string agree = folder + ": errors and tables of the recorded trials: all bits agree";

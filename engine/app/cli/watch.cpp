@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::chrono::milliseconds between_looks{200};
 
-/// What tells one content of a file from another.
+/// Time and size of a file, by which changes are detected.
 struct Stamp {
   std::filesystem::file_time_type time{};
   std::uintmax_t size = 0;
@@ -40,7 +40,7 @@ Stamps now(const Stamps& files) {
   return stamps;
 }
 
-/// False where it was interrupted before.
+/// False after an interruption.
 bool wait_for_change(const Stamps& before) {
   while (!interrupted()) {
     if (now(before) != before) return true;
@@ -66,7 +66,7 @@ ExitCode watch(const std::function<void(WatchedFiles&)>& round) {
   const EndDelay delay(EndDelay::Signals::first);
   Stamps seen;
   do {
-    Stamps next = now(seen);  // before the round, so that what changes meanwhile begins the next one
+    Stamps next = now(seen);  // taken before the round, so that changes during it start the next one
     WatchedFiles watched;
     round(watched);
     finish_output();

@@ -9,13 +9,13 @@
 
 namespace stepwire::cli {
 
-/// The files from which a round was made, so that the next one begins when one of them changes.
+/// Input files of a round, whose changes start the next one.
 class WatchedFiles {
  public:
   void add(const std::string& file) { files_.push_back(file); }
-  /// All that a loader has read, also what it could not read.
+  /// Adds all files that the loader has read or tried to read.
   void add(const diagram::Loader& loader);
-  /// Files of data that the blocks of a diagram read.
+  /// Adds the data files that blocks of the diagram read.
   void add(const diagram::Diagram& diagram);
   const std::vector<std::string>& files() const { return files_; }
 
@@ -23,11 +23,11 @@ class WatchedFiles {
   std::vector<std::string> files_;
 };
 
-/// Does a round again each time that one of its files has changed, until interrupted. Files are looked at by
-/// their path five times a second, so that an editor may write another file and rename it.
+/// Repeats a round after each change of its files, until interrupted. Files are polled by path five times a
+/// second, so an editor may replace a file by renaming.
 ExitCode watch(const std::function<void(WatchedFiles& files)>& round);
 
-/// The time of day, as a line of a round begins: "14:03:59".
+/// Returns the time of day for the first line of a round: "14:03:59".
 std::string time_of_day();
 
 }  // namespace stepwire::cli

@@ -7,12 +7,12 @@ namespace stepwire::cluster {
 
 namespace {
 
-constexpr double share_of_answers = 0.25;  // of the time, that answers may take
-constexpr double longest = 10.0;           // that a group may take [s]: as much is lost with a process
-constexpr std::size_t first_group = 8;     // while nothing is known; as many runs as go in lanes
-constexpr std::size_t most = 100'000;      // whose numbers a message has room for
-constexpr std::size_t groups_left = 4;     // for each process, of which one of equal length takes the next
-constexpr double forget_beyond = 1e4;      // notes
+constexpr double share_of_answers = 0.25;  // Largest fraction of the server's time for answers.
+constexpr double longest = 10.0;           // Longest duration of a group [s], which bounds lost work.
+constexpr std::size_t first_group = 8;     // Group size before the first measurement: the lanes of a run.
+constexpr std::size_t most = 100'000;      // Largest number of items whose numbers fit into a message.
+constexpr std::size_t groups_left = 4;     // Groups per process that the remaining items make.
+constexpr double forget_beyond = 1e4;      // Number of notes after which old ones lose weight.
 
 std::size_t whole(double number) {
   return static_cast<std::size_t>(std::clamp(std::ceil(number), 1.0, 1e15));
@@ -40,7 +40,8 @@ std::size_t GroupSize::next(std::size_t left, std::size_t processes) const {
   const std::size_t even = std::max<std::size_t>(1, left / (groups_left * processes));
   const double item = item_.value();
   if (item <= 0.0) return std::min(even, first_group);
-  const double busy = answer_.value() * static_cast<double>(processes) / share_of_answers;  // [s]
+  // Shortest duration of a group that leaves the server mostly idle [s].
+  const double busy = answer_.value() * static_cast<double>(processes) / share_of_answers;
   const std::size_t share = left / processes + 1;
   const std::size_t fewest = std::min(whole(busy / item), share);
   return std::min({std::max(even, fewest), whole(longest / item), most});

@@ -4,22 +4,25 @@
 
 namespace stepwire::cluster {
 
-/// How many items a process is given at once: so many that the messages of all processes leave the one that
-/// answers them mostly idle, and so few that all end at about the same time and little is lost with one.
+/// Size of the group of items that a process is given at once.
+/// Large groups keep the server mostly idle; small ones let all processes end together and lose little work
+/// with a process. The rule is guided self-scheduling: each request gets a fixed fraction of an even share of
+/// the remaining items, so groups shrink towards the end. A group is at least as long as the measured cost of
+/// answers demands, and at most 10 s long.
 class GroupSize {
  public:
-  /// Notes that a process has done a group of items in so many seconds.
+  /// Adds a group of items that a process has done in `seconds`.
   void note_group(std::size_t items, double seconds);
-  /// Notes what it took to answer a message, beside keeping what it brought [s].
+  /// Adds the time [s] of answering a message, without storing the results in it.
   void note_answer(double seconds);
 
-  /// Of `left` items that no process has yet, for one of so many.
+  /// Returns the size of the next group, with `left` items not given out yet and `processes` processes.
   std::size_t next(std::size_t left, std::size_t processes) const;
-  /// What answers took [s]; 0 where none was noted.
+  /// Returns the mean time of an answer [s]; 0 before the first note.
   double answer() const { return answer_.value(); }
 
  private:
-  /// A mean in which what is long ago counts less and less.
+  /// Mean that forgets: old values lose weight.
   struct Mean {
     double sum = 0.0, count = 0.0;
     void add(double value, double weight);

@@ -44,7 +44,7 @@ std::optional<messages::Item> ItemClient::next() {
 }
 
 void ItemClient::ask() {
-  if (results_.size() > most_beside) send_results();  // a request stays short
+  if (results_.size() > most_beside) send_results();  // keeps the request short
   const double seconds = std::chrono::duration<double>(Clock::now() - begun_).count();
   ByteWriter writer;
   all(writer, kind::wants_items, job_, group_, seconds, results_);

@@ -12,20 +12,21 @@
 
 namespace stepwire::cluster {
 
-/// The jobs and items that process 0 gives to this one. Throws EnvironmentError where process 0 has gone.
+/// Client side of the item server: receives jobs and items from process 0. All calls throw EnvironmentError
+/// if the connection to process 0 is lost.
 class ItemClient {
  public:
   explicit ItemClient(messages::Connection& server) : server_(server) {}
 
-  /// What the next job is, once the last one has come to its end; nothing where there are no more.
+  /// Waits for the next job and returns it; std::nullopt after the last one.
   std::optional<std::string> next_job();
-  /// An item of the job; nothing once there is none. From any thread.
+  /// Returns the next item of the job; std::nullopt after the last one. Thread-safe.
   std::optional<messages::Item> next();
-  /// What came out of an item. From any thread.
+  /// Sends the result of an item. Thread-safe.
   void put(std::size_t number, std::string_view bytes);
-  /// Says that an item is refused.
+  /// Reports that an item is refused, with its faults.
   void refuse(const yaml::Error& error);
-  /// Says why this process gives up.
+  /// Reports that this process gives up.
   void fail(const std::string& why);
 
  private:
@@ -38,8 +39,8 @@ class ItemClient {
   messages::Connection& server_;
   std::mutex mutex_;
   std::uint64_t job_ = 0;
-  std::vector<messages::Item> given_;  ///< the next one last
-  std::uint64_t group_ = 0;            ///< how many items were given at once
+  std::vector<messages::Item> given_;  ///< in reverse order
+  std::uint64_t group_ = 0;            ///< size of the last group
   Clock::time_point begun_ = Clock::now(), sent_ = begun_;
   std::string results_;
 };

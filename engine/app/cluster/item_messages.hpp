@@ -2,23 +2,24 @@
 
 namespace stepwire::cluster {
 
-/// What a message between process 0 and one that works is, by its first byte.
+/// First byte of a message between process 0 and a worker, its kind. The trailing comments give the content
+/// that follows.
 namespace kind {
 
-// To process 0.
-inline constexpr char hello = 'h';        ///< the process, as a number of its machine, and the machine's name
-inline constexpr char wants_job = 'j';    ///< has no job, or has come to its end
-inline constexpr char wants_items = 'a';  ///< of a job, after so many seconds and items; and results
-inline constexpr char results = 'r';      ///< what came out of items
-inline constexpr char refused = 'e';      ///< faults of what the user wrote
-inline constexpr char failed = 'f';       ///< why the worker gives up
-inline constexpr char died = 'd';         ///< how the worker died
+// Messages to process 0.
+inline constexpr char hello = 'h';        ///< Process id and host name.
+inline constexpr char wants_job = 'j';    ///< Empty; the worker has no job, or has finished it.
+inline constexpr char wants_items = 'a';  ///< Job, size and duration [s] of the last group; results.
+inline constexpr char results = 'r';      ///< Results of items.
+inline constexpr char refused = 'e';      ///< Faults in the user's file.
+inline constexpr char failed = 'f';       ///< Reason for giving up.
+inline constexpr char died = 'd';         ///< Cause of the worker's death.
 inline constexpr char alive = 'l';
-inline constexpr char bye = 'b';  ///< the last one
+inline constexpr char bye = 'b';  ///< Empty; last message of a process.
 
-// From process 0.
-inline constexpr char job = 'J';    ///< its number and what it is
-inline constexpr char items = 'I';  ///< none: there are no more of this job
+// Messages from process 0.
+inline constexpr char job = 'J';    ///< Number and content of the job.
+inline constexpr char items = 'I';  ///< Next group; empty after the last item of the job.
 inline constexpr char end = 'E';
 
 }  // namespace kind

@@ -21,7 +21,7 @@ namespace {
 constexpr std::chrono::milliseconds look{200};
 constexpr std::chrono::seconds between_looks{1}, longest_silence{60};
 
-/// Is a process of this machine there, and not only its entry? A number that is used again is taken for it.
+/// True if the process runs on this machine and is no zombie. A reused process id counts as the same process.
 bool is_alive(std::int64_t process) {
   std::ifstream file(fmt::format("/proc/{}/stat", process));
   std::string line;
@@ -30,7 +30,7 @@ bool is_alive(std::int64_t process) {
   return behind != line.npos && line[behind + 2] != 'Z' && line[behind + 2] != 'X';
 }
 
-/// Time of a processor that this thread had, whatever else the machine does [s].
+/// Returns the CPU time of this thread [s], which does not depend on the load of the machine.
 double processor_time() {
   timespec time{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -62,7 +62,8 @@ bool ItemServer::finish() {
   return std::all_of(workers_.begin() + 1, workers_.end(), [](const Worker& worker) { return !worker.lost; });
 }
 
-/// Takes a message, or waits for one; of one that was there already it is measured what an answer takes.
+/// Handles one message, or waits for one. The answer is timed only if the message had already arrived,
+/// because the CPU time of a wait would distort it.
 void ItemServer::step() {
   const auto begin = Clock::now();
   if (begin - looked_ > between_looks) look_for_deaths();
@@ -81,7 +82,7 @@ void ItemServer::step() {
   if (!waited) measure(kind, processor_time() - start);
 }
 
-/// What hangs on the number of items is no cost of an answer.
+/// Excludes the per-item cost (`taking_`) from the cost of an answer.
 void ItemServer::measure(char kind, double seconds) {
   if (kind == kind::wants_items) size_.note_answer(seconds - taking_);
   if (kind == kind::results) taking_ = seconds;
@@ -100,7 +101,7 @@ void ItemServer::take(std::size_t of, char kind, std::string_view rest) {
   take_note(of, kind, rest);
 }
 
-/// What a process says of itself.
+/// Handles a message about the state of a process: its name, its end, its failure.
 void ItemServer::take_note(std::size_t of, char kind, std::string_view rest) {
   Worker& worker = workers_[of];
   ByteReader reader(rest);
@@ -127,7 +128,7 @@ void ItemServer::take_request(std::size_t of, std::string_view rest) {
   take_results(workers_[of], results);
   size_.note_group(items, seconds);
   if (source_ && job == job_number_) return give(of);
-  messages_.send(static_cast<int>(of), std::string(1, kind::items));  // its job is over
+  messages_.send(static_cast<int>(of), std::string(1, kind::items));  // The job of the request has ended.
 }
 
 void ItemServer::take_results(Worker& worker, std::string_view rest) {
@@ -191,8 +192,8 @@ void ItemServer::end(Worker& worker) {
   --living_;
 }
 
-/// A process of this machine is looked for; one of another is taken for dead once it has not said for a
-/// minute that it is alive.
+/// Marks dead processes. A process of this machine is looked up in /proc; one of another machine is dead
+/// after a minute without a message.
 void ItemServer::look_for_deaths() {
   looked_ = Clock::now();
   for (std::size_t of = 1; of < workers_.size(); ++of) {

@@ -13,24 +13,26 @@
 
 namespace stepwire::cluster {
 
-/// Process 0 of several: it gives the items of one job after the other to those that ask for some, and takes
-/// what comes out of them.
+/// Server in process 0 that distributes the items of one job after the other to the other processes, and
+/// collects the results.
 class ItemServer {
  public:
-  /// `messages` has at least two processes.
+  /// `messages` must have at least two processes.
   explicit ItemServer(messages::Messages& messages)
       : messages_(messages),
         workers_(static_cast<std::size_t>(messages.size())),
         living_(workers_.size() - 1) {}
 
-  /// Serves until all items of a job are done, until the rest of them was lost with their processes, or until
-  /// it is interrupted. `job` says what the items are. Throws the Error that a process threw.
+  /// Serves until all items of the job are done, until the processes of the remaining ones have died, or
+  /// until an interruption. The text `job` is the content of the job message. Throws the Error that a worker
+  /// reports.
   void serve(ItemSource& source, const std::string& job, const session::Monitor& monitor);
-  /// Has all others end. False where some of them will not come to their end by themselves.
+  /// Ends all workers. False if some of them are lost and will not exit by themselves.
   bool finish();
-  /// "process 2 on node7 has died ..., and with it 3 ...": a sentence for each; none where all are well.
+  /// One sentence for each death: "process 2 on node7 has died ..., and with it 3 ...".
   const std::vector<std::string>& deaths() const { return deaths_; }
-  /// What it has cost so far, beside waiting: to answer a message, and to keep what came out of an item [s].
+  /// Return measured mean costs [s], without waiting: of answering a message, and of storing the result of an
+  /// item.
   double seconds_of_answer() const { return size_.answer(); }
   double seconds_of_item() const;
 
@@ -39,12 +41,12 @@ class ItemServer {
   struct Worker {
     std::string host;
     std::int64_t process = 0;
-    std::deque<std::size_t> has;  ///< items that it has been given and has not done yet
+    std::deque<std::size_t> has;  ///< items given but not done
     Clock::time_point heard = Clock::now();
     bool wants_job = false;
-    bool ended = false;  ///< does no more items
-    bool gone = false;   ///< sends nothing any more
-    bool lost = false;   ///< has died, and not only what works for it
+    bool ended = false;  ///< accepts no more items
+    bool gone = false;   ///< sends no more messages
+    bool lost = false;   ///< the process itself has died, not only its child process
   };
 
   void step();
@@ -61,19 +63,19 @@ class ItemServer {
   bool is_done() const;
 
   messages::Messages& messages_;
-  std::vector<Worker> workers_;     ///< by their process; the first is none
-  std::size_t living_, given_ = 0;  ///< workers that do items, and the items that they have
+  std::vector<Worker> workers_;     ///< indexed by process; element 0 is unused
+  std::size_t living_, given_ = 0;  ///< workers that accept items, and items in work
   std::vector<std::string> deaths_;
   std::vector<yaml::Fault> refused_;
   GroupSize size_;
-  ItemSource* source_ = nullptr;  ///< null between jobs
+  ItemSource* source_ = nullptr;  ///< nullptr between jobs
   std::string job_;
   std::uint64_t job_number_ = 0;
   Clock::time_point looked_ = Clock::now();
-  double taking_ = 0.0;    ///< what the items of the message at hand cost [s]
-  std::size_t taken_ = 0;  ///< that it brought
-  double costs_ = 0.0;     ///< of all items whose cost was measured [s]
-  std::size_t items_ = 0;  ///< how many these are
+  double taking_ = 0.0;    ///< cost of the items in the current message [s]
+  std::size_t taken_ = 0;  ///< number of items in the current message
+  double costs_ = 0.0;     ///< total cost of all measured items [s]
+  std::size_t items_ = 0;  ///< number of all measured items
 };
 
 }  // namespace stepwire::cluster

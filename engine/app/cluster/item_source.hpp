@@ -8,17 +8,17 @@
 
 namespace stepwire::cluster {
 
-/// Items that other processes are to do, and where goes what comes out of them. One thread at a time.
+/// Queue of items for other processes, and sink of their results. Not thread-safe.
 class ItemSource {
  public:
   virtual ~ItemSource() = default;
-  /// One that no process has been given yet; nothing once there is none.
+  /// Returns the next item that is not given out yet; std::nullopt after the last one.
   virtual std::optional<messages::Item> next() = 0;
-  /// Those that next() has not named yet, at most.
+  /// Returns an upper limit of the number of items that next() will still return.
   virtual std::size_t left() const = 0;
-  /// What a process sent of an item that it has done. Throws EnvironmentError.
+  /// Stores the result of an item. Throws EnvironmentError.
   virtual void take(std::size_t number, std::string_view bytes) = 0;
-  /// How much is done, 0 to 1, for people.
+  /// Returns the finished fraction, 0 to 1, for a progress display.
   virtual double done() const = 0;
 };
 

@@ -33,7 +33,7 @@ void JobWorker::work(const std::string& job) {
 }
 
 void JobWorker::begin(const SharedJob& job) {
-  item_work_ = nullptr;  // it uses the model
+  item_work_ = nullptr;  // The work refers to the model, which is replaced below.
   session::LoadOptions options = call_.options;
   options.settings = job.settings;
   options.of_points = job.of_points;

@@ -9,7 +9,7 @@
 
 namespace stepwire::cluster {
 
-/// What all processes of a call know of it.
+/// Arguments of a call that all its processes have.
 struct SharedCall {
   std::string file;
   session::LoadOptions options;
@@ -17,15 +17,15 @@ struct SharedCall {
   session::FitCall fit;
   session::TuneCall tune;
   run::ExecutionMode engine = run::ExecutionMode::automatic;
-  unsigned threads = 1;  ///< of a process
+  unsigned threads = 1;  ///< threads per process
 };
 
-/// Does the jobs that process 0 gives to this one.
+/// Worker that runs the jobs which process 0 distributes.
 class JobWorker {
  public:
   JobWorker(const Registry& registry, SharedCall call, ItemClient& client);
 
-  /// Until there are no more. What goes wrong is said by process 0.
+  /// Works until there are no more jobs. Faults are sent to process 0, which reports them.
   void work();
 
  private:
@@ -38,9 +38,9 @@ class JobWorker {
   const SharedCall call_;
   ItemClient& client_;
   session::Session session_;
-  std::string job_;  ///< that stands in the members below
+  std::string job_;  ///< the job that is loaded into the members below
   std::optional<session::LoadedModel> model_;
-  messages::ItemWork item_work_;  ///< empty: points of a sweep
+  messages::ItemWork item_work_;  ///< empty: the items are points of a sweep
 };
 
 }  // namespace stepwire::cluster

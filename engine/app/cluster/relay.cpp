@@ -49,12 +49,12 @@ class Relay {
     if (const auto how = worker_.death()) messages_.send(0, kind::died + *how);
   }
 
-  /// Is there more to come?
+  /// False after the end message.
   bool to_worker(const messages::Message& message) {
     if (message.bytes.starts_with(kind::end)) return false;
     try {
       if (connected_) worker_.other().send(message.bytes);
-    } catch (const io::EnvironmentError&) {  // it has died, which shows where it is listened to
+    } catch (const io::EnvironmentError&) {  // The worker has died; from_worker() reports it.
     }
     return true;
   }

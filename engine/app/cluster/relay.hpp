@@ -5,8 +5,9 @@
 
 namespace stepwire::cluster {
 
-/// Hands on what process 0 and the worker of this process send to each other, and says when the worker died,
-/// until process 0 has all end. So a worker may die, and the processes of the call stay together.
+/// Forwards messages between process 0 and the worker of this process until process 0 sends the end message,
+/// and reports the death of the worker. MPI would end the whole call with a process that dies. So the work
+/// runs in a child process, whose death leaves the MPI processes intact.
 void relay(messages::Messages& messages, messages::WorkerProcess& worker);
 
 }  // namespace stepwire::cluster

@@ -6,7 +6,7 @@
 
 namespace stepwire::cluster {
 
-/// The points of a sweep as items, whose results go to where the points are kept.
+/// Points of a sweep as items; the results are appended to the sweep's journal.
 class PointItems : public ItemSource {
  public:
   explicit PointItems(session::KeptPoints& kept) : kept_(kept) {}
@@ -25,7 +25,7 @@ class PointItems : public ItemSource {
   session::KeptPoints& kept_;
 };
 
-/// The points that process 0 gives to this one.
+/// Points of a sweep that process 0 distributes, as seen by a worker.
 class ServedPoints : public run::PointExchange {
  public:
   explicit ServedPoints(ItemClient& client) : client_(client) {}

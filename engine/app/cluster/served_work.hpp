@@ -6,20 +6,20 @@
 
 namespace stepwire::cluster {
 
-/// Items of one job of a model that other processes do, kept in its folder.
+/// Item runner that uses the worker processes, with a journal in the job's folder.
 class ServedWork : public messages::ItemWorkers {
  public:
-  /// `follows_from` is all that decides what comes out of the job's items, of which there are so many at
-  /// most. What is given must outlive it. Throws EnvironmentError.
+  /// `follows_from` is the text that determines all results of the job; `most` is the largest number of
+  /// items. The arguments must outlive the object. Throws EnvironmentError.
   ServedWork(ItemServer& server, const session::Monitor& monitor, const SharedJob& job,
              const std::string& folder, const std::string& follows_from, std::size_t most);
 
   std::vector<std::string> run(const std::vector<messages::Item>& items) override;
-  /// How many items an earlier call has left.
+  /// Returns the number of results that an earlier call left.
   std::size_t found() const { return found_; }
-  /// "3 of 8 searches are kept; the same call goes on".
+  /// Returns a note on the stored results, "3 of 8 searches are kept ...".
   std::string state() const;
-  /// Once the results are written: the items go.
+  /// Removes the journal, after the results are written.
   void drop();
 
  private:

@@ -8,22 +8,22 @@
 
 namespace stepwire::cluster {
 
-/// What several processes do together with one file.
+/// Job that several processes run together on one file.
 struct SharedJob {
   enum class Kind : std::uint8_t { points, study, fit, tune };
 
   Kind kind = Kind::points;
-  std::vector<diagram::Setting> settings{};  ///< by which the file is loaded, also what a fit has found
+  std::vector<diagram::Setting> settings{};  ///< settings of the load, with fitted values
   run::PointSettings of_points{};
 };
 
-/// The job of a model.
+/// Returns the job of this kind for a loaded model.
 SharedJob job_of(SharedJob::Kind kind, const session::LoadedModel& model);
-/// "sweep", "study", "fit" or "tune".
+/// Returns "sweep", "study", "fit" or "tune".
 const char* name_of(SharedJob::Kind kind);
 
 std::string bytes_of(const SharedJob& job);
-/// Nothing where the bytes are others than bytes_of() makes.
+/// Parses the bytes of bytes_of(); std::nullopt if they are malformed.
 std::optional<SharedJob> job_of(std::string_view bytes);
 
 }  // namespace stepwire::cluster

@@ -7,7 +7,7 @@
 
 namespace stepwire::cluster {
 
-/// The name of the machine.
+/// Returns the host name; an empty string if it is unavailable.
 inline const std::string& this_host() {
   static const std::string name = [] {
     std::array<char, 256> text{};

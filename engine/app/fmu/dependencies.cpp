@@ -30,7 +30,8 @@ void Dependencies::add_input(int block, std::size_t input, std::set<int>& to) {
     }
 }
 
-// A loop adds nothing on its second way round.
+// Returns the dependencies of an output, memoized. The entry exists before the recursion, so an algebraic
+// loop ends at its second visit.
 const std::set<int>& Dependencies::of_output(int block, int output) {
   const auto [known, is_new] = known_.try_emplace({block, output});
   if (!is_new) return known->second;

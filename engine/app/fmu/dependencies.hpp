@@ -8,14 +8,15 @@
 
 namespace stepwire::fmu {
 
-/// On which blocks a signal depends at an instant: inputs of the diagram, and blocks with continuous states.
+/// Instantaneous dependencies of signals: the diagram inputs and the blocks with continuous states that
+/// affect a signal at the same instant.
 class Dependencies {
  public:
   explicit Dependencies(const plan::Plan& plan) : plan_(plan) {}
 
   const std::set<int>& of_output(int block, int output);
   std::set<int> of(const diagram::SignalRef& signal);
-  /// Of the slopes of a block.
+  /// Returns the dependencies of the derivatives of a block's states.
   std::set<int> of_slopes(int block);
 
  private:

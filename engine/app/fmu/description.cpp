@@ -18,7 +18,7 @@ std::string joined(const std::vector<double>& numbers) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// Do all names follow the grammar of structured names?
+/// True if all names follow the FMI grammar of structured names.
 bool structured(const std::vector<Variable>& variables) {
   static const std::regex name(
       R"(([A-Za-z_]\w*(\.[A-Za-z_]\w*)*(\[\d+(,\d+)*\])?)|(der\([A-Za-z_]\w*(\.[A-Za-z_]\w*)*(\[\d+(,\d+)*\])?\)))");
@@ -66,7 +66,7 @@ class Writer {
     return root;
   }
 
-  /// Adds a mark that our own import reads.
+  /// Adds an annotation of our own, which the import of the engine reads.
   void add_annotation(Element& root, const char* list, const char* item, const char* key) const {
     if (about_.exchange && about_.smooth)
       root.add({list}).add({item}).set(key, fmi::own_annotation).add({fmi::smooth_element});
@@ -85,7 +85,7 @@ class Writer {
     return element;
   }
 
-  /// What the type of a variable says of it.
+  /// Sets the attributes of a variable that belong to its type: unit, limits, derivative, start.
   void set_typed(Element& element, const Variable& variable) const {
     const std::string unit = unit_name(variable);
     if (!unit.empty()) element.set("declaredType", type_name(unit)).set("unit", unit);
@@ -114,7 +114,7 @@ class Writer {
     return element;
   }
 
-  /// The numbers by which the description names variables, those on which one depends.
+  /// Returns the references of the inputs and states on which a variable depends.
   std::string dependencies(const Variable& variable) const {
     std::vector<std::string> words;
     for (std::size_t i = 0; i < variables_.size(); ++i) {

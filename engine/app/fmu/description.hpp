@@ -7,21 +7,22 @@
 
 namespace stepwire::fmu {
 
-/// What a description says besides its variables.
+/// Content of a model description except its variables.
 struct UnitAbout {
-  int version = 3;         ///< of FMI
-  std::string name;        ///< of the model
-  std::string identifier;  ///< of its binary
+  int version = 3;         ///< major version of FMI
+  std::string name;        ///< name of the model
+  std::string identifier;  ///< model identifier, the name of the binary
   std::string title, made_by;
   std::string token;
-  std::string source;  ///< the one that is compiled; no identifier, so that it is not that of the diagram
+  std::string source;  ///< file name of the compiled source; unlike that of the diagram's source it is no C++
+                       ///< identifier
   double step = 0.0, stop = 0.0;
   bool exchange = false;
   std::size_t crossings = 0;
-  bool smooth = false;  ///< no source in it may jump
+  bool smooth = false;  ///< true if no source in the diagram can jump
 };
 
-/// modelDescription.xml of FMI 3 or FMI 2; the variables are those of that version.
+/// Returns modelDescription.xml of FMI 3 or FMI 2. The variables must be those of that version.
 std::string description_text(const UnitAbout& about, const std::vector<Variable>& variables);
 
 }  // namespace stepwire::fmu

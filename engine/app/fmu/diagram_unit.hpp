@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of the sources of every exported unit: the standard library alone is included.
+// Part of the sources of every exported unit, so it includes only the standard library.
 
 #include <cmath>
 #include <cstring>
@@ -12,8 +12,8 @@
 
 namespace stepwire::fmu {
 
-/// A unit of a generated diagram. `Source` has Diagram, the struct; step [s]; layout, by which states of one
-/// unit are known; variables and their count.
+/// Unit of a generated diagram. `Source` has: Diagram, the generated struct; step [s]; layout, the key of its
+/// saved states; variables and their count.
 template <class Source>
 class DiagramUnit final : public ExportedUnit {
   using Diagram = typename Source::Diagram;
@@ -182,7 +182,7 @@ class DiagramUnit final : public ExportedUnit {
   }
 
  private:
-  static constexpr double near = 1e-3;  // of a step: what rounding may do to a time
+  static constexpr double near = 1e-3;  // tolerance of a time, as a fraction of a step, for rounding
   static constexpr unsigned looked_at =
       Phase::initializing | Phase::at_event | Phase::continuous | Phase::ended;
 
@@ -214,7 +214,7 @@ class DiagramUnit final : public ExportedUnit {
     return Status::ok;
   }
 
-  /// Fails where a number is none, or, after a step, where a block has ended it.
+  /// Fails if a signal or state is not finite or, after a step, if a block has reported a fault.
   Status sound(bool stepped) {
     const char* why = moving_.diagram.finite() ? nullptr : "a signal or a state is no finite number";
     if (!why && stepped) why = moving_.diagram.fault();

@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of the sources of every exported unit: the standard library alone is included.
+// Part of the sources of every exported unit, so it includes only the standard library.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,9 @@
 
 namespace stepwire::fmu {
 
-/// Directional derivatives of a diagram, by differences to both sides, one number after the other.
+/// Directional derivatives of a diagram by central differences.
+/// Each known number with a nonzero seed is perturbed in a copy of the diagram, which is evaluated on both
+/// sides. So the diagram itself keeps its bytes. Cost: two evaluations for each such number.
 template <class Source>
 class Difference {
   using Moving = MovingDiagram<Source>;
@@ -26,7 +28,8 @@ class Difference {
         high_(new (std::nothrow) double[numbers + 1]),
         low_(new (std::nothrow) double[numbers + 1]) {}
 
-  /// The sum over all numbers of the derivative by each, times its seed. False without memory.
+  /// Writes to `sum` the derivatives by all known numbers, weighted by their seeds. False if memory
+  /// allocation failed.
   bool add_all(References knowns, const double* seed, double* sum) {
     if (!trial_ || !high_ || !low_) return false;
     std::fill_n(sum, count_, 0.0);
@@ -40,7 +43,8 @@ class Difference {
 
  private:
   void add(const UnitVariable& known, int k, double seed, double* sum) {
-    constexpr double part = 6e-6, least = 1e-3;  // the cube root of what a double resolves; of a size near 0
+    // Relative step, the cube root of the machine epsilon, and the smallest magnitude that it refers to.
+    constexpr double part = 6e-6, least = 1e-3;
     look(known, k, 0.0, nullptr);
     const double x = trial_->number(known, k);
     const double h = part * std::fmax(std::fabs(x), least), above = x + h, below = x - h;
@@ -49,7 +53,8 @@ class Difference {
     for (std::size_t j = 0; j < count_; ++j) sum[j] += seed * ((high_[j] - low_[j]) / (above - below));
   }
 
-  /// The unknowns with another value of a known number; without room for them the diagram as it stands.
+  /// Resets the copy and reads the unknowns after setting a known number. With `values` nullptr it only
+  /// resets.
   void look(const UnitVariable& known, int k, double value, double* values) {
     std::memcpy(static_cast<void*>(trial_.get()), &at_, sizeof at_);
     if (!values) return;

@@ -6,7 +6,7 @@
 
 namespace stepwire::fmu {
 
-/// An element of XML. Texts may be any; what XML refuses of them is escaped as it is written.
+/// XML element. Names, values and texts are escaped on output.
 struct Element {
   std::string name;
   std::vector<std::pair<std::string, std::string>> attributes{};
@@ -14,16 +14,16 @@ struct Element {
 
   Element& set(const std::string& attribute, std::string value);
   Element& set(const std::string& attribute, double value);
-  /// Adds a child, and returns it for as long as no other is added.
+  /// Adds a child and returns it. The reference is valid until the next child is added.
   Element& add(Element child);
-  /// Adds it unless it is empty.
+  /// Adds the child unless it is empty.
   void add_filled(Element child);
 };
 
-/// A document with this root.
+/// Returns an XML document with this root.
 std::string xml_text(const Element& root);
 
-/// A number as XML has it: the shortest that reads back to the same bits.
+/// Returns a number in XML notation, the shortest that reads back to the same bits.
 std::string xml_number(double value);
 
 }  // namespace stepwire::fmu

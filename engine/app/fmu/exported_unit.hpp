@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of the sources of every exported unit: the standard library alone is included.
+// Part of the sources of every exported unit, so it includes only the standard library.
 
 #include <cstdarg>
 #include <cstddef>
@@ -9,22 +9,23 @@
 
 namespace stepwire::fmu {
 
-/// What a variable of a unit is.
+/// Role of a variable in a unit.
 enum class Kind { time, parameter, input, output, state, slope, indicator };
 
-/// A variable of a unit; its value reference is its place in the table.
+/// Variable of a unit. Its value reference is its index in the table.
 struct UnitVariable {
   Kind kind;
-  int size;                         ///< numbers
-  int rows;                         ///< of a matrix whose numbers lie column by column; else 1
-  double* (*place)(void* diagram);  ///< of the first number; null for the time
+  int size;                         ///< count of numbers
+  int rows;                         ///< rows of a matrix in column-major order; else 1
+  double* (*place)(void* diagram);  ///< address of the first number; nullptr for the time
   const char* name;
 };
 
-/// Both versions of FMI have these numbers.
+/// Status of a call, with the numbers of both FMI versions.
 enum class Status { ok = 0, warning = 1, discard = 2, error = 3 };
 
-/// Where a unit stands, by which the calls follow that it may have.
+/// State of the FMI state machine; it determines which calls are legal. The values are bits, so that a set of
+/// states is their sum.
 enum class Phase : unsigned {
   made = 1,
   initializing = 2,
@@ -42,21 +43,20 @@ constexpr unsigned operator|(unsigned a, Phase b) {
   return a | static_cast<unsigned>(b);
 }
 
-/// What became of a step.
+/// Outcome of a step.
 struct StepEnd {
   bool terminates = false;
-  bool whole = true;  ///< was the step made to its end?
-  double last = 0.0;  ///< time that was reached [s]
+  bool whole = true;  ///< false after a step that ended early
+  double last = 0.0;  ///< time at the end of the step [s]
 };
 
-/// References of variables, as a call has them.
+/// Value references in a call.
 struct References {
   const std::uint32_t* of;
   std::size_t count;
 };
 
-/// One instance of a unit, for the functions of both versions of FMI. Each call says what is wrong in a
-/// message.
+/// Instance of a unit, shared by the functions of both FMI versions. Each failed call logs a message.
 class ExportedUnit {
  public:
   using Log = void (*)(void* caller, Status status, const char* message);
@@ -78,7 +78,7 @@ class ExportedUnit {
   virtual Status set(References references, const double* values, std::size_t numbers) = 0;
   virtual Status derivative(References unknowns, References knowns, const double* seed,
                             double* sensitivity) = 0;
-  /// Numbers of these variables together; -1 where one is none.
+  /// Returns the total count of numbers of these variables; -1 for an unknown reference.
   virtual std::ptrdiff_t numbers_of(References references) const = 0;
 
   virtual Status step(double time, double length, StepEnd& end) = 0;
@@ -90,17 +90,17 @@ class ExportedUnit {
   virtual Status get_crossings(double* numbers, std::size_t count) = 0;
   virtual Status complete_step(bool& terminates) = 0;
   virtual Status enter_event() = 0;
-  /// `next` becomes the time of the next event that is known beforehand, infinite where there is none [s].
+  /// Sets `next` to the time of the next time event [s]; infinity if there is none.
   virtual Status update(bool& terminates, double& next) = 0;
   virtual Status leave_event() = 0;
 
   virtual std::size_t state_bytes() const = 0;
   virtual void save(void* bytes) const = 0;
-  /// Are these bytes a state of this unit?
+  /// Fails if the bytes are not a saved state of this unit.
   virtual Status check_state(const void* bytes, std::size_t count) = 0;
   virtual Status load(const void* bytes) = 0;
 
-  /// Logs a message, and is an error.
+  /// Logs a message and returns Status::error.
   [[gnu::format(printf, 2, 3)]] Status refuse(const char* format, ...) {
     char message[400];
     va_list values;
@@ -111,7 +111,7 @@ class ExportedUnit {
     return Status::error;
   }
 
-  /// Is a call one of these phases? If not, that is logged.
+  /// True if the present phase is in `phases`; else logs that the call is illegal.
   bool allows(unsigned phases, const char* call) {
     if ((static_cast<unsigned>(phase()) & phases) != 0) return true;
     refuse("%s is no call for a unit that %s", call, phase_words());
@@ -142,11 +142,11 @@ class ExportedUnit {
   Log log_;
 };
 
-/// What the generated source of a unit defines.
+/// Definitions in the generated source of a unit.
 struct UnitSource {
   const char* token;
-  const char* no_exchange;  ///< why there is no model exchange; null where there is
-  ExportedUnit* (*make)(bool exchange, void* caller, ExportedUnit::Log log);  ///< null without memory
+  const char* no_exchange;  ///< reason why model exchange is not possible; nullptr if it is
+  ExportedUnit* (*make)(bool exchange, void* caller, ExportedUnit::Log log);  ///< nullptr if out of memory
 };
 extern const UnitSource unit_source;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The functions of FMI 2 of an exported unit, for its one source that includes this.
+// FMI 2 functions of an exported unit. Only the single source of the unit includes this file.
 
 #include <cmath>
 #include <memory>
@@ -12,13 +12,13 @@
 
 namespace stepwire::fmu {
 
-/// What a caller has of a unit.
+/// Instance as FMI 2 callers have it.
 struct InstanceOf2 {
   std::string name;
   fmi2CallbackLogger log;
   fmi2ComponentEnvironment environment;
   std::unique_ptr<ExportedUnit> unit{};
-  StepEnd end{};  ///< of the last step
+  StepEnd end{};  ///< end of the last step
 
   static void say(void* own, Status status, const char* message) {
     const auto& instance = *static_cast<InstanceOf2*>(own);
@@ -32,7 +32,7 @@ inline InstanceOf2& instance_of_2(fmi2Component unit) {
   return *static_cast<InstanceOf2*>(unit);
 }
 
-/// What `work` answers of the unit; an error where there is none.
+/// Calls `work` with the unit and returns its status; an error for a null instance.
 template <class Work>
 fmi2Status with_unit_of_2(fmi2Component instance, const Work& work) {
   if (!instance) return fmi2Error;
@@ -49,7 +49,7 @@ inline fmi2Component make_of_2(fmi2String name, bool exchange, fmi2String token,
   return make_unit(own->unit, own.get(), InstanceOf2::say, exchange, why_not) ? nullptr : own.release();
 }
 
-/// For values of a type that no variable has.
+/// Refuses values of a type that no variable has.
 inline fmi2Status none_of_2(fmi2Component instance, size_t count, const char* type) {
   return with_unit_of_2(instance,
                         [&](ExportedUnit& unit) { return refuse_values(unit, count, type, "Real"); });
@@ -82,14 +82,15 @@ void fmi2FreeInstance(fmi2Component unit) {
   delete static_cast<unit_functions::InstanceOf2*>(unit);
 }
 
-// The arguments of the calls below, in the names that they have there: what each does with its unit.
+// Body of a function below, which uses the function's own argument names: evaluates the expression with
+// `own`, the unit.
 #define STEPWIRE_DOES(...)                                                                                 \
   {                                                                                                        \
     return unit_functions::with_unit_of_2(unit,                                                            \
                                           [&](unit_functions::ExportedUnit& own) { return __VA_ARGS__; }); \
   }
 
-// What is set up is what initialization begins with.
+// Keeps the start time for the initialization.
 fmi2Status fmi2SetupExperiment(fmi2Component unit, fmi2Boolean, fmi2Real, fmi2Real start, fmi2Boolean,
                                fmi2Real)
     STEPWIRE_DOES(own.allows(0u | unit_functions::Phase::made, "SetupExperiment")
@@ -182,7 +183,7 @@ fmi2Status fmi2CancelStep(fmi2Component unit) {
   return unit_functions::refuse_of_2(unit, "steps that go on in the background");
 }
 
-// A step that the diagram's end has cut short is discarded; what was reached can be seen.
+// A step that ended early returns fmi2Discard; the caller reads the reached time by fmi2GetRealStatus.
 fmi2Status fmi2DoStep(fmi2Component unit, fmi2Real time, fmi2Real length, fmi2Boolean) STEPWIRE_DOES([&] {
   unit_functions::StepEnd& end = unit_functions::instance_of_2(unit).end;
   const unit_functions::Status status = own.step(time, length, end);

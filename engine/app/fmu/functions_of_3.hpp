@@ -1,6 +1,6 @@
 #pragma once
 
-// The functions of FMI 3 of an exported unit, for its one source that includes this.
+// FMI 3 functions of an exported unit. Only the single source of the unit includes this file.
 
 #include <cmath>
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace stepwire::fmu {
 
-/// What a caller has of a unit.
+/// Instance as FMI 3 callers have it.
 struct InstanceOf3 {
   fmi3InstanceEnvironment environment;
   fmi3LogMessageCallback log;
@@ -24,7 +24,7 @@ struct InstanceOf3 {
   }
 };
 
-/// What `work` answers of the unit; an error where there is none, or where an argument is missing.
+/// Calls `work` with the unit and returns its status; an error for a null instance.
 template <class Work>
 fmi3Status with_unit_of_3(fmi3Instance instance, const Work& work) {
   if (!instance) return fmi3Error;
@@ -39,7 +39,7 @@ inline fmi3Instance make_of_3(bool exchange, fmi3String token, fmi3InstanceEnvir
   return make_unit(own->unit, own.get(), InstanceOf3::say, exchange, why_not) ? nullptr : own.release();
 }
 
-/// For values of a type that no variable has.
+/// Refuses values of a type that no variable has.
 inline fmi3Status none_of_3(fmi3Instance instance, size_t count, const char* type) {
   return with_unit_of_3(instance,
                         [&](ExportedUnit& unit) { return refuse_values(unit, count, type, "Float64"); });
@@ -84,7 +84,8 @@ void fmi3FreeInstance(fmi3Instance unit) {
   delete static_cast<unit_functions::InstanceOf3*>(unit);
 }
 
-// The arguments of the calls below, in the names that they have there: what each does with its unit.
+// Body of a function below, which uses the function's own argument names: evaluates the expression with
+// `own`, the unit.
 #define STEPWIRE_DOES(...)                                                                                 \
   {                                                                                                        \
     return unit_functions::with_unit_of_3(unit,                                                            \

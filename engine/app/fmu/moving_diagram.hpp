@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of the sources of every exported unit: the standard library alone is included.
+// Part of the sources of every exported unit, so it includes only the standard library.
 
 #include <cstdint>
 
@@ -8,7 +8,7 @@
 
 namespace stepwire::fmu {
 
-/// All of a unit that moves: plain memory, whose bytes are the unit's state. `Source` has Diagram, the
+/// Complete mutable state of a unit, as plain memory whose bytes are the FMU state. `Source` has Diagram, the
 /// generated struct, and the table `variables`.
 template <class Source>
 struct MovingDiagram {
@@ -17,18 +17,18 @@ struct MovingDiagram {
   explicit MovingDiagram(bool exchange) : exchange(exchange) {}
 
   Diagram diagram;
-  typename Diagram::State before{};  ///< as it stood when its outputs were computed; not for model exchange
-  double time = 0.0;                 ///< [s], for model exchange
+  typename Diagram::State before{};  ///< state before the last evaluation; co-simulation only
+  double time = 0.0;                 ///< time of model exchange [s]
   std::int64_t first_tick = 0;
   Phase phase = Phase::made;
   bool exchange;
   bool evaluated = false;
-  bool begins = true;           ///< from its parameters, once it is evaluated
-  bool inputs_written = false;  ///< else they follow from the parameters, too
+  bool begins = true;           ///< true if evaluate() must first reset the diagram to its parameters
+  bool inputs_written = false;  ///< false: the inputs follow from the parameters
 
   double now() const { return exchange ? time : diagram.time(); }
 
-  /// Computes the outputs of now, if they are not.
+  /// Computes the outputs of the present instant unless they are up to date.
   void evaluate() {
     if (evaluated) return;
     if (begins) begin();
@@ -41,8 +41,8 @@ struct MovingDiagram {
     evaluated = true;
   }
 
-  /// Computes them once more where they are looked at again: an input or a parameter was written. What the
-  /// blocks have noted of the former ones is forgotten.
+  /// Invalidates the outputs after an input or a parameter was written. Restores the state before the
+  /// evaluation, so that memory which blocks updated in it is not used twice.
   void forget() {
     if (evaluated && !exchange) static_cast<void>(diagram.restore(before));
     evaluated = false;
@@ -53,14 +53,14 @@ struct MovingDiagram {
     evaluated = false;
   }
 
-  /// A number of a variable that has a place; FMI has rows of a matrix behind each other.
+  /// Returns the k-th number of a variable. FMI counts a matrix by rows, the diagram stores it by columns.
   double& number(const UnitVariable& variable, int k) {
     double* first = variable.place(&diagram);
     const int columns = variable.size / variable.rows;
     return first[variable.rows == 1 ? k : k % columns * variable.rows + k / columns];
   }
 
-  /// The numbers of variables after evaluate().
+  /// Reads the numbers of variables; evaluate() must precede.
   void read(References references, double* values) {
     for (std::size_t i = 0; i < references.count; ++i) {
       const UnitVariable& variable = Source::variables[references.of[i]];

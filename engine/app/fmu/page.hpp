@@ -7,8 +7,9 @@
 
 namespace stepwire::fmu {
 
-/// The page of a unit, as HTML: what it is, its variables, and what keeps its bits. `fixed`: parameters that
-/// cannot be set, and why; `drawn`: is there a picture diagram.svg beside it?
+/// Returns the HTML page of a unit: its description, its variables, and the conditions for bitwise equal
+/// results. Parameters in `fixed` cannot be set, for the given reasons. The flag `drawn` is true if
+/// diagram.svg exists beside the page.
 std::string unit_page(const UnitAbout& about, const std::vector<Variable>& variables,
                       const std::vector<codegen::FixedParameter>& fixed, const std::string& no_exchange,
                       bool drawn);

@@ -8,11 +8,11 @@
 
 namespace stepwire::fmu {
 
-/// The unit that stands behind a number, "mm" of "5 mm"; empty where that is SI or there is none.
+/// Returns the unit in the text of a number, "mm" of "5 mm"; empty for an SI unit or a pure number.
 std::string written_unit(const std::string& text);
 
-/// The limits [SI] that bounds of a parameter set which are numbers; those that exclude their number are shown
-/// with it, and the unit refuses it.
+/// Writes the numeric bounds of a parameter in SI. An excluded bound is written like an included one; the
+/// unit refuses the bound itself.
 void limit(std::optional<double>& at_least, std::optional<double>& at_most,
            const std::vector<yaml::Entry>& bounds);
 

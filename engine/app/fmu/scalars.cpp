@@ -6,14 +6,14 @@ namespace stepwire::fmu {
 
 namespace {
 
-/// "[2]", "[1,3]": of the k-th number, rows behind each other.
+/// Returns the index of the k-th number in row-major order: "[2]", "[1,3]".
 std::string subscript(const Variable& variable, std::size_t k) {
   if (variable.sizes.size() == 1) return fmt::format("[{}]", k + 1);
   const auto columns = static_cast<std::size_t>(variable.sizes[1]);
   return fmt::format("[{},{}]", k / columns + 1, k % columns + 1);
 }
 
-/// Where that number lies behind the first.
+/// Returns the offset of the k-th number in memory, which is column-major.
 std::size_t place_behind(const Variable& variable, std::size_t k) {
   if (variable.rows == 1) return k;
   const std::size_t columns = variable.count() / static_cast<std::size_t>(variable.rows);
@@ -37,7 +37,7 @@ Variable scalar_of(const Variable& variable, std::size_t k) {
 
 std::vector<Variable> scalars_of(const std::vector<Variable>& variables) {
   std::vector<Variable> scalars;
-  std::vector<int> first;  // of each variable
+  std::vector<int> first;  // index of the first scalar of each variable
   for (const Variable& variable : variables) {
     first.push_back(static_cast<int>(scalars.size()));
     if (variable.kind == Kind::indicator) continue;

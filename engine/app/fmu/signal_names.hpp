@@ -7,7 +7,7 @@
 
 namespace stepwire::fmu {
 
-/// Names of inputs, outputs and recorded signals of a diagram.
+/// Returns the names of inputs, outputs and recorded signals of a diagram.
 std::set<std::string> signal_names(const diagram::Diagram& diagram);
 
 }  // namespace stepwire::fmu

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the functions of both versions of FMI do alike with an exported unit.
+// Parts of the FMI functions that are the same in both versions.
 
 #include <cstdlib>
 #include <cstring>
@@ -10,7 +10,7 @@
 
 namespace stepwire::fmu {
 
-/// Makes the unit of an instance. Why there is none, which is logged; null where there is.
+/// Makes the unit of an instance. Returns the reason of a failure, which is also logged, or nullptr.
 inline const char* make_unit(std::unique_ptr<ExportedUnit>& unit, void* caller, ExportedUnit::Log log,
                              bool exchange, const char* why_not) {
   if (!why_not && exchange) why_not = unit_source.no_exchange;
@@ -24,12 +24,12 @@ inline bool is_token(const char* token) {
   return token && std::strcmp(token, unit_source.token) == 0;
 }
 
-/// For values of a type that no variable has.
+/// Refuses values of a type that no variable has.
 inline Status refuse_values(ExportedUnit& unit, std::size_t count, const char* type, const char* known) {
   return count == 0 ? Status::ok : unit.refuse("it has no variables of the type %s, only %s", type, known);
 }
 
-/// Saves the state in memory that is made where there is none yet.
+/// Saves the state; allocates its memory if *state is nullptr.
 inline Status save_state(ExportedUnit& unit, void** state) {
   if (!state) return unit.refuse("there is no place for a state");
   if (!*state) *state = std::malloc(unit.state_bytes());

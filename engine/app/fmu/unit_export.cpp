@@ -23,7 +23,7 @@ namespace {
 
 using Files = std::map<std::string, std::string>;
 
-/// "{2f6c8a10-...}": follows from all that the unit is made of.
+/// Returns the instantiation token, "{2f6c8a10-...}": a hash of the sources and the description.
 std::string token_of(const Files& sources, const std::string& description) {
   hash::Hash hash;
   hash.add(description);

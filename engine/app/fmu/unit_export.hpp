@@ -9,24 +9,24 @@
 
 namespace stepwire::fmu {
 
-/// How a unit is made.
+/// Options of export_unit().
 struct ExportOptions {
-  int version = 3;                   ///< of FMI: 3 or 2
-  std::string name;                  ///< that of the diagram's file, without its ending, or another
-  std::string made_by;               ///< which program of which version makes it
-  std::string drawing{};             ///< of the diagram, as SVG; empty: the unit has no picture
-  std::string icon{};                ///< the same as PNG; empty: the unit has no icon
-  std::vector<std::string> flags{};  ///< of the compiler, besides those of all generated code
+  int version = 3;                   ///< Major version of FMI: 3 or 2.
+  std::string name;                  ///< Model name, by default the stem of the diagram's file name.
+  std::string made_by;               ///< Name and version of the exporting program.
+  std::string drawing{};             ///< SVG of the diagram; empty: no picture.
+  std::string icon{};                ///< PNG of the diagram; empty: no icon.
+  std::vector<std::string> flags{};  ///< Additional compiler flags.
 };
 
-/// A unit, and what is to be said of it.
+/// Files of a unit, and a note on it.
 struct UnitExport {
-  std::map<std::string, std::string> files;  ///< by their paths in the archive
-  std::string no_exchange;                   ///< why it has no model exchange; empty where it has
+  std::map<std::string, std::string> files;  ///< content by path in the archive
+  std::string no_exchange;                   ///< reason for missing model exchange; empty if it is supported
 };
 
-/// A plan as a unit of FMI. Throws Error for what cannot be generated and for names that become one,
-/// EnvironmentError where the compiler does not make the binary.
+/// Exports a plan as an FMI unit. Throws Error for blocks that cannot be generated and for names that
+/// coincide; EnvironmentError if the compilation fails.
 UnitExport export_unit(const plan::Plan& plan, const codegen::Tuning& tuning, const ExportOptions& options,
                        const codegen::Compiler& compiler);
 

@@ -16,7 +16,7 @@ namespace {
 
 using Files = std::map<std::string, std::string>;
 
-constexpr const char* map_file = "fmi-unit.map";  ///< which symbols the binary shows
+constexpr const char* map_file = "fmi-unit.map";  ///< linker script with the exported symbols
 
 const char* kind_word(Kind kind) {
   static constexpr const char* words[] = {"time",  "parameter", "input",    "output",
@@ -24,8 +24,8 @@ const char* kind_word(Kind kind) {
   return words[static_cast<int>(kind)];
 }
 
-/// Of the version, the source of the diagram, its namespace, the step, the layout, the count, the rows, the
-/// token, why there is no model exchange.
+/// Format of the compiled source. Arguments: FMI version, include of the diagram's source, its namespace,
+/// step, layout, variable count, table rows, token, and the reason for missing model exchange.
 constexpr char source_form[] =
     "#include \"engine/app/fmu/diagram_unit.hpp\"\n#include \"engine/app/fmu/functions_of_{0}.hpp\"\n\n"
     "#include {1}\n#undef stepwire\n\nnamespace stepwire::fmu {{\n\nnamespace {{\n\n"
@@ -38,7 +38,7 @@ constexpr char source_form[] =
     "      return new (std::nothrow) DiagramUnit<ThisUnit>(exchange, caller, log);\n    }}}};\n\n"
     "}}  // namespace stepwire::fmu\n";
 
-/// By which a state of one unit is known from that of another: 16 digits of the token.
+/// Returns the key of saved states, 16 digits of the token, by which a unit recognizes its own.
 std::string layout_text(std::string token) {
   std::erase(token, '-');
   return "0x" + token.substr(1, 16) + "u";
@@ -82,7 +82,7 @@ std::string build_description(const UnitAbout& about, const std::vector<std::str
   return xml_text(root);
 }
 
-/// Of the identifier, the source, the folders, the flags.
+/// Format of CMakeLists.txt. Arguments: identifier, source, folders, flags, linker script.
 constexpr char cmake_form[] =
     "# Builds the binary of this unit for another platform: cmake -S sources -B build && cmake --build "
     "build\n"
@@ -102,7 +102,7 @@ std::string cmake_text(const UnitAbout& about, const std::vector<std::string>& f
                      fmt::join(codegen::Compiler::flags(), " "), map_file);
 }
 
-/// Our headers lie as they are included.
+/// Returns the path of a header in the unit. Headers of the engine keep the path of their #include.
 std::string place_in_unit(const std::string& path) {
   const std::string own = "stepwire/";
   const bool moves = path.starts_with(own + "engine/") || path.starts_with(own + "blocks/");

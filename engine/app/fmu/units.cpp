@@ -30,7 +30,7 @@ bool is_whole(double exponent) {
   return exponent == std::round(exponent);
 }
 
-/// Nothing for a root of a unit: FMI has whole exponents.
+/// Adds the SI base units of a dimension, unless it has a fractional exponent, which FMI cannot express.
 void add_base_unit(Element& to, const unit::Dimension& dimension) {
   constexpr const char* names[] = {"m", "kg", "s", "A", "K", "mol", "cd"};
   Element base{"BaseUnit"};
@@ -42,7 +42,7 @@ void add_base_unit(Element& to, const unit::Dimension& dimension) {
   to.add(std::move(base));
 }
 
-/// FMI computes what is shown from the value: shown = factor * value + offset.
+/// Returns a display unit. FMI computes: shown = factor * value + offset.
 Element display_unit(const std::string& name) {
   const unit::Unit unit = *unit::parse_unit(name);
   Element display{"DisplayUnit"};

@@ -7,17 +7,18 @@
 
 namespace stepwire::fmu {
 
-/// The unit of a variable as the description calls it; empty where it is not known.
+/// Returns the unit name of a variable in the description; empty if its dimension is unknown.
 std::string unit_name(const Variable& variable);
 
-/// The type that is declared for all variables of a unit. No variable has such a name.
+/// Returns the name of the type of all variables with this unit. It contains a space, so it differs from all
+/// variable names.
 std::string type_name(const std::string& unit);
 
-/// UnitDefinitions: the units of these variables by powers of SI base units, and units in which the file writes
-/// parameters by their factors.
+/// Returns UnitDefinitions: units of the variables as powers of SI base units, and the units of the file as
+/// display units.
 Element unit_definitions(const std::vector<Variable>& variables);
 
-/// TypeDefinitions: a type for each unit.
+/// Returns TypeDefinitions, one type for each unit.
 Element type_definitions(const std::vector<Variable>& variables, int version);
 
 }  // namespace stepwire::fmu

@@ -16,7 +16,7 @@ namespace stepwire::fmu {
 
 namespace {
 
-/// C++ for the first number of a member of the generated struct.
+/// Returns C++ for the address of the first number of a struct member.
 std::string member_place(const std::string& group, const std::string& member) {
   return fmt::format("reinterpret_cast<double*>(&d.{}.{})", group, member);
 }
@@ -53,7 +53,7 @@ class Collector {
   void add(Variable variable, const plan::SignalSlot& slot, const diagram::Origin& origin) {
     const auto [known, is_new] = names_.emplace(variable.name, Named{variables_.size(), slot.offset});
     if (is_new) return variables_.push_back(std::move(variable));
-    if (slot.offset != 0 && known->second.offset == slot.offset) return;  // the same signal once more
+    if (slot.offset != 0 && known->second.offset == slot.offset) return;  // the same signal again
     faults_.add(plan_.diagram.fault(
         origin, "record",
         fmt::format("'{}' would have the name of another variable of the unit, {}; give it another name",
@@ -93,7 +93,7 @@ class Collector {
       variable.variability = "continuous";
       variable.place = member_place("inputs", groups_.inputs.members[i].name);
       variable.block = input.block;
-      for (Index k = 0; k < slot.size; ++k)  // row by row
+      for (Index k = 0; k < slot.size; ++k)  // Row-major start values.
         variable.start.push_back(
             start.values()[slot.offset +
                            static_cast<std::size_t>(k % slot.columns * slot.rows() + k / slot.columns)]);
@@ -121,7 +121,7 @@ class Collector {
       }
   }
 
-  /// What is known of a signal; an output until something else is said.
+  /// Returns the common attributes of a signal, by default as an output.
   Variable signal(Kind kind, const std::string& name, const std::string& doc, const diagram::SignalRef& of,
                   const plan::SignalSlot& slot) {
     const auto block = static_cast<std::size_t>(of.block);
@@ -131,7 +131,7 @@ class Collector {
                       .about = doc.empty() ? about(of) : doc,
                       .dimension = plan_.dimension(of)};
     const plan::Rate::Kind rate = plan_.blocks[block].rate.kind;
-    // With model exchange what has ticks has them for the inputs' sake alone, and these are continuous there.
+    // In model exchange discrete blocks sample only continuous inputs, so their signals are continuous.
     const bool continuous =
         rate == plan::Rate::Kind::continuous || (exchange_ && rate == plan::Rate::Kind::discrete);
     variable.variability = continuous ? "continuous" : "discrete";
@@ -158,7 +158,7 @@ class Collector {
         if (continuous && slot.size > 0)
           states_[slot.offset] = {static_cast<int>(b), -1, static_cast<int>(s)};
       }
-    for (const auto& [offset, state] : states_) add_state(state);  // in the order of the solver's numbers
+    for (const auto& [offset, state] : states_) add_state(state);  // in the order of the solver's states
   }
 
   void add_state(const diagram::SignalRef& state) {
@@ -179,7 +179,8 @@ class Collector {
     add_slope(state, place);
   }
 
-  /// The first output that is what lies there; none: the place behind the last variable.
+  /// Returns the index of the first output that shares the memory of `slot`; the size of the list if there is
+  /// none.
   std::size_t output_in(const plan::SignalSlot& slot) const {
     std::size_t first = variables_.size();
     for (const auto& [name, named] : names_) {
@@ -206,7 +207,7 @@ class Collector {
     add(std::move(slope), {}, block.origin);
   }
 
-  /// States of a matrix come in the order of the solver's numbers.
+  /// Reshapes a matrix to a list, in the order of the solver's states.
   static void as_list(Variable& variable) {
     if (variable.sizes.size() == 2) variable.sizes = {static_cast<Index>(variable.count())};
     variable.rows = 1;

@@ -9,7 +9,7 @@ namespace stepwire::language {
 
 namespace {
 
-/// Editors send any YAML file; one without these keys at the left edge is of another kind.
+/// True for a diagram file. Editors send any YAML file; one without these top-level keys is no diagram.
 bool is_diagram(std::string_view text) {
   const auto has = [&](const std::string& key) {
     return text.starts_with(key) || text.find("\n" + key) != std::string_view::npos;
@@ -17,19 +17,20 @@ bool is_diagram(std::string_view text) {
   return has("stepwire:") || has("blocks:");
 }
 
-/// All that is found once the blocks and wires are right: order, sizes, figures, claims.
+/// Returns the faults of a complete load, which also checks order, sizes, figures and claims. It needs a
+/// correct draft.
 std::vector<yaml::Fault> faults_of_model(diagram::Loader& loader, const std::string& file) {
   try {
     session::load_model(loader, file, session::LoadOptions{});
   } catch (const yaml::Error& error) {
     return error.faults();
-  } catch (const std::exception& error) {  // of the surroundings, or of a table of data
+  } catch (const std::exception& error) {  // EnvironmentError, or a fault in a data table
     return {yaml::Fault{{file, {}}, "", error.what(), {}}};
   }
   return {};
 }
 
-/// Leaves out what nobody wrote: the diagram around a part that is looked at alone.
+/// Removes the places of the generated diagram around a part that is analysed on its own.
 std::vector<yaml::Fault> without_user(std::vector<yaml::Fault> faults, const std::string& user) {
   std::erase_if(faults, [&](const yaml::Fault& fault) { return fault.place.file == user; });
   for (yaml::Fault& fault : faults) {

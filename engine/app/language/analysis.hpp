@@ -9,21 +9,22 @@
 
 namespace stepwire::language {
 
-/// What a diagram file is, and all that is wrong with it.
+/// Result of analysing a diagram file.
 struct Analysis {
-  std::shared_ptr<const diagram::UnfinishedDiagram> draft;  ///< null where the file is no YAML
-  std::vector<yaml::Fault> faults;                          ///< what `stepwire check` finds
-  std::vector<std::string> uses;                            ///< the files that it was made of
-  /// Before each name of the file in the draft: "part." for a part, which the draft has inside of a diagram.
+  std::shared_ptr<const diagram::UnfinishedDiagram> draft;  ///< nullptr if the file is no YAML.
+  std::vector<yaml::Fault> faults;                          ///< Faults as `stepwire check` finds them.
+  std::vector<std::string> uses;                            ///< Files on which the result depends.
+  /// Prefix of the file's names in the draft: "part." for a part, which the draft contains within a generated
+  /// diagram.
   std::string prefix;
-  int scope = 0;  ///< of the file in the draft
+  int scope = 0;  ///< scope of the file in the draft
 };
 
-/// How far a file is looked at: to its blocks and wires, or to all that `stepwire check` does.
+/// Depth of an analysis: up to blocks and wires, or everything that `stepwire check` does.
 enum class Depth { draft, model };
 
-/// Loads a file; one that is no diagram has neither draft nor faults, and one that is used as a part only
-/// with zeros at its inputs.
+/// Analyses a file. A file that is no diagram gets neither draft nor faults. A part is analysed within a
+/// generated diagram, with zeros at its inputs.
 Analysis analyse(DiagramFiles& files, const std::string& file, Depth depth = Depth::model);
 
 }  // namespace stepwire::language

@@ -16,12 +16,12 @@ namespace stepwire::language {
 
 namespace {
 
-/// Takes the names of a block out of lists.
+/// Remover of a block's names from lists.
 class Forgetting {
  public:
   Forgetting(TreeEdits& edits, DiagramFiles& files, const std::string& file, const Meaning& meaning)
       : edits_(edits), text_(files.texts().text(file)), places_(*text_) {
-    const std::vector<WrittenName> names = files.names(file);  // what resolves them looks into other files
+    const std::vector<WrittenName> names = files.names(file);  // copied: resolving names reads other files
     for (const WrittenName& name : names) {
       const auto pieces = files.pieces(file, name);
       if (!pieces.empty() && pieces.front().meaning == meaning) uses_.push_back(name.range);
@@ -61,7 +61,7 @@ bool is_taken(const yaml::Document& document, const std::string& name) {
       [&](const char* section) { return DiagramFiles::entry(document, section, name); });
 }
 
-/// A name like this that nothing in the file has.
+/// Returns an unused name similar to the given one.
 std::string free_name(const yaml::Document& document, std::string wanted) {
   for (char& c : wanted)
     if (!is_name_character(c)) c = '_';
@@ -80,7 +80,7 @@ TreeEdits::Keys keys_of(DiagramFiles& files, const std::string& type) {
   return {{"diagram", type}};
 }
 
-/// The signals of each input under its name; of a list all in one value.
+/// Returns the source of each input by its name; for a list input, all sources in one value.
 TreeEdits::Keys feeds_of(DiagramFiles& files, const std::string& file, const yaml::Document& document,
                          const Insert& edit) {
   TreeEdits::Keys feeds;

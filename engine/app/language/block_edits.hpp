@@ -7,13 +7,13 @@
 
 namespace stepwire::language {
 
-/// Removes a block, part or parameter, and its names out of lists outside of the blocks where such a list has
-/// others. All else that names it stays, and is a fault then. Throws EditRefused where there is none.
+/// Removes a block, part or parameter. Its names are also removed from lists outside of `blocks` that have
+/// other items. Other uses stay and become faults. Throws EditRefused for an unknown name.
 void remove(TreeEdits& edits, DiagramFiles& files, const std::string& file, const yaml::Document& document,
             const Remove& edit);
 
-/// Adds a block with what it requires and what feeds it, and returns its name. Throws EditRefused for a type
-/// that is not known, and for wires from or to what is not there.
+/// Adds a block with its required keys and its sources, and returns its name. Throws EditRefused for an
+/// unknown type, and for wires with unknown ends.
 std::string insert(TreeEdits& edits, DiagramFiles& files, const std::string& file,
                    const yaml::Document& document, const Insert& edit);
 

@@ -1,4 +1,4 @@
-// The forms of blocks and of parts.
+// Forms of blocks and parts.
 #include <algorithm>
 
 #include "engine/app/language/forms.hpp"
@@ -41,7 +41,7 @@ const yaml::Key& Forms::any_block() {
       {yaml::key("block", "kind of block", form::words(std::move(types))),
        yaml::key("diagram", "file of a part", form::string()),
        yaml::key("fields", "of a bus, signals under names: {force: f, torque: t}", form::of(Form::tree))});
-  // Of what has no type yet anything may feed an input.
+  // Without a type, any key can be an input.
   keys.rest = {form::naming(yaml::Key::Names::signal, form::of(Form::source))};
   made = std::make_unique<const yaml::Key>(std::move(keys));
   return *made;

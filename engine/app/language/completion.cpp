@@ -82,7 +82,8 @@ class Completing {
     return cursor_.word.from > 0 && (*text)[cursor_.word.from - 1] == '$';
   }
 
-  /// A number with a blank behind it, for which a unit is missing; or "x in " of what is drawn.
+  /// Returns a number that is followed by a blank and lacks a unit, or the text of a drawn expression that
+  /// ends in " in".
   std::string number_before() const {
     const std::string& text = cursor_.before;
     const std::size_t space = text.rfind(' ');
@@ -141,13 +142,13 @@ class Completing {
     }
   }
 
-  /// What fits comes before what may fit, and that before what does not.
+  /// Ranks a signal: fitting units first, then unknown ones, then others.
   static int rank(const std::optional<unit::Dimension>& has, const std::optional<unit::Dimension>& wanted) {
     if (!has || !wanted) return 1;
     return *has == *wanted ? 0 : 2;
   }
 
-  /// The unit of the value at the cursor.
+  /// Returns the unit of the value at the cursor; std::nullopt if unknown.
   std::optional<unit::Dimension> wanted_unit(const yaml::Key& form) const {
     if (!cursor_.block.empty())
       if (const auto inferred = unit_of_input(analysis_, cursor_.block, cursor_.key)) return inferred;
@@ -200,7 +201,7 @@ class Completing {
     }
   }
 
-  /// All behind the last blank, since a unit such as N*m/s is more than a name.
+  /// Returns the text after the last blank, because a unit such as N*m/s is more than a name.
   TextRange unit_range() const {
     const std::size_t blank = cursor_.before.rfind(' ');
     const std::size_t length =

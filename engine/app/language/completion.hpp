@@ -8,20 +8,20 @@
 
 namespace stepwire::language {
 
-/// One thing that may be written at a place.
+/// Proposal for the text at the cursor.
 struct Completion {
   enum class Kind { key, type, word, signal, parameter, unit, file };
   std::string label;
   Kind kind;
-  std::string text;  ///< that is written in place of `range`
+  std::string text;  ///< replacement of `range`
   TextRange range;
-  std::string detail{};  ///< a few words beside the label
-  std::string doc{};     ///< Markdown
-  int rank = 0;          ///< the least come first: what is required, or whose unit fits
+  std::string detail{};  ///< short note beside the label
+  std::string doc{};     ///< explanation in Markdown
+  int rank = 0;          ///< sort key: required keys and fitting units have the lowest
 };
 
-/// All that may be written at a place of a file, in the order of use: first what must be given, or what fits
-/// by its unit. `analysis` is the last one of the file that has a draft.
+/// Returns the proposals at a position of a file: required keys or fitting units first. `analysis` is the
+/// last one of the file that has a draft.
 std::vector<Completion> complete(DiagramFiles& files, const Analysis& analysis, const std::string& file,
                                  std::size_t offset);
 

@@ -14,7 +14,7 @@ namespace stepwire::language {
 
 namespace {
 
-/// The end of what stands in a line, before a comment.
+/// Returns the end of the text in a line, before a comment.
 std::size_t end_of_line(std::string_view text, std::size_t from) {
   const std::size_t line = std::min(text.find('\n', from), text.size());
   const std::size_t comment = std::min(text.substr(0, line).find(" #", from), line);
@@ -23,7 +23,7 @@ std::size_t end_of_line(std::string_view text, std::size_t from) {
   return end > from ? end : std::min(from + 1, text.size());
 }
 
-/// Where a fault is in its file, also in one that is no YAML.
+/// Returns the range of a fault in its file, which need not be valid YAML.
 TextRange range_of(const yaml::Fault& fault, OpenTexts& texts, const TextPlaces& places) {
   const yaml::Mark& mark = fault.place.mark;
   if (mark.line < 1) return {0, end_of_line(places.text(), 0)};
@@ -31,7 +31,7 @@ TextRange range_of(const yaml::Fault& fault, OpenTexts& texts, const TextPlaces&
   try {
     if (const auto end = yaml::end_of_fault(texts.document(fault.place.file)->root, fault))
       if (places.offset(*end) > from) return {from, places.offset(*end)};
-  } catch (const yaml::Error&) {  // then its own fault is told, at a place of its text
+  } catch (const yaml::Error&) {  // the fault of the YAML is reported at its own place
   }
   return {from, end_of_line(places.text(), from)};
 }
@@ -56,7 +56,7 @@ TextDiagnostic::Related related(const yaml::Place& place, std::string message, O
   return {place.file, places.range(range), std::move(message)};
 }
 
-/// Of a fault in the file itself.
+/// Converts a fault within the file itself.
 TextDiagnostic own(const yaml::Fault& fault, OpenTexts& texts) {
   const auto text = texts.text(fault.place.file);
   TextPlaces places(*text);
@@ -68,7 +68,7 @@ TextDiagnostic own(const yaml::Fault& fault, OpenTexts& texts) {
   return found;
 }
 
-/// At the place where a file uses the part that has the fault.
+/// Converts a fault within a part to a diagnostic at the place that uses the part.
 TextDiagnostic in_part(const yaml::Fault& fault, const yaml::Place& user, OpenTexts& texts) {
   const std::string part = std::filesystem::path(fault.place.file).filename().string();
   TextDiagnostic::Related there = related(fault.place, words_of(fault), texts);
@@ -96,7 +96,7 @@ void add_diagnostic(TextDiagnostic diagnostic, std::vector<TextDiagnostic>& all)
   });
   if (known == all.end()) return all.push_back(std::move(diagnostic));
   if (diagnostic.message.size() < known->message.size())
-    known->message = diagnostic.message;  // the part's own names
+    known->message = diagnostic.message;  // the message with the part's own names
   std::ranges::move(diagnostic.related, std::back_inserter(known->related));
 }
 

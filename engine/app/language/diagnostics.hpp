@@ -9,7 +9,7 @@
 
 namespace stepwire::language {
 
-/// Something wrong in a file, as an editor shows it.
+/// Fault in a file, as editors show it.
 struct TextDiagnostic {
   struct Related {
     std::string file;
@@ -18,22 +18,22 @@ struct TextDiagnostic {
   };
   EditorRange range;
   std::string message;
-  std::vector<Related> related;   ///< who uses the part in which it is; where it is in a part
-  std::optional<Splice> mending;  ///< that puts the word that was probably meant
-  std::string meant{};            ///< that word
-  std::string text{};  ///< the message without the names of blocks, which each user of a part has its own of
+  std::vector<Related> related;   ///< Uses of the faulty part, or the fault within the part.
+  std::optional<Splice> mending;  ///< Replacement by the word that was probably meant.
+  std::string meant{};            ///< That word.
+  std::string text{};             ///< Message without names of blocks, which differ for each use of a part.
 
   bool operator==(const TextDiagnostic& other) const {
     return range.start == other.range.start && range.end == other.range.end && message == other.message;
   }
 };
 
-/// What of a fault is in a file: the fault itself, or that a part has one which the file uses. Nothing where
-/// it is about other files.
+/// Converts a fault to a diagnostic of the file: the fault itself, or the fault of a part at the place that
+/// uses it. Returns std::nullopt for faults of other files.
 std::optional<TextDiagnostic> diagnostic_of(const yaml::Fault& fault, const std::string& file,
                                             OpenTexts& texts);
 
-/// Adds one to those of a file; what is found in a part alone and again for each of its users is one.
+/// Adds a diagnostic. A fault that was found both in a part alone and in its users is merged into one.
 void add_diagnostic(TextDiagnostic diagnostic, std::vector<TextDiagnostic>& all);
 
 }  // namespace stepwire::language

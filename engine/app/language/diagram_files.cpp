@@ -37,7 +37,7 @@ void add_files_below(const std::string& folder, std::set<std::string>& files) {
   }
 }
 
-/// The first piece of a name, up to its first dot.
+/// Returns the first piece of a name, up to its first dot.
 std::string_view first_piece(std::string_view name) {
   return name.substr(0, name.find('.'));
 }
@@ -104,7 +104,8 @@ const std::vector<WrittenName>& DiagramFiles::names(const std::string& file) {
   } catch (const yaml::Error&) {
     return (known = {}).names;
   }
-  // A part that changes may give the keys of its user another meaning; those are cheap to find again.
+  // The names are always recomputed, since a changed part may give the keys of its users another meaning.
+  // This is cheap.
   known = {now, written_names(*now, *texts_.text(file), forms(file))};
   return known.names;
 }
@@ -122,6 +123,12 @@ void DiagramFiles::add_parameter(const std::string& file, TextRange range, std::
     found.push_back({range, {file, Meaning::Kind::parameter, std::string(name)}});
 }
 
+/// Resolves a dotted name of a signal from left to right and appends its pieces.
+/// Problem: names of blocks can contain dots, and a name can lead through parts into other files. Idea: each
+/// step takes the longest block whose name is a prefix. If that is a part, the rest is resolved in the part's
+/// file.
+/// Within a part, outputs hide inputs and blocks, unless `blocks_first`. The depth is limited, because files
+/// under edit can use each other in a cycle.
 void DiagramFiles::add_signal(const std::string& file, TextRange rest, std::string_view name,
                               std::vector<NamePiece>& found, bool blocks_first, int depth) {
   const auto document = tree(file);
@@ -205,12 +212,12 @@ std::optional<FilePlace> DiagramFiles::definition(const Meaning& meaning) {
 std::vector<FilePlace> DiagramFiles::references(const Meaning& meaning) {
   std::vector<FilePlace> places;
   for (const std::string& file : paths()) {
-    const std::vector<WrittenName> all = names(file);  // what resolves them looks into other files
+    const std::vector<WrittenName> all = names(file);  // copied, because resolving names reads other files
     for (const WrittenName& name : all)
       for (const NamePiece& piece : pieces(file, name))
         if (piece.meaning == meaning) places.push_back({file, piece.range});
   }
-  std::ranges::sort(places);  // an alias has the places of what it names once more
+  std::ranges::sort(places);  // sorted, because the content of an alias occurs twice
   places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
 }

@@ -11,23 +11,23 @@
 
 namespace stepwire::language {
 
-/// What a name means: something that a file defines.
+/// Definition to which a name refers.
 struct Meaning {
   enum class Kind { block, parameter, input, output, port };
   std::string file;
   Kind kind = Kind::block;
-  std::string name;  ///< as that file calls it; of a port with its block: lag.y
+  std::string name;  ///< name within that file; for a port preceded by its block: lag.y
 
   bool operator==(const Meaning&) const = default;
 };
 
-/// A piece of a written name that is a name for itself: "rig" and "x" of "rig.x".
+/// Piece of a dotted name with its own meaning: "rig" and "x" of "rig.x".
 struct NamePiece {
   TextRange range;
   Meaning meaning;
 };
 
-/// A place in a file.
+/// Range in a file.
 struct FilePlace {
   std::string file;
   TextRange range;
@@ -35,7 +35,7 @@ struct FilePlace {
   auto operator<=>(const FilePlace&) const = default;
 };
 
-/// The diagram files around those that are open, and what their names mean.
+/// Index of the open diagram files and those around them; it resolves names across files.
 class DiagramFiles {
  public:
   explicit DiagramFiles(const Registry& registry, FileAccess access = {})
@@ -43,38 +43,38 @@ class DiagramFiles {
 
   OpenTexts& texts() { return texts_; }
   const Registry& registry() const { return registry_; }
-  /// Forms of the places of a file, until another one is asked for.
+  /// Returns the forms of a file. They are valid until the next call for another file.
   Forms& forms(const std::string& file);
-  /// Folders below which files may use those that are open.
+  /// Sets the folders whose files may use the open ones.
   void set_folders(std::vector<std::string> folders) { folders_ = std::move(folders); }
 
-  /// The last tree of a file that could be read, or null.
+  /// Returns the last valid tree of a file, or nullptr.
   std::shared_ptr<const yaml::Document> tree(const std::string& file) { return texts_.last_document(file); }
-  /// All names of a file as it is now; none where it is no YAML.
+  /// Returns all names of the present text; empty if it is no YAML.
   const std::vector<WrittenName>& names(const std::string& file);
-  /// The name that stands at a place, or nullptr.
+  /// Returns the name at an offset, or nullptr.
   const WrittenName* name_at(const std::string& file, std::size_t offset);
 
-  /// The pieces of a name from the left, as far as they mean something.
+  /// Returns the pieces of a name from the left, up to the first one that cannot be resolved.
   std::vector<NamePiece> pieces(const std::string& file, const WrittenName& name);
   std::optional<NamePiece> piece_at(const std::string& file, std::size_t offset);
-  /// Where it is defined: its key.
+  /// Returns the key that defines a name, for a port the key of its block; std::nullopt if there is none.
   std::optional<FilePlace> definition(const Meaning& meaning);
-  /// All places that name it, its definition with them, in all files that are known.
+  /// Returns all uses of a name in all known files, with its definition.
   std::vector<FilePlace> references(const Meaning& meaning);
-  /// Files that are open or lie below the folders.
+  /// Returns the open files and those below the folders.
   std::vector<std::string> paths();
 
-  /// What stands under a name in a section of a file: the entry of a block, a parameter, a port; or nullptr.
+  /// Returns an entry in a section of a file: a block, a parameter or a port; nullptr if there is none.
   static const yaml::Entry* entry(const yaml::Document& document, const char* section,
                                   const std::string& name);
-  /// The file of a part that stands under a name of another file; empty where that is none.
+  /// Returns the file of a part that a block entry uses; empty if the entry is no part.
   static std::string part_file(const std::string& user, const yaml::Entry& block);
-  /// The block with whose name a reference begins, or nullptr; names of blocks may have dots themselves.
+  /// Returns the block whose name is a prefix of the reference, or nullptr. Names of blocks can contain dots.
   static const yaml::Entry* block_at_start(const yaml::Document& document, std::string_view reference);
-  /// The outputs of a block or part; none where its kind is not known.
+  /// Returns the outputs of a block or part; empty for an unknown type.
   std::vector<std::string> outputs(const std::string& file, const yaml::Entry& block);
-  /// Does the name of a block or part stand for its first output?
+  /// True if the block has a single output, so that its name alone means that output.
   bool has_one_output(const std::string& file, const yaml::Entry& block);
 
  private:
@@ -82,7 +82,7 @@ class DiagramFiles {
     std::shared_ptr<const yaml::Document> document;
     std::vector<WrittenName> names;
   };
-  /// Of a key that defines something, or that belongs to a block.
+  /// Resolves a key that defines a name or that is a key of a block; std::nullopt otherwise.
   std::optional<Meaning> meaning_of_key(const std::string& file, const WrittenName& name);
   std::optional<Meaning> key_of_part(const std::string& file, const WrittenName& name);
   void add_signal(const std::string& file, TextRange rest, std::string_view name,

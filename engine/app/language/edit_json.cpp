@@ -19,7 +19,7 @@ std::string text_under(const json::Json& edit, const char* key) {
   return *text;
 }
 
-/// A word is set as a number is.
+/// Parses an edit of a value, which may be a number, a word or an expression.
 Edit value_edit(const json::Json& edit) {
   const json::Json* at = edit.find("at");
   if (!at) return SetValue{text_under(edit, "name"), text_under(edit, "text")};

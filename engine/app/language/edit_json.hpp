@@ -5,9 +5,10 @@
 
 namespace stepwire::language {
 
-/// An edit as a page sends it, by its `kind`:
-///   {kind: number, name | at, text}, {kind: rename, name, to}, {kind: connect, from, to, input},
-///   {kind: disconnect, to, input}, {kind: delete, name}, {kind: insert, type, name?}
+/// Parses an edit from a page, by its `kind`.
+/// Values: {kind: number, name | at, text}. Names: {kind: rename, name, to}.
+/// Wires: {kind: connect, from, to, input}, {kind: disconnect, to, input}.
+/// Blocks: {kind: delete, name}, {kind: insert, type, name?}.
 /// Throws EditRefused for anything else.
 Edit edit_of(const json::Json& edit);
 

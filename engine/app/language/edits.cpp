@@ -24,7 +24,7 @@ std::optional<std::size_t> index_in(const std::string& text, std::size_t count) 
   return is_whole && index >= 1 && index <= count ? std::optional(index - 1) : std::nullopt;
 }
 
-/// The value under "gain" or "gain.2" of a map; nullptr where the map has no such key.
+/// Returns the value under "gain" or "gain.2" of a map; nullptr if there is no such key.
 const yaml::Node* value_under(const yaml::Node& map, const std::string& name) {
   if (const yaml::Node* value = map.find(name)) return value;
   const std::size_t dot = name.rfind('.');
@@ -37,7 +37,7 @@ const yaml::Node* value_under(const yaml::Node& map, const std::string& name) {
   throw EditRefused(fmt::format("this file has no '{}'", text::visible(name)));
 }
 
-/// Puts a value where a name says, or adds it to the block that takes it.
+/// Replaces the value of a name, or adds the key to its block.
 void set_value(TreeEdits& edits, const yaml::Document& document, const SetValue& set) {
   if (const yaml::Entry* block = DiagramFiles::block_at_start(document, set.name);
       block && set.name.size() > block->key.size()) {
@@ -63,7 +63,7 @@ void set_value_at(TreeEdits& edits, const TreePlace& place, const SetValueAt& se
   edits.replace(*place.scalar, set.text);
 }
 
-/// Where the file defines what has this name.
+/// Returns the position of a name's definition.
 std::size_t place_of_definition(DiagramFiles& files, const std::string& file, const std::string& name) {
   using Kind = Meaning::Kind;
   for (const Kind kind : {Kind::block, Kind::parameter, Kind::input, Kind::output})
@@ -71,13 +71,13 @@ std::size_t place_of_definition(DiagramFiles& files, const std::string& file, co
   refuse_name(name);
 }
 
-/// The place of the fault is one of a text that nobody sees.
+/// Throws a fault as EditRefused, without its place, which is in a trial text.
 [[noreturn]] void refuse_for(const yaml::Fault& fault) {
   const std::string words = fault.message.text();
   throw EditRefused(text::visible(fault.subject.empty() ? words : fault.subject + ": " + words));
 }
 
-/// Makes the splices of one file.
+/// Visitor that computes the splices of an edit.
 class Editor {
  public:
   Editor(DiagramFiles& files, const std::string& file)
@@ -155,7 +155,8 @@ class Editor {
     return result;
   }
 
-  /// A block that is not whole yet may be inserted; what is wrong only with its wires is refused.
+  /// Throws if the wires of an inserted block cause a fault. Faults of the block alone are allowed, since it
+  /// may be incomplete.
   static void refuse_wires(const std::vector<yaml::Fault>& with, const std::vector<yaml::Fault>& without) {
     for (const yaml::Fault& fault : with) {
       const bool is_of_block = std::ranges::any_of(without, [&](const yaml::Fault& one) {

@@ -8,76 +8,78 @@
 
 namespace stepwire::language {
 
-// Changes of a diagram, as a person makes them in its drawing. Names are those of the file itself.
+// Edits of a diagram, as made in its drawing. Names are those within the file.
 
-/// A number, word or expression: of a parameter of a block or part ("spring.gain", an element of it
-/// "spring.gain.2"), of the file ("mass"), or of its head ("stop"). What was left to its default is added.
+/// New value, a number, word or expression: of a block or part ("spring.gain", element "spring.gain.2"), of
+/// the file ("mass"), or of its head ("stop"). A missing key is added.
 struct SetValue {
   std::string name, text;
 };
-/// A number, word or expression that stands at a place of the text.
+/// New number, word or expression at an offset.
 struct SetValueAt {
   std::size_t offset;  ///< [bytes]
   std::string text;
 };
-/// A block, part, parameter or port of the file, with every use of it.
+/// New name of a block, part, parameter or port of the file, with all uses.
 struct Rename {
   std::string name, to;
 };
-/// Feeds an input of a block or part ("u", of a list "u.2"), or with no block an output of the file.
+/// Wire from a signal to an input of a block or part ("u", of a list "u.2"). With an empty block the input is
+/// an output of the file.
 struct Connect {
   std::string from, to, input;
 };
 struct Disconnect {
   std::string to, input;
 };
-/// A block, part or parameter; out of lists of what is recorded or drawn its names go, too.
+/// Removal of a block, part or parameter, and of its names from lists of recorded or drawn signals.
 struct Remove {
   std::string name;
 };
-/// A kind of block, or the file of a part as the diagram would name it. Without a name one is made.
+/// New block of a type, or new part by its file name relative to the diagram. An empty name is generated.
 struct Insert {
   std::string type, name;
   std::vector<std::pair<std::string, std::string>>
-      inputs{};  ///< with the signals that feed them; "u.2" of lists
+      inputs{};  ///< inputs with their source signals; "u.2" for lists
 };
 
-/// One more item of a section that is a list or may be one: "figure", "claims".
+/// New item of a section that is a list or may be one: "figure", "claims".
 struct AddItem {
   std::string section, text;
 };
-/// A linear analysis of the loop through a signal, cut there, and the figure of its Bode plot.
+/// New linear analysis of the loop that is opened at a signal, with the figure of its Bode plot.
 struct CutLoop {
   std::string signal;
-  std::string at{};  ///< the time of the working point, "0.5 s"; "" for the start
+  std::string at{};  ///< time of the operating point, "0.5 s"; empty: the start
 };
 
 using Edit =
     std::variant<SetValue, SetValueAt, Rename, Connect, Disconnect, Remove, Insert, AddItem, CutLoop>;
 
-/// What an edit comes to.
+/// Result of an edit.
 struct Edited {
   FileSplices changes;
-  std::string name{};                 ///< of what was inserted or added
-  std::vector<yaml::Fault> faults{};  ///< that the changed files have now, and did not have before
+  std::string name{};                 ///< name of the added block or item
+  std::vector<yaml::Fault> faults{};  ///< new faults of the changed files
 };
 
-/// The splices of an edit: all else of the files stays as it is, which is checked by reading them again.
-/// Throws EditRefused, with a sentence, for names that mean nothing, values that are none, wires whose units
-/// do not fit, and texts in which the change would touch anything else.
+/// Computes the splices of an edit. The rest of the files is unchanged, which is verified by parsing the
+/// result.
+/// Throws EditRefused with a sentence: for unknown names, invalid values, wires with different units, and
+/// texts in which the splices would affect other values.
 Edited edited(DiagramFiles& files, const std::string& file, const Edit& edit);
 
-/// An input of a block, part, or of the file's outputs (with no block).
+/// Input of a block or part, or with an empty block an output of the file.
 struct InputName {
   std::string block, input;
 
   bool operator==(const InputName&) const = default;
 };
 
-/// The inputs of a file to which a signal may be connected: all for which the edit would not be refused.
+/// Returns the inputs to which a signal may be connected, that is, where the edit would not be refused.
 std::vector<InputName> inputs_for(DiagramFiles& files, const Analysis& analysis, const std::string& file,
                                   const std::string& from);
-/// Throws EditRefused for a wire between two units that are known and are not the same.
+/// Throws EditRefused for a wire between two known, different units.
 void check_units(DiagramFiles& files, const Analysis& analysis, const std::string& file, const Connect& edit);
 
 }  // namespace stepwire::language

@@ -30,7 +30,7 @@ std::string decoded(std::string_view text) {
 
 std::string path_of_uri(const std::string& uri) {
   if (!uri.starts_with(scheme)) return uri;
-  const std::size_t path = uri.find('/', scheme.size());  // behind the host, which is this one
+  const std::size_t path = uri.find('/', scheme.size());  // after the host name, which is ignored
   if (path == std::string::npos) return uri;
   return std::filesystem::path(decoded(std::string_view(uri).substr(path))).lexically_normal().string();
 }

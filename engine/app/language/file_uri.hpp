@@ -7,16 +7,16 @@
 
 namespace stepwire::language {
 
-/// The absolute path that a file URI names; what is no file URI is itself.
+/// Returns the absolute path of a file URI; any other text is returned unchanged.
 std::string path_of_uri(const std::string& uri);
 std::string uri_of_path(const std::string& path);
 
-/// Files by the URI that an editor has for each, since editors write the same path in several ways.
+/// Map from paths to the URIs that the editor uses, since editors encode the same path in several ways.
 class FileUris {
  public:
   using Turn = std::function<std::string(const std::string&)>;
-  /// URIs of files, or others, which a page has for files whose paths it need not know. What is none gives an
-  /// empty path.
+  /// Converts file URIs, or URIs of a page that does not know paths. `path_of` returns an empty path for an
+  /// invalid URI.
   explicit FileUris(Turn path_of = path_of_uri, Turn uri_of = uri_of_path)
       : path_of_(std::move(path_of)), uri_of_(std::move(uri_of)) {}
 

@@ -21,11 +21,11 @@ Unit unit_text(const yaml::Node& declared) {
 
 struct InputUnit {
   InputName name;
-  Unit wanted;              ///< none where any will do, or it is not known
-  const yaml::Node* fed{};  ///< the signal that feeds it; nullptr for none
+  Unit wanted;              ///< std::nullopt: any unit, or unknown
+  const yaml::Node* fed{};  ///< present source signal; nullptr if unconnected
 };
 
-/// Gathers all inputs of a file.
+/// Collector of all inputs of a file.
 class Inputs {
  public:
   Inputs(DiagramFiles& files, const Analysis& analysis, const std::string& file)
@@ -58,7 +58,7 @@ class Inputs {
     for (std::size_t i = 0; type && i < type->inputs.size(); ++i) add_input(block, type->inputs[i]);
   }
 
-  /// Of a list each signal and one more.
+  /// Adds an input; for a list each item, and the next free one.
   void add_input(const yaml::Entry& block, const InputSpec& input) {
     const yaml::Node* fed = block.value.find(input.name);
     const Unit wanted = wanted_unit(block, input, fed != nullptr);
@@ -72,7 +72,8 @@ class Inputs {
       add(block.key, input.name + "." + std::to_string(i), wanted, item(i - 1));
   }
 
-  /// What feeds an input now says nothing about what may feed it, unless its block declares the unit.
+  /// Returns the unit that an input requires. The unit inferred from the present source does not restrict a
+  /// new one, so for a connected input only the declared unit counts.
   Unit wanted_unit(const yaml::Entry& block, const InputSpec& input, bool is_fed) const {
     if (!is_fed) return unit_of_input(analysis_, block.key, input.name);
     const auto declared = unit::parse_unit(input.unit);
@@ -85,7 +86,7 @@ class Inputs {
   std::vector<InputUnit> found_;
 };
 
-/// The units of the signals of a file.
+/// Units of the signals of a file.
 class Signals {
  public:
   Signals(const Analysis& analysis, DiagramFiles& files, const std::string& file) {
@@ -105,8 +106,9 @@ bool fits(const Unit& unit, const Unit& wanted) {
   return !unit || !wanted || *unit == *wanted;
 }
 
-/// Looks whether a file with another wire is as right as it is: units of gains, of what follows and of ways
-/// back, and parameters that become useless are known only to the whole.
+/// Trial edits of wires. A wire is allowed if the file with it has no additional faults. Local units are not
+/// enough: those of gains, of later signals and of feedback loops, and unused parameters, follow from the
+/// whole diagram.
 class Trials {
  public:
   Trials(DiagramFiles& files, const std::string& file, const yaml::Document& document)
@@ -119,7 +121,7 @@ class Trials {
   bool is_right(const Connect& wire) const try {
     TreeEdits edits(*text_, document_);
     connect(edits, files_, file_, document_, wire);
-    if (text_->find('&') != std::string::npos) edits.checked();  // an anchor may carry the change elsewhere
+    if (text_->find('&') != std::string::npos) edits.checked();  // an anchor may copy the change
     return known_.added_by(edits.tree()).empty();
   } catch (const EditRefused&) {
     return false;
@@ -144,7 +146,8 @@ std::vector<InputName> inputs_for(DiagramFiles& files, const Analysis& analysis,
   const Trials trials(files, file, *document);
   std::vector<InputName> found;
   for (const auto& [name, wanted, fed] : Inputs(files, analysis, file).all(*document)) {
-    const bool is_same = unit && fed && signals.unit(fed->text) == unit;  // then nothing that follows changes
+    // With the unit of the present source, no later unit changes.
+    const bool is_same = unit && fed && signals.unit(fed->text) == unit;
     if (fits(unit, wanted) && (is_same || trials.is_right({from, name.block, name.input})))
       found.push_back(name);
   }

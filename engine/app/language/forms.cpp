@@ -38,7 +38,8 @@ void Forms::expand(const yaml::Key& form, FormList& result, int depth) {
       expand(section->form, result, depth + 1);
   else
     result.push_back(&form);
-  if (form.form == Form::series) result.push_back(&query::series_form());  // the same with a label
+  if (form.form == Form::series)
+    result.push_back(&query::series_form());  // a series may be a map with a label
 }
 
 FormList Forms::expanded(const FormList& forms) {

@@ -12,29 +12,30 @@
 
 namespace stepwire::language {
 
-/// What may stand at a place: one of these forms.
+/// Alternative forms of a value.
 using FormList = std::vector<const yaml::Key*>;
 
-/// The forms of the places of diagram files, by the tables of keys that their reader has and the declarations
-/// of the blocks.
+/// Forms of all places in diagram files, from the key tables of their reader and from the declarations of the
+/// blocks.
 class Forms {
  public:
   explicit Forms(const Registry& registry) : registry_(registry) {}
 
-  /// Of a file as a whole.
+  /// Returns the form of a whole file.
   FormList root() const;
-  /// Of what stands under a key of a map that has one of these forms.
+  /// Returns the forms of the value under a key, for a map with one of the given forms.
   FormList under(const FormList& map_forms, const yaml::Node& map, const std::string& key);
-  /// Of the items of a list that has one of these forms.
+  /// Returns the forms of the items, for a list with one of the given forms.
   FormList items(const FormList& list_forms);
-  /// The maps among these forms, for a certain map: the keys of a block follow from its type, those of a
-  /// figure from its plot.
+  /// Returns the map forms for a particular map. The keys of a block depend on its type, those of a figure on
+  /// its plot.
   FormList maps(const FormList& forms, const yaml::Node& map);
-  /// The forms of a value that is no list and no map.
+  /// Returns the forms of a scalar.
   FormList scalars(const FormList& forms);
 
   const yaml::Key& block_form(const BlockType& type);
-  /// Gives the root of a part's file by the text behind `diagram:`, or null; used from now on.
+  /// Sets the lookup of part files by the text of the key `diagram`. It returns nullptr for an unreadable
+  /// file.
   using Parts = std::function<std::shared_ptr<const yaml::Document>(const std::string& path)>;
   void look_for_parts(Parts parts) { parts_ = std::move(parts); }
 
@@ -48,14 +49,14 @@ class Forms {
   const Registry& registry_;
   Parts parts_;
   std::map<std::string, std::unique_ptr<const yaml::Key>> made_;
-  /// Of parts, for as long as their documents are the same.
+  /// forms of parts, by document
   std::map<std::shared_ptr<const yaml::Document>, std::unique_ptr<const yaml::Key>> of_parts_;
 };
 
-/// The keys of a part: what a file that uses it as a block may give.
+/// Returns the keys that a block entry of this part may have.
 yaml::Key part_form(const yaml::Node& part);
 
-/// Is this the place of a block, whose keys follow from its type?
+/// True for the form of a block, whose keys depend on its type.
 bool is_block_form(const yaml::Key& form);
 
 }  // namespace stepwire::language

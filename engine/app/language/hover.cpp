@@ -18,7 +18,7 @@ namespace {
 
 using Sense = WrittenName::Sense;
 
-/// A word of a file as code in Markdown.
+/// Formats a word of the file as Markdown code.
 std::string code(const std::string& word) {
   std::string shown = text::visible(word);
   std::erase(shown, '`');
@@ -30,7 +30,7 @@ std::string unit_words(const std::optional<unit::Dimension>& dimension) {
   return *dimension == unit::Dimension{} ? "no unit" : "in " + unit::si_name(*dimension);
 }
 
-/// A fact with its name, where there is one.
+/// Formats a named fact; empty for an empty text.
 std::string fact(const char* name, const std::string& text) {
   return text.empty() ? "" : fmt::format("\n- {}: {}", name, reference::escaped(text));
 }
@@ -73,7 +73,7 @@ class Hovering {
     return std::nullopt;
   }
 
-  /// `whole` is what this file calls it.
+  /// Describes a definition; `whole` is its name in this file.
   std::string of_meaning(const Meaning& meaning, const std::string& whole) {
     if (meaning.kind == Meaning::Kind::parameter) return of_parameter(whole);
     if (meaning.kind == Meaning::Kind::block) return of_block(meaning, whole);

@@ -7,13 +7,14 @@
 
 namespace stepwire::language {
 
-/// What is told of a place: Markdown, and the text that it is about.
+/// Explanation of a place: Markdown, and the range that it explains.
 struct Hover {
   std::string markdown;
   TextRange range;
 };
 
-/// The reference of a block or key, the unit of a signal, unit and value of a parameter.
+/// Returns the reference of a block or key, the unit of a signal, or unit and value of a parameter;
+/// std::nullopt for other places.
 std::optional<Hover> hover(DiagramFiles& files, const Analysis& analysis, const std::string& file,
                            std::size_t offset);
 

@@ -9,15 +9,15 @@
 
 namespace stepwire::language {
 
-/// What is wrong in a diagram file as it is, to which the faults of its changed texts are compared.
+/// Present faults of a diagram file, with which those of changed texts are compared.
 class KnownFaults {
  public:
-  /// The files must outlive it, and stay as they are.
+  /// The files must outlive the object and stay unchanged.
   KnownFaults(DiagramFiles& files, const std::string& file);
 
-  /// What is wrong in the file with changed texts, and not as it is.
+  /// Returns the faults that the changes add.
   std::vector<yaml::Fault> added_by(const FileSplices& changes) const;
-  /// The same with another tree of the file, soon.
+  /// Returns the faults that a changed tree adds. It is fast, since no text is parsed.
   std::vector<yaml::Fault> added_by(yaml::Document tree) const;
 
  private:
@@ -25,7 +25,7 @@ class KnownFaults {
 
   DiagramFiles& files_;
   const std::string file_;
-  std::vector<std::pair<std::string, std::string>> known_;  ///< subjects with their sentences
+  std::vector<std::pair<std::string, std::string>> known_;  ///< subjects and messages
 };
 
 }  // namespace stepwire::language

@@ -5,7 +5,7 @@ namespace stepwire::language {
 
 namespace {
 
-/// Places in UTF-16 of several files.
+/// Conversion of ranges in several files to UTF-16.
 class Utf16Files {
  public:
   explicit Utf16Files(DiagramFiles& files) : files_(files) {}

@@ -1,4 +1,4 @@
-// What the methods of the protocol do.
+// Methods of the protocol.
 #include "engine/app/language/language_server.hpp"
 #include "engine/app/language/protocol.hpp"
 
@@ -15,7 +15,7 @@ EditorPosition at(const Json& params) {
 Json capabilities() {
   Json sync = Json::object()
                   .set("openClose", true)
-                  .set("change", 2)  // pieces of the text
+                  .set("change", 2)  // incremental
                   .set("save", Json::object().set("includeText", false));
   Json completion = Json::object().set("triggerCharacters", Json::list({".", "$", ":", " ", "/"}));
   return Json::object()
@@ -30,7 +30,7 @@ Json capabilities() {
       .set("codeActionProvider", Json::object().set("codeActionKinds", Json::list({"quickfix"})));
 }
 
-/// Folders of the workspace, by the newest way in which the editor gives them.
+/// Returns the workspace folders, from the newest field that the editor sends.
 std::vector<std::string> folders_of(const Json& params) {
   std::vector<std::string> folders;
   const Json* all = params.find("workspaceFolders");

@@ -12,12 +12,12 @@ using json::Json;
 
 namespace {
 
-/// How long no message may come before files are looked at, so that a person who types is not waited for.
+/// Pause without messages before files are analysed, so that the analysis does not delay a typing user.
 constexpr std::chrono::milliseconds quiet{15};
 constexpr std::size_t most_cancelled = 256;
 constexpr std::string_view cancel = "$/cancelRequest";
 
-/// What a message asks to be cancelled, as JSON text; empty where it is no such message.
+/// Returns the id of a cancelled request, as JSON text; empty for any other message.
 std::string cancelled_by(const std::string& message) {
   if (message.find(cancel) == std::string::npos) return "";
   try {
@@ -70,7 +70,7 @@ void LanguageServer::post(std::string message, std::shared_ptr<void> held) {
     messages_.push_back({std::move(message), std::move(held)});
   else
     cancelled_.push_back(id);
-  // One that came after its answer stays until it is the oldest.
+  // Ids that arrive after their answer stay until they are the oldest.
   if (cancelled_.size() > most_cancelled) cancelled_.erase(cancelled_.begin());
   arrived_.notify_one();
 }
@@ -119,7 +119,7 @@ void LanguageServer::handle(const std::string& text) {
     const Json message = Json::parse(text);
     if (const Json* given = message.find("id")) id = *given;
     if (!message.is_object()) return send_error(Json(), rpc::invalid_request, "a message is an object");
-    if (!message.find("method") && message.find("id")) return;  // an answer, and nothing was asked
+    if (!message.find("method") && message.find("id")) return;  // an answer; the server sends no requests
     const std::string& method = text_member(message, "method");
     static const Json none = Json::object();
     const Json* params = message.find("params");
@@ -130,9 +130,9 @@ void LanguageServer::handle(const std::string& text) {
   } catch (const json::JsonError& error) {
     send_error(Json(), rpc::parse_error, std::string("this message is no JSON: ") + error.what());
   } catch (const ProtocolError& error) {
-    // There is no answer to a notification; one that is wrong changes nothing.
+    // A notification has no answer; a faulty one is ignored.
     if (!id.is_null()) send_error(id, error.code, error.what());
-  } catch (const EditRefused&) {  // a change at a place that the text does not have
+  } catch (const EditRefused&) {  // a change outside of the text
   }
 }
 

@@ -17,24 +17,24 @@
 
 namespace stepwire::language {
 
-/// The Language Server Protocol over any transport of JSON texts: requests and notifications in, answers and
-/// diagnostics out. Source: Language Server Protocol 3.17, JSON-RPC 2.0.
+/// Language Server Protocol over any transport of JSON texts. It receives requests and notifications, and
+/// sends answers and diagnostics. Source: Language Server Protocol 3.17, JSON-RPC 2.0.
 class LanguageServer {
  public:
-  /// Takes one message as JSON text; called from the thread of run() alone.
+  /// Sends a message as JSON text; called only on the thread of run().
   using Send = std::function<void(const std::string& message)>;
 
   LanguageServer(const Registry& registry, Send send, FileUris uris = FileUris(), FileAccess access = {});
 
-  /// Takes a message; from any thread. `held` is released when the message has been handled.
+  /// Queues a message. Thread-safe. `held` is released after the message is handled.
   void post(std::string message, std::shared_ptr<void> held = {});
-  /// Ends run() after the messages that wait; from any thread.
+  /// Ends run() after the queued messages. Thread-safe.
   void close();
-  /// Ends run() after the message that it handles, and drops those that wait; from any thread.
+  /// Ends run() after the current message, and drops the queued ones. Thread-safe.
   void abandon();
-  /// Answers messages until the editor ends it, or close() or abandon() was called. Faults are published when
-  /// no message waits, so that of several changes the last one counts. Returns whether the editor ended it as
-  /// the protocol has it.
+  /// Handles messages until the editor exits, or until close() or abandon(). Diagnostics are published when
+  /// the queue is empty, so a series of changes is analysed once. True if the editor ended the session as the
+  /// protocol requires.
   bool run();
 
  private:
@@ -80,13 +80,13 @@ class LanguageServer {
   LanguageService service_;
   Send send_;
   FileUris uris_;
-  std::map<std::string, json::Json> versions_;  ///< of open files
+  std::map<std::string, json::Json> versions_;  ///< by open file
   bool initialized_ = false, shut_down_ = false, ended_ = false;
 
-  std::mutex mutex_;  ///< guards what follows
+  std::mutex mutex_;  ///< protects the members below
   std::condition_variable arrived_;
   std::deque<Message> messages_;
-  std::vector<std::string> cancelled_;  ///< identifiers as JSON text
+  std::vector<std::string> cancelled_;  ///< ids as JSON text
   bool closed_ = false;
 };
 

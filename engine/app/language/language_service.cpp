@@ -67,7 +67,7 @@ std::vector<TextDiagnostic> LanguageService::diagnostics_of(const std::string& f
 }
 
 std::map<std::string, std::vector<TextDiagnostic>> LanguageService::take_diagnostics() {
-  // What was wrong with an older text has no place in the newer one.
+  // Faults of an older text have no valid place in the newer one.
   if (std::ranges::any_of(known_, [](const auto& one) { return one.second.faults_are_old; })) return {};
   std::set<std::string> files;
   for (const auto& [file, before] : shown_) files.insert(file);

@@ -15,13 +15,13 @@
 
 namespace stepwire::language {
 
-/// A place in a file as an editor counts.
+/// Range in a file, in editor coordinates.
 struct EditorPlace {
   std::string file;
   EditorRange range;
 };
 
-/// A change that an editor offers: what it does, and the text that it puts.
+/// Quick fix: a title, and the replacement of a range.
 struct Mending {
   std::string title;
   TextDiagnostic diagnostic;
@@ -29,29 +29,28 @@ struct Mending {
   std::string text;
 };
 
-/// Changes of files as editors apply them.
+/// Text changes by file, as editors apply them.
 using FileEdits = std::map<std::string, std::vector<std::pair<EditorRange, std::string>>>;
 
-/// A piece of a file; its ends are units of UTF-16 from the start of the text, as browsers count.
+/// Range in a file in UTF-16 units from the start of the text, as browsers count.
 struct Utf16Range {
   std::string file;
   std::size_t from = 0, to = 0;
 };
 
-/// What an edit of a diagram comes to.
+/// Result of an edit of a diagram.
 struct EditChanges {
   struct Change {
     Utf16Range range;
-    std::string text;  ///< in its place
+    std::string text;  ///< replacement of the range
   };
-  std::vector<Change> changes;      ///< all of the same texts
-  std::string name;                 ///< of a block that was inserted
-  std::vector<yaml::Fault> faults;  ///< that come with it
+  std::vector<Change> changes;      ///< all relative to the unchanged texts
+  std::string name;                 ///< name of an inserted block
+  std::vector<yaml::Fault> faults;  ///< new faults
 };
 
-/// What editors ask of diagram files that are open: what is wrong, what may be written, what names mean,
-/// where they stand. Files are named by their absolute path. Nothing here knows how an editor is connected.
-/// One thread at a time.
+/// Editor features for open diagram files: diagnostics, completion, meaning and places of names. Files are
+/// identified by absolute path. The transport is not part of it. Not thread-safe.
 class LanguageService {
  public:
   /// The registry must outlive the service.
@@ -60,16 +59,16 @@ class LanguageService {
 
   void set_folders(std::vector<std::string> folders) { files_.set_folders(std::move(folders)); }
   void open(const std::string& file, std::string text);
-  /// Replaces a piece of a file that is open.
+  /// Replaces a range of an open file.
   void edit(const std::string& file, const EditorRange& range, const std::string& text);
   void close(const std::string& file);
-  /// Something on the disk is another now.
+  /// Invalidates the analyses after a file on the disk has changed.
   void note_saved();
 
-  /// Looks at one file that is another since it was looked at last; false where there is none.
+  /// Analyses one file that has changed since its last analysis; false if there is none.
   bool analyse_next();
-  /// What is wrong in each file whose text or faults have changed since the last call; nothing as long as a
-  /// file has not been looked at.
+  /// Returns the diagnostics of each file whose text or faults have changed since the last call. The map is
+  /// empty until all analyses are finished.
   std::map<std::string, std::vector<TextDiagnostic>> take_diagnostics();
 
   std::vector<std::pair<Completion, EditorRange>> completions(const std::string& file,
@@ -78,19 +77,19 @@ class LanguageService {
   std::optional<EditorPlace> definition(const std::string& file, const EditorPosition& at);
   std::vector<EditorPlace> references(const std::string& file, const EditorPosition& at,
                                       bool with_definition);
-  /// The name that may be changed at a place. Throws EditRefused.
+  /// Returns the range of the name at a position that can be renamed. Throws EditRefused.
   EditorRange renamed(const std::string& file, const EditorPosition& at);
   FileEdits rename(const std::string& file, const EditorPosition& at, const std::string& name);
   std::vector<OutlineItem> outline(const std::string& file);
-  /// Words that were probably meant, for what is wrong in a range.
+  /// Returns the quick fixes for faults in a range.
   std::vector<Mending> mendings(const std::string& file, const EditorRange& range);
 
-  /// The changes of texts that an edit of the diagram is; nothing is changed here. Throws EditRefused. The
-  /// offset of SetValueAt counts UTF-16, too.
+  /// Computes the text changes of a diagram edit without applying them. The offset of SetValueAt counts
+  /// UTF-16 units. Throws EditRefused.
   EditChanges edited(const std::string& file, Edit edit);
-  /// The inputs to which a signal may be connected. Throws EditRefused where there is no such signal.
+  /// Returns the inputs to which a signal may be connected. Throws EditRefused for an unknown signal.
   std::vector<InputName> inputs_for(const std::string& file, const std::string& from);
-  /// Where the texts have each block and port of a drawing of the file: see shape_places().
+  /// Returns the text range of each block and port of the file's drawing: see shape_places().
   std::map<std::string, Utf16Range> shapes(const std::string& file);
 
  private:
@@ -108,9 +107,9 @@ class LanguageService {
   EditorPlace shown(const FilePlace& place);
 
   DiagramFiles files_;
-  std::map<std::string, Known> known_;  ///< of files that are open
+  std::map<std::string, Known> known_;  ///< open files
   std::map<std::string, std::vector<TextDiagnostic>> shown_;
-  std::set<std::string> changed_;  ///< files whose text is another since
+  std::set<std::string> changed_;  ///< files whose text has changed since the last diagnostics
 };
 
 }  // namespace stepwire::language

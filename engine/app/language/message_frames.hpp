@@ -8,23 +8,23 @@
 
 namespace stepwire::language {
 
-/// What comes over a pipe and is no message.
+/// Malformed message frame.
 class FrameError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Takes messages out of a stream of bytes, each behind a header with its length in bytes: "Content-Length:
+/// Reader of messages in a byte stream. Each message has a header with its length in bytes: "Content-Length:
 /// 12\r\n\r\n".
 class FrameReader {
  public:
-  /// Puts at most so many bytes at a place and returns how many; 0 at the end of the stream.
+  /// Reads at most `most` bytes and returns their count; 0 at the end of the stream.
   using Read = std::function<std::size_t(char* to, std::size_t most)>;
 
   explicit FrameReader(Read read) : read_(std::move(read)) {}
 
-  /// The next message; nothing at the end of the stream. Throws FrameError for what has no header with a
-  /// length, for a message above 64 MB, and where the stream ends inside of one.
+  /// Returns the next message; std::nullopt at the end of the stream. Throws FrameError for a header without
+  /// a length, a message above 64 MB, and a stream that ends within a message.
   std::optional<std::string> next();
 
  private:
@@ -35,7 +35,7 @@ class FrameReader {
   std::string buffer_;
 };
 
-/// A message with its header.
+/// Returns a message with its header.
 std::string framed(std::string_view message);
 
 }  // namespace stepwire::language

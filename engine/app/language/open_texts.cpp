@@ -36,7 +36,7 @@ std::shared_ptr<const std::string> OpenTexts::text(const std::string& path) {
   if (!found.text) {
     try {
       found.text = std::make_shared<const std::string>(read(path));
-    } catch (const std::exception&) {  // what is wrong with it is told where it is read as a document
+    } catch (const std::exception&) {  // reported when the file is parsed
       found.text = std::make_shared<const std::string>();
     }
   }

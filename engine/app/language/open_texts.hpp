@@ -14,48 +14,47 @@
 
 namespace stepwire::language {
 
-/// How files are reached that an editor names but has not open.
+/// Access to files that are not open in the editor.
 struct FileAccess {
-  /// The text of a file; throws yaml::Error. Empty: any file of the machine.
+  /// Returns the text of a file; throws yaml::Error. Empty: any file of the machine.
   std::function<std::string(const std::string& path)> read{};
-  /// Throws yaml::Error where a document names a file that is not to be read. Empty: it may name any.
+  /// Checks the file names in a document; throws yaml::Error for a forbidden one. Empty: all are allowed.
   std::function<void(const yaml::Document& document)> check{};
 };
 
-/// Texts of files: those that an editor has open, and all others as they are on the disk. What was read once
-/// is kept until the file changes.
+/// Texts of the open files, and a cache of files on the disk, which is valid until they change.
 class OpenTexts {
  public:
   explicit OpenTexts(FileAccess access = {}) : access_(std::move(access)) {}
 
   void open(const std::string& path, std::string text);
-  /// A file of which the tree is known before its text.
+  /// Opens a file with a given tree; its text is set later.
   void open_tree(const std::string& path, std::shared_ptr<const yaml::Document> document);
   void close(const std::string& path);
   bool is_open(const std::string& path) const { return open_.contains(path); }
   std::vector<std::string> open_paths() const;
 
-  /// Empty for a file that cannot be read.
+  /// Returns the text; empty for an unreadable file.
   std::shared_ptr<const std::string> text(const std::string& path);
-  /// Throws Error for a text that is no YAML, a file that is not there, and so on.
+  /// Parses the text. Throws Error for invalid YAML, a missing file, and so on.
   std::shared_ptr<const yaml::Document> document(const std::string& path);
-  /// The last one that could be read since the file was opened; null where there was none.
+  /// Returns the last valid document since the file was opened; nullptr if there is none.
   std::shared_ptr<const yaml::Document> last_document(const std::string& path);
-  /// Hands these documents to a Loader.
+  /// Returns a reader of these documents for a Loader.
   diagram::DocumentReader reader();
-  /// Grows with every text that is opened, changed or closed.
+  /// Returns a counter of opened, changed and closed texts.
   std::uint64_t changes() const { return changes_; }
 
  private:
   struct OnDisk {
-    std::int64_t time = 0;  ///< of the last change
+    std::int64_t time = 0;  ///< last modification
     std::uintmax_t size = 0;
     bool operator==(const OnDisk&) const = default;
   };
   struct File {
-    std::optional<OnDisk> stamp;  ///< none for a text that is open
+    std::optional<OnDisk> stamp;  ///< std::nullopt for an open text
     std::shared_ptr<const std::string> text{};
-    std::shared_ptr<const yaml::Document> document{};  ///< null where it has not been read, or could not be
+    std::shared_ptr<const yaml::Document> document{};  ///< nullptr if not parsed, or invalid
     std::shared_ptr<const yaml::Error> error{};
   };
 

@@ -8,7 +8,7 @@ namespace {
 
 using ItemKind = OutlineItem::Kind;
 
-/// Sections whose entries are listed, and as what.
+/// Returns the sections whose entries are listed, with the kind of their items.
 const std::map<std::string, ItemKind>& listed_sections() {
   static const std::map<std::string, ItemKind> all{
       {"blocks", ItemKind::block}, {"parameters", ItemKind::parameter}, {"inputs", ItemKind::port},
@@ -50,7 +50,7 @@ class Outlining {
     const bool part = kind == ItemKind::block && !scalar_under(entry.value, "diagram").empty();
     const TextRange key = places_.key_range(entry);
     const TextRange whole{key.from, std::max(key.to, places_.range(entry.value).to)};
-    const std::string name = entry.key.empty() ? "''" : entry.key;  // editors refuse a name of nothing
+    const std::string name = entry.key.empty() ? "''" : entry.key;  // editors refuse an empty name
     return {name,
             detail_of(entry.value, kind),
             part ? ItemKind::part : kind,

@@ -7,13 +7,13 @@
 
 namespace stepwire::language {
 
-/// A line of the outline of a file: a section, or a block, parameter, port or claim in it.
+/// Item in the outline of a file: a section, or a block, parameter, port or claim within one.
 struct OutlineItem {
   enum class Kind { section, block, part, parameter, port, claim };
   std::string name;
   std::string detail;
   Kind kind;
-  EditorRange range;  ///< of all of it
+  EditorRange range;  ///< range of the whole item
   EditorRange name_range;
   std::vector<OutlineItem> children;
 };

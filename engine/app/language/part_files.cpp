@@ -6,7 +6,7 @@ namespace stepwire::language {
 
 namespace {
 
-/// The line of a key at the left edge, without the key; a file need not be read as a whole to know that.
+/// Returns the value in the line of a top-level key, without parsing the file.
 std::string line_of(std::string_view text, const std::string& key) {
   const std::size_t at = text.starts_with(key) ? 0 : text.find("\n" + key);
   if (at == std::string_view::npos) return "";

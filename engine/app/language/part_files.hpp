@@ -7,13 +7,13 @@
 
 namespace stepwire::language {
 
-/// A file that others may use as a part.
+/// Diagram file that can be used as a part.
 struct PartFile {
-  std::string path;  ///< from the file that would use it
+  std::string path;  ///< relative to the folder of the using file
   std::string title;
 };
 
-/// Files with outputs around a file: all that the files knows, and those in the folders beside it.
+/// Returns the files with outputs among all known files, except the user itself.
 std::vector<PartFile> part_files(DiagramFiles& files, const std::string& user);
 
 }  // namespace stepwire::language

@@ -18,7 +18,7 @@ int whole(const Json& object, const char* name) {
   return static_cast<int>(std::min<double>(*number, std::numeric_limits<int>::max()));
 }
 
-/// CompletionItemKind of the protocol.
+/// Returns the CompletionItemKind of the protocol.
 int kind_of(Completion::Kind kind) {
   switch (kind) {
     case Completion::Kind::key:
@@ -38,7 +38,7 @@ int kind_of(Completion::Kind kind) {
   }
 }
 
-/// SymbolKind of the protocol.
+/// Returns the SymbolKind of the protocol.
 int kind_of(OutlineItem::Kind kind) {
   switch (kind) {
     case OutlineItem::Kind::section:

@@ -8,7 +8,7 @@
 
 namespace stepwire::language {
 
-/// A message that is not as the protocol has it; its code is one of JSON-RPC or of the protocol.
+/// Message that violates the protocol. The code is one of JSON-RPC or of the protocol.
 class ProtocolError : public std::runtime_error {
  public:
   ProtocolError(int code, const std::string& message) : std::runtime_error(message), code(code) {}
@@ -21,7 +21,7 @@ constexpr int parse_error = -32700, invalid_request = -32600, no_method = -32601
               request_failed = -32803;
 }
 
-// Values of messages. Each throws ProtocolError where the message has none of that form.
+// Fields of messages. Each function throws ProtocolError if the field is missing or malformed.
 const json::Json& member(const json::Json& object, const char* name);
 const std::string& text_member(const json::Json& object, const char* name);
 EditorPosition position_of(const json::Json& position);

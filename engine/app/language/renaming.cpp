@@ -13,7 +13,7 @@ namespace {
 
 using MeaningKind = Meaning::Kind;
 
-/// Is there something of this name beside it?
+/// True if the name is already used in the same scope.
 bool is_taken(const yaml::Document& document, MeaningKind kind, const std::string& name) {
   const auto has = [&](const char* section) {
     return DiagramFiles::entry(document, section, name) != nullptr;
@@ -34,13 +34,13 @@ void check_name(DiagramFiles& files, const Meaning& meaning, const std::string& 
     throw EditRefused(fmt::format("there is a '{}' already", name));
 }
 
-/// Is a file the one that defines something, or does it name that one?
+/// True if the file defines the name or mentions the file that does.
 bool concerns(const std::string& file, const std::string& text, const Meaning& meaning) {
   const std::string name = std::filesystem::path(meaning.file).filename().string();
   return file == meaning.file || text.find(name) != std::string::npos;
 }
 
-/// A file that is no YAML just now may have the name where it is not found.
+/// Throws if an open file that may contain the name is currently invalid YAML.
 void check_readable(DiagramFiles& files, const Meaning& meaning) {
   for (const std::string& file : files.texts().open_paths()) {
     if (!concerns(file, *files.texts().text(file), meaning)) continue;
@@ -52,7 +52,7 @@ void check_readable(DiagramFiles& files, const Meaning& meaning) {
   }
 }
 
-/// Files that were right stay so; else something has the name that was not found.
+/// Throws if renaming adds faults to a valid file, which would mean that a use was missed.
 void check_result(DiagramFiles& files, const std::map<std::string, std::string>& texts) {
   DiagramFiles after(files.registry());
   after.texts() = files.texts();

@@ -9,15 +9,14 @@
 
 namespace stepwire::language {
 
-/// Changes of several files, each in the order of its text.
+/// Changes of several files, each list in the order of the text.
 using FileSplices = std::map<std::string, std::vector<Splice>>;
 
-/// The piece of a name at a place that may be changed. Throws EditRefused.
+/// Returns the piece of a name at an offset that can be renamed. Throws EditRefused.
 NamePiece renamed_piece(DiagramFiles& files, const std::string& file, std::size_t offset);
 
-/// Changes a name wherever it stands, in all files that the files knows. Throws EditRefused where the
-/// new name is none or is taken, where a file that may have it cannot be read, and where a file that was
-/// right would have faults.
+/// Renames all uses in all known files. Throws EditRefused if the new name is invalid or used, or if a file
+/// that may contain the name is unreadable. Also throws if a valid file would get faults.
 FileSplices rename(DiagramFiles& files, const std::string& file, std::size_t offset, const std::string& name);
 
 }  // namespace stepwire::language

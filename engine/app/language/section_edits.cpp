@@ -22,7 +22,7 @@ std::string cut_loop(TreeEdits& edits, const yaml::Document& document, const Cut
     edits.add_below(document.root, "linear", name,
                     fmt::format("{{from: {0}, to: {0}, open: {0}{1}}}", signal, at));
   };
-  // A section that is there gets its line first: the end of the last one is where others are begun.
+  // An existing section is extended first, because new sections are inserted at the end of the last one.
   const bool has_figure = document.root.find("figure") != nullptr;
   if (!has_figure) add_analysis();
   edits.add_below(document.root, "figure", "",

@@ -7,10 +7,11 @@
 
 namespace stepwire::language {
 
-/// Where the text has what a drawing of the file shows: each block with its keys, each input with what feeds
-/// it, an output at the name of its block. Names are those of the graph that is drawn: "cart", "cart.force",
-/// of a list "sum.u.2", inside of parts "rig.mount.x", of the file's own ports "x"; also those inside of
-/// parts, in the files of these. Of a file that is no YAML just now the last one that was.
+/// Returns the text range of each item in the drawing of a file. Items are blocks with their keys, inputs
+/// with their sources, and outputs, at the name of their block.
+/// Names are those of the drawn graph: "cart", "cart.force", "sum.u.2" for lists, "rig.mount.x" within parts
+/// (in their own files), "x" for ports of the file.
+/// While the text is invalid YAML, the last valid one counts.
 std::map<std::string, FilePlace> shape_places(DiagramFiles& files, const std::string& file);
 
 }  // namespace stepwire::language

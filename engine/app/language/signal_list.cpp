@@ -22,7 +22,7 @@ std::optional<unit::Dimension> unit_of(const diagram::Diagram& diagram, const di
                             : at(diagram.state_dimensions, signal.block, signal.state);
 }
 
-/// A name without what stands before each name of the file; nothing where it is none of the file.
+/// Returns a name without the prefix of the file; std::nullopt for names of other files.
 std::optional<std::string> local(const std::string& name, const std::string& prefix) {
   return name.starts_with(prefix) ? std::optional(name.substr(prefix.size())) : std::nullopt;
 }
@@ -46,7 +46,7 @@ std::optional<unit::Dimension> declared_unit(const yaml::Node& port) {
   return parsed ? std::optional(parsed->dimension) : std::nullopt;
 }
 
-/// Buses of the file, and their fields; of those in parts where these are looked into.
+/// Adds the buses of the file and their fields; with `inside` also those within parts.
 void add_buses(const Analysis& analysis, bool inside, std::vector<KnownSignal>& signals) {
   const diagram::Diagram& diagram = analysis.draft->diagram;
   for (const diagram::DiagramBus& bus : diagram.buses) {
@@ -61,7 +61,7 @@ void add_buses(const Analysis& analysis, bool inside, std::vector<KnownSignal>& 
   }
 }
 
-/// Outputs of the parts of the file itself.
+/// Adds the outputs of the file's parts.
 void add_parts(const Analysis& analysis, DiagramFiles& files, const std::string& file,
                std::vector<KnownSignal>& signals) {
   const auto tree = files.tree(file);
@@ -90,7 +90,8 @@ void add_inputs(DiagramFiles& files, const std::string& file, std::vector<KnownS
     signals.push_back({input.key, declared_unit(input.value), "input"});
 }
 
-/// Is it a block that the loader has added, which no wire can name? Whether a part runs can be read.
+/// True for blocks that the loader has added and that no wire can name. The guard itself is visible, because
+/// its output, whether a part runs, can be read.
 bool is_hidden(const BlockType& type) {
   return &type != &diagram::guard_type() && diagram::find_guard_type(type.name);
 }

@@ -9,25 +9,25 @@
 
 namespace stepwire::language {
 
-/// A signal as a file calls it.
+/// Signal under its name in a file.
 struct KnownSignal {
   std::string name;
-  std::optional<unit::Dimension> dimension;  ///< none where it is not known
-  std::string what;                          ///< what makes it: "Lag", "part", "input"
+  std::optional<unit::Dimension> dimension;  ///< std::nullopt if unknown
+  std::string what;                          ///< origin: "Lag", "part", "input"
 };
 
-/// What may be wired in a file: outputs of its blocks and parts, and its inputs. With `inside` also states,
-/// and what lies inside of parts, which may be recorded.
+/// Returns the signals that can be wired in a file: outputs of its blocks and parts, and its inputs. With
+/// `inside` also the states and the signals within parts, which can be recorded.
 std::vector<KnownSignal> signals_of(const Analysis& analysis, DiagramFiles& files, const std::string& file,
                                     bool inside);
-/// Those that the file records, `time` and what it sweeps: what figures and claims may name.
+/// Returns the names for figures and claims: recorded signals, `time` and swept parameters.
 std::vector<KnownSignal> recorded_of(const Analysis& analysis);
 
-/// The unit that a key of a block in a file takes; nothing where it is not known.
+/// Returns the unit of an input of a block; std::nullopt if unknown.
 std::optional<unit::Dimension> unit_of_input(const Analysis& analysis, const std::string& block,
                                              const std::string& key);
 
-/// The parameter of that name in a file; nullptr where the draft has none.
+/// Returns a parameter of the file by name; nullptr if the draft has none.
 const diagram::DiagramParameter* parameter_of(const Analysis& analysis, const std::string& name);
 
 }  // namespace stepwire::language

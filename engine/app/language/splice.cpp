@@ -7,7 +7,7 @@ namespace stepwire::language {
 
 namespace {
 
-/// Compares a tree with what it became.
+/// Comparison of the trees before and after the splices.
 class Comparison {
  public:
   Comparison(std::string_view text, const std::vector<Splice>& splices) : places_(text), splices_(splices) {}

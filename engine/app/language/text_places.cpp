@@ -8,7 +8,7 @@ namespace stepwire::language {
 
 namespace {
 
-/// Units of UTF-16 of a character that has so many bytes in UTF-8.
+/// Returns the UTF-16 units of a character by its length in UTF-8.
 int utf16_units(std::size_t bytes) {
   return bytes == 4 ? 2 : 1;
 }
@@ -25,7 +25,7 @@ std::size_t TextPlaces::offset(const EditorPosition& position) const {
     if (text_[at] == '\n' || text_.substr(at).starts_with("\r\n")) break;
     const std::size_t bytes = next(text_, at);
     units += utf16_units(bytes);
-    if (units <= position.character) at += bytes;  // between the halves of a character is before it
+    if (units <= position.character) at += bytes;  // a position within a surrogate pair is rounded down
   }
   return at;
 }
@@ -46,7 +46,7 @@ namespace {
 
 constexpr std::size_t bytes_of_step = 256;
 
-/// Of the character that begins with this byte; none of a byte inside of one.
+/// Returns the UTF-16 units of the character that begins with this byte; 0 for a continuation byte.
 std::size_t units_from(char byte) {
   const auto first = static_cast<unsigned char>(byte);
   return (first & 0xc0) == 0x80 ? 0 : first >= 0xf0 ? 2 : 1;

@@ -9,20 +9,20 @@
 
 namespace stepwire::language {
 
-/// A place as editors count: lines from 0, and in the line the units of UTF-16 before it, of which a
-/// character beyond 0xffff has two.
+/// Position in editor coordinates: line from 0, and UTF-16 units from the start of the line. A character
+/// beyond U+FFFF has two units.
 struct EditorPosition {
   int line = 0, character = 0;
 
   auto operator<=>(const EditorPosition&) const = default;
 };
 
-/// From the first character to just behind the last one.
+/// Half-open range of editor positions.
 struct EditorRange {
   EditorPosition start, end;
 };
 
-/// The same as positions in a text, in bytes.
+/// Range of byte offsets.
 struct TextRange {
   std::size_t from = 0, to = 0;
 
@@ -31,15 +31,15 @@ struct TextRange {
   auto operator<=>(const TextRange&) const = default;
 };
 
-/// Places of a text in the three ways in which they are counted: bytes, characters of a Mark, and UTF-16. The
-/// text must outlive it.
+/// Conversion of positions in a text between bytes, characters of a Mark, and UTF-16. The text must outlive
+/// the object.
 class TextPlaces {
  public:
   explicit TextPlaces(std::string_view text) : text_(text), lines_(text) {}
 
   std::string_view text() const { return text_; }
   std::size_t offset(const yaml::Mark& mark) const { return lines_.position(mark); }
-  /// The end of the line where it lies behind that.
+  /// Returns the byte offset of a position; positions after the end of the line are clamped.
   std::size_t offset(const EditorPosition& position) const;
   EditorPosition position(std::size_t offset);
   EditorRange range(const TextRange& range) { return {position(range.from), position(range.to)}; }
@@ -52,19 +52,20 @@ class TextPlaces {
   yaml::LineIndex lines_;
 };
 
-/// Places of a text as browsers count them: units of UTF-16 from its start. The text must outlive it.
+/// Conversion of byte offsets to UTF-16 units from the start of the text, as browsers count. The text must
+/// outlive the object.
 class Utf16Places {
  public:
   explicit Utf16Places(std::string_view text);
 
-  /// Of a position in bytes, or of the end where it lies behind that.
+  /// Returns the UTF-16 units of a byte offset, clamped to the end.
   std::size_t units(std::size_t offset) const;
-  /// The position of the last character that begins there or before, or the end.
+  /// Returns the byte offset of the character that contains this unit, clamped to the end.
   std::size_t offset(std::size_t units) const;
 
  private:
   std::string_view text_;
-  std::vector<std::size_t> steps_;  ///< units before every so many bytes
+  std::vector<std::size_t> steps_;  ///< units before every 256th byte
 };
 
 }  // namespace stepwire::language

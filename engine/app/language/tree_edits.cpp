@@ -82,7 +82,7 @@ std::size_t TreeEdits::value_end(const yaml::Node& value, std::size_t key_end) c
   if (value.kind == yaml::Node::Kind::empty) return std::max(key_end, places_.offset(value.end));
   std::size_t at = text_.find_first_not_of(": \t", key_end);
   if (at != std::string_view::npos && text_[at] == '*')
-    return yaml::word_end(text_, at);  // it stands elsewhere
+    return yaml::word_end(text_, at);  // an alias; its content is elsewhere
   std::size_t end = places_.offset(value.end);
   if (is_flow(value)) return end;
   for (const Child& child : children(value)) end = std::max(end, child.range.to);

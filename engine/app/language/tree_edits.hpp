@@ -12,41 +12,44 @@
 
 namespace stepwire::language {
 
-/// Changes of a YAML text of which each is noted twice: as splices of the text, and in a tree of what the
-/// text is to be. The text is never printed again: comments, quotes, brackets and ends of lines stay as they
-/// are. Nodes and entries are those of the document; the text is what it was read from. Both must outlive it.
+/// Edits of a YAML text that keep its formatting.
+/// Each edit is noted twice: as splices of the text, and as a change of the expected tree. The text is never
+/// printed from a tree, so comments, quotes, brackets and line ends stay.
+/// The function checked() parses the spliced text and compares it with the expected tree. So a splice cannot
+/// silently change another value.
+/// Nodes and entries are those of the document, which was parsed from the text. Both must outlive the object.
 class TreeEdits {
  public:
   TreeEdits(std::string_view text, const yaml::Document& document);
 
-  /// Puts a value, as a person would write it: "8 kg", "[1, 2]", "max(a, b)". It is put in quotes where the
-  /// text around it needs that, or the value had them. All functions throw EditRefused for what is no value
-  /// of one line.
+  /// Replaces a value, given in plain notation: "8 kg", "[1, 2]", "max(a, b)". It is quoted if the context
+  /// requires it or if the old value was quoted. All functions throw EditRefused for text that is no
+  /// single-line value.
   void replace(const yaml::Node& value, const std::string& text);
   /// Adds a key at the end of a map, in the style of the map.
   void add(const yaml::Node& map, const std::string& key, const std::string& text);
   using Keys = std::vector<std::pair<std::string, std::string>>;
-  /// The same for a key with a map below it, in the style of the last map of that map.
+  /// Adds a key with a map as value, in the style of the last map in `map`.
   void add_map(const yaml::Node& map, const std::string& key, const Keys& keys);
   void add_item(const yaml::Node& list, const std::string& text);
-  /// Adds to what a map has under a key: an entry with a name, or without one an item of a list. The key is
-  /// begun in lines where it is missing or has no value. A map becomes the first item of the list.
+  /// Adds to the value under a key of a map: a named entry, or with an empty name a list item. A missing key
+  /// is added. A map as value becomes the first item of a list.
   void add_below(const yaml::Node& map, const std::string& key, const std::string& name,
                  const std::string& text);
   /// Removes a key with its value, and the comment in its last line.
   void remove(const yaml::Node& map, const yaml::Entry& entry);
   void remove_item(const yaml::Node& list, const yaml::Node& item);
 
-  /// The splices, once the text with them was read again. Throws EditRefused where it is not the tree that it
-  /// is to be: where an anchor carries a change elsewhere, or the text would be no YAML any more.
+  /// Returns the splices after parsing the spliced text. Throws EditRefused if it differs from the expected
+  /// tree, for example because of an anchor, or is invalid YAML.
   std::vector<Splice> checked() const;
-  /// What is to be read from the changed text, but for the places of what is new.
+  /// Returns the expected tree of the changed text; new nodes have no positions.
   yaml::Document tree() const { return {document_.file, expected(document_.root)}; }
 
  private:
   struct Child {
     const void* id;
-    TextRange range;  ///< of an entry or an item, without its dash
+    TextRange range;  ///< range of an entry, or of an item without its dash
   };
 
   void note_parents(const yaml::Node& node);

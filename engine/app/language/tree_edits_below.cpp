@@ -1,4 +1,4 @@
-// More lines of a section: what a map has under one of its keys.
+// Edits that add lines to a section, that is, to the value under a key of a map.
 #include "engine/app/language/tree_edits.hpp"
 #include "engine/app/language/written_value.hpp"
 
@@ -6,13 +6,13 @@ namespace stepwire::language {
 
 namespace {
 
-constexpr std::size_t deeper = 2;  // [columns] by which a section is indented
+constexpr std::size_t deeper = 2;  // indentation of a section [columns]
 
 std::string line_of(const std::string& name, const std::string& value) {
   return name.empty() ? "- " + value : name + ": " + value;
 }
 
-/// A list or a map with one value.
+/// Returns a list or a map with one value.
 yaml::Node node_of(const std::string& name, yaml::Node value) {
   yaml::Node node;
   node.kind = name.empty() ? yaml::Node::Kind::list : yaml::Node::Kind::map;
@@ -25,7 +25,7 @@ yaml::Node node_of(const std::string& name, yaml::Node value) {
 
 }  // namespace
 
-/// The end of a line, behind the lines of comments that are indented as what the parent has.
+/// Returns the end of a line, after following comment lines that are indented like the parent's content.
 std::size_t TreeEdits::end_of_lines(const yaml::Node& parent, std::size_t end) const {
   const std::size_t wanted = indent(parent).size();
   std::size_t at = line_end(end);
@@ -58,7 +58,7 @@ void TreeEdits::begin(const yaml::Node& map, const yaml::Entry* entry, const std
   added_[&map].push_back({.key = key, .mark = {}, .value = std::move(value)});
 }
 
-/// Puts the dash of a list before a map in lines, or brackets around one in braces.
+/// Converts a map to a list item: by a dash before a block map, or brackets around a flow map.
 void TreeEdits::put_in_list(const yaml::Entry& entry) {
   const TextRange range{places_.offset(entry.value.mark),
                         value_end(entry.value, places_.key_range(entry).to)};

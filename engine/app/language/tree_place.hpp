@@ -8,14 +8,14 @@
 
 namespace stepwire::language {
 
-/// A key or a value that stands at a place of a file which can be read, with what may stand there.
+/// Key or value at an offset of a valid file, with its possible forms.
 struct TreePlace {
   std::shared_ptr<const yaml::Document> document;
-  const yaml::Entry* entry = nullptr;  ///< the innermost whose key or value is there
+  const yaml::Entry* entry = nullptr;  ///< innermost entry whose key or value is at the offset
   bool on_key = false;
-  FormList forms;                      ///< of the entry's value
-  TextRange range{};                   ///< of the key, or of the scalar
-  const yaml::Node* scalar = nullptr;  ///< at the place; null on a key
+  FormList forms;                      ///< forms of the entry's value
+  TextRange range{};                   ///< range of the key or scalar
+  const yaml::Node* scalar = nullptr;  ///< scalar at the offset; nullptr on a key
 };
 
 std::optional<TreePlace> tree_place(DiagramFiles& files, const std::string& file, std::size_t offset);

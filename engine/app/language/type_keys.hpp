@@ -7,10 +7,10 @@
 
 namespace stepwire::language {
 
-/// The keys that a block of this type may have, from its declaration.
+/// Returns the possible keys of a block of this type, from its declaration.
 std::vector<yaml::Key> keys_of_type(const BlockType& type);
 
-/// Adds what any block or part may have, where that is none of its own keys.
+/// Adds the keys of guards, which all blocks and parts have, unless a key of that name exists.
 void add_guard_keys(std::vector<yaml::Key>& keys);
 
 }  // namespace stepwire::language

@@ -6,7 +6,7 @@ namespace stepwire::language {
 
 namespace {
 
-/// Units that engineers write most, by what they measure.
+/// Returns the most common units in engineering, with their quantities.
 const std::vector<KnownUnit>& usual() {
   static const std::vector<KnownUnit> all{{"s", "time"},
                                           {"ms", "time"},

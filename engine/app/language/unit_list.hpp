@@ -8,12 +8,13 @@
 
 namespace stepwire::language {
 
-/// A unit as people write it, and what it is one of.
+/// Unit as written in files, and the name of its quantity.
 struct KnownUnit {
   std::string name, of;
 };
 
-/// Usual units of a dimension, or of any; that of SI is always among them.
+/// Returns common units of a dimension, or of all if it is unknown. The SI unit is always included for a
+/// known dimension.
 std::vector<KnownUnit> units_of(const std::optional<unit::Dimension>& dimension);
 
 }  // namespace stepwire::language

@@ -18,7 +18,7 @@ const yaml::Entry& block_of(const yaml::Document& document, const std::string& n
   return *block;
 }
 
-/// The signal of an output of the file.
+/// Returns the source signal of an output of the file.
 const yaml::Node& signal_of_output(const yaml::Document& document, const std::string& name) {
   const yaml::Entry* output = DiagramFiles::entry(document, "outputs", name);
   const yaml::Node* signal = output && output->value.is_map() ? output->value.find("signal")
@@ -28,7 +28,7 @@ const yaml::Node& signal_of_output(const yaml::Document& document, const std::st
   return *signal;
 }
 
-/// A list gets one more item, or another one in its place.
+/// Replaces an item of a list, or appends one.
 void connect_item(TreeEdits& edits, const yaml::Node& list, std::optional<std::size_t> item,
                   const std::string& source) {
   if (!item && list.items.size() == 1) item = 0;

@@ -8,7 +8,7 @@
 
 namespace stepwire::language {
 
-/// "u", or of a list "u.2".
+/// Input of a block: "u", or an item of a list input "u.2".
 struct InputPlace {
   std::string key;
   std::optional<std::size_t> item{};  ///< from 0
@@ -16,12 +16,12 @@ struct InputPlace {
 
 InputPlace input_place(const std::string& input);
 
-/// How a file writes a signal: "lag" for "lag.y", where a block has one output; "x" for ".x", an input of the
-/// file. Throws EditRefused where the file has no such block or input.
+/// Returns the text of a signal in a file: "lag" for "lag.y" if the block has a single output, "x" for ".x",
+/// an input of the file. Throws EditRefused for an unknown block or input.
 std::string source_text(DiagramFiles& files, const std::string& file, const yaml::Document& document,
                         const std::string& from);
 
-/// Puts the signal where the input has one, or adds it. Both throw EditRefused.
+/// Sets the source of an input, or adds it. Both functions throw EditRefused.
 void connect(TreeEdits& edits, DiagramFiles& files, const std::string& file, const yaml::Document& document,
              const Connect& edit);
 void disconnect(TreeEdits& edits, const yaml::Document& document, const Disconnect& edit);

@@ -7,17 +7,17 @@ namespace stepwire::language {
 
 namespace {
 
-/// A name that nobody writes, put where the cursor is.
+/// Improbable name, inserted at the cursor before parsing.
 constexpr std::string_view probe = "zzcursorzz";
 
 bool is_in_name(char c) {
   return is_name_character(c) || c == '.';
 }
 
-/// The brackets that are open at the end of a text, as what closes them.
+/// Returns the closing brackets for those that are open at the end of a text.
 std::string closing_brackets(std::string_view text) {
   std::string open;
-  char before = '\n', quote = 0;  // the last character that is no blank; the quote inside of which this is
+  char before = '\n', quote = 0;  // last nonblank character; quote character of the current string, or 0
   for (std::size_t at = 0; at < text.size(); ++at) {
     const char c = text[at];
     const bool starts_value = std::string_view("\n:,[{-").find(before) != std::string_view::npos;
@@ -38,8 +38,8 @@ std::string closing_brackets(std::string_view text) {
   return {open.rbegin(), open.rend()};
 }
 
-/// Texts with a name at the cursor, of which one may be YAML: as it is, as a key, with brackets closed at the
-/// end of the line, and without what follows.
+/// Returns trial texts with a name at the cursor, one of which may be valid YAML. They are unchanged, with
+/// the name as a key, with brackets closed at the end of the line, and without the text that follows.
 std::vector<std::string> probed_texts(std::string_view text, std::size_t offset) {
   const std::string start = std::string(text.substr(0, offset)) + std::string(probe);
   const std::size_t line = std::min(text.find('\n', offset), text.size());
@@ -70,7 +70,7 @@ class Search {
     if (at == std::string::npos) return false;
     cursor_.before = node.text.substr(0, at);
     cursor_.values = forms_.scalars(forms);
-    static const yaml::Node nothing;  // a map whose first key this may be
+    static const yaml::Node nothing;  // the name may be the first key of a map
     if (!node.quoted && node.text == probe) cursor_.keys = forms_.maps(forms, nothing);
     return true;
   }
@@ -120,7 +120,7 @@ std::optional<WritingPlace> writing_place(DiagramFiles& files, const std::string
       cursor.word = word_around(*text, offset);
       cursor.scalar = {offset - std::min(offset, cursor.before.size()), cursor.word.to};
       return cursor;
-    } catch (const yaml::Error&) {  // then another one may be
+    } catch (const yaml::Error&) {  // another trial text may be valid
     }
   }
   return std::nullopt;

@@ -9,21 +9,24 @@
 
 namespace stepwire::language {
 
-/// What is being written at a place of a text that need not be YAML yet.
+/// Context of the cursor in a text that need not be valid YAML.
 struct WritingPlace {
-  /// The text as it would be with a name at the cursor; what `map` is in.
+  /// Document of the text with a name inserted at the cursor; it owns `map`.
   std::shared_ptr<const yaml::Document> document;
-  FormList keys;                    ///< maps of which a key may stand here; empty where none may
-  FormList values;                  ///< forms of the value that may stand here
-  const yaml::Node* map = nullptr;  ///< in which the key or value stands; null where there is none
-  std::string key;                  ///< whose value it is
-  std::string block;                ///< in whose map it stands
-  std::string before;               ///< of the scalar, up to the cursor
-  TextRange word;                   ///< the name around the cursor, with its dots, in the text
-  TextRange scalar;                 ///< all of it, without quotes
+  FormList keys;                    ///< Maps of which a key is possible here; may be empty.
+  FormList values;                  ///< Possible forms of the value.
+  const yaml::Node* map = nullptr;  ///< Map that contains the key or value; nullptr if none.
+  std::string key;                  ///< Key of the value.
+  std::string block;                ///< Name of the enclosing block.
+  std::string before;               ///< Text of the scalar before the cursor.
+  TextRange word;                   ///< Name around the cursor, with its dots.
+  TextRange scalar;                 ///< Whole scalar without quotes.
 };
 
-/// Nothing where the text around the cursor cannot be made YAML by a name and closing brackets.
+/// Returns the context of an offset; std::nullopt if no trial text is valid YAML.
+/// Problem: the text around a cursor is seldom valid YAML. Idea: a probe name is inserted at the cursor, and
+/// several trial texts are parsed, for example with the open brackets closed. The probe is found in the first
+/// valid tree, and its ancestors determine the possible forms. Cost: at most eight parses.
 std::optional<WritingPlace> writing_place(DiagramFiles& files, const std::string& file, std::size_t offset);
 
 }  // namespace stepwire::language

@@ -26,7 +26,7 @@ std::size_t name_end(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// Behind a number and its unit.
+/// Returns the end of a number and its unit.
 std::size_t number_end(std::string_view text, std::size_t at) {
   while (at < text.size() && (is_digit(text[at]) || text[at] == '.')) ++at;
   const bool exponent = at + 1 < text.size() && (text[at] == 'e' || text[at] == 'E') &&
@@ -40,13 +40,13 @@ std::size_t number_end(std::string_view text, std::size_t at) {
   return length > 0 ? unit + length : at;
 }
 
-/// Behind what begins at `at` and is no name.
+/// Returns the end of the token at `at`, which is no name.
 std::size_t past(std::string_view text, std::size_t at) {
   if (is_digit(text[at])) return number_end(text, at);
   return at + (text[at] == '\\' ? 2 : 1);
 }
 
-/// The names of a file while its tree is gone through.
+/// Collector of the names of a file, which traverses its tree.
 class Gathering {
  public:
   Gathering(std::string_view text, Forms& forms) : places_(text), forms_(forms) {}
@@ -58,7 +58,7 @@ class Gathering {
       return a.range == b.range && a.sense == b.sense;
     };
     found_.erase(std::unique(found_.begin(), found_.end(), same),
-                 found_.end());  // aliases have the places of others
+                 found_.end());  // aliases repeat the ranges of their anchors
     return std::move(found_);
   }
 
@@ -85,7 +85,7 @@ class Gathering {
     found_.push_back({range, std::move(name), sense, block_});
   }
 
-  /// A key that defines a name, or that names something.
+  /// Adds a key that defines or uses a name.
   void key(const yaml::Node& map, const yaml::Entry& entry, const FormList& forms, const FormList& below) {
     for (const yaml::Key* form : below) {
       if (is_block_form(*form)) return add(unquoted(places_.key_range(entry)), entry.key, Sense::block);
@@ -110,7 +110,7 @@ class Gathering {
     add(places_.key_range(entry), entry.key, map.find("block") ? Sense::block_key : Sense::part_key);
   }
 
-  /// A text that is a name as a whole.
+  /// Adds a scalar that is a name as a whole.
   void name(const TextRange& range, const std::string& text, yaml::Key::Names what) {
     if (what == yaml::Key::Names::block) add(unquoted(range), text, Sense::inside);
     if (what == yaml::Key::Names::parameter) add(unquoted(range), text, Sense::parameter);
@@ -170,7 +170,7 @@ std::vector<NameInText> names_in_expression(std::string_view text) {
       continue;
     }
     at = begin;
-    // A parameter behind '$' is one of the file itself: its name has no dots.
+    // A parameter after '$' is one of the file itself, so its name has no dots.
     while (parameter && at < text.size() && is_name_character(text[at])) ++at;
     if (!parameter) at = name_end(text, begin);
     found.push_back({{begin, at}, parameter});

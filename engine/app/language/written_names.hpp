@@ -8,40 +8,40 @@
 
 namespace stepwire::language {
 
-/// A name as a file has it, perhaps with dots: where, and what it can be the name of.
+/// Name in a file, possibly dotted, with its range and the kind of thing it can refer to.
 struct WrittenName {
   enum class Sense {
-    signal,     ///< of a block, port or swept parameter: rig.x
-    parameter,  ///< of a parameter: $mass, mass in "= mass*2", rig.mass in a sweep
-    block,      ///< the key of a block, where it is defined
-    input,      ///< the key of a port, where it is defined
+    signal,     ///< Signal of a block or port, or swept parameter: rig.x
+    parameter,  ///< Parameter: $mass, mass in "= mass*2", rig.mass in a sweep
+    block,      ///< Key of a block, its definition.
+    input,      ///< Key of an input, its definition.
     output,
-    defined,    ///< the key of a parameter, where it is defined
-    inside,     ///< of a block or part, also inside of parts, or of a signal
-    part_key,   ///< a key of a part: the name of its input or parameter
-    block_key,  ///< a key of a block
-    type,       ///< a kind of block
-    file        ///< the file of a part
+    defined,    ///< Key of a parameter, its definition.
+    inside,     ///< Block, part or signal, possibly within parts.
+    part_key,   ///< Key of a part: the name of its input or parameter.
+    block_key,  ///< Key of a block.
+    type,       ///< Type of a block.
+    file        ///< File of a part.
   };
   TextRange range;
   std::string name;
   Sense sense;
-  std::string block;  ///< in whose map it stands
+  std::string block;  ///< block whose map contains the name
 };
 
-/// All names of a diagram file in the order of the text. `text` is what the document was read from.
+/// Returns all names of a diagram file in the order of the text, from which the document was parsed.
 std::vector<WrittenName> written_names(const yaml::Document& document, std::string_view text, Forms& forms);
 
-/// A name in an expression: where it stands in that text, and whether it is one of a parameter, behind a '$'.
+/// Name in an expression: its range, and true if it is a parameter after '$'.
 struct NameInText {
   TextRange range;
   bool parameter = false;
 };
 
-/// May it stand in a name? A letter, a digit or '_'.
+/// True for a letter, a digit or '_', which names consist of.
 bool is_name_character(char c);
 
-/// The names of an expression as it is written, also of one that is wrong. Units behind numbers are none.
+/// Returns the names of an expression, which need not be valid. Units after numbers are no names.
 std::vector<NameInText> names_in_expression(std::string_view text);
 
 }  // namespace stepwire::language

@@ -20,7 +20,7 @@ std::string in_quotes(const std::string& text, char quote) {
   return result + quote;
 }
 
-/// What a text is as a value of a map with or without brackets; nothing where it is none.
+/// Parses a text as a value of a map, with or without brackets; std::nullopt if it is none.
 std::optional<yaml::Node> value_of(const std::string& text, bool flow) {
   try {
     const yaml::Document read = yaml::parse_document(flow ? "{v: " + text + "}" : "v: " + text, "");
@@ -32,7 +32,7 @@ std::optional<yaml::Node> value_of(const std::string& text, bool flow) {
   }
 }
 
-/// Does all of the text count, and not as an anchor, a tag or a comment?
+/// True if the value contains the whole text, that is, no part of it is an anchor, a tag or a comment.
 bool is_whole(const yaml::Node& value, const std::string& text) {
   if (value.is_scalar()) return value.text == text || text[0] == '"' || text[0] == '\'';
   return (value.is_list() || value.is_map()) && text.find('#') == std::string::npos && text[0] != '&' &&

@@ -6,15 +6,17 @@
 
 namespace stepwire::language {
 
-/// How a value is written at a place, and what it is then.
+/// Text of a value at a place, and its parsed node.
 struct WrittenValue {
   std::string text;
   yaml::Node node;
 };
 
-/// Writes a value as it is given, "8 kg", "[1, 2]", or in quotes where it would be something else without
-/// them: "max(a, b)" inside of brackets (`flow`), a text with a comment. `quote` is the quote that the value
-/// had before, which it keeps; 0 where it had none. Throws EditRefused for what is no value of one line.
+/// Returns the notation of a value at a place: unchanged, such as "8 kg" or "[1, 2]", or quoted if it would
+/// otherwise be parsed differently.
+/// Examples of the latter are "max(a, b)" within brackets (`flow`) and a text with '#'. `quote` is the quote
+/// of the old value, which is kept; 0 if it had none. Throws EditRefused for text that is no single-line
+/// value.
 WrittenValue written_value(const std::string& text, bool flow, char quote = 0);
 
 }  // namespace stepwire::language

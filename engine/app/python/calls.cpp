@@ -61,7 +61,7 @@ std::shared_ptr<Results> study(const Shared& of, const std::string& engine, unsi
   return results;
 }
 
-/// What was found as JSON, and in words.
+/// Linearizes the diagram, after trimming it if `trim`. Returns the result as JSON and as text.
 py::tuple linearize(const Shared& of, const session::LinearCall& linear, bool trim) {
   std::string json, words;
   SessionCall call(of, nullptr, nullptr);
@@ -119,7 +119,7 @@ void generate(const Shared& of, const std::string& folder, const std::string& na
   call.throw_if_raised();
 }
 
-/// What a loop measured, in words.
+/// Runs the real-time loop and returns its measurements as text.
 std::string loop(const Shared& of, const std::string& duration, const std::string& rate,
                  const std::string& policy, const std::string& out) {
   std::string words;
@@ -144,7 +144,7 @@ void add_numbers(py::class_<LoadedFile, Shared>& file) {
       .def_property_readonly("runs", [](const LoadedFile& of) { return of.model().job.points.size(); });
 }
 
-/// As numpy has it: () of a number, (n,), or (rows, columns) of a matrix.
+/// Returns the numpy shape of a signal: () for a number, (n,) for a vector, (rows, columns) for a matrix.
 py::tuple shape_of(std::size_t size, std::size_t columns) {
   if (columns > 1) return py::make_tuple(size / columns, columns);
   return size == 1 ? py::tuple() : py::make_tuple(size);

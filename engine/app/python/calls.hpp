@@ -8,10 +8,10 @@ class Registry;
 
 namespace stepwire::python {
 
-/// Adds the class `File` with what a session does with a loaded file: run, fit, tune, study, linearize.
+/// Adds the class `File` with the operations of a session on a loaded file: run, fit, tune, study, linearize.
 void add_calls(_object* module);
 
-/// Adds `load`, which makes a `File`; its diagrams may use these blocks.
+/// Adds the function `load`, which returns a `File`. Diagrams may use the given blocks.
 void add_loading(_object* module, Registry (*blocks)());
 
 }  // namespace stepwire::python

@@ -7,13 +7,13 @@ struct _object;
 
 namespace stepwire::python {
 
-/// Lets Error and EnvironmentError be the exceptions of these names in the module's Python part.
+/// Translates Error and EnvironmentError into the Python exceptions of these names.
 void add_faults(_object* module);
 
-/// Sets stepwire.Error with these faults in the interpreter, caused by another exception or by none.
+/// Raises stepwire.Error with these faults in the interpreter; `cause` is its __cause__ or nullptr.
 void set_error(const yaml::Error& error, _object* cause);
 
-/// A new reference to a tuple (file, line, column, subject, text, cure, used_by) of each.
+/// Returns a new reference to a list of tuples (file, line, column, subject, text, cure, used_by).
 _object* fault_tuples(const std::vector<yaml::Fault>& faults);
 
 }  // namespace stepwire::python

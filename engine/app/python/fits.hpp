@@ -9,7 +9,7 @@
 
 namespace stepwire::python {
 
-/// What a fit found, with the model that it was of. Never changes.
+/// Immutable result of a fit, with its model.
 struct Fit {
   File file{};
   estimation::FitResult result{};
@@ -17,12 +17,11 @@ struct Fit {
   std::vector<std::string> notes{};
 };
 
-/// Finds the parameters of the section `fit`. The lock is held.
+/// Estimates the parameters of the section `fit`. The caller must hold the interpreter lock.
 std::shared_ptr<Fit> fit_call(const std::shared_ptr<LoadedFile>& of, const std::string& engine,
                               std::optional<std::size_t> starts, std::optional<std::uint64_t> seed,
                               unsigned threads, _object* progress);
 
-/// Adds the class `Fit`.
 void add_fits(_object* module);
 
 }  // namespace stepwire::python

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<const char*, 3> names{"outputs", "derivatives", "update"};
 
-/// One number; false where Python has raised something.
+/// Converts a Python number; false after a Python exception.
 bool write_number(PyObject* given, double* to) {
   const double number = PyFloat_CheckExact(given) ? PyFloat_AS_DOUBLE(given) : PyFloat_AsDouble(given);
   if (number == -1.0 && PyErr_Occurred()) return false;
@@ -23,7 +23,7 @@ bool write_number(PyObject* given, double* to) {
   return true;
 }
 
-/// An array of exactly its rows and columns.
+/// Converts an array, which must have exactly the rows and columns of the target.
 bool write_matrix(PyObject* given, const Target& target, const char* method) {
   const auto numbers = py::array_t<double, py::array::f_style | py::array::forcecast>::ensure(given);
   const Eigen::Index columns = target.size / target.rows;
@@ -107,7 +107,7 @@ bool Instance::bind(const PythonClass& of) {
   return true;
 }
 
-/// New references to numbers, and arrays that stay.
+/// Updates the arguments: a new float for each number, and the persistent array for each vector or matrix.
 bool Instance::fill(Bound& bound) {
   const std::vector<Given>& given = bound.given;
   for (std::size_t i = 0; i < given.size(); ++i) {

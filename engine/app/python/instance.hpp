@@ -9,35 +9,35 @@
 
 namespace stepwire::python {
 
-/// Numbers that a method gives: where they go.
+/// Destination of a result of a method.
 struct Target {
   double* numbers;
   Eigen::Index size;
   const char* name;
-  Eigen::Index rows = 0;  ///< of a matrix, whose numbers lie column by column; 0 for a vector
+  Eigen::Index rows = 0;  ///< rows of a matrix in column-major order; 0 for a vector
 };
 
-/// Numbers that a method is given.
+/// Source of an argument of a method.
 struct Given {
   const double* numbers;
   Eigen::Index size;
-  Eigen::Index rows = 0;  ///< as of a target
+  Eigen::Index rows = 0;  ///< as in Target
 };
 
-/// An object of a class of Python's with the methods that a run calls. The interpreter lock is held for all
-/// of its calls, which return false or null where Python has raised something.
+/// Python object of a block, with the methods that a run calls.
+/// The caller must hold the interpreter lock. Calls that raise a Python exception return false or nullptr.
 class Instance {
  public:
-  /// Makes the object: its parameters are set before its __init__ is called.
+  /// Makes the object. Its parameters are set as attributes before __init__ is called.
   static std::shared_ptr<Instance> make(const PythonClass& of, const Value* parameters);
 
-  /// Says where a method's arguments are and where what it gives goes, for all calls that follow.
+  /// Sets sources of the arguments and destinations of the results, for all later calls.
   void connect(std::size_t method, std::vector<Given> given, std::vector<Target> targets);
-  /// Calls a method and writes what it gives.
+  /// Calls a method and stores its results.
   bool call(std::size_t method);
 
  private:
-  /// An argument of several numbers: an array that each call fills anew.
+  /// Array argument, which is refilled before each call.
   struct Buffer {
     Held array;
     double* numbers = nullptr;
@@ -48,7 +48,7 @@ class Instance {
     std::vector<Given> given{};
     std::vector<Target> targets{};
     std::vector<Buffer> buffers{};
-    std::vector<_object*> arguments{};  ///< of the call that is made
+    std::vector<_object*> arguments{};  ///< arguments of the current call
   };
 
   bool bind(const PythonClass& of);
@@ -58,7 +58,8 @@ class Instance {
   std::array<Bound, 3> methods_;
 };
 
-/// "ValueError: a negative mass (Drag.outputs, drag.py:12)", of an exception; the lock is held.
+/// Describes an exception: "ValueError: a negative mass (Drag.outputs, drag.py:12)". The caller must hold the
+/// interpreter lock.
 std::string text_of(_object* exception);
 
 }  // namespace stepwire::python

@@ -10,8 +10,8 @@
 
 namespace stepwire::python {
 
-/// The documents of a model as they were when each was read first: what is loaded again with other values is
-/// the same diagram, whatever has become of the files. From any thread.
+/// Cache of a model's documents as they were at the first read. So a reload with other values uses the same
+/// diagram even if the files have changed. Thread-safe.
 class KeptDocuments {
  public:
   std::shared_ptr<const yaml::Document> read(const std::string& path, const yaml::DocumentLimits& limits);
@@ -21,7 +21,7 @@ class KeptDocuments {
   std::map<std::string, std::shared_ptr<const yaml::Document>> documents_;
 };
 
-/// Reads kept documents; `sections` stand in the place of those of the same name in `file`.
+/// Returns a reader of cached documents. In `file`, the given sections replace those of the same name.
 diagram::DocumentReader reader_of(std::shared_ptr<KeptDocuments> documents, std::string file,
                                   std::vector<yaml::Entry> sections);
 

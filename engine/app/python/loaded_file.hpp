@@ -13,34 +13,34 @@
 
 namespace stepwire::python {
 
-/// The kinds of block that a model may use, and what those of Python's raise.
+/// Block types that a model may use, and the store of exceptions from Python blocks.
 struct Kinds {
   Registry registry{};
   std::shared_ptr<Raised> raised = std::make_shared<Raised>();
 };
 
-/// What a file is loaded with beside its own text.
+/// Arguments with which a file is loaded.
 struct LoadCall {
   std::string file;
   std::vector<diagram::Setting> settings{};
   std::optional<std::string> stop{};
-  std::vector<yaml::Entry> sections{};  ///< in the place of those of the file
+  std::vector<yaml::Entry> sections{};  ///< sections that replace those of the file
 };
 
-/// A diagram file that is loaded, for sessions and for the library. Never changes; from any thread.
+/// Loaded diagram file, for sessions and for the library. Immutable and thread-safe.
 class LoadedFile {
  public:
-  /// Throws Error, EnvironmentError.
+  /// Throws Error and EnvironmentError.
   LoadedFile(std::shared_ptr<const Kinds> kinds, std::shared_ptr<KeptDocuments> documents, LoadCall call);
 
   const session::LoadedModel& model() const { return model_; }
   const LoadCall& call() const { return call_; }
   const std::shared_ptr<const Kinds>& kinds() const { return kinds_; }
   const std::shared_ptr<KeptDocuments>& documents() const { return documents_; }
-  /// The diagram as the library has it, which keeps `of` alive.
+  /// Returns the library's view of the diagram, which keeps `of` alive.
   static Model library_model(const std::shared_ptr<const LoadedFile>& of);
 
-  /// A session that nothing else uses, until it is given back: it keeps what its calls can share.
+  /// Returns a session for exclusive use until give_back(). A session caches data that its calls can share.
   std::unique_ptr<session::Session> take_session() const;
   void give_back(std::unique_ptr<session::Session> session) const;
 

@@ -15,7 +15,7 @@ namespace py = pybind11;
 
 namespace {
 
-/// Of "3 x 2"; 0 for a vector.
+/// Returns the rows in a shape, 3 of "3 x 2"; 0 for a vector.
 Eigen::Index rows_of(const std::string& shape) {
   return shape.find(" x ") == std::string::npos ? 0 : std::stol(shape);
 }
@@ -49,7 +49,8 @@ std::vector<PythonClass::Parameter> parameters_of(const py::list& listed) {
   return parameters;
 }
 
-/// A method by its name and a list of arguments, (which, index) each; None where the class has none.
+/// Describes a method by its displayed name and its arguments, (source, index) each; None if the class has no
+/// such method.
 Method method_of(const std::string& shown, const py::object& arguments) {
   Method method;
   method.shown = shown;
@@ -90,7 +91,7 @@ std::shared_ptr<const Kinds> kinds_of(Registry known, const py::list& classes,
     for (const std::string& folder : folders) blockset::load_blockset(folder, kinds->registry);
   for (const py::handle declared : classes) try {
       kinds->registry.add(type_of(class_of(py::reinterpret_borrow<py::dict>(declared), kinds->raised)));
-    } catch (const std::logic_error& error) {  // another one of the name, or too many ports
+    } catch (const std::logic_error& error) {  // a duplicate name, or too many ports
       throw py::value_error(error.what());
     }
   return kinds;
@@ -129,7 +130,7 @@ Shared load_anew(Registry known, const std::string& path, const py::list& settin
               call_of(path, settings, stop, sections));
 }
 
-/// The same files as they were, with other values.
+/// Loads the cached files again with other values.
 Shared load_again(const Shared& of, const py::list& settings, const py::object& stop,
                   const py::dict& sections) {
   return load(of->kinds(), of->documents(), call_of(of->call().file, settings, stop, sections));

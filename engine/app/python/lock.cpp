@@ -6,7 +6,7 @@ namespace stepwire::python {
 
 namespace {
 
-/// Keeps a thread known to Python: making it known takes longer than a call.
+/// Registration of this thread with Python until the thread ends. Registering takes longer than a call.
 class KnownThread {
  public:
   KnownThread() : state_(PyGILState_Ensure()), thread_(PyEval_SaveThread()) {}

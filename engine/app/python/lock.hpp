@@ -4,13 +4,13 @@
 
 #include "engine/base/math/floating_point.hpp"
 
-struct _object;  // PyObject of Python's headers, which stay in the sources of this room
+struct _object;  // PyObject; Python's headers are included only by sources of this room
 
 namespace stepwire::python {
 
-/// Holds the interpreter lock for as long as it lives; from any thread, also where it is held already. The
-/// first one of a thread that Python does not know makes that thread known until it ends: the next ones are
-/// cheap. The floating-point state that Python code leaves ends with the lock.
+/// Guard that holds the interpreter lock during its lifetime. It may be used on any thread, and nested.
+/// The first lock on a foreign thread registers the thread with Python until the thread ends, so later locks
+/// are cheap. The destructor restores the floating-point state that Python code may have changed.
 class Lock {
  public:
   Lock();
@@ -23,8 +23,8 @@ class Lock {
   int state_;
 };
 
-/// Lets go of the interpreter lock, which this thread holds, for as long as it lives. The floating-point
-/// state is the usual one meanwhile, whatever Python code has set.
+/// Guard that releases the interpreter lock of this thread, which must hold it. It sets the usual
+/// floating-point state meanwhile.
 class Unlocked {
  public:
   Unlocked();
@@ -37,13 +37,13 @@ class Unlocked {
   void* thread_;
 };
 
-/// A reference to an object of Python's that any thread may drop.
+/// Owning reference to a Python object, which any thread may drop.
 class Held {
  public:
   Held() = default;
   /// Takes over a reference that the caller owns.
   explicit Held(_object* owned) : object_(owned) {}
-  /// Holds one more. The lock is held.
+  /// Adds a reference. The caller must hold the interpreter lock.
   static Held one_more(_object* object);
   ~Held();
   Held(Held&& other) noexcept : object_(std::exchange(other.object_, nullptr)) {}
@@ -52,10 +52,11 @@ class Held {
     return *this;
   }
 
-  /// Takes over another reference and drops this one; the lock is held, which is faster.
+  /// Replaces the reference by an owned one. The caller must hold the interpreter lock, which saves the
+  /// locking.
   void put(_object* owned);
   _object* get() const { return object_; }
-  /// Hands the reference over.
+  /// Releases ownership of the reference.
   _object* release() { return std::exchange(object_, nullptr); }
   explicit operator bool() const { return object_ != nullptr; }
 

@@ -39,7 +39,7 @@ _object* object_of(const Value& value) {
 
 namespace {
 
-/// Of "3 mm", or a number.
+/// Returns the SI value of a number or of a text such as "3 mm".
 double number_in(py::handle value, const std::string& name, const std::string& unit) {
   if (!PyUnicode_Check(value.ptr())) return value.cast<double>();
   const std::string text = value.cast<std::string>();

@@ -12,19 +12,19 @@ struct _object;
 
 namespace stepwire::python {
 
-/// A float for one number, else a new array (n,), or (rows, columns) of a matrix whose numbers are column by
-/// column: a new reference. The lock is held.
+/// Returns a new reference: a float for one number, an array (n,), or (rows, columns) for a matrix in
+/// column-major order. The caller must hold the interpreter lock.
 _object* numbers_of(std::span<const double> numbers, std::size_t columns = 1);
 
-/// A value of a parameter: a float, a bool, a text, an array (n,) or (rows, columns); None for a tree.
+/// Returns a parameter value as float, bool, text, or array (n,) or (rows, columns); None for a tree.
 _object* object_of(const Value& value);
 
-/// The numbers of a number, a list or an array, SI; of a text, or a list with texts, in its unit: "3 mm". `unit`
-/// is that of what takes them, empty where it is not known; a matrix has an array (rows, columns). Throws
-/// TypeError and ValueError of Python's, also for NaN.
+/// Converts a number, a list or an array in SI, or texts with units such as "3 mm". A text must match the
+/// unit of the input, unless that is unknown. A matrix must have the shape (rows, columns).
+/// Throws TypeError and ValueError of Python, the latter also for NaN.
 std::vector<double> numbers_in(_object* value, const InputInfo& input);
 
-/// The tree of a dictionary whose values are dictionaries, lists and texts, as a file would have it.
+/// Converts a dictionary of dictionaries, lists and texts to the tree that YAML text would give.
 yaml::Node node_of(_object* value);
 
 }  // namespace stepwire::python

@@ -16,7 +16,8 @@ namespace py = pybind11;
 
 namespace {
 
-/// A run as an observer sees it during its calls, and what is to be set before the next tick.
+/// Run as its Python observer sees it, valid during the observer's calls only, and the values to set before
+/// the next tick.
 class Seen {
  public:
   explicit Seen(Model model) : model_(std::move(model)) {}
@@ -71,7 +72,7 @@ struct PythonObserver::Shown {
 struct PythonObserver::State {
   Held begin, before_tick, evaluated, row, end;
   std::mutex mutex;
-  std::map<std::size_t, Shown> shown;  ///< by the index of the run
+  std::map<std::size_t, Shown> shown;  ///< by run index
 };
 
 PythonObserver::PythonObserver(_object* object, Model model, Raised& raised)
@@ -93,7 +94,7 @@ PythonObserver::PythonObserver(_object* object, Model model, Raised& raised)
 
 PythonObserver::~PythonObserver() = default;
 
-/// The places in a map stay.
+/// Returns the entry of a run. References to elements of a std::map stay valid.
 PythonObserver::Shown& PythonObserver::shown_of(const Running& run) {
   const std::lock_guard lock(state_->mutex);
   Shown& shown = state_->shown[run.index()];

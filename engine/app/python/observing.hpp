@@ -8,12 +8,13 @@
 
 namespace stepwire::python {
 
-/// Shows a run to an object of Python's: to its methods `begin`, `before_tick`, `evaluated`, `row` and `end`,
-/// as far as it has them, or to the object itself where it can be called, as `evaluated`. What it sets holds
-/// from the next tick on. A run ends as soon as one of them raises something.
+/// Observer that calls a Python object: its methods `begin`, `before_tick`, `evaluated`, `row` and `end`,
+/// where they exist. A callable without them is called as `evaluated`.
+/// Inputs that it sets apply from the next tick on. A run ends after an exception in one of these calls.
 class PythonObserver : public Observer {
  public:
-  /// The lock is held. Throws TypeError of Python's for an object that cannot be called.
+  /// The caller must hold the interpreter lock. Throws Python's TypeError for an object without these methods
+  /// that is not callable.
   PythonObserver(_object* object, Model model, Raised& raised);
   ~PythonObserver() override;
 
@@ -35,7 +36,6 @@ class PythonObserver : public Observer {
   std::unique_ptr<State> state_;
 };
 
-/// Adds the class `Running`.
 void add_observing(_object* module);
 
 }  // namespace stepwire::python

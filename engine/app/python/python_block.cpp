@@ -96,7 +96,7 @@ void PythonBlock::connect(std::size_t method) {
   instance->connect(method, std::move(given), std::move(targets));
 }
 
-/// Once something has failed nothing is called any more, and the run ends at this tick.
+/// Calls a method of the object. After the first failure it calls nothing, and the run ends at this tick.
 void PythonBlock::call(std::size_t method) {
   if (!why.empty()) return;
   now = t;

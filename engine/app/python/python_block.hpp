@@ -13,26 +13,25 @@ namespace stepwire::python {
 
 class Instance;
 
-/// A block whose methods are those of an object of Python's. Each run makes an object of its own as it
-/// starts.
+/// Block whose methods are those of a Python object. Each run makes its own object at the start.
 struct PythonBlock {
-  static constexpr std::size_t most = 16;  ///< ports, states and parameters of each kind
+  static constexpr std::size_t most = 16;  ///< largest number of ports, states or parameters of each kind
 
   std::shared_ptr<const PythonClass> of{};
   std::array<Input<>, most> inputs{};
   std::array<Output<>, most> results{};
   std::array<State<>, most> states{};
   std::array<DiscreteState<>, most> memory{};
-  std::array<Value, most> values{};  ///< of the parameters
+  std::array<Value, most> values{};  ///< parameter values
   Diagnostic failed{};
   Time t{};
   Period period{};
-  double now = 0.0, between = 0.0;       ///< both as arguments
-  std::shared_ptr<Instance> instance{};  ///< none in a copy
-  std::string why{};                     ///< it failed; empty: it works
+  double now = 0.0, between = 0.0;       ///< copies of t and period, as arguments of the methods
+  std::shared_ptr<Instance> instance{};  ///< nullptr in a copy.
+  std::string why{};                     ///< Reason of the failure; empty before it.
 
   PythonBlock() = default;
-  /// A copy has no object until it starts.
+  /// Copies all but the object, which start() makes.
   PythonBlock(const PythonBlock& other);
   PythonBlock& operator=(const PythonBlock&) = delete;
 
@@ -40,7 +39,7 @@ struct PythonBlock {
   void derivatives();
   void update();
   void start();
-  /// Tries the object: what its __init__ raises is refused.
+  /// Constructs the object once, so that an exception in its __init__ is reported at loading.
   void configure(Configure& is);
   static void declare(Declare<PythonBlock>& is);
 

@@ -1,5 +1,5 @@
-// The type of a class: the ports of a block are bound by functions, so there is one for each that it may
-// have.
+// Converts a Python class to a block type. Ports are bound by function pointers, so one function is
+// instantiated for each port index.
 #include "engine/app/python/python_class.hpp"
 
 #include <fmt/format.h>
@@ -150,7 +150,8 @@ void leave_out(BlockType& type, const PythonClass& of) {
   if (!of.output_method.exists) type.run_outputs = {};
   if (!of.slope_method.exists) type.run_derivatives = {};
   if (!of.update_method.exists) type.run_update = {};
-  // What has a period may be refused where there is none, as behind a trigger.
+  // A clock with a period is refused for blocks without one, for example behind a trigger. So the clock is
+  // dropped if no method uses the period.
   if (!takes(of, Source::period))
     std::erase_if(type.clocks, [](const ClockSpec& clock) { return clock.bind_period; });
 }
@@ -163,7 +164,7 @@ void require_fit(const PythonClass& of) {
   require_units(of);
 }
 
-/// Without its ports.
+/// Returns the block type without ports, states and parameters.
 BlockType bare_type(const PythonClass& of) {
   Declare<PythonBlock> is;
   PythonBlock::declare(is);

@@ -15,45 +15,45 @@ struct BlockType;
 
 namespace stepwire::python {
 
-/// What the methods of a block are called with.
+/// Kinds of arguments of a block's methods.
 enum class Source { time, period, input, state, memory };
 
-/// One argument of a method.
+/// Argument of a method.
 struct Argument {
   Source source = Source::time;
-  std::size_t index = 0;  ///< among the inputs, the continuous states or the discrete ones
+  std::size_t index = 0;  ///< index among the inputs, the continuous states or the discrete states
 };
 
-/// A method of a class: its arguments in their order.
+/// Method of a class, with its arguments in order.
 struct Method {
   bool exists = false;
   std::vector<Argument> arguments{};
-  std::string shown{};  ///< "Drag.outputs"
+  std::string shown{};  ///< name for messages, "Drag.outputs"
 };
 
-/// A class of Python's as a kind of block: what the declaration of its ports says.
+/// Python class as a block type: the declarations of its ports and methods.
 struct PythonClass {
   struct Port {
     std::string name, unit, shape;
     bool feedthrough = true;
     double initial = 0.0;
-    Eigen::Index rows = 0;  ///< of a matrix; 0 for a vector
+    Eigen::Index rows = 0;  ///< rows of a matrix; 0 for a vector
   };
   struct Parameter {
     std::string name, unit, doc;
-    Value value{};  ///< the default: its kind is that of the parameter
+    Value value{};  ///< default value; its kind is the kind of the parameter
     bool required = false;
   };
 
-  std::string name, doc, place;  ///< place: where a person finds it, "cart.Drag"
-  Held made;                     ///< the class
+  std::string name, doc, place;  ///< `place` is the qualified name for messages, "cart.Drag"
+  Held made;                     ///< the Python class
   std::vector<Port> inputs, outputs, states, memory;
   std::vector<Parameter> parameters;
   Method output_method, slope_method, update_method;
-  std::shared_ptr<Raised> raised;  ///< takes what its methods raise
+  std::shared_ptr<Raised> raised;  ///< store of exceptions from its methods
 };
 
-/// The type of its blocks. Throws std::invalid_argument where it has more of something than a block may have.
+/// Returns the block type. Throws std::invalid_argument if the class exceeds a limit of PythonBlock.
 BlockType type_of(std::shared_ptr<const PythonClass> made);
 
 }  // namespace stepwire::python

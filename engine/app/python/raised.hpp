@@ -6,19 +6,18 @@
 
 namespace stepwire::python {
 
-/// The first exception that a callable or a block of Python's raised while a run went on, to be raised again
-/// by the call that ran it. From any thread that holds the interpreter lock.
+/// Exceptions of Python callables and blocks during a run. The first one is raised again by the call that
+/// made the run. Callers must hold the interpreter lock.
 class Raised {
  public:
-  /// Takes the exception that is set now.
+  /// Stores the current exception of the interpreter.
   void keep();
   bool any() const { return any_; }
-  /// The exception that was kept last; the object holds it.
+  /// Returns the latest stored exception; the object owns it.
   _object* latest() const { return latest_.get(); }
-  /// The first exception, with its traceback; null where there is none. There is none
-  /// afterwards.
+  /// Returns the first exception with its traceback and clears the store; nullptr if there is none.
   Held take();
-  /// Sets it in the interpreter and throws, where there is one.
+  /// Raises the first exception again in the interpreter and throws, if there is one.
   void throw_if_any();
 
  private:

@@ -30,7 +30,7 @@ py::list columns(const Results& of, std::size_t recording) {
   return all;
 }
 
-/// A view that keeps the results alive, and that nothing writes through.
+/// Returns a read-only view of a column, which keeps the results alive.
 py::array column(const py::object& self, std::size_t recording, std::size_t index) {
   const table::Table& table = recording_of(self.cast<const Results&>(), recording).table;
   if (index >= table.columns.size()) throw py::index_error("there is no such column");
@@ -75,7 +75,7 @@ py::list notices(const Results& of) {
   return all;
 }
 
-/// What each run of a sweep sets: names and texts.
+/// Returns the settings of each run of a sweep as a dictionary of names and texts.
 py::list points(const Results& of) {
   py::list all;
   for (std::size_t point = 0; point < of.model->job.points.size(); ++point) {

@@ -9,18 +9,17 @@
 
 namespace stepwire::python {
 
-/// What a run, a sweep or a study left, with the model that it was of. Never changes.
+/// Immutable results of a run, a sweep or a study, with the model.
 struct Results {
   std::shared_ptr<const session::LoadedModel> model;
   session::Outcome outcome{};
-  std::vector<std::string> notes{};  ///< such as why nothing was compiled
-  std::string study{};               ///< all that a study found, as JSON; empty for a run
-  std::string words{};               ///< for people
-  Held raised{};                     ///< by an observer, or an interruption; null: nothing
-  Held cause{};                      ///< raised by a block, whose fault is among those of the run
+  std::vector<std::string> notes{};  ///< Notes such as the reason for not compiling.
+  std::string study{};               ///< Results of a study as JSON; empty for a run.
+  std::string words{};               ///< Results as text for the terminal.
+  Held raised{};                     ///< Exception of an observer, or an interruption; nullptr if none.
+  Held cause{};                      ///< Exception of a block, whose fault is also in the outcome.
 };
 
-/// Adds the class `Results`.
 void add_results(_object* module);
 
 }  // namespace stepwire::python

@@ -12,20 +12,22 @@
 
 namespace stepwire::python {
 
-/// "interpreted", "compiled", or anything else for automatic.
+/// Parses "interpreted" or "compiled"; any other text is automatic.
 run::ExecutionMode mode_of(const std::string& engine);
 
-/// One call of a session from Python: observers and progress are Python's, the interpreter lock is released.
+/// Call of a session from Python, with Python observers and progress. The interpreter lock is released during
+/// the call.
 class SessionCall {
  public:
-  /// `observers` is a list, `progress` is called with the fraction done and what goes on; either may be null
-  /// or None. The lock is held for this and for make().
+  /// `observers` is a list. `progress` is called with the finished fraction and the current activity. Either
+  /// may be nullptr or None. The caller must hold the interpreter lock here and in make().
   SessionCall(File of, _object* observers, _object* progress);
 
-  /// Throws what the session throws.
+  /// Throws the exceptions of the session.
   void make(const std::function<void(session::Session&)>& act);
   const std::vector<std::string>& notes() const { return notes_; }
-  /// What observers, progress and signals raised, and what blocks did: null where nothing was raised.
+  /// Return the first exception of observers, progress or signal handlers, and that of blocks; nullptr if
+  /// none.
   Held take_raised() { return raised_.take(); }
   Held take_cause() { return file_->kinds()->raised->take(); }
   void throw_if_raised() { raised_.throw_if_any(); }

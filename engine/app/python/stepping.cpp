@@ -17,8 +17,8 @@ namespace py = pybind11;
 
 namespace {
 
-/// A simulation that one call at a time may use, from whatever thread: a second one, also one of a block's
-/// own methods, is refused.
+/// Simulation that allows one call at a time. A concurrent call, or a call from a method of one of its own
+/// blocks, is refused.
 class Stepping {
  public:
   Stepping(const std::shared_ptr<LoadedFile>& of, const std::string& engine,
@@ -72,7 +72,7 @@ class Stepping {
     const Use use(*this);
     simulation_.reset();
   }
-  /// For looks that no other thread disturbs while the interpreter lock is held.
+  /// Gives access for reading; no other thread interferes while the caller holds the interpreter lock.
   const Simulation& simulation() {
     const Use use(*this);
     return simulation_;
@@ -87,7 +87,7 @@ class Stepping {
         {engine == "interpreted" ? ExecutionMode::interpreted : ExecutionMode::compiled, tuned});
   }
 
-  /// A call, during which the floating-point state is the usual one.
+  /// Guard of one call, which also sets the usual floating-point state.
   class Use {
    public:
     explicit Use(Stepping& of) : of_(of) {

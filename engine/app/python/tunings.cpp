@@ -21,7 +21,7 @@ py::list settings_of(const Tuning& of) {
   return all;
 }
 
-/// Values, objective, margins, start and fault of each evaluation.
+/// Returns values, objective, margins, start and fault of each evaluation.
 py::list history_of(const Tuning& of) {
   py::list all;
   for (const tuning::Evaluation& one : of.result.history)

@@ -8,18 +8,17 @@
 
 namespace stepwire::python {
 
-/// What a tuning found, with the model that it was of. Never changes.
+/// Immutable result of an optimisation, with its model.
 struct Tuning {
   File file{};
   tuning::TuneResult result{};
   std::vector<std::string> notes{};
 };
 
-/// Finds the parameters of the section `tune`. The lock is held.
+/// Optimises the parameters of the section `tune`. The caller must hold the interpreter lock.
 std::shared_ptr<Tuning> tune_call(const std::shared_ptr<LoadedFile>& of, const session::TuneCall& request,
                                   _object* progress);
 
-/// Adds the class `Tuning`.
 void add_tunings(_object* module);
 
 }  // namespace stepwire::python

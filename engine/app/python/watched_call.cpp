@@ -15,7 +15,7 @@ namespace stepwire::python {
 
 namespace {
 
-/// Work in its thread.
+/// Work on its own thread.
 class Work {
  public:
   Work(const std::function<void(std::atomic<bool>&)>& work) : thread_([this, &work] { carry_out(work); }) {}
@@ -25,7 +25,7 @@ class Work {
     return changed_.wait_for(lock, time, [this] { return done_; });
   }
   void interrupt() { interrupt_ = true; }
-  /// Throws what the work has thrown.
+  /// Joins the thread and rethrows the exception of the work.
   void finish() {
     thread_.join();
     if (thrown_) std::rethrow_exception(thrown_);
@@ -51,7 +51,7 @@ class Work {
   std::thread thread_;
 };
 
-/// While it lives, programs that somebody waits for are ended.
+/// During its lifetime, child processes on which a call waits are terminated.
 class StoppedPrograms {
  public:
   StoppedPrograms() { subprocess::processes_stop() = true; }

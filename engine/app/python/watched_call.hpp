@@ -7,9 +7,10 @@
 
 namespace stepwire::python {
 
-/// Does work in a thread of its own and without the interpreter lock, while this thread, which holds it,
-/// waits and looks at signals: an exception of their handlers (KeyboardInterrupt) is kept and sets the flag
-/// that the work looks at. Throws what the work throws.
+/// Runs `work` on another thread without the interpreter lock. Meanwhile this thread, which must hold the
+/// lock, checks Python signals.
+/// An exception of a signal handler (KeyboardInterrupt) is stored in `raised`, and sets the flag that `work`
+/// polls. Rethrows exceptions of `work`.
 void call_watched(const std::function<void(std::atomic<bool>& interrupt)>& work, Raised& raised);
 
 }  // namespace stepwire::python

@@ -12,7 +12,7 @@ namespace {
 
 Json tree_json(const Value& value);
 
-/// What a value holds, by its C++ type.
+/// Visitor that converts a parameter value to JSON by its C++ type.
 struct Content {
   const ParameterSpec& spec;
 
@@ -67,7 +67,7 @@ Json parameter_json(const BlockType& type, const ParameterSpec& spec) {
   return json;
 }
 
-/// What all ports and states have.
+/// Returns the fields that all ports and states have.
 template <class Spec>
 Json port_json(const Spec& spec) {
   return Json::object()
@@ -94,7 +94,7 @@ Json state_json(const BlockType& type, const StateSpec& spec) {
   return json.set("key", spec.settable ? Json(diagram::initial_key(type, spec)) : Json());
 }
 
-/// The values in which a preset differs from the defaults.
+/// Returns a preset with the values in which it differs from the defaults.
 Json preset_json(const BlockType& type, const PresetSpec& preset) {
   AnyBlock block(type);
   preset.apply(block.get());

@@ -5,13 +5,12 @@
 
 namespace stepwire::reference {
 
-/// A value of a parameter in JSON: numbers in SI, words as words; what is not finite is null.
+/// Converts a parameter value to JSON: numbers in SI, words as text, null for non-finite numbers.
 json::Json value_json(const ParameterSpec& spec, const Value& value);
 
-/// All that is declared of a block. Numbers are SI, `unit` is the declared one.
+/// Returns the whole declaration of a block. Numbers are SI; `unit` is the declared one.
 json::Json block_json(const BlockType& type);
 
-/// The list of all blocks.
 json::Json blocks_json(const Registry& registry);
 
 }  // namespace stepwire::reference

@@ -12,7 +12,7 @@ namespace stepwire::reference {
 
 namespace {
 
-/// The anchor that a heading gets on the usual hosts.
+/// Returns the anchor that common Markdown hosts give to a heading.
 std::string anchor(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -6,10 +6,10 @@
 
 namespace stepwire::reference {
 
-/// Reference page of a block in Markdown; its heading is of the given level.
+/// Returns the reference page of a block in Markdown, with a heading of the given level.
 std::string block_markdown(const BlockType& type, int level = 1);
 
-/// One document with an index by family and the pages of all blocks.
+/// Returns one document with an index by family and the pages of all blocks.
 std::string blocks_markdown(const Registry& registry);
 
 }  // namespace stepwire::reference

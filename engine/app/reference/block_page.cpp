@@ -20,7 +20,8 @@ std::string in_small_letters(std::string text) {
   return text;
 }
 
-/// Does the word stand in the page, in its tables too? Keys that many blocks have do not count.
+/// True if the page of the block contains the word, tables included. Keys that many blocks have are not
+/// searched.
 bool is_about(const BlockType& type, const std::string& word) {
   if (in_small_letters(type.name + " " + type.folder + " " + type.doc + " " + type.source).find(word) !=
       std::string::npos)

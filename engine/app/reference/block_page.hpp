@@ -7,16 +7,16 @@
 
 namespace stepwire::reference {
 
-/// Reference page of a block for a terminal.
+/// Returns the reference page of a block for the terminal.
 std::string block_page(const BlockType& type);
 
-/// The same for any page of the kind.
+/// Returns a reference page of any kind for the terminal.
 std::string page_text(const BlockReference& sheet);
 
-/// Names of the blocks in whose page a word stands, as block_list(); empty where there is none.
+/// Returns the blocks whose page contains the word, in the format of block_list(); empty without a match.
 std::string blocks_about(const Registry& registry, const std::string& word);
 
-/// Names of all blocks by family, each with the first sentence of its page.
+/// Returns the names of all blocks by family, each with the first sentence of its page.
 std::string block_list(const Registry& registry);
 
 }  // namespace stepwire::reference

@@ -19,7 +19,8 @@ std::string unit_text(const std::string& unit) {
   return unit == "*" ? "any" : unit;
 }
 
-/// Where elements of a list add up, each has a size of its own.
+/// Formats a shape. If a list input concatenates its elements ("+"), each element has a size of its own and
+/// the text gives the sum.
 std::string size_text(std::string shape) {
   const std::size_t plus = shape.find('+');
   if (plus == std::string::npos) return shape;

@@ -8,26 +8,26 @@
 
 namespace stepwire::reference {
 
-/// One table of a reference page. The first column names things, the last explains them.
+/// Table of a reference page. The first column has names, the last one explanations.
 struct ReferenceTable {
   std::string title;
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
 };
 
-/// What a reference page says, before it is known how it looks.
+/// Content of a reference page, independent of its output format.
 struct BlockReference {
   std::string name, folder, doc;
   std::vector<std::pair<std::string, std::string>> facts;  ///< label, text
-  std::vector<ReferenceTable> tables;                      ///< without those that would be empty
-  std::string remark;                                      ///< on unit variables, where there are any
+  std::vector<ReferenceTable> tables;                      ///< without empty tables
+  std::string remark;                                      ///< note on unit variables; may be empty
   std::string example;
 };
 
-/// Takes out columns in which nothing stands.
+/// Removes columns whose cells are all empty.
 void drop_empty_columns(ReferenceTable& table);
 
-/// Gathers all that a declaration says.
+/// Collects the content of a block's declaration.
 BlockReference reference_of(const BlockType& type);
 
 }  // namespace stepwire::reference

@@ -12,7 +12,8 @@ using json::Json;
 
 namespace {
 
-/// A part need not say how it is run.
+/// Returns the schema of required keys: a file that runs needs step and stop, a part has inputs or outputs
+/// instead.
 Json runnable_or_part() {
   const auto needs = [](Json keys) { return Json::object().set("required", std::move(keys)); };
   return Json::list(

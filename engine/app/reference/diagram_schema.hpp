@@ -5,8 +5,9 @@
 
 namespace stepwire::reference {
 
-/// JSON schema (draft 2020-12) of diagram files with these blocks: an editor completes names and keys from it
-/// and shows what they mean. It knows the form of a file; names, units and sizes are checked on loading.
+/// Returns the JSON schema (draft 2020-12) of diagram files with these blocks, for completion and
+/// explanations in editors.
+/// It covers the form of a file only. Names, units and sizes are checked on loading.
 json::Json diagram_schema(const Registry& registry);
 
 }  // namespace stepwire::reference

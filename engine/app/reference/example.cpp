@@ -21,7 +21,7 @@ std::string source_text(const InputSpec& input) {
   return input.name == "u" ? "source" : input.name;
 }
 
-/// Something that may stand for a value which only the user knows.
+/// Returns a placeholder for a value that only the user can give.
 std::string example_value(const ParameterSpec& spec) {
   switch (spec.kind) {
     case ParameterKind::file:
@@ -45,7 +45,7 @@ std::string example_value(const ParameterSpec& spec) {
   }
 }
 
-/// Only numbers and words that say something: neither an absent bound nor an empty text.
+/// True for a number or word that is informative as an example; false for an absent bound and for empty text.
 bool is_telling(const ParameterSpec& spec, const std::string& text) {
   const bool short_kind = spec.kind == ParameterKind::number || spec.kind == ParameterKind::per_element ||
                           spec.kind == ParameterKind::integer || spec.kind == ParameterKind::word;
@@ -68,7 +68,7 @@ bool has_required(const BlockType& type) {
                      [](const ParameterSpec& parameter) { return parameter.required; });
 }
 
-/// The inputs without which a block with the values of its declaration does not run.
+/// Returns the inputs that a block with its default values requires.
 std::set<std::string> required_inputs(const BlockType& type) {
   std::set<std::string> names;
   for (const InputSpec& input : type.inputs)

@@ -8,11 +8,12 @@
 
 namespace stepwire::reference {
 
-/// The keys that a new block begins with: its kind, a preset, and the parameters that it requires, each with
-/// something that may stand for a value which only the user knows.
+/// Returns the initial keys of a new block: its type, a preset, and its required parameters, with
+/// placeholders for values that only the user can give.
 std::vector<std::pair<std::string, std::string>> required_keys(const BlockType& type);
 
-/// A short entry for `blocks:` made from a declaration: what must be given, a preset, and a parameter or two.
+/// Returns a short entry for `blocks:`, derived from the declaration: required keys, a preset, and one or two
+/// parameters.
 ///   lag: {block: Lag, u: source, tau: 1 s, gain: 1}
 std::string block_example(const BlockType& type);
 

@@ -8,7 +8,7 @@
 
 namespace stepwire::reference {
 
-/// All blocks by folder; both in the order of the alphabet.
+/// Returns all blocks by folder, both in alphabetical order.
 inline std::map<std::string, std::vector<const BlockType*>> families_of(const Registry& registry) {
   std::map<std::string, std::vector<const BlockType*>> families;
   for (const BlockType* type : registry.types()) families[type->folder].push_back(type);

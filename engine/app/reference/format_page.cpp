@@ -11,7 +11,7 @@ namespace stepwire::reference {
 
 namespace {
 
-/// What stands under its name, where that is no map of keys alone.
+/// Returns the form of a section's value; empty if that is a plain map, whose keys have tables.
 std::string value_line(const Section& section) {
   return section.form.form == yaml::Key::Form::keys ? "" : form_text(section.form);
 }

@@ -6,14 +6,14 @@
 
 namespace stepwire::reference {
 
-/// The keys of a section for a terminal: value, unit, range, default, meaning, and an example.
+/// Returns the keys of a section for the terminal: value, unit, range, default, meaning, and an example.
 std::string format_page(const Section& section);
-/// The same as Markdown, under a heading of this level.
+/// Returns the same as Markdown, with a heading of this level.
 std::string format_markdown(const Section& section, int level = 1);
 
-/// All sections with a line on each.
+/// Returns the list of all sections with a line on each.
 std::string format_list();
-/// All sections as one page of Markdown.
+/// Returns all sections as one Markdown page.
 std::string formats_markdown();
 
 }  // namespace stepwire::reference

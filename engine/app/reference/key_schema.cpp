@@ -13,7 +13,7 @@ using json::Json;
 
 namespace {
 
-/// A word as YAML has it: 1 is a number.
+/// Converts a word to its YAML type: 1 becomes a number, true a boolean.
 Json scalar(const std::string& text) {
   if (text == "true" || text == "false") return Json(text == "true");
   double number = 0.0;
@@ -67,7 +67,7 @@ Json required(const std::string& name) {
   return Json::object().set("required", Json::list({Json(name)}));
 }
 
-/// Exactly one key of each choice.
+/// Requires exactly one key of each choice.
 Json choices_of(const yaml::Key& map) {
   std::map<std::string, Json> choices;
   for (const yaml::Key& key : map.of)
@@ -77,7 +77,7 @@ Json choices_of(const yaml::Key& map) {
   return choices.empty() ? Json() : all;
 }
 
-/// Keys that stand beside one other.
+/// Lists the keys that require exactly one companion key.
 Json companions_of(const yaml::Key& map) {
   Json all;
   for (const yaml::Key& key : map.of)
@@ -107,7 +107,7 @@ Json either_schema(const yaml::Key& key) {
   return any_of(std::move(forms));
 }
 
-/// The schemas of forms that are the same in every key.
+/// Returns the schemas of forms that do not depend on the key.
 const std::map<yaml::Key::Form, Json>& fixed_schemas() {
   using Form = yaml::Key::Form;
   static const std::map<Form, Json> schemas{

@@ -5,7 +5,7 @@
 
 namespace stepwire::reference {
 
-/// What may stand behind a key, or has its form, with its explanation.
+/// Returns the schema of a key's value, with its explanation.
 json::Json key_schema(const yaml::Key& key);
 
 }  // namespace stepwire::reference

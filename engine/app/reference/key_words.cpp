@@ -12,7 +12,7 @@ namespace {
 
 using Form = yaml::Key::Form;
 
-/// What forms are called that are the same in every key.
+/// Returns the names of forms that do not depend on the key.
 const std::map<Form, std::string>& fixed_words() {
   static const std::map<Form, std::string> words{{Form::text, "text"},
                                                  {Form::truth, "true or false"},
@@ -54,7 +54,7 @@ std::string meaning_of(const yaml::Key& key) {
 
 void add_tables(const yaml::Key& form, const std::string& path, std::vector<ReferenceTable>& tables);
 
-/// Tables of what is inside of a form.
+/// Adds the tables of the maps inside a form.
 void add_inner(const yaml::Key& form, const std::string& path, std::vector<ReferenceTable>& tables) {
   const std::string inner = form.form == Form::names ? path + ".NAME" : path;
   for (const yaml::Key& one : form.of) add_tables(one, inner, tables);
@@ -86,7 +86,7 @@ void add_tables(const yaml::Key& form, const std::string& path, std::vector<Refe
   const auto is_same = [&](const ReferenceTable& known) {
     return known.title == table.title && known.rows == table.rows;
   };
-  if (std::ranges::any_of(tables, is_same)) return;  // a map, or a list of such maps
+  if (std::ranges::any_of(tables, is_same)) return;  // same table: the form is a map or a list of such maps
   tables.push_back(std::move(table));
   std::vector<yaml::Key> keys = form.of;
   keys.insert(keys.end(), form.rest.begin(), form.rest.end());

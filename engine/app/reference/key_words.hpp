@@ -8,12 +8,12 @@
 
 namespace stepwire::reference {
 
-/// What stands behind a key, in words: "number", "list of texts", "one of none, huber, cauchy".
+/// Describes the value of a key: "number", "list of texts", "one of none, huber, cauchy".
 std::string form_text(const yaml::Key& key);
-/// "above 0", "1 to 100"; empty where there is no limit.
+/// Describes the range of a key: "above 0", "1 to 100"; empty if unlimited.
 std::string range_text(const yaml::Key& key);
 
-/// The keys of a form, and those of the maps inside of it, each as a table.
+/// Returns the keys of a form and of the maps inside it, one table for each map.
 std::vector<ReferenceTable> key_tables(const yaml::Key& form);
 
 }  // namespace stepwire::reference

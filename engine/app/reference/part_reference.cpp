@@ -25,7 +25,7 @@ std::string value_line(const yaml::Node& node) {
   return node.is_scalar() ? node.text : yaml::yaml_line(node);
 }
 
-/// "above 0 N, at most 5 N"
+/// Returns the limits of a parameter such as "above 0 N, at most 5 N".
 std::string limits_text(const yaml::Node& parameter) {
   std::string limits;
   for (const char* key : {"above", "at_least", "below", "at_most"})
@@ -67,7 +67,7 @@ ReferenceTable part_outputs(const yaml::Node& root) {
   return table;
 }
 
-/// The lines of the comment below the title, without drawings: what is indented.
+/// Returns the comment below the title, without its indented lines, which are drawings.
 std::string comment_below_title(const std::string& text) {
   std::istringstream lines(text);
   std::string all;

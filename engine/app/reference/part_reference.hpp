@@ -8,11 +8,11 @@
 
 namespace stepwire::reference {
 
-/// What the page of a part says: its title and the comment below it, inputs, outputs and parameters as its
-/// file declares them. `text` is that of the file.
+/// Returns the page of a part: its title and the comment below it, and its declared inputs, outputs and
+/// parameters. `text` is the text of the file.
 BlockReference part_reference(const yaml::Document& document, const std::string& text);
 
-/// The names of diagram files with their titles, a line each.
+/// Returns the names of diagram files with their titles, one line each.
 std::string part_list(const std::vector<yaml::Document>& documents);
 
 }  // namespace stepwire::reference

@@ -50,7 +50,7 @@ Json initial_schema(const StateSpec& state) {
                                value_text(number, {state.initial})));
 }
 
-/// Of a key that takes a value, and a signal in its place where an input has its name.
+/// Returns the schema of a key. If an input has the same name, a signal is allowed as well.
 Json or_signal(const BlockType& type, const std::string& key, Json value) {
   if (type.input(key) < 0) return value;
   const Json* doc = value.find("description");
@@ -58,8 +58,8 @@ Json or_signal(const BlockType& type, const std::string& key, Json value) {
   return doc ? either.set("description", *doc) : either;
 }
 
-/// Of a parameter that has the name of a guard's key, as `trigger` of a reset: a map says when the block
-/// runs.
+/// Returns the schema of a parameter. If a guard key has the same name, as with `trigger` of a reset, a guard
+/// map is allowed as well.
 Json or_guard(const std::string& name, Json value) {
   for (const yaml::Key& key : diagram::guard_keys())
     if (key.name == name) {
@@ -70,7 +70,7 @@ Json or_guard(const std::string& name, Json value) {
   return value;
 }
 
-/// The keys of guards that a block or part has beside its own.
+/// Adds the guard keys that a block or part has in addition to its own keys.
 void set_guard_keys(const std::function<bool(const std::string&)>& is_own, Json& properties) {
   for (const yaml::Key& key : diagram::guard_keys())
     if (!is_own(key.name)) properties.set(key.name, explained(schema_ref(definition_of(key)), key.doc));
@@ -100,7 +100,8 @@ Json type_schema(const BlockType& type) {
   return explained(closed_map(std::move(properties), required), type.doc);
 }
 
-/// The keys of a part are its inputs and parameters, which stand in its own file.
+/// Returns the schema of a part. Its keys are the inputs and parameters of its own file, so any key is
+/// allowed.
 Json part_schema() {
   Json properties = Json::object().set("diagram", schema_ref("file"));
   properties.set("every",
@@ -112,7 +113,7 @@ Json part_schema() {
       .set("required", Json::list({"diagram"}));
 }
 
-/// A bus: its fields are signals, or other buses, under names.
+/// Returns the schema of a bus: named fields that are signals or other buses.
 Json bus_schema() {
   Json fields = explained(Json::object().set("type", "object").set("minProperties", 1),
                           "signals under names, read as wrench.force: {force: f, torque: t}; a field may be "
@@ -122,7 +123,8 @@ Json bus_schema() {
   return closed_map(std::move(properties), {"fields"});
 }
 
-/// The condition that picks a definition: {"properties": {"block": {"const": "Lag"}}, "required": ["block"]}.
+/// Returns the condition that selects a definition: {"properties": {"block": {"const": "Lag"}}, "required":
+/// ["block"]}.
 Json when_block_is(const std::string& name) {
   Json properties = Json::object().set("block", Json::object().set("const", name));
   return Json::object().set("properties", std::move(properties)).set("required", Json::list({"block"}));

@@ -5,8 +5,8 @@
 
 namespace stepwire::reference {
 
-/// Adds one definition for each block ("block.Lag"), one for a part, and "block", which picks by the key
-/// `block`.
+/// Adds a definition for each block ("block.Lag"), one for a part, and "block", which selects among them by
+/// the key `block`.
 void add_block_definitions(const Registry& registry, json::Json& definitions);
 
 }  // namespace stepwire::reference

@@ -10,7 +10,7 @@ using json::Json;
 
 namespace {
 
-/// Picks the plot's own definition by the key `plot`.
+/// Selects the definition of a plot by the key `plot`.
 Json plot_choice(const std::string& prefix, const std::vector<yaml::Key>& plots) {
   Json names = Json::list(), choices = Json::list();
   for (const yaml::Key& kind : plots) {

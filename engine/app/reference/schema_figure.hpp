@@ -4,7 +4,7 @@
 
 namespace stepwire::reference {
 
-/// Adds the definitions that figures use: series, plot, panel, panels, figure and one for each kind of plot.
+/// Adds the definitions of figures: series, plot, panel, panels, figure and one for each kind of plot.
 void add_figure_definitions(json::Json& definitions);
 
 }  // namespace stepwire::reference

@@ -15,12 +15,13 @@ Json patterned(const char* pattern) {
   return typed("string").set("pattern", pattern);
 }
 
-/// A word of the file's own, by its parameter: `$law`.
+/// Returns the schema of a word that a parameter of the file gives: `$law`.
 Json parameter_word() {
   return patterned("\\$");
 }
 
-/// A bare number is SI, as bounds are; what carries a unit is text here and is checked on loading.
+/// Returns the schema of a bare number in SI, with its bounds. Quantities with units are text in the schema
+/// and are checked on loading.
 Json bounded_number(const Range& range, const char* type = "number") {
   Json number = typed(type);
   if (range.above) number.set("exclusiveMinimum", *range.above);
@@ -36,7 +37,7 @@ Json element_with(const Range& range) {
 
 enum class Rows { none, some, all };
 
-/// The lists of numbers: alone, as rows of a matrix, or as either.
+/// Returns the schema of lists of numbers: vectors, matrices, or both.
 Json lists_of(const Json& element, Rows rows) {
   const Json row = list_of(element);
   if (rows == Rows::none) return row;
@@ -83,7 +84,7 @@ std::string explanation(const BlockType& type, const ParameterSpec& spec) {
   return text + (spec.required ? "; required" : "; default " + default_text(type, spec));
 }
 
-/// Offered by editors: a default that a file can hold as it is.
+/// True if the default can be written in a file as it is, so that editors can offer it.
 bool is_simple(const ParameterSpec& spec, const std::string& text) {
   const bool plain = spec.kind == ParameterKind::number || spec.kind == ParameterKind::integer ||
                      spec.kind == ParameterKind::flag || spec.kind == ParameterKind::word ||

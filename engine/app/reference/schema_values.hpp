@@ -8,39 +8,39 @@
 
 namespace stepwire::reference {
 
-/// The definition of this name: {"$ref": "#/$defs/time"}.
+/// Returns a reference to a definition: {"$ref": "#/$defs/time"}.
 json::Json schema_ref(const std::string& definition);
 
-/// A value of this type of JSON: "string", "integer", "boolean", ...
+/// Returns the schema of a JSON type: "string", "integer", "boolean", ...
 json::Json typed(const std::string& type);
 
-/// A schema that one of several must fit.
+/// Returns a schema that accepts values of any of the given ones.
 json::Json any_of(std::vector<json::Json> schemas);
 
-/// One of these words.
+/// Returns the schema of an enumeration.
 json::Json one_word_of(const std::vector<std::string>& words);
 
-/// A list of what fits `items`.
+/// Returns the schema of a list with elements of the schema `items`.
 json::Json list_of(json::Json items);
-/// What fits `item`, or a list of it.
+/// Returns the schema of an element or a list of such elements.
 json::Json one_or_list_of(const json::Json& item);
 
-/// A map of these keys and no others.
+/// Returns the schema of a map with these keys and no others.
 json::Json closed_map(json::Json properties, const std::vector<std::string>& required = {});
 
-/// The same with a text that an editor shows.
+/// Adds an explanation, which editors show.
 json::Json explained(json::Json schema, const std::string& doc);
 
-/// A constant word with its explanation: an editor offers it with the text beside it.
+/// Returns the schema of a constant word. Editors offer it with its explanation.
 json::Json constant(const std::string& word, const std::string& doc);
 
-/// A number within a range, with a unit or a bare one in SI.
+/// Returns the schema of a number within a range: with a unit, or bare in SI.
 json::Json number_in(const Range& range, const char* type = "number");
 
-/// What a file may give to a parameter.
+/// Returns the schema of a parameter's value.
 json::Json parameter_schema(const BlockType& type, const ParameterSpec& spec);
 
-/// Adds the values that all parts of the schema use: number, time, text, source, ...
+/// Adds the definitions of values that the whole schema uses: number, time, text, source, ...
 void add_value_definitions(json::Json& definitions);
 
 }  // namespace stepwire::reference

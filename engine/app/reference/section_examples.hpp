@@ -4,8 +4,8 @@
 
 namespace stepwire::reference {
 
-/// The example of a section: a whole file where it begins with `stepwire: 1`, else what is added to that of
-/// the head in place of what is there.
+/// Returns the example of a section. It is a whole file if it begins with `stepwire: 1`; else it replaces or
+/// extends sections of the head's example.
 std::string example_of(const std::string& section);
 
 }  // namespace stepwire::reference

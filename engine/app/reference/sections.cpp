@@ -19,7 +19,7 @@ namespace stepwire::reference {
 
 namespace {
 
-/// The head, with the solvers that there are.
+/// Returns the form of the head, completed by the available solvers.
 yaml::Key whole_head() {
   yaml::Key head = diagram::head_form();
   for (yaml::Key& row : head.of) {

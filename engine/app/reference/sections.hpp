@@ -7,19 +7,19 @@
 
 namespace stepwire::reference {
 
-/// A section of the format, or what stands in one many times.
+/// Section of the file format, or a form that occurs many times within a section.
 struct Section {
-  std::string name;        ///< as `stepwire format` takes it: "claims"
-  std::string definition;  ///< in the schema, which other sections refer to: "claim"; empty: it has none
+  std::string name;        ///< name for `stepwire format`: "claims"
+  std::string definition;  ///< name of its schema definition: "claim"; empty if it has none
   std::string doc;
   yaml::Key form;
-  std::string example;  ///< a file, or what is added to the example of the head
+  std::string example;  ///< whole file, or an addition to the example of the head
 };
 
-/// All of them: the head, what it refers to, and the kinds of plots.
+/// Returns all sections: the head, the forms that it refers to, and the kinds of plots.
 const std::vector<Section>& format_sections();
 
-/// The section of a name or of a definition, or nullptr.
+/// Finds a section by its name or definition; nullptr if unknown.
 const Section* find_section(const std::string& name);
 
 }  // namespace stepwire::reference

@@ -23,7 +23,7 @@ std::vector<std::size_t> widths_of(const ReferenceTable& table) {
   return widths;
 }
 
-/// The explanation stands in the last column where there is room for it, else on lines of its own.
+/// Formats a row. The explanation is in the last column, or on lines of its own if `below`.
 std::string line_of(const Cells& cells, const std::vector<std::size_t>& widths, bool below) {
   std::string line = "  ";
   for (std::size_t i = 0; i < widths.size(); ++i) line += padded(cells[i], widths[i]) + "  ";
@@ -85,7 +85,8 @@ std::string table_text(const ReferenceTable& table) {
   return text;
 }
 
-// A bar would end the cell; in a formula it stands for an absolute value. A star would begin emphasis.
+// Escapes '|', which would end a cell but is also the absolute value in formulas, and '*', which would begin
+// emphasis.
 std::string escaped(const std::string& text) {
   std::string result;
   for (char c : text) {

@@ -8,22 +8,22 @@ namespace stepwire::reference {
 
 constexpr std::size_t page_width = 100;
 
-/// Characters, not bytes: what continues one in UTF-8 has no width of its own.
+/// Returns the count of UTF-8 characters, as the width on the terminal.
 std::size_t width(const std::string& text);
-/// With blanks behind it, as wide as `to`.
+/// Pads a text with blanks to the width `to`.
 std::string padded(const std::string& text, std::size_t to);
-/// Breaks a text between words; lines after the first begin with `indent` blanks.
+/// Wraps a text between words. Lines after the first are indented by `indent` blanks.
 std::string wrapped(const std::string& text, std::size_t indent);
-/// Each line two blanks to the right.
+/// Indents each line by two blanks.
 std::string indented(const std::string& text);
-/// No wider than `to`, between words.
+/// Shortens a text between words to the width `to`.
 std::string shortened(const std::string& text, std::size_t to);
-/// A table with its title, for a terminal.
+/// Formats a table with its title for the terminal.
 std::string table_text(const ReferenceTable& table);
 
-/// The same for Markdown, with a heading of so many marks.
+/// Formats a table as Markdown. `marks` are the '#' of the parent heading.
 std::string table_markdown(const ReferenceTable& table, const std::string& marks);
-/// A text that means no markup.
+/// Escapes Markdown markup.
 std::string escaped(const std::string& text);
 
 }  // namespace stepwire::reference

@@ -21,7 +21,7 @@ bool is_digit(char c) {
   return std::isdigit(static_cast<unsigned char>(c));
 }
 
-/// Does a new word begin at this letter? "MR|Damper", "Lookup|Table|2D", but "Atan2".
+/// True if a new word begins at this letter: "MR|Damper", "Lookup|Table|2D", but "Atan2".
 bool begins_word(const std::string& name, std::size_t i) {
   if (i == 0) return false;
   const char before = name[i - 1], after = i + 1 < name.size() ? name[i + 1] : ' ';
@@ -29,7 +29,7 @@ bool begins_word(const std::string& name, std::size_t i) {
   return is_upper(name[i]) && (is_lower(before) || (is_upper(before) && is_lower(after)));
 }
 
-/// A number in the unit of its parameter, which is not written behind it.
+/// Returns a number in the unit of its parameter, without writing the unit.
 std::string bare_text(const ParameterSpec& spec, double value) {
   if (!std::isfinite(value)) return "none";
   const auto unit = unit::parse_unit(fixed_unit(spec.unit));
@@ -59,7 +59,7 @@ std::string matrix_text(const ParameterSpec& spec, const Eigen::MatrixXd& matrix
   return "[" + text + "]";
 }
 
-/// A word may stand bare in YAML; anything else is quoted.
+/// Quotes a text unless it is a plain word in YAML.
 std::string quoted(const std::string& text) {
   bool bare = !text.empty() && std::isalpha(static_cast<unsigned char>(text[0]));
   for (char c : text) bare = bare && (std::isalnum(static_cast<unsigned char>(c)) || c == '_');
@@ -85,7 +85,7 @@ std::string snake_case(const std::string& name) {
 }
 
 std::string first_sentence(const std::string& text) {
-  // A capital follows, so that "e.g. this" ends nothing.
+  // A sentence ends before a capital, so "e.g. this" does not end one.
   for (std::size_t i = 0; i + 2 < text.size(); ++i)
     if (text[i] == '.' && text[i + 1] == ' ' && is_upper(text[i + 2])) return text.substr(0, i + 1);
   return text;

@@ -14,9 +14,9 @@ namespace stepwire::report {
 
 namespace {
 
-constexpr double strong = 0.95;  // a correlation that people should know of
+constexpr double strong = 0.95;  // absolute correlation from which a pair is reported
 
-/// A number in the unit of its author.
+/// Fitted number in the unit of the diagram file.
 class Shown {
  public:
   explicit Shown(const estimation::FittedNumber& number)
@@ -34,7 +34,7 @@ class Shown {
   std::string name_;
 };
 
-/// The standard errors that there are, each by its name.
+/// Returns the available standard errors, each with its name.
 std::string errors_of(const estimation::FittedNumber& number, const Shown& shown) {
   const std::string classical = fmt::format("{:.2g} classical", shown.width(number.classical_error));
   if (!std::isfinite(number.serial_error)) return classical;
@@ -45,7 +45,7 @@ std::string number_line(const estimation::FittedNumber& number, std::size_t widt
   const Shown shown(number);
   const std::string unit = shown.unit().empty() ? "" : " " + shown.unit();
   const std::string value = query::short_number(shown.value(number.value), 6) + unit;
-  if (number.at_bound)  // an interval would reach beyond what was allowed
+  if (number.at_bound)  // its interval would extend beyond the bound
     return fmt::format("  {:<{}}  {:<22} at its bound\n", number.title(), width, value);
   if (!std::isfinite(number.standard_error))
     return fmt::format("  {:<{}}  {}\n", number.title(), width, value);
@@ -65,7 +65,7 @@ std::string correlations(const estimation::FitResult& result) {
   return text;
 }
 
-/// The standard errors that the intervals are made of, where there are two kinds.
+/// Returns a line on the standard errors of the intervals; empty if there is only one kind.
 std::string errors_line(const estimation::FitResult& result) {
   if (!result.in_time || result.together == 0) return "";
   const bool serial = result.standard_errors == estimation::StandardErrors::serial;

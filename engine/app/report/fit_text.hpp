@@ -6,7 +6,7 @@
 
 namespace stepwire::report {
 
-/// What a fit found, for people.
+/// Returns the result of a fit as text for the terminal.
 std::string fit_text(const estimation::FitResult& result);
 
 }  // namespace stepwire::report

@@ -7,10 +7,10 @@
 
 namespace stepwire::report {
 
-/// A linear analysis for people: matrices with names, poles, zeros, margins, ranks and what to know of them.
+/// Returns a linear analysis as text: matrices with names, poles, zeros, margins, ranks and notes.
 std::string linear_text(const std::string& file, const linear::Analysis& analysis);
 
-/// An operating point for people: its numbers, residuals, and whether it was found.
+/// Returns an operating point as text: its numbers, residuals, and whether it was found.
 std::string trim_text(const std::string& file, const linear::TrimResult& result);
 
 }  // namespace stepwire::report

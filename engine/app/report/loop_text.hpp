@@ -6,7 +6,7 @@
 
 namespace stepwire::report {
 
-/// What a loop has to tell, for people.
+/// Returns the measurements of a real-time loop as text for the terminal.
 std::string loop_text(const session::LoopOutcome& outcome);
 
 }  // namespace stepwire::report

@@ -30,14 +30,15 @@ double percent(const profile::Profile& profile, double seconds) {
   return 100.0 * profile.share(seconds);
 }
 
-/// What the run does itself, and what is left.
+/// Returns the costs outside of blocks: those of the run itself, and the unattributed remainder.
 std::vector<profile::RunCost> rest_of(const profile::Profile& profile) {
   std::vector<profile::RunCost> rest = profile.others;
   rest.push_back({left_name, {0, profile.left()}});
   return rest;
 }
 
-/// Of a part the share only: what one call in it takes on the mean says nothing.
+/// Returns calls and share of a phase. A part gets only its share: it contains calls of many blocks, so a
+/// mean time of one call has no meaning.
 std::string phase_text(const profile::Profile& profile, const profile::BlockCost& block,
                        const profile::Cost& cost) {
   if (cost.calls == 0) return fmt::format("{:>16}", "-");

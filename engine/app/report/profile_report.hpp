@@ -10,16 +10,16 @@
 
 namespace stepwire::report {
 
-/// Profiles a file with its own values (none of its sweep's), by the steady clock; ends early once
-/// `interrupt` is true.
+/// Profiles a run with the file's own values, without its sweep, by the steady clock. Ends early after
+/// `interrupt` becomes true.
 profile::Profile profile_of(const session::LoadedModel& model, const std::atomic<bool>* interrupt);
 
-/// Where the time of a run goes, for people: the most expensive blocks, and what the run does itself.
+/// Returns the most expensive blocks and the costs of the run itself, as text.
 std::string profile_text(const session::LoadedModel& model, const profile::Profile& profile);
-/// All of it, a row for each block, part, and what the run does itself.
+/// Returns the whole profile: a row for each block, each part and each cost of the run itself.
 std::string profile_csv(const profile::Profile& profile);
 json::Json profile_json(const profile::Profile& profile);
-/// The most expensive blocks as a figure.
+/// Returns a figure of the most expensive blocks.
 plot::FigureSpec profile_figure(const session::LoadedModel& model, const profile::Profile& profile);
 
 }  // namespace stepwire::report

@@ -6,11 +6,11 @@
 
 namespace stepwire::report {
 
-/// What a run has to tell, for people: title, claims with verdict and value, diagnostics.
+/// Returns the outcome of a run as text: title, claims with verdict and value, diagnostics.
 std::string outcome_text(const session::LoadedModel& model, const session::Outcome& outcome);
-/// The file and its claims that failed; empty where none has.
+/// Returns the file and its failed claims; empty if all hold.
 std::string failures_text(const session::Outcome& outcome, const std::string& file);
-/// The unit of every wire, and its shape: "rig.carriage.position  m", "body.attitude  1 (3 x 3)".
+/// Returns unit and shape of every wire: "rig.carriage.position  m", "body.attitude  1 (3 x 3)".
 std::string units_text(const plan::Plan& plan);
 
 }  // namespace stepwire::report

@@ -6,7 +6,7 @@
 
 namespace stepwire::report {
 
-/// What the study found, for people.
+/// Returns the results of a study as text for the terminal.
 std::string study_text(const session::LoadedModel& model, const study::Experiments& experiments);
 
 }  // namespace stepwire::report

@@ -29,7 +29,7 @@ std::string objective_text(const tuning::TuneResult& result) {
   return text + "\n";
 }
 
-/// "0.312, off by -0.4 of its deviations (equals 0.311)".
+/// Returns a line such as "target ...: 0.312, off by -0.4 deviations (equals 0.311)".
 std::string target_line(const tuning::TunedTarget& target) {
   return fmt::format("  target {}: {}, off by {} deviations ({})\n", text::visible(target.verdict.that),
                      text::visible(target.verdict.shown), query::short_number(target.off, 2),

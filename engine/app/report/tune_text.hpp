@@ -6,7 +6,7 @@
 
 namespace stepwire::report {
 
-/// What a tuning found, for people.
+/// Returns the result of an optimisation as text for the terminal.
 std::string tune_text(const tuning::TuneResult& result);
 
 }  // namespace stepwire::report

@@ -5,11 +5,12 @@
 
 namespace stepwire::session {
 
-/// What results of a model follow from beside its files: the program, and the blocks from outside.
+/// Returns the version of the program and of the external blocks, on which results depend in addition to the
+/// files.
 json::Json build_note(const LoadedModel& model);
 
-/// All that decides what a search with a model finds, beside what the call sets of the search itself. Throws
-/// EnvironmentError.
+/// Returns a key of everything that determines the result of a search with a model, except the search options
+/// of the call. Throws EnvironmentError.
 std::string search_key(const LoadedModel& model);
 
 }  // namespace stepwire::session

@@ -6,7 +6,7 @@ namespace stepwire::session {
 
 namespace {
 
-/// Does it have one value in each case?
+/// True if the column is set by the cases of the sweep, so that it has one value in each case.
 bool is_of_cases(const diagram::Sweep& sweep, const std::string& column) {
   return std::ranges::any_of(sweep.axes, [&](const diagram::Sweep::Axis& axis) {
     return axis.of_cases() && axis.parameter == column;
@@ -17,7 +17,7 @@ bool is_kept(const run::RunNumbers& kept, const std::string& column) {
   return std::ranges::find(kept.columns, column, &table::Column::name) != kept.columns.end();
 }
 
-/// Every `step`-th number, from the first-th on.
+/// Returns `count` numbers: every `step`-th one from index `first` on.
 std::vector<double> every(const std::vector<double>& all, std::size_t step, std::size_t first,
                           std::size_t count) {
   std::vector<double> some(count);

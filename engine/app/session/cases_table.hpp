@@ -7,12 +7,12 @@
 
 namespace stepwire::session {
 
-/// Has the numbers that a sweep keeps of each run in the names of its cases, HV.error in place of error, as
-/// the table of by_cases() has them. Without cases all stays.
+/// Renames the kept numbers of a sweep by its cases, as in the table of by_cases(): error becomes HV.error.
+/// Without cases it changes nothing.
 void name_cases(const diagram::Sweep& sweep, const run::RunNumbers& kept, query::SymbolTable& names);
 
-/// The kept rows of runs as a table with one row for all cases of a point: what else is swept, and the
-/// numbers of each case. Without all runs, after an interruption, it has no rows.
+/// Converts the kept rows of runs to a table with one row for all cases of a point. It has the other swept
+/// values, and the numbers of each case. After an interruption, with missing runs, the table is empty.
 record::Recording by_cases(const diagram::Sweep& sweep, const run::RunNumbers& kept,
                            const record::Recording& runs);
 

@@ -20,14 +20,14 @@ Json mark_json(const yaml::Mark& mark) {
   return Json::object().set("line", mark.line).set("column", mark.column);
 }
 
-/// A file that faults name, as it is now.
+/// File named by faults, in its present state.
 class FaultyFile {
  public:
   explicit FaultyFile(const std::string& path) {
     try {
-      document_ = yaml::read_document(path);  // looks at its kind and size first
+      document_ = yaml::read_document(path);  // checks kind and size of the file first
       text_ = io::read_file(path);
-    } catch (const std::exception&) {  // there is no such file, or it is no YAML
+    } catch (const std::exception&) {  // missing file, or no YAML
     }
   }
 
@@ -38,7 +38,7 @@ class FaultyFile {
     return document_ ? yaml::end_of_fault(document_->root, fault) : std::nullopt;
   }
 
-  /// What stands in the place of which words would be right: none or one.
+  /// Returns the replacement of a probably misspelt word; a list of at most one.
   Json suggestions(const yaml::Fault& fault) const {
     Json list = Json::list();
     const auto& suggestion = fault.message.suggestion;
@@ -57,8 +57,8 @@ class FaultyFile {
   std::optional<yaml::Document> document_;
 };
 
-/// The block of a subject such as "rig.mount.stiffness", and what of it. The tree has the last name of the
-/// block below `blocks`, and behind that the key.
+/// Splits a subject such as "rig.mount.stiffness" into block and port or key. In the YAML path the entry
+/// below `blocks` is the last piece of the block's name, and the key follows it.
 std::pair<std::string, std::string> block_and_port(const std::string& subject,
                                                    const yaml::FoundPlace& found) {
   const auto section = std::ranges::find(found.keys, "blocks");
@@ -83,7 +83,7 @@ Json number_or_null(int number) {
   return number > 0 ? Json(number) : Json();
 }
 
-/// A setting stands in the call: "--set mass=2 kg".
+/// True if the place is a setting of the call, such as "--set mass=2 kg".
 bool is_call(const yaml::Place& place) {
   return place.mark.line == 0 && place.file.starts_with("--");
 }

@@ -1,4 +1,4 @@
-// What a fit found, as pictures.
+// Figures of a fit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,8 @@ std::string si_of(const std::optional<unit::Dimension>& dimension) {
   return dimension && *dimension != unit::Dimension{} ? unit::si_name(*dimension) : "";
 }
 
-/// Worst, middle and best of the records in a comparison, by number; what is constant counts as the best.
+/// Returns the indices of the worst, the median and the best record of a comparison. A constant record has no
+/// agreement and counts as the best.
 std::vector<std::size_t> telling(const estimation::FitResult& result, std::size_t comparison) {
   const auto agreement = [&](std::size_t record) {
     const double found = result.records[record].comparisons[comparison].agreement;
@@ -32,10 +33,10 @@ std::vector<std::size_t> telling(const estimation::FitResult& result, std::size_
   return {all.front(), all[all.size() / 2], all.back()};
 }
 
-/// Numbers of SI in the unit in which they are drawn.
+/// Conversion of SI numbers to the unit of an axis.
 struct DrawnUnit {
   unit::Unit unit{};
-  std::string text;  ///< as axes have it; empty: not known
+  std::string text;  ///< unit on axes; empty: unknown
 
   DrawnUnit(const std::string& given, const std::optional<unit::Dimension>& dimension)
       : text(given.empty() ? si_of(dimension) : given) {
@@ -48,12 +49,12 @@ struct DrawnUnit {
   }
 };
 
-/// One record with what a comparison holds against it.
+/// Record and model in one comparison.
 struct ComparedRecord {
   const estimation::FitComparison& comparison;
   const estimation::FittedRecord& record;
   const estimation::ComparedRows& rows;
-  const std::string& word;  ///< for records
+  const std::string& word;  ///< legend of the measured curve
   DrawnUnit unit{comparison.model.unit_text, comparison.model.formula.dimension};
 
   std::string title() const {
@@ -65,7 +66,7 @@ struct ComparedRecord {
   }
 };
 
-/// Record and model over a stretch of time in which single periods are seen.
+/// Adds record and model over the first 30 % of the time, so that single periods are visible.
 void add_over_time(const ComparedRecord& compared, plot::FigureBuilder& panels) {
   const std::vector<double>& time = compared.rows.time;
   const double begin = time.front(), end = std::min(time.back(), begin + 0.3 * (time.back() - begin));
@@ -86,7 +87,7 @@ void add_residual(const ComparedRecord& compared, plot::FigureBuilder& panels) {
   plot::set_line_ranges(plot);
 }
 
-/// Record and model over what the file names.
+/// Adds record and model over the quantity that the file names, such as a hysteresis loop.
 void add_loop(const ComparedRecord& compared, std::size_t which, plot::FigureBuilder& panels) {
   const query::Series& against = compared.comparison.against[which];
   const DrawnUnit unit(against.unit_text, against.formula.dimension);

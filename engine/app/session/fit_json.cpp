@@ -1,4 +1,4 @@
-// What a fit found, for programs.
+// JSON of a fit.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -54,7 +54,7 @@ Json starts_json(const estimation::FitResult& result) {
   return list;
 }
 
-/// In SI, as the parameters.
+/// Returns the fitted curves in SI.
 Json curves_json(const estimation::FitResult& result) {
   Json list = Json::list();
   for (const estimation::FittedCurve& curve : result.curves)

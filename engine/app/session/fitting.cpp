@@ -20,9 +20,9 @@ estimation::FitRequest request_of(const LoadedModel& model, const FitCall& call)
   return request;
 }
 
-/// About how many runs its searches need.
+/// Returns an estimate of the number of runs that the searches need.
 double runs_of(const estimation::FitRequest& request) {
-  constexpr double steps = 10.0;  // of a search
+  constexpr double steps = 10.0;  // iterations of a search
   return steps * static_cast<double>((request.parameters.size() + 1) * request.starts);
 }
 
@@ -55,7 +55,8 @@ messages::ItemWork fit_work(const Registry& registry, const LoadedModel& model, 
   return [parts, work](const messages::Item& item) { return work->work(item); };
 }
 
-/// A few steps from each start and from what a global search gives, and searches that go on.
+/// Each start, from the request or from the global search, has a short first search and may have a continued
+/// one.
 std::size_t most_searches(const LoadedModel& model, const FitCall& call) {
   return 2 * (request_of(model, call).starts + 1);
 }

@@ -12,49 +12,51 @@
 
 namespace stepwire::session {
 
-/// What a call asks of a fit, where it says so in place of the file's words.
+/// Options of a fit; values that are set replace those of the file.
 struct FitCall {
   std::optional<std::size_t> starts, follow;
   std::optional<std::uint64_t> seed;
   unsigned threads = 0;  ///< 0: all cores
   run::ExecutionMode engine = run::ExecutionMode::automatic;
-  messages::ItemWorkers* workers = nullptr;  ///< that search from the starts; null: this process does
+  messages::ItemWorkers* workers = nullptr;  ///< processes that search; nullptr: this process
 };
 
-/// Finds the parameters that the file asks for. Throws Error.
+/// Estimates the parameters of the section `fit`. Throws Error.
 estimation::FitResult fit_model(const Registry& registry, const LoadedModel& model, const FitCall& call,
                                 const Monitor& monitor);
 
-/// Searches of such a fit for another process. The model must outlive it. Throws Error.
+/// Returns the searches of such a fit as work items for another process. The model must outlive them. Throws
+/// Error.
 messages::ItemWork fit_work(const Registry& registry, const LoadedModel& model, const FitCall& call);
-/// How many searches there are at most, and all that decides what they find.
+/// Returns the largest number of searches, and a key of everything that determines their results.
 std::size_t most_searches(const LoadedModel& model, const FitCall& call);
 std::string fit_key(const LoadedModel& model, const FitCall& call);
 
-/// The options with what was found in the place of the file's values.
+/// Returns the options with the fitted values in place of those of the file.
 LoadOptions with_fitted(LoadOptions options, const estimation::FitResult& result);
 
-/// A picture of a fit and the name of its files.
+/// Figure of a fit and the stem of its file names.
 struct FitPicture {
   std::string name;
   plot::FigureSpec figure;
 };
 
-/// Measured and model of the worst, middle and best record of each comparison, over time and over what the
-/// file names, with the residuals; the curves with their intervals; the correlations.
+/// Returns the figures of a fit. For each comparison they show model, measurement and residuals of the worst,
+/// the median and the best record, over time and over the named quantities. Then follow the curves with their
+/// intervals, and the correlations.
 std::vector<FitPicture> fit_pictures(const estimation::FitRequest& request,
                                      const estimation::FitResult& result);
 
-/// Writes fit.json, parameters.yaml and the pictures into a folder and returns the pictures' names. Throws
-/// EnvironmentError.
+/// Writes fit.json, parameters.yaml and the pictures into a folder, and returns the names of the pictures.
+/// Throws EnvironmentError.
 std::vector<std::string> write_fit(const std::string& folder, const LoadedModel& model,
                                    const estimation::FitResult& result);
 
-/// How well a record is described, in percent; of what is constant in the record there is no such number.
+/// Formats the agreement of model and record in percent; it is undefined for a constant record.
 std::string agreement_text(const estimation::ComparedRows& rows, int width = 0);
-/// All that was found, for programs.
+/// Returns all results of a fit as JSON.
 json::Json fit_json(const LoadedModel& model, const estimation::FitResult& result);
-/// What all records share, as a file that --set-from takes.
+/// Returns the shared fitted values as text of a file for --set-from.
 std::string parameters_text(const LoadedModel& model, const estimation::FitResult& result);
 
 }  // namespace stepwire::session

@@ -13,7 +13,7 @@ namespace stepwire::session {
 
 namespace {
 
-/// What is behind a link is not of this folder.
+/// Refuses a link, whose target is outside this folder.
 void refuse_link(const std::string& file) {
   std::error_code none;
   if (std::filesystem::is_symlink(std::filesystem::symlink_status(file, none)))
@@ -23,7 +23,7 @@ void refuse_link(const std::string& file) {
         file));
 }
 
-/// The seed of the experiment whose trials lie in the folder of a study.
+/// Returns the seed of the experiment whose trials are in the folder.
 std::uint64_t performed_seed(const std::string& folder) {
   const json::Json study = json::Json::parse(io::read_file(folder + "/study.json"));
   const json::Json* points = study.find("points");

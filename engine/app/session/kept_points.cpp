@@ -18,7 +18,7 @@ using json::Json;
 
 namespace {
 
-/// Of all that decides what a point gives but the point itself, and of the values of all points.
+/// Returns a hash of everything that determines the results of a sweep, with the values of all points.
 std::string points_hash(const LoadedModel& model) {
   hash::Hash hash;
   hash.add(model.hash).add(build_note(model).text(-1));
@@ -52,7 +52,7 @@ LoadOptions options_of(const Json& head) {
   return options;
 }
 
-/// Runs of neighbours among numbers that come in their order.
+/// Formatter of ascending numbers that joins consecutive ones to ranges.
 class Neighbours {
  public:
   void add(std::size_t number) {

@@ -1,4 +1,4 @@
-// What a linear analysis found, for programs.
+// JSON and MAT files of a linear analysis.
 #include "engine/app/session/linearizing.hpp"
 #include "engine/app/session/matrix_json.hpp"
 #include "engine/base/io/file.hpp"
@@ -121,7 +121,8 @@ Json error_json(const linear::StateSpace& error) {
       .set("D", matrix_json(error.D));
 }
 
-/// Each comes out at an output and in at an input, behind those of the system.
+/// Returns the inner delays. Each connects an additional output to an additional input, after those of the
+/// system.
 Json delays_json(const linear::StateSpace& system) {
   Json list = Json::list();
   for (const linear::InnerDelay& delay : system.delays)
@@ -150,7 +151,7 @@ std::vector<double> delay_times(const linear::StateSpace& system) {
   return times;
 }
 
-/// Complex numbers as rows [re, im].
+/// Converts complex numbers to rows [re, im].
 mat::NamedMatrix named(const char* name, const std::vector<Complex>& numbers) {
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(numbers.size()), 2);
   for (Eigen::Index i = 0; i < rows.rows(); ++i)

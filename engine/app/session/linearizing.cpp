@@ -31,7 +31,7 @@ void require(const std::string& file, const std::vector<linear::WrittenName>& na
       {file, {}}, "", yaml::fault_text("the diagram has no '{}'; give {} SIGNAL", section, option), {}});
 }
 
-/// The diagram of a point of the sweep, or of the one run.
+/// Loads the diagram of a point of the sweep, or of the single run.
 diagram::Diagram diagram_of(diagram::Loader& loader, const LoadedModel& model, std::size_t point) {
   std::vector<diagram::Setting> settings = call_settings(model.options);
   if (model.job.points.empty()) return loader.load(model.file, settings);

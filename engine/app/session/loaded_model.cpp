@@ -21,7 +21,7 @@ namespace stepwire::session {
 
 namespace {
 
-/// Reads what the file asks of a study, and adds the names that it makes.
+/// Reads the section `study`, and adds the names that it defines.
 void add_study(diagram::Loader& loader, const LoadOptions& options, LoadedModel& model,
                query::SymbolTable& names, yaml::Faults& faults) {
   const yaml::Node* section = loader.document(model.file).root.find("study");
@@ -37,7 +37,7 @@ void add_study(diagram::Loader& loader, const LoadOptions& options, LoadedModel&
   model.tables = names.tables = study::empty_study_tables();
 }
 
-/// Reads what the file asks of linear analysis, and adds the names that it makes.
+/// Reads the sections `trim` and `linear`, and adds the names that they define.
 void add_linear(diagram::Loader& loader, LoadedModel& model, query::SymbolTable& names,
                 yaml::Faults& faults) {
   const yaml::Node& root = loader.document(model.file).root;
@@ -54,7 +54,8 @@ void add_linear(diagram::Loader& loader, LoadedModel& model, query::SymbolTable&
     std::ranges::move(linear::analysis_names(analysis, recording++), std::back_inserter(names.columns));
 }
 
-/// Reads what is made of the runs, and adds its names. A fit reads all rows, whatever the sweep keeps.
+/// Reads the sections that evaluate runs, and adds their names. The fit is read first, with the names of all
+/// rows, because it does not depend on the numbers that the sweep keeps.
 void read_analyses(diagram::Loader& loader, LoadedModel& model, query::SymbolTable& names,
                    yaml::Faults& faults) {
   const diagram::Diagram& diagram = model.job.plan.diagram;
@@ -65,7 +66,8 @@ void read_analyses(diagram::Loader& loader, LoadedModel& model, query::SymbolTab
   add_sensitivity(model, names, faults);
 }
 
-/// A study tunes by its experiments, and tunes nothing that it sets itself.
+/// Checks the optimisation of a study: its trials must be simulated, and its parameters must not be those
+/// that the study sets for each trial.
 void check_tuned_study(const LoadedModel& model, yaml::Faults& faults) {
   const study::StudyRequest& request = *model.study;
   if (!request.trials.empty())
@@ -102,7 +104,7 @@ void refuse_study_keys(const yaml::Node& section, const std::string& file, yaml:
                   {}});
 }
 
-/// Reads the section `tune`, after all that its claims may name.
+/// Reads the section `tune`, after all sections whose names its claims may use.
 void add_tuning(diagram::Loader& loader, LoadedModel& model, const query::SymbolTable& names,
                 yaml::Faults& faults) {
   const yaml::Node* section = loader.document(model.file).root.find("tune");
@@ -114,7 +116,7 @@ void add_tuning(diagram::Loader& loader, LoadedModel& model, const query::Symbol
   check_tuned_study(model, faults);
 }
 
-/// Reads the scene ahead of figures and claims, which may name what it shows.
+/// Reads the scene before figures and claims, which may use the names of its states.
 std::shared_ptr<const scene::Scene> read_scene_of(const diagram::Diagram& diagram, query::SymbolTable& names,
                                                   yaml::Faults& faults) {
   if (diagram.scene.kind == yaml::Node::Kind::empty) return nullptr;
@@ -126,7 +128,7 @@ std::shared_ptr<const scene::Scene> read_scene_of(const diagram::Diagram& diagra
   return scene;
 }
 
-/// Figures of a study say whose trials they show.
+/// Reads the figures. Titles of a study name the source of the trials.
 void read_all_figures(const diagram::Diagram& diagram, LoadedModel& model, const query::SymbolTable& names,
                       yaml::Faults& faults) {
   if (diagram.figure.kind != yaml::Node::Kind::empty)
@@ -137,7 +139,7 @@ void read_all_figures(const diagram::Diagram& diagram, LoadedModel& model, const
     if (!figure.title.empty()) figure.title += fmt::format(" ({})", study::whose_trials(*model.study));
 }
 
-/// Claims and invariants may name what the figures draw and the scene shows.
+/// Reads claims and invariants, which may use quantities that figures draw and the scene shows.
 void read_all_claims(const diagram::Diagram& diagram, LoadedModel& model, query::SymbolTable& names,
                      yaml::Faults& faults) {
   std::ranges::move(plot::drawn_quantities(model.figures, names), std::back_inserter(names.drawn));

@@ -20,43 +20,44 @@
 
 namespace stepwire::session {
 
-/// What a call asks of each file.
+/// Options for loading a diagram file.
 struct LoadOptions {
   std::vector<diagram::Setting> settings;
-  run::PointSettings of_points{};  ///< beside them, of the points of a sweep
+  run::PointSettings of_points{};  ///< additional settings of each point of a sweep
   std::optional<std::string> stop;
-  unsigned threads = 0;  ///< that look at the points of a sweep; 0: all cores
+  unsigned threads = 0;  ///< threads that load the points of a sweep; 0: all cores
   yaml::DocumentLimits limits;
   study::StudyWords study{};
-  std::optional<yaml::Node> figure{};  ///< in the place of the file's section
-  diagram::DocumentReader reader{};    ///< where the texts of files are; without it files are read
+  std::optional<yaml::Node> figure{};  ///< replaces the section `figure`
+  diagram::DocumentReader reader{};    ///< source of file contents; empty: the file system
 };
 
-/// A diagram file with all that could be found wrong before its first step looked at.
+/// Diagram file with all checks that are possible before its first step.
 struct LoadedModel {
   std::string file;
-  LoadOptions options;  ///< by which it was loaded
+  LoadOptions options;  ///< the options of the load
   run::Job job;
   std::vector<plot::Figure> figures;
   std::vector<claim::Claim> claims;
-  std::optional<estimation::FitRequest> fit;  ///< what is to be found in records before the run
-  std::string hash;  ///< of the flattened diagram and its data as they were before the run
-  std::shared_ptr<const scene::Scene> scene{};    ///< null where the file shows none
-  std::optional<study::StudyRequest> study{};     ///< whose trials are the runs of the file
-  std::vector<query::NamedTable> tables{};        ///< that the study will make, for figures
-  std::shared_ptr<const run::RunNumbers> kept{};  ///< what the sweep keeps of each run; null: its rows
+  std::optional<estimation::FitRequest> fit;  ///< Parameters to estimate from records before the run.
+  std::string hash;                           ///< Hash of the flattened diagram and its data before the run.
+  std::shared_ptr<const scene::Scene> scene{};    ///< nullptr without a section `scene`.
+  std::optional<study::StudyRequest> study{};     ///< Study whose trials are the runs of the file.
+  std::vector<query::NamedTable> tables{};        ///< Tables of the study or the sensitivity, filled later.
+  std::shared_ptr<const run::RunNumbers> kept{};  ///< Numbers kept of each run; nullptr: rows are kept.
   std::optional<sensitivity::Request> sensitivity{};
-  std::vector<linear::NamedAnalysis> linear{};  ///< that figures and claims read behind the recordings
-  std::optional<linear::TrimRequest> trim{};    ///< the operating point that is looked for
-  std::optional<tuning::TuneRequest> tune{};    ///< what `tune` minimises; no run hangs on it
-  const Registry* registry = nullptr;           ///< by which it was loaded
-  std::vector<std::string> blocksets{};         ///< folders of the blocks from outside that were known
+  std::vector<linear::NamedAnalysis> linear{};  ///< Analyses whose recordings follow those of the runs.
+  std::optional<linear::TrimRequest> trim{};    ///< Request for an operating point.
+  std::optional<tuning::TuneRequest> tune{};    ///< Request for an optimisation; it does not affect runs.
+  const Registry* registry = nullptr;           ///< Registry of the load.
+  std::vector<std::string> blocksets{};         ///< Folders of the external blocks at the load.
 };
 
-/// The name of the table of a sensitivity.
+/// Name of the table of a sensitivity analysis.
 inline constexpr const char* sensitivity_table = "sensitivity";
 
-/// Loads, plans, and reads figures and claims. Throws Error with everything that is wrong, EnvironmentError.
+/// Loads and plans a file, and reads its figures and claims. Throws Error with all faults, and
+/// EnvironmentError.
 LoadedModel load_model(diagram::Loader& loader, const std::string& file, const LoadOptions& options);
 LoadedModel load_model(const Registry& registry, const std::string& file, const LoadOptions& options);
 

@@ -15,8 +15,8 @@ namespace {
 constexpr double bins_per_decade = 20.0;
 constexpr double below_axis = 0.1, axis = 0.7;
 
-/// How often times fell between powers of ten in 20 parts, which can be seen where the bins of a histogram
-/// are too narrow.
+/// Histogram with 20 logarithmic bins per decade. The bins of the measured histograms are too narrow for a
+/// picture.
 class Coarse {
  public:
   Coarse(std::string name, const realtime::Histogram& times) : name(std::move(name)) {
@@ -56,7 +56,7 @@ double edge(std::size_t index) {
   return std::pow(10.0, static_cast<double>(index) / bins_per_decade);
 }
 
-/// What is counted, with the bounds of the axes.
+/// Histograms, with the bounds of the axes.
 struct Counted {
   std::vector<Coarse> all;
   std::size_t first = std::numeric_limits<std::size_t>::max(), end = 0;
@@ -78,7 +78,7 @@ Counted counted(const LoopOutcome& outcome) {
   return counted;
 }
 
-/// A staircase; what was never counted lies below the axis.
+/// Returns a histogram as a step curve. Empty bins are below the axis.
 plot::NumberCurve staircase(const Counted& counted, const Coarse& coarse) {
   plot::NumberCurve curve{{}, {}, coarse.name};
   for (std::size_t bin = counted.first; bin <= counted.end; ++bin)
@@ -102,7 +102,7 @@ double stretch_of(const LoopOutcome& outcome) {
   return outcome.settings.duration / static_cast<double>(realtime::Measurements::worst_count);
 }
 
-/// The longest of each in every stretch of the run.
+/// Returns the longest times in each interval of the run.
 std::vector<plot::NumberCurve> worst_over_time(const LoopOutcome& outcome) {
   std::vector<plot::NumberCurve> curves{
       {{}, {}, "wake-up latency"}, {{}, {}, "response"}, {{}, {}, "cost of a step"}};

@@ -8,13 +8,13 @@
 
 namespace stepwire::session {
 
-/// What a loop has to tell and all histograms, for programs; times in ns unless the key says else.
+/// Returns all results and histograms of a loop as JSON. Times are in ns unless the key names another unit.
 json::Json loop_json(const LoopOutcome& outcome);
-/// Two panels: how often each of wake-up latency, response and cost of a step was how long, and the
-/// worst of each over time.
+/// Returns a figure with two panels: the histograms of wake-up latency, response and step cost, and their
+/// longest times over the run.
 plot::FigureSpec loop_figure(const LoopOutcome& outcome);
 
-/// "done", "stopped", ...
+/// Returns "done", "stopped", ...
 std::string end_word(realtime::Loop::End end);
 
 }  // namespace stepwire::session

@@ -16,7 +16,7 @@ Json or_null(const std::string& text) {
   return text.empty() ? Json() : Json(text);
 }
 
-/// [[begin of bin, count], ..] of the bins in which something is.
+/// Returns the nonempty bins as [[begin, count], ...].
 Json bins_json(const realtime::Histogram& times) {
   Json bins = Json::list();
   for (std::size_t bin = 0; bin < realtime::Histogram::bins(); ++bin)

@@ -11,22 +11,22 @@
 
 namespace stepwire::session {
 
-/// What became of the rows of a loop.
+/// Numbers of written and lost rows of a loop.
 struct LoopRows {
   std::int64_t written = 0;
-  std::int64_t lost_to_ring = 0;  ///< the writer was too slow
+  std::int64_t lost_to_ring = 0;  ///< lost because the writer was too slow
   std::int64_t lost_to_disk = 0;
-  std::string trouble;  ///< what the system said of the disk
+  std::string trouble;  ///< error of the file system
 
   std::int64_t lost() const { return lost_to_ring + lost_to_disk; }
 };
 
-/// All that a loop has to report; the loop itself tells what it measured.
+/// Results of a loop; `loop` has the measurements.
 struct LoopOutcome {
   const realtime::Loop& loop;
   const LoopSettings& settings;
   realtime::Served served;
-  std::optional<LoopRows> rows;  ///< none where nothing was recorded
+  std::optional<LoopRows> rows;  ///< std::nullopt if no rows were recorded
   std::optional<realtime::Cyclictest> baseline;
 };
 

@@ -21,12 +21,13 @@ namespace stepwire::session {
 
 namespace {
 
-constexpr double seconds_in_ring = 4.0;  // that the writer may be late
+constexpr double seconds_in_ring = 4.0;  // delay of the writer that the ring buffer can absorb [s]
 constexpr double min_numbers = 1 << 16, max_numbers = 1 << 23;
-constexpr double slice = 1.0;  // [s] of each in turn with a baseline
+constexpr double slice = 1.0;  // length of alternating slices of loop and baseline [s]
 
-/// A loop runs the file once with its own values, so its sweep, figures and claims are left alone. Its steps
-/// are not split: how often that would be the case bounds no time that a deadline could hold.
+/// Returns the plan of a loop, which runs the file once with its own values, so sweep, figures and claims are
+/// ignored. Event location is switched off, because its number of step divisions is unbounded and could miss
+/// any deadline.
 plan::Plan plan_for_loop(const LoopCall& call, const Registry& registry, const LoopSettings& settings,
                          const Monitor& monitor) {
   diagram::Loader loader(registry, call.load.limits);
@@ -48,14 +49,14 @@ std::size_t ring_size(const plan::Plan& plan, const LoopSettings& settings) {
       std::max(std::clamp(wanted, min_numbers, max_numbers), 16.0 * ticks * of_tick));
 }
 
-/// A folder with a replay of the data files as they are now.
+/// Prepares the folder and writes a replay with the present data files.
 std::unique_ptr<io::OwnedFolder> folder_with_replay(const std::string& path, const plan::Plan& plan) {
   auto folder = std::make_unique<io::OwnedFolder>(path, [&] { return replay::files_read(plan); });
   replay::write_replay(path, plan);
   return folder;
 }
 
-/// The folder that a loop writes: its rows while it runs, and at its end what it came to.
+/// Output folder of a loop: its rows during the run, and its results at the end.
 class LoopFolder {
  public:
   LoopFolder(const plan::Plan& plan, const LoopSettings& settings, const std::string& path)
@@ -83,8 +84,8 @@ class LoopFolder {
   realtime::RowWriter writer_;
 };
 
-/// Compiled code, where the call names it and it can be; with `auto`, too, since a loop has no time for it
-/// later.
+/// Compiles the code unless the engine is the interpreter; nullopt also if it cannot be compiled. With `auto`
+/// it compiles as well, because a running loop has no time for that.
 std::optional<plan::CompiledPlan> code_for(const plan::Plan& plan, run::ExecutionMode engine,
                                            const Monitor& monitor) {
   if (engine == run::ExecutionMode::interpreted) return std::nullopt;
@@ -94,7 +95,7 @@ std::optional<plan::CompiledPlan> code_for(const plan::Plan& plan, run::Executio
   return code;
 }
 
-/// Serves all deadlines; in slices, with one of the baseline before each, where there is one.
+/// Runs the loop to its end. With a baseline, slices of both alternate.
 realtime::Served serve_all(realtime::Loop& loop, const LoopSettings& settings,
                            std::optional<realtime::Cyclictest>& baseline, const Monitor& monitor) {
   const auto count =
@@ -130,7 +131,7 @@ void run_loop(const LoopCall& call, const Registry& registry, const Monitor& mon
   realtime::Loop loop(plan, options, device, clock, folder ? &folder->recorder() : nullptr);
   LoopOutcome outcome{loop, settings, serve_all(loop, settings, baseline, monitor), {}, std::move(baseline)};
   if (folder) outcome.rows = folder->finish();
-  subprocess::processes_stop() = false;  // of an interrupted loop there is a picture, too
+  subprocess::processes_stop() = false;  // allows the picture of an interrupted loop to be drawn
   report(outcome);
   if (folder) folder->describe(outcome);
 }

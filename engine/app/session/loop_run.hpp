@@ -9,7 +9,7 @@
 
 namespace stepwire::session {
 
-/// What a call asks of a real-time loop.
+/// Options of a real-time loop.
 struct LoopCall {
   std::string file;
   LoadOptions load;
@@ -19,9 +19,9 @@ struct LoopCall {
   run::ExecutionMode engine = run::ExecutionMode::interpreted;
 };
 
-/// Runs a file in real time with its own values; judges no claims. Its rows, loop.json and loop.svg are
-/// written to the folder, if there is one. `report` gets the outcome, which ends with the call. Throws Error,
-/// EnvironmentError.
+/// Runs a file in real time with its own values, without judging claims. Writes rows, loop.json and loop.svg
+/// into the folder, if there is one.
+/// `report` gets the outcome, which is valid during that call. Throws Error and EnvironmentError.
 void run_loop(const LoopCall& call, const Registry& registry, const Monitor& monitor,
               const std::function<void(const LoopOutcome&)>& report);
 

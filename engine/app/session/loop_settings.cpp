@@ -12,17 +12,17 @@ namespace stepwire::session {
 
 namespace {
 
-constexpr double slowest = 1.0, fastest = 1e6;  // [Hz]; a loop looks for Ctrl-C when it wakes
-constexpr double longest = 1e8;                 // [s], three years
+constexpr double slowest = 1.0, fastest = 1e6;  // Limits of the rate [Hz]; a loop polls for Ctrl-C.
+constexpr double longest = 1e8;                 // Longest duration [s], three years.
 
-/// Reads the options of one call and gathers what is wrong with them.
+/// Parser of the options of a call, which collects all faults.
 class Reader {
  public:
   void refuse(const std::string& option, const std::string& text, const std::string& message) {
     faults_.add({{option + " " + text, {}}, "", message, {}});
   }
 
-  /// A number with or without its unit; nan where it is none.
+  /// Parses a number with an optional unit; NaN after a fault.
   double number(const std::string& option, const std::string& text, const std::string& unit,
                 const std::string& example) {
     const auto quantity = unit::parse_quantity(text);
@@ -47,10 +47,10 @@ void read_times(const LoopWords& words, Reader& reader, LoopSettings& settings) 
   settings.rate = reader.number("--rate", words.rate, "Hz", "1000 or '2 kHz'");
   settings.duration = reader.number("--duration", words.duration, "s", "10 or '2 min'");
   const double spin = reader.number("--spin", words.spin, "s", "200us");
-  // A nan has been refused already.
+  // The comparisons are negated so that NaN, which is already refused, passes.
   reader.refuse_unless(!(settings.rate < slowest || settings.rate > fastest), "--rate", words.rate,
                        "must be from 1 Hz to 1 MHz");
-  if (!reader.faults().empty()) return;  // the others are held against the period
+  if (!reader.faults().empty()) return;  // the other checks need a valid period
   const double count = std::round(settings.duration * settings.rate);
   reader.refuse_unless(!(count < 1.0 || settings.duration > longest), "--duration", words.duration,
                        fmt::format("must be at least one period of {:.6g} s, and at most {:.0e} s",

@@ -9,13 +9,13 @@
 
 namespace stepwire::session {
 
-/// What a call of `loop` may ask, as written.
+/// Options of `loop` as text.
 struct LoopWords {
   std::string rate = "1000", duration = "10", policy = "fifo:80", overrun = "skip", spin = "0";
   std::optional<int> cpu;
 };
 
-/// What it asks, checked.
+/// Checked options of `loop`.
 struct LoopSettings {
   double rate = 0.0;      ///< [Hz]
   double duration = 0.0;  ///< [s]
@@ -26,7 +26,7 @@ struct LoopSettings {
   std::optional<int> cpu;
 };
 
-/// Throws Error with all that is wrong.
+/// Checks the options. Throws Error with all faults.
 LoopSettings read_loop_settings(const LoopWords& words);
 
 }  // namespace stepwire::session

@@ -6,7 +6,7 @@
 
 namespace stepwire::session {
 
-/// A matrix as a list of its rows.
+/// Converts a matrix to a list of its rows.
 json::Json matrix_json(const Eigen::MatrixXd& matrix);
 
 }  // namespace stepwire::session

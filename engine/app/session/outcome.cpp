@@ -31,14 +31,15 @@ claim::Verdict not_judged(const claim::Claim& claim, const std::string& why) {
   return verdict;
 }
 
-/// The number of leading values by which the points differ, for a sweep whose axes go together.
+/// Returns the number of leading settings in which the points differ, for a sweep whose axes advance
+/// together.
 std::size_t telling_values(const run::Job& job) {
   std::vector<std::vector<diagram::Setting>> points;
   for (std::size_t point = 0; point < job.points.size(); ++point) points.push_back(job.settings_of(point));
   return run::telling_settings(points);
 }
 
-/// A number with a point as four digits; other words as they are.
+/// Shortens a number with a decimal point to four digits; returns other words unchanged.
 std::string short_value(const std::string& value) {
   const std::size_t end = std::min(value.find(' '), value.size());
   double number = 0.0;
@@ -48,8 +49,8 @@ std::string short_value(const std::string& value) {
   return query::short_number(number) + value.substr(end);
 }
 
-/// Settings for people: the first four, with short numbers. The file claims.json has all of them, with every
-/// digit.
+/// Formats settings for the terminal: the first four, with short numbers. claims.json has all of them in
+/// full.
 std::string short_text(std::vector<diagram::Setting> settings) {
   constexpr std::size_t most = 4;
   const bool is_long = settings.size() > most;
@@ -58,7 +59,7 @@ std::string short_text(std::vector<diagram::Setting> settings) {
   return run::settings_text(settings) + (is_long ? ", ..." : "");
 }
 
-/// Says which of several runs came off worst, or at which values that all cases share.
+/// Adds the settings of the worst run to a verdict; with cases, only the settings that all cases share.
 void name_run(const LoadedModel& model, claim::Verdict& verdict) {
   const run::Job& job = model.job;
   const auto& sweep = job.plan.diagram.sweep;
@@ -76,15 +77,15 @@ void name_run(const LoadedModel& model, claim::Verdict& verdict) {
   verdict.shown += fmt::format(" ({})", short_text(settings));
 }
 
-/// A table by cases stands in the place of kept rows.
+/// Returns the recordings for figures and claims. With cases, a table by cases replaces the kept rows.
 std::vector<record::Recording> shown_of(const LoadedModel& model, const run::RunResult& result) {
   std::vector<record::Recording> shown = result.recordings;
   if (has_cases(model)) shown.front() = by_cases(*model.job.plan.diagram.sweep, *model.kept, shown.front());
   return shown;
 }
 
-/// Adds linear analyses, and what is found of the numbers of a sensitivity, behind the recordings of runs,
-/// which are empty where their rows have passed.
+/// Appends the recordings of linear analyses and of the sensitivity after those of the runs. The latter are
+/// empty if their rows were discarded.
 void add_analyses(const LoadedModel& model, const sensitivity::RunOutcomes& numbers, Outcome& outcome) {
   if (model.linear.empty() && !model.sensitivity) return;
   outcome.shown.resize(std::max(outcome.shown.size(), recordings_of(model)));

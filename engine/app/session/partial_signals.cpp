@@ -14,7 +14,7 @@ constexpr std::chrono::seconds before_first{2}, between_writes{1};
 
 }  // namespace
 
-/// One recording: the rows that wait, and the file once it is there.
+/// File of one recording, with the rows that are not written yet.
 struct PartialSignals::File {
   std::string path, title;
   std::vector<table::Column> rows;
@@ -67,7 +67,7 @@ void PartialSignals::row(const run::ObservedRun&, std::size_t recording, std::sp
 void PartialSignals::write() {
   try {
     for (const auto& file : files_) file->write();
-  } catch (const std::exception&) {  // a full disk: what is recorded is in memory, and is written at the end
+  } catch (const std::exception&) {  // e.g. a full disk; the rows stay in memory until the end
     refused_ = true;
   }
   due_ = Clock::now() + between_writes;

@@ -12,9 +12,9 @@
 
 namespace stepwire::session {
 
-/// Keeps what a long run records in HDF5 files of a folder while it goes on, `signals.h5.partial` and those
-/// of further periods: what is left of a run whose process is killed. Rows come there each second, after the
-/// first two seconds. For a run without a sweep.
+/// Observer that writes the rows of a long run to HDF5 files, so that they survive a kill of the process. The
+/// files are `signals.h5.partial`, and one for each further period.
+/// It writes every second, after the first two seconds. It supports runs without a sweep.
 class PartialSignals : public run::RunObserver {
  public:
   PartialSignals(std::string folder, const LoadedModel& model);
@@ -23,7 +23,7 @@ class PartialSignals : public run::RunObserver {
   PartialSignals& operator=(const PartialSignals&) = delete;
 
   void row(const run::ObservedRun& run, std::size_t recording, std::span<const double> numbers) override;
-  /// Removes the files: what was recorded is kept elsewhere.
+  /// Removes the files, after the results are stored elsewhere.
   void remove();
 
  private:
@@ -34,7 +34,7 @@ class PartialSignals : public run::RunObserver {
 
   std::vector<std::unique_ptr<File>> files_;  ///< by recording
   Clock::time_point due_;
-  bool refused_ = false;  ///< the system takes no more; the run goes on
+  bool refused_ = false;  ///< a write has failed; the run continues
 };
 
 }  // namespace stepwire::session

@@ -11,7 +11,7 @@ namespace stepwire::session {
 
 namespace {
 
-/// Appends the rows of a run from one of them on.
+/// Appends the rows of a run from row `first` on.
 void append_rows(record::Recording& all, const record::Recording& run, std::size_t first) {
   all.starts.push_back(all.table.rows());
   for (std::size_t i = 0; i < run.table.columns.size(); ++i) {
@@ -21,7 +21,7 @@ void append_rows(record::Recording& all, const record::Recording& run, std::size
   }
 }
 
-/// What a result takes in memory, about.
+/// Returns an estimate of the memory of a result.
 std::size_t bytes_of(const run::PointResult& result) {
   constexpr std::size_t of_a_result = 1024;
   std::size_t bytes = sizeof result + of_a_result;

@@ -13,7 +13,7 @@
 
 namespace stepwire::session {
 
-/// The rows of runs that figures read, those of each run alone.
+/// Rows of the runs that figures read.
 class DrawnRows {
  public:
   explicit DrawnRows(const LoadedModel& model) : model_(model) {}
@@ -27,16 +27,17 @@ class DrawnRows {
   std::vector<record::Recording> rows_;
 };
 
-/// Looks at the runs of a sweep one by one, in their order, and forgets their rows: claims judge them, files
-/// of runs take them.
+/// Consumer of the runs of a sweep in order. Each run is judged and written to the files of runs; then its
+/// rows are discarded.
 class PassedRuns {
  public:
-  /// Throws EnvironmentError.
+  /// Opens the files. Throws EnvironmentError.
   explicit PassedRuns(const LoadedModel& model, const RowUse& use = {});
 
-  /// A run behind those that were added; one between that is not added has no rows. Throws EnvironmentError.
+  /// Adds a run, in ascending order of points. Skipped points count as runs without rows. Throws
+  /// EnvironmentError.
   void add(run::PointResult result);
-  /// Judges, and ends the files.
+  /// Judges the claims and finishes the files.
   Outcome take();
 
  private:
@@ -49,17 +50,18 @@ class PassedRuns {
   RunJudges judges_;
   DrawnRows drawn_;
   bool draws_;
-  std::vector<std::vector<std::unique_ptr<RunFile>>> files_;  ///< [recording]
+  std::vector<std::vector<std::unique_ptr<RunFile>>> files_;  ///< by recording
   std::size_t next_ = 0;
-  bool misses_ = false;  ///< a run that was not added
+  bool misses_ = false;  ///< true after a skipped run
 };
 
-/// Names all points of a sweep, and passes what they give in their order. What points behind the next one gave
-/// waits for it; where this takes too much memory, no thread begins a further point. It ends in any case: the
-/// next one is named, and no thread that waits has it.
+/// Exchange that names all points of a sweep and passes their results to PassedRuns in order.
+/// Threads finish points out of order, so results wait until all earlier ones are passed. To bound the
+/// memory, a thread begins no further point while the waiting results exceed a limit. The thread that has the
+/// next point in order never waits, so there is no deadlock.
 class PointsInOrder : public run::PointExchange {
  public:
-  /// A thread begins a point where no more than `most_waiting` bytes wait.
+  /// `most_waiting` is the limit of waiting results [bytes].
   explicit PointsInOrder(const LoadedModel& model, std::size_t most_waiting = std::size_t{64} << 20)
       : points_(model.job.points.size()), most_waiting_(most_waiting), passed_(model) {}
 
@@ -68,19 +70,19 @@ class PointsInOrder : public run::PointExchange {
   void leave() override;
   void take(run::PointResult result) override;
   double done() const override;
-  /// Once all that was named is taken.
+  /// Returns the outcome, after the results of all named points.
   Outcome outcome();
-  /// The most that has waited [bytes].
+  /// Returns the largest size of waiting results so far [bytes].
   std::size_t peak() const;
 
  private:
   const std::size_t points_, most_waiting_;
   mutable std::mutex mutex_;
   std::condition_variable moved_;
-  bool left_ = false;  ///< by a thread
+  bool left_ = false;  ///< a thread has left, so no thread waits any more
   std::size_t named_ = 0, next_ = 0, bytes_ = 0, peak_ = 0;
   std::atomic<std::size_t> taken_ = 0;
-  std::map<std::size_t, run::PointResult> waiting_;  ///< behind one that is not there yet
+  std::map<std::size_t, run::PointResult> waiting_;  ///< results whose predecessors are missing
   PassedRuns passed_;
 };
 

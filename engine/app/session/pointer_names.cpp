@@ -10,7 +10,7 @@ namespace {
 
 using Names = std::map<std::string, diagram::SignalRef>;
 
-/// What is wrong with a name; nothing where it is right.
+/// Returns the fault of a name; std::nullopt if it is an output.
 std::optional<yaml::Message> wrong_with(const std::string& name, const Names& names) {
   const auto found = names.find(name);
   if (found != names.end() && found->second.output >= 0) return std::nullopt;
@@ -28,7 +28,7 @@ void check_pointer_names(const diagram::Diagram& diagram, yaml::Faults& faults) 
   if (!pointer) return;
   const Names names = diagram::named_signals(diagram);
   const auto check = [&](const std::string& key, const yaml::Node& node) {
-    if (node.kind != yaml::Node::Kind::scalar) return;  // the form has said so
+    if (node.kind != yaml::Node::Kind::scalar) return;  // the form check has reported this
     if (const auto wrong = wrong_with(node.text, names))
       faults.add({{diagram.file, node.mark}, "scene.pointer." + key, *wrong, {}});
   };

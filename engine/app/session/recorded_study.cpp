@@ -21,7 +21,7 @@ std::string path_in(const std::string& folder, const std::string& name) {
   return (std::filesystem::path(folder) / name).string();
 }
 
-/// Under which name a signal is recorded.
+/// Returns the name under which a signal is recorded; empty if it is not.
 std::string recorded_name(const diagram::Diagram& diagram, const diagram::SignalRef& wanted) {
   for (const diagram::RecordRequest& record : diagram.records)
     for (const diagram::RecordedSignal& signal : record.signals)
@@ -57,7 +57,7 @@ Json published_json(const study::PublishedStudy& published) {
   return json.set("examples", std::move(examples)).set("order", std::move(order));
 }
 
-/// The section of a diagram file that asks for the same study of the copied trials; what is JSON is YAML.
+/// Returns the section `study` for the same study of the copied trials. It is JSON, which is also YAML.
 Json section_json(const study::StudyRequest& request, const diagram::Diagram& diagram) {
   Json section = Json::object()
                      .set("task", request.task)
@@ -73,7 +73,7 @@ Json section_json(const study::StudyRequest& request, const diagram::Diagram& di
   return section;
 }
 
-/// The first line in which a file of the folder differs from what it should be.
+/// Returns the first line in which a file differs from the expected text; empty if none.
 std::string difference(const std::string& path, const std::string& wanted) {
   std::istringstream there(io::read_file(path)), here(wanted);
   std::string one, other;

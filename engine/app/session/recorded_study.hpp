@@ -6,15 +6,15 @@
 
 namespace stepwire::session {
 
-/// Writes into the folder of a study of recorded trials what verify_recorded() needs: the flattened diagram
-/// with the study as its section, and a copy of the trials. Throws EnvironmentError.
+/// Writes the inputs of verify_recorded() into the folder of a study of recorded trials: the flattened
+/// diagram with the section `study`, and a copy of the trials. Throws EnvironmentError.
 void write_recorded(const std::string& folder, const LoadedModel& model);
 
-/// Is it such a folder?
+/// True if the folder is of a study of recorded trials.
 bool has_recorded(const std::string& folder, const Registry& registry);
 
-/// Scores and analyses the trials of such a folder again. "errors.csv:3: ..." where its errors or its tables
-/// have come out otherwise; empty where all bits agree. Throws Error, TableError, EnvironmentError.
+/// Repeats scores and analysis of the recorded trials. Returns the first difference of errors or tables,
+/// "errors.csv:3: ..."; empty if all bits agree. Throws Error, TableError and EnvironmentError.
 std::string verify_recorded(const std::string& folder, const Registry& registry);
 
 }  // namespace stepwire::session

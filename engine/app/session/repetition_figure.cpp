@@ -16,7 +16,8 @@ bool is_probability(const std::string& name) {
   return name.starts_with("p.");
 }
 
-/// Its panel with a line at the thesis' value. The more experiments, the finer its bins.
+/// Adds a histogram with a line at the published value. The number of bins grows with the number of
+/// experiments.
 void draw_value(const study::Distribution& one, plot::FigureBuilder& figure) {
   const bool p = is_probability(one.name);
   std::vector<double> values = one.values;

@@ -5,8 +5,8 @@
 
 namespace stepwire::session {
 
-/// Histograms of the values that the thesis prints, over all experiments, with a line at the thesis' value. P
-/// is drawn by its logarithm.
+/// Returns histograms over all experiments of the values that the thesis prints, with a line at the printed
+/// value. P values are drawn by their logarithm.
 plot::FigureSpec repetition_figure(const std::vector<study::ExperimentOutcome>& experiments,
                                    const study::StudyRequest& request);
 

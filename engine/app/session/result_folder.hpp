@@ -9,10 +9,10 @@
 
 namespace stepwire::session {
 
-/// The folder of a model's results, from now on this run's alone; results of earlier runs are removed from
-/// it. What the model itself reads may lie there, and experiments that took hours stay for the call that goes
-/// on with them. Throws EnvironmentError where another run owns the folder or where it holds files with the
-/// names of results that no run wrote: before the run, not behind it. Null for an empty name.
+/// Takes ownership of the folder of a model's results, and removes results of earlier runs. Inputs of the
+/// model in the folder stay, and so do journals of experiments, which the next call continues.
+/// Throws EnvironmentError, before the run, if another run owns the folder or if a foreign file has the name
+/// of a result. Returns nullptr for an empty name.
 std::unique_ptr<io::OwnedFolder> own_results(const std::string& folder, const LoadedModel& model,
                                                const FileKinds& kinds = usual_files);
 

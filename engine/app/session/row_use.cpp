@@ -13,7 +13,7 @@ namespace stepwire::session {
 
 namespace {
 
-/// What needs all rows at once, where it is written, and what does not need them.
+/// Part of a file or call that needs the rows of all runs at once, with an alternative that does not.
 struct Need {
   yaml::Place place;
   std::string subject, what, cure;

@@ -4,19 +4,18 @@
 
 namespace stepwire::session {
 
-/// What a call makes of the rows of the runs of a sweep, beside what claims say of them.
+/// Outputs of a call that need rows of a sweep's runs. Claims are not included.
 struct RowUse {
-  std::string folder{};  ///< for pictures and files; empty: there are none
-  FileKinds files{};     ///< of the signals, in the folder
-  bool table = false;    ///< one table of all rows, as text
+  std::string folder{};  ///< folder of pictures and files; empty: none
+  FileKinds files{};     ///< kinds of signal files in the folder
+  bool table = false;    ///< one text table of all rows
 };
 
-/// Is each run of the model's sweep looked at by itself, in their order, so that its rows need not be kept in
-/// memory?
+/// True if the runs can be processed one by one in order, so that their rows need not stay in memory.
 bool goes_run_by_run(const LoadedModel& model, const RowUse& use);
 
-/// Refuses, as an Error with the place of each, what needs all rows of all runs at once, where they take more
-/// memory than is free.
+/// Throws Error with the place of each output that needs the rows of all runs at once, if these exceed the
+/// free memory.
 void require_rows(const LoadedModel& model, const RowUse& use);
 
 }  // namespace stepwire::session

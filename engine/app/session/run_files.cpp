@@ -18,9 +18,9 @@ using json::Json;
 
 namespace {
 
-constexpr std::size_t max_listed = 10'000;  // values of an axis; sweep.csv has all
+constexpr std::size_t max_listed = 10'000;  // Longest list of values of an axis; sweep.csv has all values.
 
-/// What was varied, in the order in which a MAT file numbers words from 0.
+/// Returns the axes of the sweep. Words are in the order in which a MAT file numbers them from 0.
 Json sweep_json(const run::Job& job) {
   if (job.points.empty()) return {};
   Json axes = Json::list();
@@ -36,7 +36,7 @@ Json sweep_json(const run::Job& job) {
   return axes;
 }
 
-/// What a sweep keeps of each run; null of one run.
+/// Returns the kind of data that a sweep keeps of each run; null for a single run.
 Json kept_word(const LoadedModel& model) {
   if (model.kept) return "numbers";
   const auto& sweep = model.job.plan.diagram.sweep;
@@ -44,7 +44,7 @@ Json kept_word(const LoadedModel& model) {
   return sweep->keep == diagram::Sweep::Keep::final ? "final" : "rows";
 }
 
-/// The reductions by name, as they are written; null where none are kept.
+/// Returns the expressions of the kept numbers by name; null if there are none.
 Json kept_texts(const LoadedModel& model) {
   if (!model.kept) return {};
   Json texts = Json::object();
@@ -53,7 +53,8 @@ Json kept_texts(const LoadedModel& model) {
   return texts;
 }
 
-/// Runs whose rows are recorded beside the numbers of all, numbered from 1; null without any.
+/// Returns the numbers, from 1, of the runs whose rows are recorded in addition to the kept numbers; null
+/// without any.
 Json recorded_runs(const LoadedModel& model) {
   if (!model.kept || recordings_of(model) == 1) return {};
   Json runs = Json::list();
@@ -122,8 +123,8 @@ Json diagnostics_json(const Outcome& outcome) {
   return diagnostics;
 }
 
-/// How many runs of a sweep or a study were stepped together, and why some or all were not; null for a single
-/// one.
+/// Returns the number of lanes in which runs were stepped together, and the reason for runs without lanes;
+/// null for a single run.
 Json lanes_json(const run::Job& job, const run::RunResult& result) {
   if (job.points.empty()) return nullptr;
   const Json why = result.lanes.why_not.empty() ? Json(nullptr) : Json(result.lanes.why_not);
@@ -144,7 +145,7 @@ Json algebraic_loops_json(const std::vector<run::LoopCost>& loops) {
   return list;
 }
 
-/// Null without control of the error.
+/// Returns the counts of adaptive steps; null without error control.
 static Json steps_json(const diagram::Diagram& diagram, const run::StepCount& steps) {
   if (!diagram.error_control) return {};
   return Json::object()
@@ -156,13 +157,13 @@ static Json steps_json(const diagram::Diagram& diagram, const run::StepCount& st
       .set("stiff", diagram.solver == "auto" ? Json(steps.stiff) : Json());
 }
 
-/// Null where none are looked for.
+/// Returns the counts of located events; null without event location.
 static Json events_json(const diagram::Diagram& diagram, const run::EventCount& events) {
   if (!diagram.events.locate) return {};
   return Json::object().set("located", events.located).set("most_in_a_step", events.most_in_a_step);
 }
 
-/// The head of the file as it was run.
+/// Returns the head of the file as it was run.
 static Json head_json(const LoadedModel& model) {
   const diagram::Diagram& diagram = model.job.plan.diagram;
   return Json::object()
@@ -206,7 +207,7 @@ std::vector<std::string> write_outputs(const std::string& folder, const LoadedMo
   io::write_file(folder + "/claims.json", claims_json(model, outcome).text() + "\n");
   io::write_file(folder + "/run.json", run_json(model, outcome).text() + "\n");
   std::vector<std::string> pictures;
-  // Of a run that ended early the recordings are kept; a picture of them might be taken for the whole.
+  // The recordings of an early end are kept, but a picture of them could be mistaken for that of a whole run.
   if (!outcome.result.faults.empty() || outcome.result.interrupted) return pictures;
   for (std::size_t i = 0; i < model.figures.size(); ++i) {
     const std::string name = io::numbered("figure", i, "");

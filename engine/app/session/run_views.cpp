@@ -9,7 +9,7 @@ RunViews::RunViews(const LoadedModel& model, const record::Recording& recording,
     : recording_(recording), first_(first), words_(recording.categories) {
   const auto& sweep = model.job.plan.diagram.sweep;
   if (model.kept && number > 0) points_ = sweep->recorded_points();
-  // Of a sweep that keeps one row of each run these rows are one table.
+  // If a sweep keeps one row per run, its rows form a single table.
   if (sweep && !model.job.points.empty() && (sweep->keep == diagram::Sweep::Keep::rows || !points_.empty()))
     for (const diagram::Sweep::Axis& axis : sweep->axes) swept_.insert(axis.parameter);
   for (record::Categories& column : words_)

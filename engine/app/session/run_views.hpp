@@ -11,16 +11,17 @@
 
 namespace stepwire::session {
 
-/// The runs of a recording one by one, for files with a place for each. The recording must outlive this and
-/// the views.
+/// Views of the single runs in a recording, for files with one group per run. The recording must outlive the
+/// object and its views.
 class RunViews {
  public:
-  /// `first` is the index of the recording's first run among all runs, `number` that of the recording.
+  /// `first` is the index of the recording's first run among all runs; `number` is the index of the
+  /// recording.
   RunViews(const LoadedModel& model, const record::Recording& recording, std::size_t first = 0,
            std::size_t number = 0);
 
   std::size_t count() const { return swept_.empty() ? 1 : recording_.starts.size(); }
-  /// A run without rows has empty columns, and no values of what it sets.
+  /// Returns the view of a run. A run without rows has empty columns and no swept values.
   table::RunView view(std::size_t run) const;
 
  private:
@@ -28,9 +29,9 @@ class RunViews {
 
   const record::Recording& recording_;
   std::size_t first_;
-  std::vector<std::size_t> points_{};      ///< of the runs, where the recording has some of them; else empty
-  std::set<std::string> swept_;            ///< columns that are one value in each run
-  std::vector<record::Categories> words_;  ///< without quotes
+  std::vector<std::size_t> points_{};      ///< Indices of the runs if only some are recorded; else empty.
+  std::set<std::string> swept_;            ///< Columns with one value per run.
+  std::vector<record::Categories> words_;  ///< Texts without quotes.
 };
 
 }  // namespace stepwire::session

@@ -5,7 +5,8 @@ namespace stepwire::session {
 namespace {
 
 bool outlast_compilation(const run::Job& job, double runs) {
-  constexpr double per_block = 5e-8, compilation = 1.5;  // an interpreted block in a tick, and a compilation [s]
+  // Costs of an interpreted block per tick, and of a compilation [s].
+  constexpr double per_block = 5e-8, compilation = 1.5;
   double ticks = job.points.empty() ? static_cast<double>(job.plan.steps) : 0.0;
   for (std::size_t point = 0; point < job.points.size(); ++point)
     ticks += static_cast<double>(job.plan_of(point).steps);

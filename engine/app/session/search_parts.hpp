@@ -8,17 +8,17 @@
 
 namespace stepwire::session {
 
-/// What a call sets, its stop time among it.
+/// Returns the settings of the call, with the stop time as one of them.
 std::vector<diagram::Setting> call_settings(const LoadOptions& options);
 
-/// What the runs of a search for values of a model's parameters are made of, such as a fit or a tuning.
+/// Loader, code and settings for the runs of a search over parameter values, in a fit or an optimisation.
 struct SearchParts {
-  /// `runs` counts runs, each of all points of a sweep. With the automatic mode code is compiled for them if
-  /// they would take longer than a compilation.
+  /// `runs` is an estimate of the runs, each over all points of a sweep. In automatic mode code is compiled
+  /// if interpreting them would take longer than a compilation.
   SearchParts(const Registry& registry, const LoadedModel& model, run::ExecutionMode engine, double runs);
 
   codegen::GeneratedCode code{run::code_trial()};
-  plan::CodeSource* used;  ///< the code; null: runs are interpreted
+  plan::CodeSource* used;  ///< &code; nullptr: runs are interpreted
   diagram::Loader loader;
   std::vector<diagram::Setting> settings;
 };

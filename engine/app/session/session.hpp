@@ -13,10 +13,11 @@
 
 namespace stepwire::session {
 
-/// What the doors to the engine do with diagram files: each call returns data, throws Error for what is wrong
-/// in a file and EnvironmentError for what is wrong around it, and shows what takes long to the monitor.
-/// Nothing here prints, ends the process or knows a terminal. What calls can share (compiled code, studies)
-/// is kept between them. One thread at a time, but for study().
+/// Operations of all user interfaces on diagram files. Each call returns data and reports the progress of
+/// long operations to the monitor.
+/// Calls throw Error for faults in a file and EnvironmentError for faults of its surroundings. They do not
+/// print, end the process or depend on a terminal.
+/// Compiled code and studies are shared between calls. Not thread-safe, except for study().
 class Session {
  public:
   /// The registry must outlive the session and the models that it loads.
@@ -24,32 +25,33 @@ class Session {
       : registry_(registry), monitor_(std::move(monitor)) {}
 
   const Registry& registry() const { return registry_; }
-  /// For the calls that follow.
+  /// Returns the monitor of later calls.
   Monitor& monitor() { return monitor_; }
 
-  /// Loads and plans a file, and reads its figures, claims, fit, study and scene: all that can be wrong
-  /// before the first step is found here.
+  /// Loads and plans a file, and reads its figures, claims, fit, study and scene. It reports all faults that
+  /// can be found before the first step.
   LoadedModel load(const std::string& file, const LoadOptions& options = {}) const;
-  /// Runs a model, or all points of its sweep on so many threads (0: all cores), and judges its claims.
+  /// Runs a model, or all points of its sweep on `threads` threads (0: all cores), and judges its claims.
   Outcome run(const LoadedModel& model, run::ExecutionMode engine = run::ExecutionMode::automatic,
               unsigned threads = 0);
-  /// Runs all points of the model's sweep, whose rows are looked at run by run and not kept, and judges.
+  /// Runs all points of the sweep and judges the claims run by run, without keeping rows in memory.
   Outcome pass(const LoadedModel& model, run::ExecutionMode engine = run::ExecutionMode::automatic,
                unsigned threads = 0);
-  /// Runs the points of the model's sweep that an exchange names, on so many threads (0: all cores).
+  /// Runs the points of the sweep that an exchange names, on `threads` threads (0: all cores).
   PointsReport run(const LoadedModel& model, run::PointExchange& points,
                    run::ExecutionMode engine = run::ExecutionMode::automatic, unsigned threads = 0);
-  /// Finds the parameters that the model's section `fit` names.
+  /// Estimates the parameters of the model's section `fit`.
   estimation::FitResult fit(const LoadedModel& model, const FitCall& call = {});
-  /// The model with what a fit found.
+  /// Returns the model reloaded with fitted values.
   LoadedModel fitted(const LoadedModel& model, const estimation::FitResult& result) const;
-  /// Finds the parameters that the model's section `tune` names.
+  /// Optimises the parameters of the model's section `tune`.
   tuning::TuneResult tune(const LoadedModel& model, const TuneCall& call = {});
-  /// The model with what a tuning found.
+  /// Returns the model reloaded with optimised values.
   LoadedModel tuned(const LoadedModel& model, const tuning::TuneResult& result) const;
-  /// Performs the model's study, or finds that it was performed; study_outcome() puts it into the model.
+  /// Performs the model's study, or returns the earlier result of the same study. study_outcome() converts it
+  /// to an outcome.
   Studies::Shared study(const LoadedModel& model, const StudyCall& call = {});
-  /// Replays what a run left in its folder.
+  /// Replays the run in a folder and compares the results.
   replay::Verification replay(const std::string& folder) const;
 
  private:

@@ -16,7 +16,7 @@ namespace stepwire::session {
 
 namespace {
 
-/// What writes one recording to a path; or what opens a file of runs.
+/// File format, with a writer of a recording or an opener of a file of runs.
 struct Kind {
   FileKind kind;
   const char* name;
@@ -24,7 +24,8 @@ struct Kind {
   std::unique_ptr<RunFile> (*open)(const std::string& path, const std::string& title);
 };
 
-/// Swept words stand in their column as numbers: a MAT file keeps these, a table for people has the words.
+/// Returns the texts of swept words. The columns have their numbers, which MAT files store; a CSV file has
+/// the words.
 table::ColumnWords words_of(const record::Recording& recording) {
   table::ColumnWords words;
   for (const record::Categories& column : recording.categories)
@@ -74,7 +75,7 @@ std::string signals_csv(const record::Recording& recording) {
 FileKinds files_for(const LoadedModel& model, const std::optional<FileKinds>& named) {
   const diagram::Diagram& diagram = model.job.plan.diagram;
   const double numbers = run::most_numbers(model.job);
-  // Where a condition may stop a run, nobody knows how much it records.
+  // The number of recorded values is unknown if a condition can stop the run.
   if (numbers <= most_numbers_of_csv || diagram.stop_when || model.study) return named.value_or(usual_files);
   if (!named) return {FileKind::h5};
   if (std::ranges::find(*named, FileKind::csv) == named->end()) return *named;

@@ -25,17 +25,17 @@ study::Experiments make_experiments(const Registry& registry, const LoadedModel&
   KeptExperiments kept(model, call.kept);
   const std::vector<std::uint64_t> seeds = kept.missing();
   StudyCall own = call;
-  if (call.workers) own.engine = run::ExecutionMode::interpreted;  // it runs nothing itself
+  if (call.workers) own.engine = run::ExecutionMode::interpreted;  // the workers run the trials
   StudyParts parts(registry, model, own, seeds.size(), monitor);
   study::Experiments experiments = call.workers ? perform_by(*call.workers, parts, model, seeds, kept)
                                                 : perform_here(*parts.runs, model, seeds, kept, monitor);
   study::number_plans(experiments, *parts.runs);
-  parts.runs.reset();  // so that nothing is compiled any more, which may have a problem to tell
+  parts.runs.reset();  // Ends the compilation, which could still report a problem.
   monitor.note_interpreted(parts.code.take_problem());
   return experiments;
 }
 
-/// What tells the trials apart, as the axes of a sweep: those of the file's own come first.
+/// Returns a sweep whose axes identify the trials: the axes of the file, then subject and condition.
 diagram::Sweep axes_of(const LoadedModel& model) {
   const study::StudyRequest& request = *model.study;
   diagram::Sweep sweep = model.job.plan.diagram.sweep.value_or(diagram::Sweep{});
@@ -48,9 +48,9 @@ diagram::Sweep axes_of(const LoadedModel& model) {
 
 run::ExecutionMode engine_of(const LoadedModel& model, const StudyCall& call, std::size_t experiments) {
   if (call.engine != run::ExecutionMode::automatic) return call.engine;
-  // What an interpreted block takes per tick, and the part of `stop` that a trial lasts.
+  // Cost of an interpreted block per tick [s], and mean duration of a trial as a fraction of `stop`.
   constexpr double per_block = 2e-8, part = 0.25;
-  // [s]: from when a compilation is worth a core of its own, and from when it is worth waiting for.
+  // Durations from which a compilation beside the trials, or before them, is worth its cost [s].
   constexpr double beside = 4.0, ahead = 20.0;
   const plan::Plan& plan = model.job.plan;
   const auto trials =

@@ -1,4 +1,4 @@
-// What a study leaves in its folder.
+// Files of a study in its folder.
 #include <fmt/format.h>
 
 #include "engine/analyse/study/comparison_tables.hpp"
@@ -80,7 +80,7 @@ Json analysis_json(const study::TaskAnalysis& analysis, const study::StudyReques
       .set("side_by_side", std::move(both));
 }
 
-/// What came out of each experiment.
+/// Returns the outcomes of each experiment.
 Json experiments_json(const study::Experiment& experiment, const study::StudyRequest& request) {
   Json list = Json::list();
   for (const study::ExperimentOutcome& one : study::outcomes(experiment, request)) {
@@ -91,13 +91,13 @@ Json experiments_json(const study::Experiment& experiment, const study::StudyReq
   return list;
 }
 
-/// How many columns of a recording, behind the time, say at which point of a sweep its rows are.
+/// Returns the number of columns, after the time, with swept values.
 std::ptrdiff_t swept_columns_of(const record::Recording& recording) {
   const auto first = std::ranges::find(recording.table.columns, "subject", &table::Column::name);
   return first - recording.table.columns.begin() - 1;
 }
 
-/// What follows the columns of the errors: how the trials of a person followed each other.
+/// Appends columns with the order of each subject's trials to the table of errors.
 void add_sequence(const LoadedModel& model, const study::Experiments& experiments, table::Table& table) {
   for (std::size_t i = 0; i < experiments.size(); ++i) {
     const auto more = study::sequence_columns(experiments[i], *model.study, model.job.plan.diagram);
@@ -110,15 +110,16 @@ void add_sequence(const LoadedModel& model, const study::Experiments& experiment
   }
 }
 
-/// Trials with the values that were carried into them.
+/// Returns the trials as CSV, with the values that were carried into them.
 std::string trials_text(const LoadedModel& model, const study::Experiment& experiment) {
   std::vector<table::Column> columns =
       study::sequence_columns(experiment, *model.study, model.job.plan.diagram);
-  if (columns.size() == 1) columns.clear();  // the order alone is in the errors
+  if (columns.size() == 1) columns.clear();  // the order of trials is already in the errors
   return study::trials_csv(experiment.trials, columns);
 }
 
-/// The errors of all trials; those of a sweep behind the swept values, as the recording of errors has them.
+/// Returns the errors of all trials as CSV. For a sweep the swept values precede them, as in the recording of
+/// errors.
 std::string errors_csv(const LoadedModel& model, const study::Experiments& experiments,
                        const record::Recording& recording) {
   study::PathErrors all = experiments.front().errors;
@@ -136,7 +137,7 @@ std::string errors_csv(const LoadedModel& model, const study::Experiments& exper
   return table::csv_text(table, words);
 }
 
-/// Adds what one experiment found.
+/// Adds the results of one experiment.
 Json add_experiment(Json json, const study::Experiment& experiment, const study::StudyRequest& request) {
   json.set("rule", experiment.errors.rule)
       .set("remarks", Json::list_of(experiment.remarks))
@@ -175,7 +176,8 @@ std::string errors_text(const LoadedModel& model, const study::Experiments& expe
 
 std::string tables_text(const LoadedModel& model) {
   std::string all;
-  for (const query::NamedTable& one : model.tables)  // these tables compare several experiments
+  // The tables "experiments..." compare several experiments.
+  for (const query::NamedTable& one : model.tables)
     if (model.study->experiments > 1 || !one.name.starts_with("experiments"))
       all += (all.empty() ? "" : "\n") + text::text(*one.table);
   return all;

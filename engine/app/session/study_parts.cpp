@@ -10,7 +10,7 @@ namespace stepwire::session {
 
 namespace {
 
-/// How far the experiments are.
+/// Progress counter of trials and experiments.
 class StudyProgress {
  public:
   StudyProgress(const study::StudyRequest& request, std::size_t studies, std::size_t experiments,

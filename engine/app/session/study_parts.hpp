@@ -9,9 +9,9 @@
 
 namespace stepwire::session {
 
-/// The trials of a model's study.
+/// Loader, code and trials of a model's study.
 struct StudyParts {
-  /// Of so many experiments. Throws Error.
+  /// Prepares the trials of `experiments` experiments. Throws Error.
   StudyParts(const Registry& registry, const LoadedModel& model, const StudyCall& call,
              std::size_t experiments, const Monitor& monitor)
       : loader(registry, model.options.limits, model.options.reader) {
@@ -26,13 +26,13 @@ struct StudyParts {
   std::optional<study::TrialRuns> runs;
 };
 
-/// The experiments of these seeds: those of the first seed with the outcomes of the others; empty after an
-/// interruption. Throws Error.
+/// Performs the experiments of these seeds. Returns those of the first seed, completed by the outcomes of the
+/// others; empty after an interruption. Throws Error.
 study::Experiments perform_here(study::TrialRuns& runs, const LoadedModel& model,
                                 const std::vector<std::uint64_t>& seeds, KeptExperiments& kept,
                                 const Monitor& monitor);
 
-/// The same by other processes. Throws as ItemWorkers do, and Error.
+/// Does the same with other processes. Throws the exceptions of ItemWorkers, and Error.
 study::Experiments perform_by(messages::ItemWorkers& workers, StudyParts& parts, const LoadedModel& model,
                               const std::vector<std::uint64_t>& seeds, KeptExperiments& kept);
 

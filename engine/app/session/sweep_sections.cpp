@@ -24,7 +24,8 @@ query::SymbolTable names_of_figures(const LoadedModel& model, const query::Symbo
   }
   for (query::RecordedName name : rows.columns) {
     if (!name.recording && all.find(name.name)) continue;
-    name.recording = name.recording.value_or(0) + 1;  // what is set in cases is a column of these rows alone
+    // A swept parameter of the cases is a column of these rows only.
+    name.recording = name.recording.value_or(0) + 1;
     all.columns.push_back(std::move(name));
   }
   all.unknown = "is no number that the sweep keeps of a run, and no signal that is recorded";
@@ -33,7 +34,7 @@ query::SymbolTable names_of_figures(const LoadedModel& model, const query::Symbo
 
 namespace {
 
-/// Figures name both the numbers of runs and what is recorded of some of them.
+/// Refuses numbers with the name of a recorded signal, because figures can name both.
 void refuse_names_of_signals(const LoadedModel& model, yaml::Faults& faults) {
   const query::SymbolTable rows = kept::names_of(model.job);
   for (const yaml::Entry& kept : model.job.plan.diagram.sweep->kept.entries)
@@ -71,7 +72,7 @@ bool has_cases(const LoadedModel& model) {
   return model.kept && sweep && !sweep->cases().empty();
 }
 
-/// True where a panel shows the numbers of runs, not rows of some of them.
+/// True if a panel shows the kept numbers of all runs, not rows of some runs.
 static bool reads_kept(const LoadedModel& model, const plot::Panel& panel) {
   return !model.kept || std::ranges::find(panel.recordings, std::size_t{0}) != panel.recordings.end();
 }
@@ -83,7 +84,7 @@ void draw_kept_as_points(const LoadedModel& model, std::vector<plot::Figure>& fi
     for (plot::Panel& panel : figure.panels)
       if (panel.find("x") && reads_kept(model, panel)) {
         panel.final_rows = true;
-        panel.points_only = panel.points_only || sweep->design;  // what is drawn has no order
+        panel.points_only = panel.points_only || sweep->design;  // drawn points have no order
       }
 }
 

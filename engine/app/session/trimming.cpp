@@ -1,4 +1,4 @@
-// Operating points of files.
+// Operating points of diagram files.
 #include <fmt/format.h>
 
 #include "engine/app/session/linearizing.hpp"

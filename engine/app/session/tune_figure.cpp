@@ -1,4 +1,4 @@
-// What a tuning looked at, as a picture.
+// Figure of an optimisation.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_panels = 12;
 
-/// The evaluations that hold all claims and are the best so far, by number.
+/// Returns the indices of the evaluations that are feasible and the best so far.
 std::vector<std::size_t> improvements(const tuning::TuneResult& result) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < result.history.size(); ++i) {
@@ -25,7 +25,7 @@ std::vector<std::size_t> improvements(const tuning::TuneResult& result) {
   return found;
 }
 
-/// A line of steps: each value holds up to the next improvement, the last one to the end.
+/// Returns a step curve: each value holds until the next improvement, the last one to the end.
 template <class Value>
 plot::NumberCurve steps_of(const tuning::TuneResult& result, const std::vector<std::size_t>& at, Value value,
                            const std::string& legend) {
@@ -40,7 +40,7 @@ plot::NumberCurve steps_of(const tuning::TuneResult& result, const std::vector<s
   return curve;
 }
 
-/// Are all above 0, and the largest more than ten times the smallest?
+/// True if all values are positive and the largest exceeds ten times the smallest.
 bool spans_decades(const std::vector<double>& values) {
   if (values.empty()) return false;
   const auto [low, high] = std::ranges::minmax_element(values);

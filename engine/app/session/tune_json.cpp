@@ -1,4 +1,4 @@
-// What a tuning found, for programs.
+// JSON and CSV of an optimisation.
 #include <fmt/format.h>
 
 #include "engine/app/session/tuning.hpp"
@@ -26,7 +26,7 @@ Json tuned_json(const tuning::TunedNumber& number) {
       .set("at_bound", number.at_bound);
 }
 
-/// With the derivatives by the parameters, in deviations for each way from bound to bound.
+/// Returns the targets with their derivatives by the parameters, in deviations per range from bound to bound.
 Json tuned_targets_json(const tuning::TuneResult& result) {
   Json list = Json::list();
   const auto& jacobian = result.resolution.jacobian;

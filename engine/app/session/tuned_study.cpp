@@ -9,10 +9,11 @@ namespace stepwire::session {
 
 namespace {
 
-/// How far from the start a value is tried, by its share, so that code is not compiled for the start alone.
+/// Offset from the start, as a fraction of a parameter's range. With several values the compiled code does
+/// not fix those of the start.
 constexpr double aside = 0.01;
 
-/// The start of a tuning, and values a little above and below.
+/// Returns the settings of the start, and of values slightly above and below it.
 std::vector<std::vector<diagram::Setting>> about_start(const tuning::TuneRequest& request) {
   std::vector<std::vector<diagram::Setting>> all;
   for (const double by : {0.0, aside, -aside}) {
@@ -24,7 +25,7 @@ std::vector<std::vector<diagram::Setting>> about_start(const tuning::TuneRequest
   return all;
 }
 
-/// How a study is performed that a tuning repeats.
+/// Returns the options of the repeated study.
 StudyCall study_call(const TuneCall& call) {
   StudyCall study;
   study.engine = call.engine;
@@ -53,7 +54,7 @@ TunedStudy::TunedStudy(const Registry& registry, const LoadedModel& model, const
                                         seeds_.size() * request.evaluations, monitor_);
 }
 
-/// A point for each point of the file's sweep with each of these values.
+/// Sets the points of the job: each point of the file's sweep, for each of these values.
 void TunedStudy::set_points(const std::vector<std::vector<diagram::Setting>>& values) {
   run::Job& job = varied_.job;
   job.points.clear();

@@ -10,25 +10,25 @@
 
 namespace stepwire::session {
 
-/// The study of a model whose parameters are tuned: its experiments with any values of them, each time with
-/// the same people, noises and orders, so that only the values make a difference. All share plans and code.
+/// Study within an optimisation: performs the experiments with given parameter values. Subjects, noises and
+/// orders are the same each time, so that only the values make a difference. All calls share plans and code.
 class TunedStudy {
  public:
-  /// The registry, the model and what the monitor points to must outlive it. Throws Error.
+  /// The registry, the model and the pointers of the monitor must outlive the object. Throws Error.
   TunedStudy(const Registry& registry, const LoadedModel& model, const tuning::TuneRequest& request,
              const TuneCall& call, const Monitor& monitor);
 
-  /// The recordings of the experiments with these values; empty after an interruption, which `fault` then
-  /// names. One call after the other, from any thread. Throws Error where the diagram refuses the values.
+  /// Returns the recordings of the experiments with these values; empty after an interruption, which `fault`
+  /// then names. Thread-safe; calls are serialized. Throws Error if the diagram refuses the values.
   std::vector<record::Recording> run(const std::vector<diagram::Setting>& values, std::string& fault);
-  /// The reason why something was interpreted, if any was.
+  /// Returns the reason of an interpreted run, if there was one.
   std::string take_problem() { return parts_->code.take_problem(); }
 
  private:
   void set_points(const std::vector<std::vector<diagram::Setting>>& values);
 
   const LoadedModel& model_;
-  LoadedModel varied_;  ///< the points of its job have the values of an evaluation
+  LoadedModel varied_;  ///< its points have the values of the current evaluation
   Monitor monitor_;
   diagram::Loader loader_;
   std::vector<std::uint64_t> seeds_;

@@ -25,7 +25,7 @@ tuning::TuneRequest request_of(const LoadedModel& model, const TuneCall& call) {
   return request;
 }
 
-/// How many runs its searches need at least.
+/// Returns a lower bound of the number of runs of the searches.
 double runs_of(const tuning::TuneRequest& request) {
   constexpr std::size_t per_parameter = 20;
   return static_cast<double>(std::min(per_parameter * request.parameters.size(), request.evaluations) *
@@ -95,7 +95,7 @@ void write_tune(const std::string& folder, const LoadedModel& model, const tunin
   io::write_file(folder + "/tune-history.csv", history_csv(model, result));
   if (result.feasible && !result.numbers.empty())
     io::write_file(folder + "/parameters.yaml", parameters_text(model, result));
-  // An interruption ends what draws, too.
+  // An interruption would also end the renderer.
   if (!result.numbers.empty() && !result.interrupted)
     render::write_figure(folder, "tune-history", tune_figure(model, result));
 }

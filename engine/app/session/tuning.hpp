@@ -13,42 +13,44 @@
 
 namespace stepwire::session {
 
-/// What a call sets of a tuning, in place of the file's values.
+/// Options of an optimisation; values that are set replace those of the file.
 struct TuneCall {
   std::optional<std::size_t> starts{}, evaluations{};
-  std::optional<std::size_t> experiments{};  ///< of one evaluation of a study
+  std::optional<std::size_t> experiments{};  ///< experiments of a study per evaluation
   std::optional<std::uint64_t> seed{};
   unsigned threads = 0;  ///< 0: all cores
   run::ExecutionMode engine = run::ExecutionMode::automatic;
-  messages::ItemWorkers* workers = nullptr;  ///< that search from the starts; null: this process does
+  messages::ItemWorkers* workers = nullptr;  ///< processes that search; nullptr: this process
 };
 
-/// Finds the parameters that the file's section `tune` asks for. Throws Error.
+/// Optimises the parameters of the section `tune`. Throws Error.
 tuning::TuneResult tune_model(const Registry& registry, const LoadedModel& model, const TuneCall& call,
                               const Monitor& monitor);
 
-/// Searches of such a tuning for another process. The model must outlive it. Throws Error.
+/// Returns the searches of such an optimisation as work items for another process. The model must outlive
+/// them. Throws Error.
 messages::ItemWork tune_work(const Registry& registry, const LoadedModel& model, const TuneCall& call);
-/// How many searches there are, and all that decides what they find.
+/// Returns the number of searches, and a key of everything that determines their results.
 std::size_t most_searches(const LoadedModel& model, const TuneCall& call);
 std::string tune_key(const LoadedModel& model, const TuneCall& call);
 
-/// The options with what was found in the place of the file's values.
+/// Returns the options with the optimised values in place of those of the file.
 LoadOptions with_tuned(LoadOptions options, const tuning::TuneResult& result);
 
-/// The objective of all evaluations and the best so far, and below it the parameters of the best.
+/// Returns a figure with the objective of all evaluations and the best so far, and with the parameters of the
+/// best ones.
 plot::FigureSpec tune_figure(const LoadedModel& model, const tuning::TuneResult& result);
 
-/// Writes tune.json, tune-history.csv, parameters.yaml where all claims hold, and tune-history.svg unless the
-/// tuning was interrupted, into a folder. Throws EnvironmentError.
+/// Writes tune.json and tune-history.csv into a folder; parameters.yaml if all claims hold; tune-history.svg
+/// unless interrupted. Throws EnvironmentError.
 void write_tune(const std::string& folder, const LoadedModel& model, const tuning::TuneResult& result);
 
-/// All that was found, for programs.
+/// Returns all results of an optimisation as JSON.
 json::Json tune_json(const LoadedModel& model, const tuning::TuneResult& result);
-/// Each evaluation as a row: its start, whether it ran and holds all claims, the parameters, the objective
-/// and the margin of each claim. Cells of what there is none of are nan.
+/// Returns a row for each evaluation: its start, two flags (it ran, it is feasible), the parameters, the
+/// objective and the margin of each claim. Missing values are NaN.
 std::string history_csv(const LoadedModel& model, const tuning::TuneResult& result);
-/// What was found, as a file that --set-from takes.
+/// Returns the optimised values as text of a file for --set-from.
 std::string parameters_text(const LoadedModel& model, const tuning::TuneResult& result);
 
 }  // namespace stepwire::session

@@ -9,14 +9,14 @@
 
 namespace stepwire::thesis {
 
-/// What the gallery of a folder of diagram files says on its front page, and in which order they stand.
+/// Front page of a gallery, and the order of its entries.
 struct ThesisContents {
   std::string title, introduction;
-  std::map<int, int> tables;  ///< number of a table, and of the figure behind which it stands in the text
+  std::map<int, int> tables;  ///< number of a table to the number of the figure that it follows in the text
   std::vector<gallery::ChapterSummary> summaries;
 
-  /// Where an entry stands: behind which figure, and tables behind the figure itself; what is neither figure
-  /// nor table, or a table that is not named here, comes last.
+  /// Returns the sort key of an entry: (figure, 0) for a figure, (preceding figure, number) for a table.
+  /// Entries that are neither, and tables that are not listed, sort last.
   std::pair<int, int> place_of(const gallery::GalleryEntry& entry) const;
 };
 

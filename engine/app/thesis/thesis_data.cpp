@@ -13,10 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// From these sizes on CSV files are shared, and packed: smaller ones open at once in any program [bytes].
+/// Sizes [bytes] from which CSV files are shared and packed. Smaller files open at once in any program.
 constexpr std::uintmax_t shared_from = 50'000, packed_from = 500'000;
 
-/// A CSV file and the downloads that name it; the first of them is of the entry that keeps the file.
+/// CSV file and the downloads that name it; the first one is of the entry that keeps the file.
 struct DataFile {
   fs::path path;
   const gallery::GalleryEntry* keeper;
@@ -27,7 +27,7 @@ bool is_shared(const gallery::GalleryDownload& file) {
   return file.file.ends_with(".csv") && file.bytes >= shared_from;
 }
 
-/// Removes files that an earlier entry has as well.
+/// Removes files whose content an earlier entry already has, and returns the remaining ones.
 std::vector<DataFile> different_files(const std::string& out, std::vector<gallery::GalleryEntry>& entries) {
   std::vector<DataFile> files;
   std::map<std::string, std::size_t> known;

@@ -7,8 +7,8 @@
 
 namespace stepwire::thesis {
 
-/// Keeps one copy of each large data file that several entries have, that of the first entry, and packs large
-/// CSV files by gzip. Downloads name what is there then. Throws EnvironmentError.
+/// Keeps one copy of each large CSV file that several entries have, in the first entry, and compresses the
+/// largest by gzip. Updates the downloads accordingly. Throws EnvironmentError.
 void pack_data(const std::string& out, std::vector<gallery::GalleryEntry>& entries);
 
 }  // namespace stepwire::thesis

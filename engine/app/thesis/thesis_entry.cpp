@@ -26,7 +26,7 @@ std::string label_of(const diagram::Diagram& diagram) {
   return label;
 }
 
-/// What is drawn beside the figures of a file.
+/// Returns a picture that is not one of the file's figures, titled by its file name.
 gallery::GalleryPicture extra_picture(const std::string& file) {
   static const std::map<std::string, std::string> words{
       {"scene.svg", "The scene in motion"},
@@ -51,7 +51,7 @@ gallery::GalleryPicture picture_of(const plot::Figure& figure) {
 
 }  // namespace
 
-/// A part that is used several times assumes the same each time.
+/// Adds an assumption once, even if several instances of a part contain it.
 void add_assumption(const diagram::DiagramParameter& parameter,
                     std::vector<gallery::Assumption>& assumptions) {
   const auto short_name = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };

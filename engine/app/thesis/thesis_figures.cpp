@@ -54,7 +54,7 @@ std::vector<fs::path> figure_files(const ThesisCall& call) {
   return files;
 }
 
-/// Where experiments are kept that are done, for the call that goes on with them.
+/// Returns the folder of the experiment journals, from which a repeated call continues.
 std::string kept_folder(const ThesisCall& call) {
   return (fs::path(call.out) / "experiments").string();
 }
@@ -67,7 +67,7 @@ io::OwnedFolder::Files kept_files(const ThesisCall& call) {
   return files;
 }
 
-/// Makes the figures, several at a time; each entry stands at its file's place.
+/// Maker of the figures, several at a time; each entry has the index of its file.
 class Maker {
  public:
   Maker(const ThesisCall& call, const Registry& registry, const session::Monitor& monitor,
@@ -88,7 +88,7 @@ class Maker {
     work();
   }
 
-  /// In the order of the thesis.
+  /// Returns the entries in the order of the thesis.
   std::vector<gallery::GalleryEntry> entries(const ThesisContents& contents) const {
     std::vector<gallery::GalleryEntry> entries;
     for (const ThesisFigure& figure : figures_) entries.push_back(figure.entry);
@@ -143,7 +143,7 @@ class Maker {
     figure.outcome = std::move(outcome);
   }
 
-  /// What diagram files and their parts lie in.
+  /// Returns the folder that contains the diagram files and their parts.
   std::string root() const { return fs::path(call_.diagrams).parent_path().string(); }
 
   session::Outcome run(const session::LoadedModel& model, const std::string& folder) const {
@@ -151,7 +151,7 @@ class Maker {
     run::RunOptions options;
     options.interrupt = monitor_.interrupt;
     options.observers = monitor_.observers;
-    // The figures themselves are made in parallel, until no more of them wait than there are cores.
+    // Figures are made in parallel. The last ones, fewer than the cores, run with several threads each.
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     options.threads = next_ + cores < files_.size() ? 1 : 0;
     return session::run_model(model, options);
@@ -166,7 +166,7 @@ class Maker {
     return outcome;
   }
 
-  /// The names of its pictures.
+  /// Fits and reloads the model with the fitted values. Returns the names of the pictures.
   std::vector<std::string> fit_first(session::LoadedModel& model, const std::string& folder) const {
     session::FitCall call;
     call.threads = 1;
@@ -177,7 +177,7 @@ class Maker {
     return pictures;
   }
 
-  /// The progress is that of all figures.
+  /// Returns a monitor without progress display; progress counts whole figures.
   session::Monitor quiet() const { return {monitor_.interrupt, {}, {}, monitor_.observers}; }
 
   const ThesisCall& call_;

@@ -11,9 +11,9 @@
 
 namespace stepwire::thesis {
 
-/// Which figures of the thesis are made, and where.
+/// Options of make_thesis().
 struct ThesisCall {
-  std::vector<std::string> only;  ///< beginnings of file names: "fig15"; empty: all
+  std::vector<std::string> only;  ///< prefixes of file names such as "fig15"; empty: all
   std::string diagrams;           ///< folder with the diagram files
   std::string out = "out/thesis";
 };
@@ -21,14 +21,15 @@ struct ThesisCall {
 /// One diagram file of the thesis, made or not.
 struct ThesisFigure {
   gallery::GalleryEntry entry;
-  session::Outcome outcome;  ///< without its recordings
-  std::exception_ptr error;  ///< why it was not made; null where it was
+  session::Outcome outcome;  ///< outcome without its recordings
+  std::exception_ptr error;  ///< reason of the failure; nullptr after success
 };
 
-/// Makes the figures, several at a time; `made` gets each once it is done, from any thread but one at a time.
-/// Then writes the pages, unless interrupted with chapters as PDF, and returns the entries in the order of
-/// the thesis; the first page is `out`/index.html. Throws EnvironmentError; Error where no file begins as
-/// `only` says.
+/// Makes the figures, several at a time. `made` is called after each one, from any thread but never
+/// concurrently.
+/// Then writes the pages, and the chapters as PDF unless interrupted. Returns the entries in the order of the
+/// thesis. The first page is `out`/index.html.
+/// Throws EnvironmentError, and Error if no file name has a prefix in `only`.
 std::vector<gallery::GalleryEntry> make_thesis(const ThesisCall& call, const Registry& registry,
                                                const session::Monitor& monitor,
                                                const std::function<void(const ThesisFigure&)>& made);

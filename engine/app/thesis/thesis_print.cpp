@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* printer = "rsvg-convert";
 
-/// Returns pages, as SVG, in one PDF.
+/// Converts SVG pages to one PDF, or loads it from the cache.
 std::string printed(const std::string& program, const std::vector<std::string>& pages) {
   hash::Hash hash;
   hash.add(printer);
@@ -31,7 +31,7 @@ std::string printed(const std::string& program, const std::vector<std::string>& 
   const std::string name = hash.text() + ".pdf";
   if (std::optional<std::string> text = cache.find(name)) return *std::move(text);
   const subprocess::ScratchFolder folder;
-  // A PDF names the time at which it was made, unless this does.
+  // Fixes the creation time in the PDF, so that equal pages give equal bytes.
   subprocess::ProcessCall call{.command = {"env", "SOURCE_DATE_EPOCH=0", program, "--format=pdf"}};
   for (std::size_t i = 0; i < pages.size(); ++i) {
     call.command.push_back(folder.path() + "/" + io::numbered("page", i, ".svg"));
@@ -46,7 +46,7 @@ std::string printed(const std::string& program, const std::vector<std::string>& 
 struct Chapter {
   std::string file;
   std::vector<gallery::GalleryEntry*> entries;
-  std::vector<std::string> pages;  ///< as SVG
+  std::vector<std::string> pages;  ///< SVG pages
   std::vector<render::Bookmark> bookmarks;
 
   void add(const std::string& out, gallery::GalleryEntry& entry) {
@@ -71,13 +71,14 @@ struct Chapter {
           "There is no PDF, since {} is not installed; on Debian it is the package librsvg2-bin.", printer));
     try {
       io::write_file(out + "/" + file, render::with_outline(printed(program, pages), bookmarks));
-    } catch (const std::exception& error) {  // also where an interruption has ended the printer
+    } catch (const std::exception& error) {  // also after an interruption of the printer
       leave_out(fmt::format("There is no PDF: {}", error.what()));
     }
   }
 };
 
-/// A chapter is whatever a diagram file calls it.
+/// Returns the file name of a chapter. The chapter is free text in the diagram file, so other names than
+/// letters and digits share one file.
 std::string print_name(const std::string& chapter) {
   const auto plain = [](unsigned char c) { return std::isalnum(c) != 0; };
   if (chapter.empty() || !std::ranges::all_of(chapter, plain)) return "pictures.pdf";
