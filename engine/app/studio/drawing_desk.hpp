@@ -8,8 +8,8 @@
 
 namespace stepwire::studio {
 
-/// Link from the drawing of a diagram to its text: the range of each shape, and the text changes that an edit
-/// of the drawing makes. Not thread-safe.
+/// Link from the drawing of a diagram to its text. It returns the range of each shape, and the text changes
+/// of an edit in the drawing. Not thread-safe.
 class DrawingDesk {
  public:
   explicit DrawingDesk(Desk& desk) : desk_(desk), service_(desk.registry, desk.files.access()) {}

@@ -32,8 +32,7 @@ live::Loading edited_model(Desk& desk, int file, bool hand) {
     session::LoadedModel model =
         hand ? live::load_for_page(*loader, path) : session::load_model(*loader, path, {});
     const auto again = [loader, path](const session::LoadOptions& options) {
-      return session::load_model(*loader, path, options);  // the texts of this loader, including the page's
-                                                           // pointer
+      return session::load_model(*loader, path, options);  // with the texts of the page
     };
     const auto document = [loader](const std::string& file) -> const yaml::Document& {
       return loader->document(file);

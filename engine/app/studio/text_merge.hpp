@@ -15,8 +15,8 @@ struct TextMerge {
 };
 
 /// Merges two texts with a common ancestor. Lines that only one of them changed are taken from that one.
-/// Where both changed the same lines, those of `ours` stay, and those of `theirs` follow as YAML comments:
-/// the text remains valid and no line is lost.
+/// Where both changed the same lines, those of `ours` stay, and those of `theirs` follow as YAML comments.
+/// The text thus remains valid, and no line is lost.
 TextMerge merge(std::string_view base, std::string_view ours, std::string_view theirs);
 /// Merges two texts without a known ancestor: their common lines serve as the base. The result is never
 /// clean.

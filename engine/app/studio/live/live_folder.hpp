@@ -9,8 +9,8 @@
 namespace stepwire::live {
 
 /// Writes the present state of a live run into a folder: its records, the flattened diagram with copies of
-/// its data files, and live.json with all events and their ticks. Events that a return to an earlier tick has
-/// removed are not written. Throws std::runtime_error if nothing is recorded, EnvironmentError.
+/// its data files, and live.json. The latter contains all events with their ticks, except those that a return
+/// to an earlier tick has removed. Throws std::runtime_error if nothing is recorded, EnvironmentError.
 void write_live_folder(const std::string& folder, LoadedRun& run);
 
 /// Returns the default folder for the run of a diagram: `rig/cart-run` for `rig/cart.yaml`.

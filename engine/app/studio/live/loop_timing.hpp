@@ -6,8 +6,8 @@
 
 namespace stepwire::live {
 
-/// Returns the timing of a loop, which may be running: counts of deadlines, histograms of lateness, response
-/// and step in bins of a quarter octave, and the cost of each block type. All times in s.
+/// Returns the timing of a loop, which may be running: counts of deadlines, histograms, and the cost of each
+/// block type. Histograms of lateness, response and step have bins of a quarter octave. All times in s.
 json::Json timing_of(const realtime::Loop& loop, const session::LoopSettings& settings);
 
 }  // namespace stepwire::live

@@ -9,9 +9,9 @@ namespace stepwire::live {
 /// figure that cannot be drawn yet has `fault` in place of its panels.
 json::Json figures_now(LoadedRun& run);
 
-/// Returns the claims, each with a `verdict`: ok, FAIL, known (the file lists it as known), or open (the run
-/// has not ended, or the claim cannot be judged). A claim that depends on a value set during the run is open,
-/// with a note.
+/// Returns the claims, each with a `verdict`: ok, FAIL, known or open. A known failure is listed in the file.
+/// An open claim cannot be judged, or not before the end of the run. A claim that depends on a value set
+/// during the run is open, with a note.
 json::Json claims_now(LoadedRun& run);
 
 /// Returns all samples of columns between two times as CSV, with units in the header.
