@@ -9,22 +9,22 @@
 
 namespace stepwire::studio {
 
-/// The arguments of a call. Each function throws Fault where the page has sent anything else.
+/// Arguments of a call. Each function throws Fault if the argument is missing or has the wrong type.
 class Arguments {
  public:
   explicit Arguments(const json::Json& message, http::Ticket ticket = {})
       : message_(message), ticket_(std::move(ticket)) {}
 
-  /// From 0 to 2^31 - 1.
+  /// Returns a whole number from 0 to 2^31 - 1.
   int whole(const std::string& name) const;
   std::string text(const std::string& name) const;
   bool flag(const std::string& name) const;
   std::vector<std::string> texts(const std::string& name) const;
-  /// The items of a list.
+  /// Returns the items of a list.
   std::span<const json::Json> items(const std::string& name) const;
   const json::Json& any(const std::string& name) const;
   const json::Json& all() const { return message_; }
-  /// The ticket of the message. Work that continues after the return of the call keeps a copy.
+  /// Returns the ticket of the message. Work that continues after the call has returned keeps a copy.
   const http::Ticket& ticket() const { return ticket_; }
 
  private:

@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
   refuse(path, std::generic_category().message(reason));
 }
 
-/// As the system call, on systems that have none: no link is followed at all.
+/// Opens a path part by part, for systems without openat2(). It follows no symbolic link at all.
 io::Descriptor walk_beneath(int folder, const fs::path& path, int flags) {
   io::Descriptor above(::dup(folder));
   for (auto part = path.begin(); part != path.end() && above.open(); ++part) {
@@ -53,7 +53,7 @@ io::Descriptor open_beneath(int folder, const std::string& path, int flags) {
 }
 
 std::string read_all(int file, const std::string& path) {
-  constexpr std::size_t most = 8u << 20u;  // as much as is read of a diagram
+  constexpr std::size_t most = 8u << 20u;  // the limit for diagrams, too
   std::string content, piece(1 << 16, '\0');
   for (ssize_t got = 1; got != 0;) {
     got = ::read(file, piece.data(), piece.size());
@@ -74,7 +74,7 @@ void write_all(int file, std::string_view text, const std::string& path) {
   if (::fsync(file) != 0) refuse(path, errno);
 }
 
-/// A file beside another one that is gone where it does not get its name.
+/// Temporary sibling of a file; the destructor removes it unless it was renamed.
 class FileBeside {
  public:
   FileBeside(int folder, std::string name) : folder_(folder), name_(std::move(name)) {}
@@ -93,7 +93,7 @@ class FileBeside {
     if (::renameat(folder_, name_.c_str(), folder_, name.c_str()) != 0) refuse(path, errno);
     ::fsync(folder_);
   }
-  /// Where there is none of that name.
+  /// Adds the name `name`; fails if a file of that name exists.
   void link_to(const std::string& name, const std::string& path) const {
     if (::linkat(folder_, name_.c_str(), folder_, name.c_str(), 0) != 0) refuse(path, errno);
     ::fsync(folder_);
@@ -127,7 +127,7 @@ io::Descriptor Beneath::open(const std::string& path, int flags) const {
 }
 
 FileContent Beneath::read(const std::string& path) const {
-  const io::Descriptor file = open(path, O_RDONLY | O_NONBLOCK);  // a pipe in its place would make this wait
+  const io::Descriptor file = open(path, O_RDONLY | O_NONBLOCK);  // a pipe must not block
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) refuse(path, errno);
   if (!S_ISREG(status.st_mode)) refuse(path, "is no plain file");

@@ -10,28 +10,28 @@
 
 namespace stepwire::studio {
 
-/// The content of a file with what it takes to replace it alike.
+/// Content of a file, with the mode that its replacement gets.
 struct FileContent {
   std::string text;
   mode_t mode = 0;
 };
 
-/// Folders beneath which a page may open files. Nothing outside of them is reached: not by "..", not by a
-/// link on the way, not by one that comes in between.
+/// Sandbox of folders: a page may open files only inside them. Neither ".." nor symbolic links lead out of
+/// it, also not links that are created during a call.
 class Beneath {
  public:
-  /// A folder that is trusted as it is now, also where links lead there. Nothing where it cannot be opened.
+  /// Adds a folder; links in its own path are followed. Does nothing if it cannot be opened.
   void add(const std::string& folder);
 
-  /// Absolute paths without "." and "..". Throw Fault where a file does not lie beneath a folder, is no plain
-  /// file, or the system refuses it.
+  /// The functions below take absolute paths without "." and "..". They throw Fault if the file is outside
+  /// the folders, is no regular file, or the system refuses access.
   FileContent read(const std::string& path) const;
   bool is_writable(const std::string& path) const;
-  /// Writes beside the file, makes that safe, and gives it the name and the mode of the file.
+  /// Replaces a file atomically: writes a sibling with the same mode, syncs it and renames it.
   void replace(const std::string& path, std::string_view text) const;
-  /// Does a path lead to something beneath the folders?
+  /// True if a path leads to a file or folder inside the folders.
   bool holds(const std::string& path) const;
-  /// A new file, in a folder that is made where there is none; throws Fault where there is one already.
+  /// Creates a file, and its folder if that is missing; throws Fault if the file exists.
   void create(const std::string& path, std::string_view text) const;
 
  private:

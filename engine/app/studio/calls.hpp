@@ -18,51 +18,52 @@ namespace stepwire::studio {
 
 class DrawingDesk;
 
-/// Something that a page may call.
+/// Call that a page may make.
 struct CallRow {
-  /// Calls of one page and lane are done in order, and hold up no other lane.
+  /// Lane of a call. Calls of one page in one lane run in order; they never delay another lane.
   enum class Where {
-    texts,  ///< what edits and reads texts
-    run,    ///< what must act on the run at once
-    slow,   ///< what takes long and changes nothing
+    texts,  ///< edits and reads texts
+    run,    ///< acts on the run without delay
+    slow,   ///< takes long and changes nothing
   };
 
-  /// Returns the result, or throws; `page` is who calls.
+  /// Returns the result, or throws; `page` is the number of the calling page.
   std::function<json::Json(int page, const Arguments& arguments)> act;
   Where where = Where::texts;
 };
 
-/// By their names.
+/// Calls by name.
 using Calls = std::map<std::string, CallRow>;
 
-/// What calls work on.
+/// State that the calls share.
 struct Desk {
   const Registry& registry;
-  bool loop = false;  ///< runs are real-time loops
-  std::mutex mutex;   ///< of all that follows but `tell`, which may be called from any thread
+  bool loop = false;  ///< true: runs are real-time loops
+  std::mutex mutex;   ///< guards all members below except the last one, which is thread-safe
   DiagramFiles files;
   DraftStore store;
-  /// To all pages but one; 0 leaves none out.
+  /// Sends news to all pages except `but`; 0 excludes no page.
   std::function<void(const json::Json& news, int but)> tell;
 };
 
-/// Each adds its rows; the desk must outlive them.
+/// Add the rows of their calls; the desk must outlive the calls.
 void add_file_calls(Calls& calls, Desk& desk);
 void add_state_calls(Calls& calls, Desk& desk);
 void add_gallery_calls(Calls& calls, Desk& desk);
-/// Of the drawing; `drawing` must outlive them, too.
+/// Adds the calls of the drawing; `drawing` must outlive the calls, too.
 void add_drawing_calls(Calls& calls, Desk& desk, DrawingDesk& drawing);
-/// The calls of the run, which must outlive them.
+/// Adds the calls of the run, which must outlive them.
 void add_live_calls(Calls& calls, live::LiveRun& run);
 
-/// The model of a file, as it and its parts are edited; `hand`: under the pointer of a page, where its scene
-/// has one. Throws as load_model() does.
+/// Loads the model of a file from the edited texts of it and its parts. `hand`: with the pointer of a page as
+/// input, if the scene has one. Throws as load_model() does.
 live::Loading edited_model(Desk& desk, int file, bool hand);
 
-/// Gives a loader the documents of a file and of its parts, as they are edited; returns the file's path.
+/// Adds the edited documents of a file and of its parts to a loader; returns the path of the file.
 std::string add_documents(Desk& desk, int file, diagram::Loader& loader);
 
-/// News that a file is another on the disk, behind that of the edit by which its lines came into the draft.
+/// Returns the news of a change on the disk: the edit that merges its lines into the draft, then the new
+/// file.
 std::vector<json::Json> change_news(int file, const WrittenElsewhere& written);
 
 }  // namespace stepwire::studio

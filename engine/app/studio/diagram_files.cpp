@@ -42,7 +42,8 @@ DiagramFiles::DiagramFiles(const std::string& file, DraftStore store) : texts_(b
   trust(path.string());
 }
 
-/// As the files are now, before any page has changed them, they may name files wherever these lie.
+/// Adds the folders of all files that a diagram names. It runs before any page has edited a text, so that
+/// these names are trusted wherever they lead.
 void DiagramFiles::trust(const std::string& file) {
   if (!trusted_.insert(file).second) return;
   beneath_.add(folder_of(file));
@@ -52,7 +53,7 @@ void DiagramFiles::trust(const std::string& file) {
         trust(named.path);
       else
         beneath_.add(folder_of(named.path));
-  } catch (const yaml::Error&) {  // is shown when it is opened
+  } catch (const yaml::Error&) {  // reported when the file is opened
   }
 }
 
@@ -114,7 +115,7 @@ std::vector<ListedFile> DiagramFiles::list() {
   std::set<std::string> parts;
   try {
     for (const yaml::Document& document : documents(paths_.front())) parts.insert(document.file);
-  } catch (const std::exception&) {  // it does not load just now; what was known stays
+  } catch (const std::exception&) {  // the file has faults now; its known parts remain listed
   }
   for (const std::string& part : parts) number(part);
   std::error_code none;

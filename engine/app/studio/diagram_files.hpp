@@ -12,41 +12,42 @@
 
 namespace stepwire::studio {
 
-/// A file that a page may open.
+/// File that a page may open.
 struct ListedFile {
   int number = 0;
-  std::string name;  ///< as it is seen from the folder of FILE
+  std::string name;  ///< path relative to the folder of FILE
   bool writable = false;
-  bool is_part = false;  ///< of FILE
+  bool is_part = false;  ///< true for a part of FILE
 };
 
-/// The diagram that the studio was started with, its parts, and the diagrams beside it, by number. One thread
-/// at a time.
+/// Numbered list of the files of a studio: its diagram (FILE), the parts of it, and the diagrams in its
+/// folder. Not thread-safe.
 class DiagramFiles {
  public:
-  /// Throws EnvironmentError where there is no such file.
+  /// Throws EnvironmentError if the file does not exist.
   DiagramFiles(const std::string& file, DraftStore store = DraftStore());
 
-  /// How language servers reach files: beneath the folders alone. From any thread, as long as this is there.
+  /// Returns the file access of language servers, which is limited to the folders. It is thread-safe and must
+  /// not outlive this object.
   language::FileAccess access() const;
   EditedTexts& texts() { return texts_; }
   const Beneath& beneath() const { return beneath_; }
-  /// Looks again at what there is. Numbers never change: 0 is FILE.
+  /// Reads the folder again and returns all files. Numbers never change: 0 is FILE.
   std::vector<ListedFile> list();
-  /// Throws Fault for a number that list() has not given.
+  /// Returns the path of a file; throws Fault for a number that list() has not given.
   const std::string& path(int number) const;
-  /// How list() calls a file; a path that is none of a file stays what it is.
+  /// Returns the name that list() has for a path; a relative path is returned unchanged.
   std::string name(const std::string& path) const;
-  /// Of a path that is known, or is known from now on.
+  /// Returns the number of a path; a new path gets the next one.
   int number(const std::string& path);
 
-  /// The documents of a diagram and of all its parts, as they are edited. Throws yaml::Error for what is no
-  /// YAML, and for parts that do not lie beneath the folders.
+  /// Returns the edited documents of a diagram and of all its parts. Throws yaml::Error for one that is no
+  /// YAML or names files outside the folders.
   std::vector<yaml::Document> documents(const std::string& path);
 
  private:
   void trust(const std::string& file);
-  /// Throws yaml::Error where a document names files that lie elsewhere.
+  /// Throws yaml::Error if a document names files outside the folders.
   void require_inside(const yaml::Document& document) const;
   std::string text(const std::string& path);
 

@@ -11,8 +11,8 @@
 
 namespace stepwire::studio {
 
-/// Leads the messages of pages to the calls that they name, each in the lane of its call, and their results
-/// back. In a lane the calls of one page are done in order, and pages take turns.
+/// Routes messages of pages to the calls that they name, each in the lane of its call, and sends the results
+/// back. Within a lane, the calls of one page run in order, and pages take turns.
 class Dispatch {
  public:
   using Send = std::function<void(int page, std::string text)>;
@@ -20,9 +20,9 @@ class Dispatch {
 
   Dispatch(const Calls& calls, Send send, Acknowledge acknowledge);
 
-  /// Throws nothing, whatever the message is.
+  /// Handles a message of a page; never throws, whatever the message contains.
   void take(int page, const std::string& message, const http::Ticket& ticket);
-  /// What goes on comes to its end.
+  /// Waits for the running calls and drops all waiting ones.
   void stop();
 
  private:
@@ -35,7 +35,8 @@ class Dispatch {
   std::map<CallRow::Where, Lane> lanes_;
 };
 
-/// The message of the page that an answer belongs to has an `id`; nothing is answered where there is none.
+/// Runs a call and returns the answer, with the `id` of the request. Without an `id` only faults are
+/// answered; success returns std::nullopt.
 std::optional<std::string> answer_to(const json::Json& request, const std::function<json::Json()>& call);
 
 }  // namespace stepwire::studio

@@ -12,7 +12,8 @@ using json::Json;
 
 namespace {
 
-/// An absolute path; others have to be ignored (XDG Base Directory Specification).
+/// Returns the absolute path in a variable, or "". The XDG Base Directory Specification ignores relative
+/// paths.
 std::string folder_of_variable(const char* name) {
   const char* value = std::getenv(name);
   return value && *value == '/' ? value : "";

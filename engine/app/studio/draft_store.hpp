@@ -7,18 +7,18 @@
 
 namespace stepwire::studio {
 
-/// Where what belongs to a user and not to a diagram is kept: $XDG_STATE_HOME/stepwire/studio, else
-/// ~/.local/state/stepwire/studio; empty where there is no such place.
+/// Returns the folder for data of the user: $XDG_STATE_HOME/stepwire/studio, else
+/// ~/.local/state/stepwire/studio; "" if neither variable is usable.
 std::string state_folder();
 
-/// A text that was not saved yet.
+/// Edited text that is not saved yet.
 struct Draft {
-  std::string hash;  ///< of the file that it began with
+  std::string hash;  ///< hash of the file from which the draft started
   std::string text;
 };
 
-/// What is kept between two starts: drafts of files, and how the page of a file is laid out. Files of the
-/// user alone (0600), written whole or not at all, safe on the disk when a call returns.
+/// Persistent store of drafts and page layouts between sessions. Its files are private to the user (0600) and
+/// written atomically; they are synced to the disk before a call returns.
 class DraftStore {
  public:
   explicit DraftStore(const std::string& folder = state_folder());
@@ -27,7 +27,8 @@ class DraftStore {
   void keep(const std::string& path, const Draft& draft) const;
   void drop(const std::string& path) const;
 
-  /// JSON of the page of a file, or with an empty path of all pages of the user; empty where none was kept.
+  /// Returns the layout of the page of a file as JSON; an empty path means all pages of the user. "" if none
+  /// was stored.
   std::string layout(const std::string& path) const;
   void keep_layout(const std::string& path, const std::string& layout) const;
 

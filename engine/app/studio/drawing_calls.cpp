@@ -14,7 +14,8 @@ using json::Json;
 
 namespace {
 
-/// The file at a place of the diagram: "" is the diagram itself, "rig.mount" a part of its part.
+/// Returns the scope of a part by its path in the diagram: "" is the diagram itself, "rig.mount" a nested
+/// part.
 int scope_of(const drawing::DiagramView& whole, const std::string& name) {
   const auto& scopes = whole.diagram().scopes;
   const auto found = std::ranges::find(scopes, name + ".", &diagram::ScopeInfo::prefix);

@@ -8,29 +8,29 @@
 
 namespace stepwire::studio {
 
-/// What the drawing of a diagram needs to know of its text: where each shape stands, and which changes of the
-/// text an edit of the drawing is. One thread at a time.
+/// Link from the drawing of a diagram to its text. It returns the range of each shape, and the text changes
+/// of an edit in the drawing. Not thread-safe.
 class DrawingDesk {
  public:
   explicit DrawingDesk(Desk& desk) : desk_(desk), service_(desk.registry, desk.files.access()) {}
 
-  /// {"cart": {file, from, to}} of all blocks and ports of a file, in units of UTF-16.
+  /// Returns {"cart": {file, from, to}} for all blocks and ports of a file, in UTF-16 units.
   json::Json ranges(const std::string& path);
-  /// {changes: [{file, from, to, text}], name, faults}. Throws Fault, language::EditRefused.
+  /// Returns {changes: [{file, from, to, text}], name, faults}. Throws Fault, language::EditRefused.
   json::Json splice(const Arguments& arguments);
-  /// {inputs: [{node, input}]} to which a signal may be connected.
+  /// Returns {inputs: [{node, input}]}, the inputs to which a signal may be connected.
   json::Json fits(const Arguments& arguments);
 
  private:
-  /// The path of the file that a call names, in the version that it means.
+  /// Returns the path of the file that a call names; throws Fault if its version is not the current one.
   std::string path(const Arguments& arguments);
-  /// Has the service know all texts as they are edited.
+  /// Passes all changed texts to the language service.
   void follow();
   json::Json range(const language::Utf16Range& range);
 
   Desk& desk_;
   language::LanguageService service_;
-  std::map<std::string, int> versions_;  ///< of the texts that the service has
+  std::map<std::string, int> versions_;  ///< versions of the texts in the service
 };
 
 }  // namespace stepwire::studio

@@ -16,7 +16,7 @@ using json::Json;
 
 namespace {
 
-constexpr std::size_t most_bytes = 8u << 20u;  // as much as is read of a diagram
+constexpr std::size_t most_bytes = 8u << 20u;  // the limit for reading diagrams, too
 
 std::filesystem::file_time_type time_of(const std::string& path) {
   std::error_code none;
@@ -87,7 +87,8 @@ const EditedText& EditedTexts::discard(const std::string& path) {
   return text;
 }
 
-/// Merges what a file holds now into its edited text, where both have changed different lines.
+/// Merges the present content of a file into its edited text if they changed different lines; else only
+/// reports both.
 WrittenElsewhere EditedTexts::take(EditedText& text, EditedText now) {
   WrittenElsewhere written;
   const TextMerge merged = text.base ? merge(*text.base, text.text, now.saved) : merge(text.text, now.saved);
@@ -154,7 +155,7 @@ void EditedTexts::look_for_changes(
       text = now;
       changed(path, {now});
     } catch (const Fault&) {
-      text.time = time;  // it is gone, or no text any more; saving will say so
+      text.time = time;  // the file is gone or no text; save() reports that
     }
   }
 }

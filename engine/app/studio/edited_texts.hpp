@@ -15,52 +15,53 @@
 
 namespace stepwire::studio {
 
-/// A file as the pages see it. Ends of lines are "\n" in texts.
+/// File as the pages see it. All lines of its texts end in "\n".
 struct EditedText {
-  std::string saved;                       ///< the text on the disk when it was read last
-  std::string hash;                        ///< of the bytes on the disk with which `text` began
-  std::string text;                        ///< with what was edited
-  int version = 0;                         ///< counts the changes of `text`
-  std::optional<std::string> base{};       ///< the text of the hash; nothing where it is not known
-  std::string bytes;                       ///< on the disk, where not all lines end in "\n"; else empty
-  bool is_kept = true;                     ///< is the draft on the disk as it is here?
-  std::filesystem::file_time_type time{};  ///< of the file, when it was read last
+  std::string saved;  ///< content of the file when it was last read
+  std::string hash;   ///< hash of the file's bytes from which `text` started
+  std::string text;
+  int version = 0;                         ///< number of changes of `text`
+  std::optional<std::string> base{};       ///< content with this hash; std::nullopt: unknown
+  std::string bytes;                       ///< original bytes if some lines end in "\r\n", else empty
+  bool is_kept = true;                     ///< true: the stored draft is current
+  std::filesystem::file_time_type time{};  ///< write time of the file when read
 
   bool is_draft() const { return text != saved; }
 };
 
-/// A text that another program has written to the file.
+/// Change of a file by another program.
 struct WrittenElsewhere {
-  EditedText now;                     ///< of the file, in the version of the edited text
-  bool is_merged = false;             ///< true where the edited text has its lines
-  std::vector<TextChange> changes{};  ///< of the edited text then
-  std::string both{};                 ///< all lines of both texts otherwise
+  EditedText now;                     ///< state of the file
+  bool is_merged = false;             ///< true: the edited text contains the change
+  std::vector<TextChange> changes{};  ///< changes of the edited text by the merge
+  std::string both{};                 ///< otherwise the text with conflicts as comments
 };
 
-/// The texts that pages edit, by the paths of their files. One thread at a time.
+/// Texts that pages edit, by path. Not thread-safe.
 class EditedTexts {
  public:
   EditedTexts(const Beneath& beneath, DraftStore store) : beneath_(beneath), store_(std::move(store)) {}
 
-  /// Reads a file, and the draft that was left of it. Throws Fault.
+  /// Returns a text; the first call reads the file and its stored draft. Throws Fault.
   const EditedText& open(const std::string& path);
-  /// Changes the version of which the places are. Throws Fault with the text and version there are where that
+  /// Applies changes whose places refer to `version`. Throws Fault with the current text and version if that
   /// is another one.
   const EditedText& edit(const std::string& path, int version, std::vector<TextChange> changes);
   const EditedText& discard(const std::string& path);
-  /// Writes the file where its hash is still this one. Else it merges or returns what the file holds now.
+  /// Writes the file if its hash is still `hash`; otherwise merges the file into the text and returns its
+  /// change.
   std::optional<WrittenElsewhere> save(const std::string& path, const std::string& hash);
 
-  /// Throws Fault as edit() does.
+  /// Throws Fault as edit() does if `version` is not the current one.
   void require_version(const std::string& path, int version);
-  /// All that were opened.
+  /// Returns all open texts.
   const std::map<std::string, EditedText>& all() const { return texts_; }
-  /// The text of a file as it is edited; nothing where it is not.
+  /// Returns the text of a file, or nullptr if it is not open.
   const EditedText* find(const std::string& path) const;
-  /// Puts drafts on the disk that are not there.
+  /// Stores the drafts that have changed since the last call.
   void keep_drafts();
-  /// Reads again what others have changed on the disk, and calls back for each. A text without draft follows;
-  /// a draft takes the lines that it has not changed itself.
+  /// Reads the files again that other programs have changed, and calls `changed` for each. A text without a
+  /// draft is replaced; a draft is merged with the new content.
   void look_for_changes(const std::function<void(const std::string& path, const WrittenElsewhere&)>& changed);
 
  private:

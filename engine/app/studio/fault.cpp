@@ -12,7 +12,7 @@ using json::Json;
 namespace {
 
 Json fault_json(const std::string& whole, Json fault = Json::object()) {
-  if (fault.find("faults")) return fault.set("text", whole);  // each of them has its own cure
+  if (fault.find("faults")) return fault.set("text", whole);  // each of the faults has its own cure
   const yaml::Message split(whole);
   fault.set("text", split.wrong);
   if (!split.cure.empty()) fault.set("cure", split.cure);

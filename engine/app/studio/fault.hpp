@@ -8,10 +8,10 @@
 
 namespace stepwire::studio {
 
-/// Why a call of the page is refused: "what is wrong; what would be right".
+/// Reason for the refusal of a call: "what is wrong; what would be right".
 class Fault : public std::runtime_error {
  public:
-  /// `more` is an object whose members go to the page beside the text.
+  /// `more` is an object whose members are sent to the page beside the text.
   explicit Fault(const std::string& text, json::Json more = json::Json::object())
       : std::runtime_error(text), more_(std::move(more)) {}
 
@@ -21,7 +21,7 @@ class Fault : public std::runtime_error {
   json::Json more_;
 };
 
-/// The member `fault` of an answer, of whatever was thrown and is being handled: {text, cure, faults}.
+/// Returns the member `fault` of an answer for the exception being handled: {text, cure, faults}.
 json::Json fault_in_flight();
 
 }  // namespace stepwire::studio

@@ -39,7 +39,7 @@ void add_entries(const fs::path& folder, std::vector<GalleryEntry>& entries) {
   }
 }
 
-/// The byte at which a mark stands.
+/// Returns the byte offset of a mark.
 std::size_t position(std::string_view text, const yaml::Mark& mark) {
   std::size_t at = 0;
   for (int line = 1; line < mark.line && at < text.size(); ++line)
@@ -49,10 +49,10 @@ std::size_t position(std::string_view text, const yaml::Mark& mark) {
   return at;
 }
 
-/// Gathers the files of one copy.
+/// Collects the files of one copy.
 class Copy {
  public:
-  /// `parts` is the folder for all but the first.
+  /// `parts` is the folder for all files except the first one.
   explicit Copy(fs::path parts) : parts_(std::move(parts)) {}
 
   void add(const std::string& from, const fs::path& to) {
@@ -66,8 +66,8 @@ class Copy {
   std::vector<CopiedFile> take() { return std::move(files_); }
 
  private:
-  /// The text with the names of the copies in the place of the names of the files. What lies in the data
-  /// folder has its name everywhere.
+  /// Returns the text with the names of the copies in place of the original names. Names of files in the data
+  /// folder are unchanged, as they hold everywhere.
   std::string renamed(std::string text, const std::string& from, const fs::path& folder) {
     std::map<std::size_t, const NamedFile*, std::greater<>> places;
     const std::vector<NamedFile> all = named_files(yaml::parse_document(text, from));
@@ -79,7 +79,7 @@ class Copy {
     return text;
   }
 
-  /// Where a file is copied to, which it is once.
+  /// Returns the path of a file's copy; the first call copies the file.
   fs::path copied(const fs::path& from) {
     if (const auto known = known_.find(from); known != known_.end()) return known->second;
     fs::path to = parts_ / from.filename();

@@ -5,25 +5,26 @@
 
 namespace stepwire::studio {
 
-/// A diagram that comes with the program.
+/// Diagram that is installed with the program.
 struct GalleryEntry {
   std::string path;  ///< on this machine
   std::string name;  ///< "72-figure-of-eight"
   std::string title;
-  std::string caption;  ///< on one line
-  std::string group;    ///< the folder that it lies in: "examples", "thesis"
+  std::string caption;  ///< a single line
+  std::string group;    ///< its folder: "examples", "thesis"
 };
 
-/// All of them, in the order of their names; none where the program came without.
+/// Returns all entries, sorted by group and name; an empty list if no diagrams are installed.
 std::vector<GalleryEntry> gallery();
 
-/// A file that a copy consists of.
+/// File of a copy.
 struct CopiedFile {
   std::string path, text;
 };
 
-/// A diagram as it is written under a path, with all files that it names: these go into a folder beside it,
-/// "NAME-parts", and the copies name each other there. Throws yaml::Error, EnvironmentError.
+/// Returns the copies of a diagram and of all files that it names, for writing the diagram to `file`. The
+/// named files go into the folder "NAME-parts" beside it, and the copies refer to each other there. Throws
+/// yaml::Error, EnvironmentError.
 std::vector<CopiedFile> copies_of(const std::string& diagram, const std::string& file);
 
 }  // namespace stepwire::studio

@@ -23,7 +23,8 @@ Json entries() {
   return Json::object().set("entries", std::move(list));
 }
 
-/// A name and nothing more: no folder, no ending but .yaml, nothing hidden, and no option of programs.
+/// Returns a plain file name with the ending .yaml; throws Fault for folders, hidden files and names like
+/// options.
 std::string file_name(std::string name) {
   if (name.ends_with(".yaml")) name.resize(name.size() - 5);
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_ ";
@@ -43,7 +44,7 @@ Json copy(Desk& desk, const Arguments& arguments) {
   const std::string name = file_name(arguments.text("name"));
   const std::lock_guard lock(desk.mutex);
   const std::filesystem::path folder = std::filesystem::path(desk.files.path(0)).parent_path();
-  // What others name comes first, so that the diagram is whole when it is there.
+  // Parts are created before the diagram that names them, so that a diagram that exists is complete.
   std::vector<CopiedFile> files = copies_of(all[entry].path, (folder / name).string());
   std::ranges::reverse(files);
   if (std::filesystem::exists(files.back().path)) throw Fault("there is a file of this name already");

@@ -29,7 +29,7 @@ void Lane::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-/// Empty where the period is over or the lane ends.
+/// Waits for the next work; returns an empty function at the end of the period or of the lane.
 Lane::Work Lane::next() {
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, period_, [this] { return ends_ || !waiting_.empty(); });

@@ -9,23 +9,23 @@
 
 namespace stepwire::studio {
 
-/// A thread for the work of several senders. Each sender has its work done in order; senders take turns, one
-/// work each, so a sender with much work holds up no other for longer than one of its works. In each period
-/// it also does a tick.
+/// Worker thread that serves several senders. The work of one sender runs in order. Senders take turns, one
+/// work each, so that a sender with much work delays another one by a single work at most. A tick runs
+/// periodically.
 class Lane {
  public:
   using Work = std::function<void()>;
 
-  /// `tick` is done at least once in a period, also when the lane ends; nothing where it is empty. Neither it
-  /// nor any work may throw.
+  /// `tick` runs at least once per period, and once more at the end; an empty function means no tick. Neither
+  /// the tick nor any work may throw.
   explicit Lane(Work tick = {}, std::chrono::milliseconds period = std::chrono::milliseconds(250));
   ~Lane() { stop(); }
   Lane(const Lane&) = delete;
   Lane& operator=(const Lane&) = delete;
 
-  /// From any thread; nothing once it was stopped.
+  /// Appends a work; thread-safe. Does nothing after stop().
   void post(Work work, int sender = 0);
-  /// What is going on comes to its end, what waits is dropped.
+  /// Waits for the running work and drops all waiting ones.
   void stop();
 
  private:
@@ -41,9 +41,9 @@ class Lane {
   std::chrono::milliseconds period_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Sender> waiting_;  ///< those that have work, in the order of their turns
+  std::deque<Sender> waiting_;  ///< senders with work, in the order of their turns
   bool ends_ = false;
-  std::thread thread_;  // begins when all else is there
+  std::thread thread_;  // last member: starts when all others are initialised
 };
 
 }  // namespace stepwire::studio

@@ -9,11 +9,12 @@ namespace stepwire::studio {
 
 namespace {
 
-constexpr std::ptrdiff_t most_edits = 1000;  // lines removed or added; beyond, those between are all new
+constexpr std::ptrdiff_t most_edits = 1000;  // limit of removed and added lines; beyond it all lines between
+                                             // head and tail are new
 
 struct Line {
   std::string_view text;
-  std::string_view end;  ///< empty behind the last one
+  std::string_view end;  ///< empty for a last line without end
 };
 
 std::vector<Line> lines_of(std::string_view text) {
@@ -36,7 +37,11 @@ std::string_view usual_end(const std::vector<Line>& lines) {
   return long_ends > std::ranges::count(lines, "\n", &Line::end) ? "\r\n" : "\n";
 }
 
-/// Which line of `now` is which one of `before`: the fewest lines removed and added (Myers 1986).
+/// Alignment of the lines of `now` with those of `before`, with the fewest removed and added lines. Source:
+/// E. W. Myers, "An O(ND) Difference Algorithm and Its Variations", Algorithmica 1, 1986. The common head and
+/// tail are cut off first. Then forward() extends paths on the diagonals k = x - y, with one more edit in
+/// each round, until one reaches the end. Afterwards back() retraces that path through the stored frontiers.
+/// Cost with N lines and D edits: O(ND) time, O(D^2) memory. D is at most most_edits.
 class Pairs {
  public:
   Pairs(const std::vector<Line>& before, const std::vector<Line>& now) : before_(before), now_(now) {
@@ -71,7 +76,8 @@ class Pairs {
     return tail;
   }
 
-  /// The way as far as it goes along a diagonal k = x - y after d edits.
+  /// Returns the x at which the path of d edits enters diagonal k = x - y, from the frontier `last` of d - 1
+  /// edits.
   std::ptrdiff_t reach(const std::vector<std::ptrdiff_t>& last, std::ptrdiff_t d, std::ptrdiff_t k) const {
     const auto at = [&](std::ptrdiff_t diagonal) { return last[index(diagonal + d)]; };
     if (d == 0) return 0;
@@ -79,7 +85,7 @@ class Pairs {
     return added ? at(k + 1) : at(k - 1) + 1;
   }
 
-  /// Notes for each number of edits how far each diagonal reaches; false where there are too many.
+  /// Stores the frontier of each number of edits; false if more than most_edits are needed.
   bool forward() {
     for (std::ptrdiff_t d = 0; d <= std::min(n_ + m_, most_edits); ++d) {
       static const std::vector<std::ptrdiff_t> none;

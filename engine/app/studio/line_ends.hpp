@@ -4,8 +4,8 @@
 
 namespace stepwire::studio {
 
-/// The text with the ends of lines that a file has: each line that stood in the file keeps its own, "\n" or
-/// "\r\n", and new ones get the end that most lines of the file have. Ends of lines in `text` are "\n".
+/// Returns `text` with the line ends of `file`. A line that exists in the file keeps its own end, "\n" or
+/// "\r\n"; a new line gets the most frequent end of the file. Lines of `text` end in "\n".
 std::string with_line_ends_of(const std::string& file, const std::string& text);
 
 }  // namespace stepwire::studio

@@ -9,7 +9,7 @@ namespace stepwire::studio {
 
 namespace {
 
-/// Those that take long; all others must act on the run at once.
+/// Returns the names of calls that take long; all others act on the run without delay.
 const std::set<std::string>& slow_calls() {
   static const std::set<std::string> names{"run.load", "figures",     "claims",  "fan",
                                            "profile",  "data.export", "run.keep"};
@@ -32,7 +32,7 @@ live::Loading edited_model(Desk& desk, int file, bool hand) {
     session::LoadedModel model =
         hand ? live::load_for_page(*loader, path) : session::load_model(*loader, path, {});
     const auto again = [loader, path](const session::LoadOptions& options) {
-      return session::load_model(*loader, path, options);  // its texts, and the page's hand among them
+      return session::load_model(*loader, path, options);  // with the texts of the page
     };
     const auto document = [loader](const std::string& file) -> const yaml::Document& {
       return loader->document(file);

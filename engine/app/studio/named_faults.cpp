@@ -8,7 +8,7 @@ using json::Json;
 
 namespace {
 
-/// The object of a place or a fault with another name of its file.
+/// Returns the object of a place or fault with the listed name of its file in place of the path.
 Json with_name(Json object, const DiagramFiles& files) {
   const Json* path = object.find("file");
   if (path && path->as_text()) object.set("file", files.name(*path->as_text()));

@@ -6,13 +6,13 @@
 
 namespace stepwire::studio {
 
-/// Faults as data, with the names that files have in lists in the place of their paths.
+/// Returns faults as JSON, with the listed names of files in place of their paths.
 json::Json faults_with_names(const DiagramFiles& files, const std::vector<yaml::Fault>& faults);
 
-/// The same of an error, as the fault of a call.
+/// Returns the fault of a call for an error, with the listed names of files.
 Fault named_faults(Desk& desk, const yaml::Error& error);
 
-/// Does something whose faults are for a page.
+/// Runs an action; a yaml::Error becomes a Fault with the listed names of files.
 template <class Action>
 auto with_names(Desk& desk, const Action& action) -> decltype(action()) {
   try {

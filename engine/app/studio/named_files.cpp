@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As a diagram names files.
+/// Resolves a file name of a diagram: "data/..." in the data folder, others in the folder of the diagram.
 fs::path written_path(const std::string& text, const fs::path& folder) {
   const fs::path path(text);
   if (!path.is_absolute() && *path.begin() == "data" && !data_folder().empty())
@@ -18,7 +18,7 @@ fs::path written_path(const std::string& text, const fs::path& folder) {
   return folder / path;
 }
 
-/// Is there something that can be read? Folders cannot.
+/// True for anything readable that is not a folder.
 bool is_file(const fs::path& path) {
   std::error_code none;
   const fs::file_status status = fs::status(path, none);

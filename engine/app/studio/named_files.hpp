@@ -7,20 +7,20 @@
 
 namespace stepwire::studio {
 
-/// Something on the disk that a value of a diagram may name.
+/// File that a value of a diagram names.
 struct NamedFile {
-  std::string path;  ///< absolute where the diagram's is, without "." and ".."
-  std::string word;  ///< as the diagram names it
+  std::string path;  ///< normalised; absolute if the path of the diagram is
+  std::string word;  ///< name as written in the diagram
   yaml::Mark mark;
-  bool is_diagram = false;  ///< a part, by its key, or a diagram by its ending
-  bool is_plain = true;     ///< false where ".." behind a link leads elsewhere than the path says
+  bool is_diagram = false;  ///< true for a part (by its key) and for any .yaml or .yml file
+  bool is_plain = true;     ///< false if ".." behind a link leads to another file than `path`
 };
 
-/// All values of a diagram that name something which is there, from its folder, from the root, or in the data
-/// folder; whatever the value is for. No text can name a file in any other way.
+/// Returns all values of a diagram that name an existing file, whatever their key. Names are absolute or
+/// relative to the folder of the diagram or the data folder; a diagram cannot name files in another way.
 std::vector<NamedFile> named_files(const yaml::Document& document);
 
-/// $STEPWIRE_DATA without links and ".."; empty where there is none.
+/// Returns $STEPWIRE_DATA without links and ".."; "" if it is not set.
 std::string data_folder();
 
 }  // namespace stepwire::studio

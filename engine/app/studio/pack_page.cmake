@@ -1,5 +1,6 @@
 # Writes a C++ source that holds the files of a folder, each also packed:
 #   cmake -DFOLDER=DIR -DPACKED=DIR -DOUT=FILE -P pack_page.cmake
+#
 # The assembler includes the bytes, so that a new page costs one small source and a link.
 file(GLOB_RECURSE files RELATIVE ${FOLDER} ${FOLDER}/*)
 list(FILTER files EXCLUDE REGEX "\\.map$")

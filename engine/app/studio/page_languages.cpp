@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view scheme = "studio:/";
 
-/// The path of the file that a page names; empty where it names none.
+/// Returns the path of the file in a URI of a page; "" if the URI names no listed file.
 std::string path_of(Desk& desk, const std::string& uri) {
   int number = -1;
   const char* const end = uri.data() + uri.size();
@@ -42,7 +42,7 @@ language::FileUris uris(Desk& desk) {
 
 }  // namespace
 
-/// The server of one page.
+/// Language server of one page.
 class PageLanguages::Server {
  public:
   Server(Desk& desk, std::function<void(const Json&)> send)

@@ -9,21 +9,21 @@
 
 namespace stepwire::studio {
 
-/// A language server for each page, in a thread of its own. The page's name of a file is "studio:/3", by its
-/// number.
+/// Language servers, one for each page, each in its own thread. A page names a file by its number:
+/// "studio:/3".
 class PageLanguages {
  public:
   using Send = std::function<void(int page, const json::Json& message)>;
 
-  /// The desk must outlive this. `send` is called from any thread.
+  /// `send` is called from any thread. The desk must outlive this object.
   PageLanguages(Desk& desk, Send send);
   ~PageLanguages();
 
   void joined(int page);
-  /// Posts a message to the server of a page, which begins with the first one. Does nothing after the page
-  /// has left. The ticket is kept until the server has handled the message.
+  /// Posts a message to the server of a page; the first message starts the server. Does nothing after the
+  /// page has left. The ticket is kept until the server has handled the message.
   void post(int page, const json::Json& message, http::Ticket ticket);
-  /// Ends the server of a page after the message that it handles; may take as long as that.
+  /// Stops the server of a page; waits for the message that it is handling.
   void left(int page);
 
  private:
@@ -35,7 +35,7 @@ class PageLanguages {
   std::map<int, std::unique_ptr<Server>> servers_;
 };
 
-/// The call `language`.
+/// Adds the call `language`.
 void add_language_calls(Calls& calls, PageLanguages& languages);
 
 }  // namespace stepwire::studio

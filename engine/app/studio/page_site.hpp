@@ -8,7 +8,7 @@
 
 namespace stepwire::studio {
 
-/// The answer to a request for a file of the page: that of the table with this very path, or 404.
+/// Returns the file of the page whose path is exactly `path`, or 404.
 http::Answer page_answer(std::span<const PageFile> table, const http::Request& request,
                          const std::string& path);
 

@@ -6,20 +6,20 @@
 
 namespace stepwire::studio {
 
-/// A file of the page, compiled in.
+/// File of the page, compiled into the program.
 struct PageFile {
-  std::string_view path;  ///< of the address: "/assets/main-1a2b.js"
+  std::string_view path;  ///< path of its URL: "/assets/main-1a2b.js"
   std::string_view bytes;
-  std::string_view packed;  ///< the same by gzip; empty where that is not shorter
+  std::string_view packed;  ///< bytes compressed by gzip; empty if not packed
 };
 
-/// All files of the page; none where the program was built without npm.
+/// Returns all files of the page; an empty list if the program was built without npm.
 std::span<const PageFile> page_table();
 
-/// What stands in the page where the nonce of an answer goes.
+/// Placeholder in the page that each answer replaces by its nonce.
 inline constexpr std::string_view nonce_mark = "STUDIO_NONCE";
 
-/// "text/javascript; charset=utf-8" of a path's ending.
+/// Returns the content type for the ending of a path, such as "text/javascript; charset=utf-8".
 std::string content_type(std::string_view path);
 
 }  // namespace stepwire::studio

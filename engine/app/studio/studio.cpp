@@ -17,7 +17,7 @@ namespace stepwire::studio {
 
 using json::Json;
 
-/// What the sockets of the pages lead to.
+/// Site behind the sockets of the pages; owns all parts of the studio.
 class Studio::Room : public http::Site {
  public:
   Room(const StudioCall& call, const Registry& registry)
@@ -65,7 +65,7 @@ class Studio::Room : public http::Site {
       pages_.erase(page);
     }
     live_.left(page);
-    watch_.post([this, page] { languages_.left(page); });  // which may take a while
+    watch_.post([this, page] { languages_.left(page); });  // posted, as it may take a while
   }
   void said(int page, std::string message, http::Ticket ticket) override {
     dispatch_.take(page, message, ticket);
@@ -107,7 +107,7 @@ class Studio::Room : public http::Site {
   DrawingDesk drawing_;
   Calls calls_;
   Dispatch dispatch_;
-  Lane watch_;  ///< of drafts, and of what others change on the disk
+  Lane watch_;  ///< stores drafts and checks the disk for changes
 };
 
 Studio::Studio(const StudioCall& call, const Registry& registry)

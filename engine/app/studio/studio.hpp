@@ -13,23 +13,23 @@ namespace stepwire::studio {
 
 struct StudioCall {
   std::string file;
-  std::uint16_t port = 0;                       ///< any free one
-  std::optional<session::LoopSettings> loop{};  ///< runs are real-time loops
-  std::string out{};                            ///< folder for runs that are kept
+  std::uint16_t port = 0;                       ///< 0: any free port
+  std::optional<session::LoopSettings> loop{};  ///< set: runs are real-time loops
+  std::string out{};                            ///< folder for stored runs
   http::Limits limits{};
 };
 
-/// A diagram file on a page: serves it from its construction to its end, in threads of its own.
+/// Server of the page of a diagram file. It serves from construction to destruction, in threads of its own.
 class Studio {
  public:
-  /// Throws EnvironmentError where the file or the port is not to be had.
+  /// Throws EnvironmentError if the file or the port is not available.
   Studio(const StudioCall& call, const Registry& registry);
-  /// Keeps all drafts.
+  /// Stores all drafts.
   ~Studio();
   Studio(const Studio&) = delete;
   Studio& operator=(const Studio&) = delete;
 
-  /// The address of the page with the token that lets in.
+  /// Returns the URL of the page, with its access token.
   std::string address() const;
 
  private:

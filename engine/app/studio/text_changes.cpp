@@ -9,17 +9,17 @@ namespace stepwire::studio {
 
 namespace {
 
-/// UTF-16 writes the characters that have four bytes in two units.
+/// Returns the UTF-16 units of a UTF-8 character; those of four bytes take two units.
 std::size_t units_of(std::size_t bytes) {
   return bytes == 4 ? 2 : 1;
 }
 
-/// Goes through a text from its start to its end.
+/// Forward cursor from UTF-16 places to bytes.
 class Walk {
  public:
   explicit Walk(std::string_view text) : text_(text) {}
 
-  /// The byte at a place at or behind the last one.
+  /// Returns the byte offset of a place, which must not be before the previous one.
   std::size_t byte_at(std::size_t place) {
     while (units_ < place && byte_ < text_.size()) {
       const std::size_t length = std::max<std::size_t>(1, text::utf8_length(text_.substr(byte_)));

@@ -7,7 +7,7 @@
 
 namespace stepwire::studio {
 
-/// A piece of a text that is replaced. Places count units of UTF-16, as browsers do.
+/// Replacement of a piece of a text. Places count UTF-16 units, as browsers do.
 struct TextChange {
   std::size_t from = 0, to = 0;
   std::string text{};
@@ -15,14 +15,14 @@ struct TextChange {
   bool operator==(const TextChange&) const = default;
 };
 
-/// Units of UTF-16 of a UTF-8 text.
+/// Returns the number of UTF-16 units of a UTF-8 text.
 std::size_t utf16_length(std::string_view text);
 
-/// The text with all changes in it, whose places all lie in the text as it was. Throws Fault for places that
-/// are not in the text or inside of a character, and for changes that overlap.
+/// Returns the text with all changes applied; their places refer to the original text. Throws Fault for
+/// places outside the text or inside a character, and for changes that overlap.
 std::string changed(std::string_view text, std::vector<TextChange> changes);
 
-/// Does a text consist of UTF-8 characters?
+/// True for valid UTF-8.
 bool is_utf8(std::string_view text);
 
 }  // namespace stepwire::studio

@@ -1,7 +1,8 @@
-// Merges by lines, as diff3 does: the differences of each text to the base are found by a longest common
-// subsequence of lines. Differences of the two that touch are one region; a region in which both differ, and
-// not in the same way, is a conflict. Source: S. Khanna, K. Kunal, B. C. Pierce, "A formal investigation of
-// diff3", FSTTCS 2007.
+// Three-way merge by lines, as diff3 does: the differences of each text to the base follow from a longest
+// common subsequence of lines. Differences of the two texts that touch form one region. A region that both
+// change in different ways is a conflict. Source: S. Khanna, K. Kunal, B. C. Pierce, "A formal investigation
+// of diff3", FSTTCS 2007. Cost: time and memory grow with the product of the numbers of lines, without the
+// common head and tail.
 #include "engine/app/studio/text_merge.hpp"
 
 #include <algorithm>
@@ -13,9 +14,9 @@ namespace stepwire::studio {
 
 namespace {
 
-using Lines = std::vector<std::string_view>;  // each with its end
+using Lines = std::vector<std::string_view>;  // each with its line end
 
-constexpr std::size_t most_lines = 3000;  // between the first and the last different one; beyond all differ
+constexpr std::size_t most_lines = 3000;  // limit without common head and tail; beyond it all lines differ
 
 Lines lines_of(std::string_view text) {
   Lines lines;
@@ -34,7 +35,7 @@ struct Hunk {
   bool inserts() const { return from == to; }
 };
 
-/// Pairs of equal lines in order, as many as there are.
+/// Returns a longest common subsequence of lines, as pairs of indices.
 std::vector<std::pair<std::size_t, std::size_t>> common(std::span<const std::string_view> a,
                                                         std::span<const std::string_view> b) {
   if (a.size() > most_lines || b.size() > most_lines) return {};
@@ -89,16 +90,16 @@ bool touch(const Hunk& a, const Hunk& b) {
   return a.from < b.to && b.from < a.to;
 }
 
-/// The hunks of one text, taken in order.
+/// One text of a merge, with a cursor in its hunks.
 struct Side {
   const Lines& lines;
   std::vector<Hunk> hunks;
   std::size_t next = 0;
-  std::ptrdiff_t shift = 0;  ///< of lines behind the hunks that were taken
+  std::ptrdiff_t shift = 0;  ///< line of this text minus line of the base, behind the taken hunks
 
   const Hunk* peek() const { return next < hunks.size() ? &hunks[next] : nullptr; }
 
-  /// Takes all hunks that touch a region, which grows by them.
+  /// Takes all hunks that touch a region, and extends the region by them.
   bool take(Hunk& region, std::vector<Hunk>& taken) {
     bool any = false;
     while (peek() && touch(*peek(), region)) {
@@ -109,7 +110,7 @@ struct Side {
     }
     return any;
   }
-  /// The lines of this text for a region of the base, whose hunks were taken.
+  /// Returns the lines of this text for a region of the base whose hunks are taken.
   std::pair<std::size_t, std::size_t> range(const Hunk& region, const std::vector<Hunk>& taken) {
     const std::ptrdiff_t before = shift;
     for (const Hunk& one : taken)
@@ -124,7 +125,7 @@ struct Side {
   }
 };
 
-/// Lines as comments, as far in as they are.
+/// Returns the lines as YAML comments with the same indentation.
 std::string as_comments(std::string_view text) {
   std::string comments;
   for (const std::string_view line : lines_of(text)) {
@@ -177,7 +178,7 @@ class Merging {
   }
 
   Side ours_, theirs_;
-  std::vector<std::size_t> places_;  ///< of our lines [UTF-16]
+  std::vector<std::size_t> places_;  ///< starts of our lines [UTF-16]
   TextMerge merge_;
 };
 

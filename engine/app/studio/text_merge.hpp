@@ -8,18 +8,18 @@
 
 namespace stepwire::studio {
 
-/// How the lines of another text come into an edited one.
+/// Result of a merge into an edited text.
 struct TextMerge {
   std::vector<TextChange> changes;  ///< of the edited text
-  bool is_clean = true;  ///< did the two change different lines? Else both are there, the other's as comments
+  bool is_clean = true;             ///< false for conflicts, which leave the lines of `theirs` as comments
 };
 
-/// Merges two texts that were made from the same one. Lines that only `theirs` has changed are taken from it,
-/// and lines that only `ours` has changed stay. Where both changed the same lines, ours stay, and theirs
-/// follow as comments of YAML, so that nothing is lost and the text can still be read.
+/// Merges two texts with a common ancestor. Lines that only one of them changed are taken from that one.
+/// Where both changed the same lines, those of `ours` stay, and those of `theirs` follow as YAML comments.
+/// The text thus remains valid, and no line is lost.
 TextMerge merge(std::string_view base, std::string_view ours, std::string_view theirs);
-/// The same where it is not known what both were made from: that is what they have in common, and all lines
-/// that both have in its place are such.
+/// Merges two texts without a known ancestor: their common lines serve as the base. The result is never
+/// clean.
 TextMerge merge(std::string_view ours, std::string_view theirs);
 
 }  // namespace stepwire::studio

@@ -1,4 +1,4 @@
-// A Bode plot of the running loop: chosen by a wire of the drawing, written as two lines of text, and drawn anew when a slider moves.
+// Bode plot of the running loop: requested at a wire of the drawing, written as two lines of text, and redrawn when a slider moves.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
@@ -21,9 +21,9 @@ blocks:
   plant: {block: Lag, u: second, tau: 0.02 s}
 record: [plant]
 `;
-/** The same with an analysis of its own, in a style of its own. */
+/** The same diagram with an existing analysis, in another YAML style. */
 const taken = text.replace("record:", "linear:   # of the loop\n     loop: {from: error, to: plant}\nfigure: {plot: lines, x: time, y: plant}\nrecord:");
-/** At the gain K the loop K / ((0.1 s + 1)(0.05 s + 1)(0.02 s + 1)) is on the border of stability at K = 12.6, by Routh. */
+/** The loop K / ((0.1 s + 1)(0.05 s + 1)(0.02 s + 1)) reaches the stability limit at K = 12.6, by Routh. */
 const border = (0.1 + 0.05 + 0.02) * (1 / 0.1 + 1 / 0.05 + 1 / 0.02) - 1;
 const margin = (page) => page.locator(".figure svg text").evaluateAll((all) => all.map((one) => parseFloat(one.textContent.replace("−", "-"))).find((_, i) => / dB$/.test(all[i].textContent)));
 

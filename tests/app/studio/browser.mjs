@@ -1,4 +1,4 @@
-// One browser for all pages of a test file, since to start one takes longer than most tests; and when a wait is given up.
+// One browser for all pages of a test file, since its start takes longer than most tests, and the timeout of waits.
 
 import assert from "node:assert/strict";
 import {existsSync} from "node:fs";
@@ -6,13 +6,13 @@ import {existsSync} from "node:fs";
 const playwright = await import("playwright-core").then((all) => all.default ?? all, () => undefined);
 const executablePath = [process.env.STEPWIRE_CHROMIUM, "/usr/bin/chromium"].find((path) => path && existsSync(path));
 
-/** Why there is no browser; false where there is one. */
+/** Reason why there is no browser; false if there is one. */
 export const missing = !playwright ? "playwright-core is not installed: ./stepwire setup tests"
   : !executablePath ? "chromium is not installed; on Debian it is the package chromium" : false;
 
-/** How long something may take that comes at once on a machine with nothing else to do [ms]. */
+/** Timeout for actions that are immediate on an idle machine [ms]. */
 const patience = 60_000;
-/** The browser ends so long after its last context, so that the next test finds it running [ms]. */
+/** Delay after the last context before the browser ends, so that the next test can reuse it [ms]. */
 const linger = 200;
 let shared, users = 0;
 
@@ -25,7 +25,7 @@ function leave() {
   }, linger);
 }
 
-/** A context with nothing of the others in it; its pages wait with patience. */
+/** Creates an isolated context whose pages use the long timeout. */
 export async function newContext(options) {
   ++users;
   try {
@@ -40,7 +40,7 @@ export async function newContext(options) {
   }
 }
 
-/** Waits until something holds, and says what does not. */
+/** Waits until a condition holds; fails with its description after the timeout. */
 export async function until(holds, what = String(holds)) {
   for (const end = Date.now() + patience; !await holds();) {
     if (Date.now() > end) assert.fail(what);

@@ -1,4 +1,4 @@
-/** A cart at a spring, with a parameter that may be set while it runs. */
+/** Cart on a spring, with a live parameter. */
 export const cartText = (record) => `stepwire: 1
 title: a cart
 step: 1 ms

@@ -1,4 +1,4 @@
-// What is typed is not lost when the studio is killed, and two pages on one file see each other's edits.
+// Typed text survives a kill of the studio, and two pages on one file receive each other's edits.
 
 import assert from "node:assert/strict";
 import {existsSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
@@ -10,7 +10,7 @@ import {missing, Studio} from "./studio.mjs";
 const text = "stepwire: 1\nstep: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  one: {block: Constant, value: 1}\nrecord: [one]\n";
 const textHas = (page, part) => page.waitForFunction((one) => document.querySelector(".cm-content").textContent.includes(one), part);
 
-/** Writes at the end of the first line; the tour of a first visit is declined. */
+/** Types at the end of the first line. */
 async function type(page, words) {
   await page.locator(".cm-content").focus();
   await page.keyboard.press("Control+Home");
@@ -28,7 +28,7 @@ async function withStudio(action) {
   }
 }
 
-/** Waits until what was typed is on the disk as a draft, under its own name: it is written under another one first. */
+/** Waits until the typed words are in a draft on the disk. The draft is first written under a temporary name, which does not count. */
 async function drafted(studio, words) {
   const state = join(studio.folder, "state"), has = () => readdirSync(state, {recursive: true, withFileTypes: true}).some((one) => one.isFile() && one.name.endsWith(".draft") && readFileSync(join(one.parentPath ?? one.path, one.name), "utf8").includes(words));
   await until(() => existsSync(state) && has(), `there is no draft with ${words}`);
@@ -86,7 +86,7 @@ test("a file that another program writes is shown at once where nothing is unsav
   assert.deepEqual(studio.errors, []);
 }));
 
-/** The same line is changed here and by another program; the button that has the focus, or a named one, is pressed. */
+/** Changes the same line in the page and by another program, then runs an action on the dialog. */
 const conflict = (action) => withStudio(async (studio) => {
   const {page} = studio, theirs = text.replace("stepwire: 1", "stepwire: 1  # theirs");
   await type(page, "  # mine");

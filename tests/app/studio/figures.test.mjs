@@ -1,5 +1,5 @@
-// Figures in the page have all that the spec has: each text, each series, each point at its place between the axes. The specs
-// are those that the program writes for examples; STEPWIRE_FIGURES=FOLDER takes all that lie below a folder instead.
+// Figures in the page are complete: each text, each series, and each point at its position between the axes. The specs are those of the
+// examples; STEPWIRE_FIGURES=FOLDER uses all specs in a folder instead.
 
 import assert from "node:assert/strict";
 import {spawnSync} from "node:child_process";

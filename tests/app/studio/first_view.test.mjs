@@ -1,4 +1,4 @@
-// The first view of a large diagram has letters that can be read, and blocks in it.
+// The first view of a large diagram shows whole blocks with readable letters.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
@@ -25,10 +25,10 @@ ${Array.from({length: 58}, (_, i) => `  lag${i + 1}: {block: Lag, u: ${i < 29 ? 
   sum: {block: Sum, u: [${Array.from({length: 29}, (_, i) => `lag${i + 30}`).join(", ")}]}
 record: [sum]
 `;
-/** Letters of this height can be read [px]. */
+/** Minimum height of readable letters [px]. */
 const readable = 9;
 
-/** Of what is seen of the drawing: the least letters of blocks, and how many blocks are whole in view. */
+/** Returns for the visible drawing the smallest letters of blocks, and the number of wholly visible blocks. */
 const view = (page) => page.evaluate(() => {
   const canvas = document.querySelector(".canvas").getBoundingClientRect(), blocks = [...document.querySelectorAll(".shape")];
   const inside = blocks.filter((one) => {

@@ -1,4 +1,4 @@
-// Examples, tour and licences in Chromium; and what a diagram says does nothing in any view.
+// Examples, tour and licences in Chromium; texts of a diagram cannot inject anything into any view.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";

@@ -1,4 +1,4 @@
-// A run of the page is kept as a folder, which `verify` replays bit by bit with what was set on its way.
+// A run of the page is stored as a folder. `verify` replays it bit by bit, including the values set during the run.
 
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
@@ -10,7 +10,7 @@ import {missing, Studio} from "./studio.mjs";
 
 const text = cartText("cart.position");
 
-/** To a time, as fast as it goes, by a drag of the slider of time. */
+/** Seeks to a share of the run by the time slider. */
 async function to(page, share) {
   await page.locator(".scrub").fill(String(Math.round(1000 * share)));
   await page.waitForFunction((time) => document.querySelector(".run-time").textContent === `${time} s`, (2 * share).toFixed(3));

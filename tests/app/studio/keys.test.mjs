@@ -1,4 +1,4 @@
-// The keys of the list, with the focus at different places.
+// Keys of the list, with the focus on different elements.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
@@ -61,7 +61,7 @@ test("each digit of the list shows its pane with the focus in it, and its keys w
 }));
 
 test("Space plays and pauses from the drawing, a scope, a slider and behind a click on a button", {skip: missing}, () => withStudio(async (page) => {
-  await page.getByLabel(/^Pace/).selectOption({value: "0.1"});  // so that the run does not end meanwhile
+  await page.getByLabel(/^Pace/).selectOption({value: "0.1"});  // the run must not end meanwhile
   const places = [() => page.locator(".canvas").focus(), () => page.locator(".scope").first().focus(), () => page.locator(".tuned-slider").first().focus(),
     () => page.getByRole("separator").first().focus(), () => page.getByRole("button", {name: "Larger (+)"}).click()];
   for (const [i, place] of places.entries()) {

@@ -1,6 +1,6 @@
-// How long it takes from a key in a text of 100 blocks to the new drawing, in Chromium on the program's own page; and for how long the page
-// does not answer meanwhile. Prints lines of JSON with the goals; bench/studio makes a table of them.
-// node layout_times.mjs [--edits 12] [--settle 12] [--short]: seconds until the search for the best layout is over
+// Measures in Chromium, on the program's own page, the time from a key press in a text of 100 blocks to the new drawing. It also measures
+// the time for which the page is blocked. Prints lines of JSON with the goals; bench/studio formats them as a table.
+// node layout_times.mjs [--edits 12] [--settle 12] [--short]; --settle: seconds until the search for the best layout ends
 
 import {Studio} from "./studio.mjs";
 import {given, print, printQuantiles, quantile} from "./times.mjs";
@@ -8,7 +8,7 @@ import {given, print, printQuantiles, quantile} from "./times.mjs";
 const {edits, settle} = given({edits: [12, 6], settle: [12, 1]});
 const warmUp = 2;
 
-/** 100 blocks in which each hears one or two that stand before it. */
+/** Returns 100 blocks, each with one or two earlier blocks as sources. */
 function hundredBlocks() {
   let seed = 1;
   const below = (limit) => Math.floor(((seed = (seed * 1103515245 + 12345) % 2147483648) / 2147483648) * limit);
@@ -20,7 +20,7 @@ function hundredBlocks() {
   return `stepwire: 1\ntitle: many\nstep: 1 ms\nstop: 1 s\nsolver: rk4\nrecord: [b9]\nblocks:\n  b0: {block: Sine, amplitude: 1, frequency: 1 Hz}\n${lines.join("")}`;
 }
 
-/** In the page: notes long tasks, and when the drawing became another one. */
+/** In the page: records long tasks, and the time of the next drawing. */
 function observe() {
   window.seen = {long: [], drawn: 0};
   new PerformanceObserver((list) => { for (const {duration} of list.getEntries()) window.seen.long.push(duration); }).observe({entryTypes: ["longtask"]});
@@ -32,7 +32,10 @@ function observe() {
   }, 20);
 }
 
-/** Types a line at the end of the text; resolves to the time from its last key until the block is drawn [ms]. Long tasks are those of all of it. */
+/**
+ * Types a line at the end of the text. Resolves to the time from its last key to the drawing of the block [ms]; long tasks are recorded for
+ * the whole line.
+ */
 async function typed(page, line, name) {
   await page.evaluate(() => { window.seen.long.length = 0; });
   await page.keyboard.press("Control+End");

@@ -1,4 +1,4 @@
-// The view of a real-time loop in Chromium; what the server says of it is made up.
+// View of a real-time loop in Chromium, with invented data of the server.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
@@ -6,7 +6,7 @@ import {until} from "./browser.mjs";
 import {openPage} from "./scene_page.mjs";
 import {built, skip} from "./two_blocks.mjs";
 
-/** Bins of a fourth of an octave around a time, with counts that fall off by ten. */
+/** Returns bins of a quarter octave around a time. */
 function histogram(middle, counts) {
   const edges = Array.from({length: counts.length + 1}, (_, i) => middle * 2 ** ((i - 2) / 4)), count = counts.reduce((sum, one) => sum + one, 0);
   return {count, p50: middle, p99: 2 * middle, p999: 4 * middle, max: edges[edges.length - 1], edges, counts};

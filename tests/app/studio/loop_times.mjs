@@ -1,5 +1,5 @@
-// Does a page disturb a real-time loop? How late a loop wakes with a page attached that has stalled, over how late without: by turns,
-// in one run of the program. Prints lines of JSON with the goal; bench/studio makes a table of them.
+// Measures the influence of a page on a real-time loop: the lateness of the wake-up with a stalled page, relative to that without a page.
+// Both alternate in one process. Prints lines of JSON with the goal; bench/studio formats them as a table.
 // node loop_times.mjs [--rounds 9] [--seconds 5] [--rate 1000] [--short]
 
 import {mkdtempSync, rmSync, writeFileSync} from "node:fs";
@@ -17,7 +17,7 @@ const file = join(folder, "hundred.yaml");
 writeFileSync(file, hundredSignals());
 const {server, address} = await startStudio(folder, "--loop", "--rate", String(rate), file);
 
-/** One loop from its start, looked at only at its end. A page that stalls is there before. */
+/** Runs one loop from its start, and reads its timing at the end. A stalled page is attached before the start. */
 async function slice(stalled) {
   const begins = await new Page(address).open(), {columns} = await begins.call("run.load", {file: 0});
   let page = null;
@@ -40,7 +40,7 @@ async function slice(stalled) {
 }
 
 const alone = [], watched = [];
-await slice(true);  // not counted
+await slice(true);  // warm-up
 for (let round = 0; round < rounds; ++round) {
   for (const stalled of round % 2 ? [true, false] : [false, true]) (stalled ? watched : alone).push(await slice(stalled));
 }

@@ -1,5 +1,5 @@
-// A newcomer's first ten minutes: opens a diagram with a fault, mends it by its quick fix, connects two blocks, runs, looks at a value by the
-// cursor, tunes, writes the value to the text and saves. What was seen is what the saved file gives by `run`, bit by bit.
+// First ten minutes of a new user: opening a diagram with a fault, its quick fix, connecting two blocks, and a run. Then the user reads a
+// value at the cursor, moves a slider, writes the value to the text and saves. `run` of the saved file gives the same values, bit by bit.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
@@ -22,7 +22,7 @@ claims:
 const textHas = (page, part) => page.waitForFunction((one) => document.querySelector(".cm-content").textContent.includes(one), part);
 const shape = (page, id) => page.locator(`[data-shape="${id}"]`);
 
-/** Opens the file, whose fault is marked, and mends it by the keys of its quick fix. */
+/** Opens the file, checks that its fault is marked, and applies the quick fix by keys. */
 async function mend(page) {
   await page.getByRole("button", {name: "No, thank you"}).click();
   await page.waitForSelector(".cm-lintRange-error");
@@ -36,7 +36,7 @@ async function mend(page) {
   await page.waitForSelector(".drawing-fault", {state: "hidden"});
 }
 
-/** Draws a wire from the lag to the gain, which was fed by the command. */
+/** Draws a wire from the lag to the gain, whose source was the command. */
 async function connect(page) {
   await shape(page, "lag").hover();
   const from = await shape(page, "lag").locator(".port-output").boundingBox(), to = await shape(page, "twice").locator(".port-input").boundingBox();
@@ -50,7 +50,7 @@ async function connect(page) {
   await page.waitForFunction(() => [...document.querySelectorAll("[role=option]")].some((one) => one.getAttribute("aria-label") === "twice, Gain; from lag"));
 }
 
-/** Runs as fast as it goes, to the end. */
+/** Runs to the end, as fast as possible. */
 async function run(page) {
   await page.getByLabel(/^Pace/).selectOption({value: "0"});
   await page.getByRole("button", {name: "From the start"}).click();
@@ -59,7 +59,7 @@ async function run(page) {
   await page.waitForSelector(".scope canvas");
 }
 
-/** Puts the cursor into the scope by keys; its value stands in words for who does not see it. */
+/** Places a cursor in the scope by keys; screen readers get its value as text. */
 async function look(page) {
   const scope = page.locator(".scope").first();
   await scope.focus();
@@ -67,7 +67,7 @@ async function look(page) {
   await page.waitForFunction(() => [...document.querySelectorAll("[aria-live], [role=status]")].some((one) => /lag/.test(one.textContent) && /\d/.test(one.textContent)));
 }
 
-/** Another time constant, while the run stands; then into the text. */
+/** Sets another time constant while the run is paused, then writes it to the text. */
 async function tune(page) {
   const field = page.getByLabel(/^lag\.tau, /).and(page.locator("input[type=text]"));
   await field.fill("0.2 s");

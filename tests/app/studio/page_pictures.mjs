@@ -1,4 +1,4 @@
-// The pictures of the page on how to use the studio, made by its own page with the cart of the README.
+// Creates the pictures for the README of the studio, with the cart of the main README.
 // STEPWIRE_PROGRAM=build/stepwire node tests/app/studio/page_pictures.mjs engine/app/studio/pictures
 
 import {mkdirSync, readFileSync} from "node:fs";
@@ -10,7 +10,7 @@ const root = join(dirname(fileURLToPath(import.meta.url)), "../../.."), [folder]
 const cart = /```yaml\n([^]*?)```/.exec(readFileSync(join(root, "README.md"), "utf8"))[1];
 const field = (page, name) => page.getByRole("textbox", {name: new RegExp(`^${name}`)});
 
-/** Plays as fast as it goes up to a time. */
+/** Plays up to a time. */
 async function playTo(page, time) {
   await page.getByLabel(/^Pace/).selectOption({value: "1"});
   await page.getByRole("button", {name: "Play"}).click();
@@ -23,7 +23,7 @@ async function setTo(page, name, value) {
   await page.getByText(new RegExp(`^${value} from tick`)).waitFor();
 }
 
-/** A wire from the cart's position to the sum of forces, dropped. */
+/** Drops a wire from the cart's position on the sum of forces. */
 async function refusedWire(page) {
   await page.locator("[data-shape='cart']").hover();
   const output = await page.locator("[data-shape='cart'] .port-output").first().boundingBox(), block = await page.locator("[data-shape='net'] > .halo").boundingBox();

@@ -1,4 +1,4 @@
-// The program as a server, and a page without a browser: what it does not read is not read.
+// Program as a server, and a client without a browser that reads only on demand.
 
 import {spawn} from "node:child_process";
 import {randomBytes} from "node:crypto";
@@ -18,7 +18,7 @@ export async function startStudio(folder, ...args) {
   return {server, address};
 }
 
-/** A page's end of a socket, by hand: what it does not read is not read. */
+/** WebSocket client that reads only on demand, so that it can stall. */
 export class Page {
   constructor(address) {
     this.address = new URL(address);

@@ -1,4 +1,4 @@
-// What a page does that lost its server, and has it again.
+// Behaviour of a page that has lost its server and connects again.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";

@@ -1,4 +1,4 @@
-// A wire that does not fit is refused with its reason beside the pointer. One that takes the place of another is noted.
+// An unsuitable wire is refused with its reason beside the pointer; a wire that replaces another one causes a notice.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
@@ -19,7 +19,7 @@ blocks:
 record: [cart.position, pair, heater]
 `;
 
-/** Drags from the output of one block to a place on another, and gives what is said there with its distance to the pointer. */
+/** Drags from the output of one block to a position on another; returns the text there with its distance to the pointer. */
 async function dropped(page, from, port, to) {
   await page.locator(`[data-shape='${from}']`).hover();
   const output = await page.locator(`[data-shape='${from}'] .port-output${port ? `[data-port='${port}']` : ""}`).first().boundingBox();

@@ -1,4 +1,4 @@
-// The hand over a scene, what a scene and a mechanism say in words, the search for examples, and licences.
+// Hand over a scene, descriptions of scenes and mechanisms, the search for examples, and licences.
 
 import assert from "node:assert/strict";
 import {existsSync} from "node:fs";

@@ -1,5 +1,5 @@
-// The built page in Chromium with a server of the test's own: what the page calls is answered by functions, news are sent by hand.
-// The security policy is that of the studio.
+// Built page in Chromium with a server of the test: functions answer its calls, and the test sends news. The security policy is that of the
+// studio.
 
 import {createReadStream, existsSync} from "node:fs";
 import {createServer} from "node:http";
@@ -23,7 +23,7 @@ function serve(folder) {
   return new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(server)));
 }
 
-/** A data frame of protocol 1 with every sample. */
+/** Returns a data frame of protocol 1 with all samples. */
 function frameBytes({view, sequence = 1, run = 1, newest, time, columns}) {
   const all = [time, ...columns], bytes = Buffer.alloc(32 + 8 * time.length * all.length);
   bytes.write("SWD1", 0, "latin1");
@@ -37,7 +37,7 @@ function frameBytes({view, sequence = 1, run = 1, newest, time, columns}) {
   return bytes;
 }
 
-/** What a diagram answers when nothing else is said. */
+/** Default answers of the server. */
 export const usual = {
   hello: () => ({version: "test", file: 0, loop: false}),
   files: () => ({files: [{file: 0, name: "test.yaml", writable: true, part: false}]}),
@@ -50,7 +50,7 @@ export const usual = {
 
 /**
  * Opens the page. `answers` are functions from the arguments of a call to its result, or they throw; `view` has width, height, colorScheme,
- * touch. Returns {page, calls, news(message), faults(), close()}: all calls that came, and errors of the page.
+ * touch. Returns {page, calls, news(message), faults(), close()}, with all received calls, and errors of the page.
  */
 export async function openPage(folder, answers = {}, {width = 1400, height = 900, colorScheme = "light", hasTouch = false, reducedMotion = "no-preference"} = {}) {
   const server = await serve(folder), context = await newContext({viewport: {width, height}, colorScheme, hasTouch, reducedMotion});
@@ -88,7 +88,7 @@ export async function openPage(folder, answers = {}, {width = 1400, height = 900
   return {
     page, calls, errors, news: (message) => socket.send(JSON.stringify(message)),
     frame: (frame) => socket.send(frameBytes(frame)),
-    /** Ends the connection, as a server does that ends; the page may connect again once `isBack` says so. */
+    /** Closes the connection like a server that ends; the page can connect again once `isBack` returns true. */
     cut: (isBack) => { whether = isBack; socket.close(); },
     close,
   };

@@ -1,4 +1,4 @@
-// The scene in Chromium, and who is its hand.
+// Scene in Chromium, and the source of its hand.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
@@ -7,7 +7,7 @@ import {info, instant, loaded, skip, text, withPage, withScene} from "./views_pa
 
 const samplesOf = (calls) => calls.filter(({call}) => call === "run.input").flatMap(({samples}) => samples);
 
-/** The colour at a place of the scene. */
+/** Returns the colour at a position of the scene. */
 const colorAt = (page, x, y) => page.evaluate(([x, y, [x0, x1], [y0, y1]]) => {
   const canvas = document.querySelector(".scene-canvas"), pen = canvas.getContext("2d");
   return [...pen.getImageData(Math.round(((x - x0) / (x1 - x0)) * canvas.width), Math.round(((y1 - y) / (y1 - y0)) * canvas.height), 1, 1).data];

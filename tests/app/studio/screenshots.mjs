@@ -1,4 +1,5 @@
-// Pictures of each view of the studio at 1400, 1024 and 400 pixels, light and dark, to be looked at; of each view also one sheet with all six.
+// Creates pictures of each view of the studio for inspection, at 1400, 1024 and 400 pixels, light and dark, and one sheet per view with all
+// six.
 // STEPWIRE_PROGRAM=build/stepwire node tests/app/studio/screenshots.mjs FOLDER [VIEW ...]
 
 import {mkdirSync, readFileSync, writeFileSync} from "node:fs";
@@ -24,7 +25,7 @@ const play = async (page, seconds, pace = "1") => {
 };
 
 const cart = "diagrams/examples/70-force-feedback.yaml", scene = "diagrams/examples/72-figure-of-eight.yaml";
-/** Views by name: a diagram, and what is done before the picture is taken. */
+/** Views by name: a diagram, and the actions before the picture. */
 const views = {
   "text-and-drawing": [cart, async (page) => { await page.locator("[data-shape]").nth(3).click(); }],
   drawing: [cart, async (page) => { await tab(page, "Drawing"); await page.locator(".canvas").focus(); for (const key of ["Right", "Right", "e"]) await press(page, key === "e" ? "e" : "ArrowRight"); await page.waitForTimeout(500); }],
@@ -69,7 +70,7 @@ const views = {
 };
 const small = "stepwire: 1\ntitle: small\nstep: 1 ms\nstop: 1 s\nsolver: rk4\nrecord: [lag]\nblocks:\n  source: {block: Constant, value: 2}\n  lag: {block: Lag, u: source, tau: 0.4 s}\n";
 
-/** A view in one colour, at each size; what is done before is done once, in the widest. */
+/** Takes the pictures of a view in one colour scheme, at each size. The action runs once, at the widest size. */
 async function pictures(name, colorScheme) {
   const [file, action, more = []] = views[name], [[width, height]] = sizes, options = {width, height, colorScheme, more}, say = (text) => console.log(`${name} ${colorScheme}: ${text}`);
   const studio = await (file ? Studio.on(join(root, file), options) : Studio.opened(small, options)), {page} = studio, paths = [];
@@ -94,7 +95,7 @@ async function pictures(name, colorScheme) {
   return paths;
 }
 
-/** All pictures of a view side by side. */
+/** Returns a picture of all pictures of a view side by side. */
 async function sheet(name, paths) {
   const context = await newContext({viewport: {width: 2000, height: 1400}}), page = await context.newPage();
   const images = paths.map((path) => `<img style="height:640px;margin:4px;border:1px solid #888" src="data:image/png;base64,${readFileSync(path).toString("base64")}">`).join("");

@@ -1,4 +1,4 @@
-// Graphs after single edits of a graph, as a person makes them in a drawing: each with the blocks that it concerns.
+// Graphs after single edits of a graph, as in a drawing, each with the affected blocks.
 
 const inputsOf = (graph) => graph.nodes.flatMap(({id, inputs}) => inputs.map(({port}) => ({node: id, port})));
 const key = ({node, port}) => `${node} ${port}`;
@@ -10,7 +10,7 @@ function* deletions(graph) {
     yield {what: `delete ${id}`, own: [id], graph: {...graph, nodes: graph.nodes.filter((node) => node.id !== id), wires: graph.wires.filter(({from, to}) => from.node !== id && to.node !== id)}};
 }
 
-/** The wire's end goes to a new block, and the block's output on. */
+/** Inserts a new block before the sink of each wire. */
 function* insertions(graph) {
   for (const [i, wire] of graph.wires.entries()) {
     if (wire.from.constant !== undefined) continue;
@@ -19,7 +19,7 @@ function* insertions(graph) {
   }
 }
 
-/** A new block that hears a block and is not heard. */
+/** Adds a new block behind each block, without a sink. */
 function* additions(graph) {
   for (const {id, outputs} of graph.nodes)
     if (outputs.length > 0) yield {what: `add behind ${id}`, own: ["new"], graph: {...graph, nodes: [...graph.nodes, gain("new")], wires: [...graph.wires, {from: {node: id, port: outputs[0].port}, to: {node: "new", port: "u"}}]}};
@@ -30,7 +30,7 @@ function* disconnections(graph) {
     yield {what: `disconnect ${key(wire.to)}`, own: [], graph: {...graph, wires: graph.wires.filter((_, k) => k !== i)}};
 }
 
-/** Each input is fed by another block's first output; the wire that was there goes. */
+/** Connects each input to another block's first output; removes its previous wire. */
 function* connections(graph) {
   for (const input of inputsOf(graph))
     for (const {id, outputs} of graph.nodes) {
@@ -40,7 +40,7 @@ function* connections(graph) {
     }
 }
 
-/** A number that becomes a long one: no block, port or wire changes. */
+/** Changes a number to a long one: no block, port or wire changes. */
 function* relabels(graph) {
   for (const [i, node] of graph.nodes.entries())
     if (node.outline === "box" && node.lines.length > 0)

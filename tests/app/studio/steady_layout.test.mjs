@@ -1,4 +1,4 @@
-// The drawing stays steady while somebody edits: blocks keep their columns.
+// The drawing is stable during editing: blocks keep their columns.
 
 import assert from "node:assert/strict";
 import {spawnSync} from "node:child_process";
@@ -13,7 +13,7 @@ const {arrangeLike, arrangeRow, relabeled} = await import(join(drawing, "draw.mj
 const elk = new (createRequire(join(drawing, "main.mjs"))("elkjs/lib/elk.bundled.js"))();
 const skip = process.env.STEPWIRE_PROGRAM ? false : "STEPWIRE_PROGRAM names the program";
 const examples = ["03-parameters", "07-transfer-function", "20-solvers", "22-pid-anti-windup", "31-linkage", "41-loop-and-path", "70-force-feedback", "72-figure-of-eight", "73-safety", "92-loop-margin"];
-/** Of each kind of edit so many of an example; STEADY_ALL=1 makes all of them. */
+/** Number of edits of each kind per example; STEADY_ALL=1 makes all of them. */
 const most = process.env.STEADY_ALL ? Infinity : 4;
 
 function graphOf(name) {
@@ -22,13 +22,13 @@ function graphOf(name) {
   return JSON.parse(stdout);
 }
 
-/** The blocks of a picture with their columns, of those that are in both. */
+/** Returns the columns of the blocks `ids` in a picture. */
 function columnsIn({blocks}, ids) {
   const own = blocks.filter(({id}) => ids.has(id));
   return columnsOf(own, new Map(own.map((block) => [block.id, block])));
 }
 
-/** What of a picture changed its column, of the blocks that an edit does not concern. */
+/** Returns the blocks that an edit does not affect but that have changed their column. */
 function moved(before, after, own) {
   const blocks = ({blocks: all}) => all.filter(({id, within}) => !id.startsWith(":") && !within && !own.includes(id)).map(({id}) => id);
   const ids = new Set(blocks(after).filter((id) => blocks(before).includes(id))), old = columnsIn(before, ids), now = columnsIn(after, ids);

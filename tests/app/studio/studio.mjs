@@ -1,4 +1,4 @@
-// The studio as a person starts it: the program on a copy of a diagram, and a browser with its page.
+// Studio as a user starts it: the program on a copy of a diagram, and a browser with its page.
 
 import {execFileSync, spawn} from "node:child_process";
 import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
@@ -8,13 +8,13 @@ import * as browser from "./browser.mjs";
 
 const program = process.env.STEPWIRE_PROGRAM;
 
-/** Why there is no page to be tested here; false where there is one. */
+/** Reason why no page can be tested here; false if one can. */
 export const missing = !program ? "STEPWIRE_PROGRAM names the program"
   : browser.missing ? browser.missing
   : process.env.STUDIO_PAGE && !existsSync(join(process.env.STUDIO_PAGE, "index.html")) ? "the page is not built: npm is missing"
   : false;
 
-/** Resolves with the address that the program prints. */
+/** Resolves to the address that the program prints. */
 function addressOf(server) {
   return new Promise((resolve, reject) => {
     let printed = "";
@@ -28,11 +28,11 @@ function addressOf(server) {
   });
 }
 
-/** A folder with one diagram file, the studio that serves it, and its page. */
+/** Folder with one diagram file, the studio that serves it, and its page. */
 export class Studio {
   errors = [];
 
-  /** On a diagram with this text in a folder of its own. */
+  /** Opens a diagram with this text, in a folder of its own. */
   static async opened(text, {name = "diagram.yaml", ...options} = {}) {
     const studio = new Studio();
     studio.folder = mkdtempSync(join(tmpdir(), "studio-"));
@@ -41,7 +41,7 @@ export class Studio {
     return studio.seen(options);
   }
 
-  /** On a file where it is; nothing is to be saved. */
+  /** Opens an existing file in place; the test must not save it. */
   static async on(path, options = {}) {
     const studio = new Studio();
     studio.folder = mkdtempSync(join(tmpdir(), "studio-"));
@@ -49,7 +49,10 @@ export class Studio {
     return studio.seen(options);
   }
 
-  /** What the studio keeps for its user lies in the folder, so that nothing of who runs the test is read. `seen` runs in the page first. */
+  /**
+   * Starts the studio and its page. The folder also has the user's state, so that the test does not read that of its user. `seen` runs in
+   * the page first.
+   */
   async seen({width = 1400, height = 900, colorScheme = "light", seen, more = []} = {}) {
     this.context = browser.newContext({viewport: {width, height}, colorScheme});
     try {
@@ -70,10 +73,10 @@ export class Studio {
     this.address = await addressOf(this.server);
   }
 
-  /** Another page on the same file. */
+  /** Opens another page on the same file. */
   async visit(context) {
     const page = await context.newPage();
-    // A page that was just built, before it is in the program.
+    // Uses a page that was just built, before it is compiled into the program.
     if (process.env.STUDIO_ASSETS) await context.route(/\/assets\//, async (route) => {
       const path = join(process.env.STUDIO_ASSETS, new URL(route.request().url()).pathname), types = {".js": "text/javascript", ".css": "text/css"};
       return existsSync(path) ? route.fulfill({path, headers: {"Content-Type": types[extname(path)] ?? "image/svg+xml", "Cross-Origin-Embedder-Policy": "require-corp", "Cross-Origin-Resource-Policy": "same-origin"}}) : route.continue();
@@ -89,7 +92,7 @@ export class Studio {
     return readFileSync(this.path, "utf8");
   }
 
-  /** What the file gives by `run`: the rows of its signals as numbers, under their names. */
+  /** Runs the file by `run`; returns the rows of its signals as numbers, by name. */
   run() {
     const out = join(this.folder, "out");
     execFileSync(program, ["run", this.path, "--out", out], {stdio: "pipe"});
@@ -109,7 +112,7 @@ export class Studio {
   }
 }
 
-/** What the page has of columns of the run, by a second connection beside its own: exact numbers of every sample. */
+/** Returns the exact samples of columns of the run, by a second connection beside the page's own. */
 export function samplesOf(page, names) {
   return page.evaluate(async (wanted) => {
     const socket = new WebSocket(`ws://${location.host}/socket`);

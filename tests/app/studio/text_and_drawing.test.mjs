@@ -1,4 +1,4 @@
-// Text beside drawing, in Chromium: what is selected, marked, kept and edited on both sides. The server is played by functions.
+// Text beside drawing in Chromium: selection, marks, stored state and edits on both sides. Functions replace the server.
 
 import assert from "node:assert/strict";
 import {readdirSync, readFileSync} from "node:fs";

@@ -1,4 +1,4 @@
-// Texts of the page and of the server come together whatever is edited when; different lines are found where a person would see them.
+// Texts of page and server converge for any order of edits; differing lines are found where a person would expect them.
 
 import assert from "node:assert/strict";
 import {readdirSync, readFileSync} from "node:fs";
@@ -11,7 +11,7 @@ const {Document, difference, differentLines, readFrame, textOf, ChangeSet} = awa
   "text/document", "text/differences", "text/line_differences", "connection/frame",
   "../node_modules/@codemirror/state/dist/index.js");
 
-/** The same sequence of numbers below `limit` in every run. */
+/** Returns a generator of pseudo-random numbers below `limit`; the sequence is the same in every run. */
 function numbers(seed) {
   let state = seed;
   return (limit) => {
@@ -20,7 +20,7 @@ function numbers(seed) {
   };
 }
 
-/** A change of a text at a place that is drawn by lot. */
+/** Returns a random change of a text. */
 function anyChange(text, next) {
   const from = next(text.length + 1), to = Math.min(text.length, from + next(4));
   return {from, to, text: ["", "a", "Ω\n", "xyz", "🙂"][next(5)]};
@@ -28,7 +28,7 @@ function anyChange(text, next) {
 const put = (text, {from, to, text: insert}) => text.slice(0, from) + insert + text.slice(to);
 const setOf = ({from, to, text}, length) => ChangeSet.of({from, to, insert: text}, length);
 
-/** A server that takes edits of its newest version only, as the studio's does. */
+/** Server that accepts edits of its newest version only, as the studio does. */
 class Server {
   constructor(text) {
     this.text = text;

@@ -1,4 +1,4 @@
-// A diagram of two blocks, served by functions to the built page in Chromium.
+// Diagram of two blocks, served by functions to the built page in Chromium.
 
 import assert from "node:assert/strict";
 import {existsSync} from "node:fs";
@@ -19,7 +19,7 @@ const rangeOf = (whole, id) => {
   return {file: 0, from, to: whole.indexOf("\n", from)};
 };
 
-/** A server with one file, whose drawing follows its text as far as the names of the blocks go. */
+/** Server with one file, whose drawing follows the block names in its text. */
 export class Diagram {
   text = text;
   version = 1;
@@ -59,7 +59,7 @@ export class Diagram {
   }
 }
 
-/** Opens the page on such a diagram, does something, and checks that the page had no error. */
+/** Opens the page on such a diagram, runs an action, and checks that the page had no error. */
 export async function withPage(action, options) {
   const diagram = new Diagram(), opened = await openPage(built, diagram.answers(), options);
   try {

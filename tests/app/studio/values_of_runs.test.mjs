@@ -1,5 +1,5 @@
-// The values with which a run was made: one slider for each number, in the unit of the file, and the history of a pinned run.
-// Signals that are added after its end.
+// Parameter values of a run: one slider for each number, in the unit of the file, and the history of a pinned run. It also adds signals
+// after the end of a run.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";

@@ -1,4 +1,4 @@
-// What tests of scene, figures, mechanism and examples share: the built page in Chromium, STUDIO_PAGE=FOLDER or that of build/.
+// Shared functions of the tests of scene, figures, mechanism and examples: the built page in Chromium, from STUDIO_PAGE=FOLDER or build/.
 
 import assert from "node:assert/strict";
 import {openPage} from "./scene_page.mjs";
@@ -8,7 +8,7 @@ export {skip};
 export const loaded = {run: 1, step: 0.001, stop: 1, columns: [], parameters: [], scopes: [], inputs: [], scene: false, figures: 0, claims: []};
 export const text = (page, selector) => page.locator(selector).first().textContent();
 
-/** Opens the page with a pane in front, and closes it whatever happens. */
+/** Opens the page with a pane in front, and closes it in any case. */
 export async function withPage(answers, pane, view, run) {
   const opened = await openPage(folder, answers, view);
   try {
@@ -35,7 +35,7 @@ export const curve = (count) => ({x: Array.from({length: count}, (_, i) => i / c
 export const figureOf = (count) => ({width: 680, height: 440, panels: [{panel: "plot", box: [0, 0, 680, 440], x: {label: "time", unit: "s", range: [0, 1]}, y: {label: "position", unit: "mm", range: [-1, 1]},
   marks: [{mark: "line", curves: [curve(count)], line: {color: "#0072B2"}}]}]});
 
-/** Chooses an entry of the page's menu. */
+/** Selects an entry of the page's menu. */
 export const more = async (page, name) => {
   await page.getByRole("button", {name: "More", exact: true}).click();
   await page.getByText(name).click();

@@ -1,4 +1,5 @@
-// A walk through the page without a mouse: every control has a name and is large enough for a finger, and Tab reaches it with its focus seen.
+// Walk through the page without a mouse: every control has a name and is large enough for a finger. Tab reaches it and its focus is
+// visible.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
@@ -6,10 +7,10 @@ import {cartText} from "./cart.mjs";
 import {missing, Studio} from "./studio.mjs";
 
 const text = cartText("cart.position, spring");
-/** Height and width that a finger meets, of controls that do not stand in a line of text [px]; WCAG 2.2, target size (minimum). */
+/** Minimum height and width of controls outside of text lines [px]; WCAG 2.2, target size (minimum). */
 const target = 24;
 
-/** In the page: all controls that are seen, with their names and sizes. */
+/** In the page: returns all visible controls, with their names and sizes. */
 function controls() {
   const named = (one) => one.getAttribute("aria-label") || one.getAttribute("title") || [...(one.labels ?? [])].map((label) => label.textContent).join(" ") || (one.matches("select, input, textarea") ? one.getAttribute("placeholder") : one.textContent) || "";
   const all = [...document.querySelectorAll("button, select, input, summary, a[href], [role=button], [role=tab], [role=option][tabindex], [role=separator], [role=slider]")];
@@ -19,7 +20,7 @@ function controls() {
   });
 }
 
-/** What is wrong with the controls that are seen now. */
+/** Returns the faults of the controls that are visible now. */
 async function faults(page) {
   const found = await page.evaluate(controls), small = ({width, height, type, role}) => Math.min(width, height) < target - 0.5 && type !== "range" && role !== "separator";
   return [...(found.length > 5 ? [] : [`there are ${found.length} controls`]), ...found.filter(({name}) => !name).map(({what}) => `${what} has no name`),
@@ -30,7 +31,7 @@ async function atSize(width, height, action) {
   const studio = await Studio.opened(text, {width, height});
   try {
     await studio.page.getByRole("button", {name: "No, thank you"}).click();
-    if (width > 720) await studio.page.waitForSelector("[data-shape='cart']");  // else it is behind a tab
+    if (width > 720) await studio.page.waitForSelector("[data-shape='cart']");  // on a narrow page it is behind a tab
     await action(studio.page);
     assert.deepEqual(studio.errors, []);
   } finally {
@@ -45,7 +46,7 @@ for (const [width, height] of [[1400, 900], [400, 800]])
       await tab.click();
       await page.waitForSelector(`#${await tab.getAttribute("aria-controls")} .view > *:not([hidden])`);
       let wrong = await faults(page);
-      for (let i = 0; i < 20 && wrong.length > 0; ++i) {  // a view may still be on its way
+      for (let i = 0; i < 20 && wrong.length > 0; ++i) {  // a view may still be loading
         await page.waitForTimeout(100);
         wrong = await faults(page);
       }
@@ -64,7 +65,7 @@ test("Tab reaches every control of the page and goes round, and each shows that 
     });
     assert.ok(now.isShown || now.key.startsWith("BODY"), `${now.key} in ${now.where} does not show its focus`);
     seen.add(now.where);
-    if (now.where.includes("pane-text")) await page.keyboard.press("Escape");  // in the text Tab indents, until Esc was pressed
+    if (now.where.includes("pane-text")) await page.keyboard.press("Escape");  // Tab indents in the text until Esc is pressed
     await page.keyboard.press("Tab");
   }
   const all = [...seen].join(" ");

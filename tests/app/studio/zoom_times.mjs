@@ -1,6 +1,6 @@
-// How long the server alone takes for a stretch of what was recorded: from the request for 20 signals in 6 views to their frames, without
-// a browser. Prints lines of JSON with the goal; bench/studio makes a table of them.
-// node zoom_times.mjs [--seconds 100] [--short]: of 100 signals at 1 kHz
+// Measures the server's time for recorded data: from the request for 20 signals in 6 views to their frames, without a browser. Prints lines
+// of JSON with the goal; bench/studio formats them as a table.
+// node zoom_times.mjs [--seconds 100] [--short]; --seconds: recorded time of 100 signals at 1 kHz
 
 import {mkdtempSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";

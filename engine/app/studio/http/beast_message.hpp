@@ -7,7 +7,8 @@
 
 namespace stepwire::http {
 
-// Requests and answers in the types of Beast, as templates, so that no header includes it.
+// Conversions between requests, answers and the types of Beast. They are templates so that no header includes
+// Beast.
 
 template <class BeastRequest>
 Request request_of(const BeastRequest& from) {
@@ -17,7 +18,8 @@ Request request_of(const BeastRequest& from) {
   return request;
 }
 
-/// It refers to the body of the answer, which must outlive it; to HEAD it has none.
+/// Returns a response that refers to the body of the answer, which must outlive it. A response to HEAD has no
+/// body.
 template <class BeastResponse>
 BeastResponse response_of(const Answer& answer, bool head, bool keep) {
   const std::string_view body = answer.body.empty() ? answer.fixed : std::string_view(answer.body);

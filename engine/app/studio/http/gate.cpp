@@ -36,7 +36,7 @@ bool needs_origin(const Request& request) {
   return !reads || request.has("Upgrade") || request.has("Origin");
 }
 
-/// The value of our cookie; of two of that name neither counts.
+/// Returns the value of the cookie of this port; "" if the request has none or more than one.
 std::string cookie(const Request& request, const Key& key) {
   const std::string* line = request.header("Cookie");
   if (!line) return {};

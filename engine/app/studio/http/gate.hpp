@@ -7,38 +7,39 @@
 
 namespace stepwire::http {
 
-/// What a request must know to be let in.
+/// Credentials of the server.
 struct Key {
   std::uint16_t port = 0;
   std::string token;  ///< 32 hexadecimal digits
 };
 
-/// What becomes of a request.
+/// Verdict of the gate on a request.
 struct Decision {
   enum class Kind {
     refuse,   ///< 403 without a body
-    enter,    ///< the token was in the address: a cookie for it, and to the page without it
-    pass,     ///< may have what stands under `path`
-    upgrade,  ///< may open a socket at `path`
+    enter,    ///< the URL had the token: sets the cookie and redirects to the page without it
+    pass,     ///< serves `path`
+    upgrade,  ///< opens a socket at `path`
   };
   Kind kind = Kind::refuse;
-  std::string path{};  ///< as it was sent: nothing in it is decoded
+  std::string path{};  ///< as sent, without decoding
 
   bool operator==(const Decision&) const = default;
 };
 
-/// The one gate of pages and sockets. Host has to be a loopback name with the port. Origin, where it is sent
-/// and in any case for sockets and for methods other than GET and HEAD, has to be that of this host. The
-/// token has to be in the cookie, or once in the address of the page.
+/// Decides on a request, of a page or of a socket. Host must be a loopback name with the port. Origin must be
+/// that host if it is sent; sockets and methods other than GET and HEAD require it. The token must be in the
+/// cookie, or once in the URL of the page.
 Decision decide(const Request& request, const Key& key);
 
-/// "stepwire-8080": browsers keep one jar of cookies for all ports of a host.
+/// Returns "stepwire-8080": the port is in the name because browsers share the cookies of all ports of a
+/// host.
 std::string cookie_name(const Key& key);
 
-/// 128 bits of the system's random numbers as hexadecimal digits.
+/// Returns 128 bits of the system's random numbers as hexadecimal digits.
 std::string random_token();
 
-/// Compares in a time that does not depend on where two texts differ.
+/// Compares two texts in constant time.
 bool same_secret(std::string_view a, std::string_view b);
 
 }  // namespace stepwire::http

@@ -30,7 +30,7 @@ using boost::system::error_code;
 using Parser = beast::http::request_parser<beast::http::empty_body>;
 using Response = beast::http::response<beast::http::span_body<const char>>;
 
-/// All that lives in the server's thread.
+/// Server with everything that runs in its thread.
 class Server : public HttpServer {
  public:
   Server(Site& site, std::uint16_t port, const Limits& limits);
@@ -56,14 +56,14 @@ class Server : public HttpServer {
   Key key_;
   std::size_t connections_ = 0, sockets_ = 0;
   int last_page_ = 0;
-  std::list<Connection*> unheard_;  ///< whose request has not come to its end, the oldest first
+  std::list<Connection*> unheard_;  ///< connections without a complete request, oldest first
   std::map<int, std::weak_ptr<Page>> pages_;
-  asio::io_context context_{1};  // when it goes, what waits in it goes, and uses what stands above
+  asio::io_context context_{1};  // declared after the members that its pending handlers use
   std::deque<tcp::acceptor> acceptors_;
   std::thread thread_;
 };
 
-/// A page's socket.
+/// WebSocket of a page.
 class Server::Page : public std::enable_shared_from_this<Page> {
  public:
   Page(Server& server, beast::tcp_stream stream, std::shared_ptr<Place> connection)
@@ -81,7 +81,7 @@ class Server::Page : public std::enable_shared_from_this<Page> {
   ~Page() { leave(); }
 
   void accept(std::shared_ptr<Parser> parser) {
-    beast::get_lowest_layer(stream_).expires_never();  // the socket has its own timer
+    beast::get_lowest_layer(stream_).expires_never();  // the WebSocket has its own timer
     const auto accepted = [self = shared_from_this(), parser](error_code error) {
       if (!error) self->join();
     };
@@ -113,7 +113,7 @@ class Server::Page : public std::enable_shared_from_this<Page> {
     read();
   }
 
-  /// Reads the next message unless too many are not done, or the page does not read what they gave.
+  /// Reads the next message, unless too many messages are unhandled or the page does not read its answers.
   void read() {
     if (reads_ || waiting_ > server_.limits_.waiting || unsent_ > server_.limits_.unread) return;
     reads_ = true;
@@ -124,7 +124,7 @@ class Server::Page : public std::enable_shared_from_this<Page> {
     });
   }
 
-  /// At once, though messages of it may still be worked on.
+  /// Reports that the page has left; its messages may still be in work.
   void leave() {
     if (server_.pages_.erase(number_) > 0) server_.site_.left(number_);
   }
@@ -132,13 +132,14 @@ class Server::Page : public std::enable_shared_from_this<Page> {
   void take() {
     std::string message = beast::buffers_to_string(buffer_.data());
     buffer_.consume(buffer_.size());
-    const std::size_t size = message.size() + 1024;  // a small one is work, too
+    const std::size_t size = message.size() + 1024;  // overhead: small messages cost work, too
     waiting_ += size;
     server_.site_.said(number_, std::move(message), ticket(size));
     read();
   }
 
-  /// Whoever lets it go may be in any thread; the page itself goes in ours.
+  /// Returns a ticket for a message of `size` bytes. It may be released in any thread; the page is always
+  /// destroyed in the thread of the server.
   Ticket ticket(std::size_t size) {
     return {nullptr, [self = shared_from_this(), size](void*) mutable {
               asio::io_context& context = self->server_.context_;
@@ -169,19 +170,19 @@ class Server::Page : public std::enable_shared_from_this<Page> {
   Place place_;
   int number_ = 0;
   beast::flat_buffer buffer_;
-  std::size_t waiting_ = 0;  ///< [bytes] of messages whose tickets exist
+  std::size_t waiting_ = 0;  ///< bytes of messages whose tickets exist
   bool reads_ = false;       ///< a read is pending
   std::deque<Outgoing> queue_;
-  std::size_t unsent_ = 0;  ///< [bytes] of `queue_`
+  std::size_t unsent_ = 0;  ///< bytes in `queue_`
 };
 
-/// A connection as long as it is none of a page.
+/// Connection that is not a WebSocket yet.
 class Server::Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(Server& server, tcp::socket socket)
       : server_(server), stream_(std::move(socket)), place_(std::make_shared<Place>(server.connections_)) {}
 
-  /// The oldest that has said nothing whole makes room for another; false where all have.
+  /// Closes the oldest connection without a complete request to make room; false if there is none.
   static bool give_way(Server& server) {
     if (server.unheard_.empty()) return false;
     server.unheard_.front()->stream_.close();
@@ -252,7 +253,8 @@ void Server::accept(tcp::acceptor& acceptor) {
   });
 }
 
-/// Without a free descriptor a connection stays in the queue, so that accepting again at once fails again.
+/// Accepts again after a pause. Without a free descriptor the connection stays in the queue, and accepting at
+/// once would fail again.
 void Server::accept_later(tcp::acceptor& acceptor) {
   const auto pause = std::make_shared<asio::steady_timer>(context_, std::chrono::milliseconds(100));
   pause->async_wait([this, &acceptor, pause](error_code error) {
@@ -275,7 +277,7 @@ void Server::start() {
 void Server::stop() {
   context_.stop();
   if (thread_.joinable()) thread_.join();
-  // Their sockets are closed later, when the site may be gone.
+  // The sockets close later, when the site may be destroyed.
   for (const auto& [page, socket] : std::exchange(pages_, {})) site_.left(page);
 }
 

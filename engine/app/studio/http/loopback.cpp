@@ -15,7 +15,7 @@ namespace stepwire::http {
 
 namespace {
 
-/// Not open where the system refuses; errno says why.
+/// Returns a listening socket; a closed one with errno on failure.
 template <class Address>
 io::Descriptor listener(const Address& address, int family) {
   io::Descriptor socket(::socket(family, SOCK_STREAM | SOCK_CLOEXEC, 0));
@@ -52,7 +52,7 @@ std::uint16_t port_of(const io::Descriptor& socket) {
   return ntohs(address.sin_port);
 }
 
-/// Nothing where somebody else has the port at one of the addresses.
+/// Returns std::nullopt if the port is taken at one of the addresses.
 std::optional<Loopback> try_port(std::uint16_t port) {
   Loopback both{port, listen_v4(port), {}};
   if (!both.v4.open() && errno == EADDRINUSE) return std::nullopt;

@@ -4,7 +4,7 @@
 
 namespace stepwire::http {
 
-/// One of a limited number of places, given back where it goes.
+/// Slot of a limited number; the destructor frees it.
 class Place {
  public:
   explicit Place(std::size_t& taken) : taken_(taken) { ++taken_; }

@@ -8,7 +8,8 @@ namespace stepwire::http {
 
 namespace {
 
-/// To the page without the token in its address, which would stay in the history of the browser.
+/// Sets the cookie and redirects to the page. The token must not stay in the URL, as the browser's history
+/// keeps it.
 Answer entrance(const Key& key) {
   Answer answer = empty_answer(303);
   answer.headers.push_back({"Location", "/"});

@@ -5,10 +5,10 @@
 
 namespace stepwire::http {
 
-/// An answer of this status without a body.
+/// Returns an answer with this status and no body.
 Answer empty_answer(int status);
 
-/// What the decision of the gate gives, of anything but a socket.
+/// Answers a request according to the gate's decision; sockets are handled elsewhere.
 Answer reply(const Request& request, const Decision& decision, const Key& key, Site& site);
 
 }  // namespace stepwire::http

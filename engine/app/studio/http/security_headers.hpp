@@ -7,8 +7,8 @@
 
 namespace stepwire::http {
 
-/// The headers that every answer has: nothing is kept or framed, nothing is loaded from elsewhere, and styles
-/// come from us or carry the nonce.
+/// Returns the headers of every answer: no caching, no framing, no resources from other origins. Styles must
+/// come from this origin or carry the nonce.
 std::vector<Header> security_headers(const std::string& nonce);
 
 }  // namespace stepwire::http

@@ -7,18 +7,19 @@
 
 namespace stepwire::http {
 
-/// As long as a copy exists, the message that it came with counts against its page: a page is not read on
-/// while too much of what it sent is not done.
+/// Token of a message in work. While a copy exists, the message counts against the limits of its page; beyond
+/// them the server reads nothing further from the page.
 using Ticket = std::shared_ptr<void>;
 
-/// What is served. All calls come from the server's thread and should return at once.
+/// Interface of the content that a server serves. All calls come from the server's thread and should return
+/// at once.
 class Site {
  public:
   virtual ~Site() = default;
-  /// The answer to GET or HEAD, which change nothing, of a request that the gate has let pass.
+  /// Returns the answer to a GET or HEAD request that has passed the gate; it must change nothing.
   virtual Answer answer(const Request& request, const std::string& path) = 0;
   virtual bool has_socket(const std::string& path) = 0;
-  /// A page has opened a socket; pages count up from 1 and never come again.
+  /// Reports that a page has opened a socket. Numbers of pages count up from 1 and are not reused.
   virtual void joined(int page) = 0;
   virtual void said(int page, std::string message, Ticket ticket) = 0;
   virtual void left(int page) = 0;

@@ -1,4 +1,4 @@
-// Verdicts of a run in which values were set on its way.
+// Verdicts of a run in which values were set after its start.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 using json::Json;
 
-constexpr std::int64_t first_set = 1;  // the tick behind the start, which is always shown
+constexpr std::int64_t first_set = 1;  // tick 1: tick 0 is computed before any value can be set
 
 std::string verdict_of(const claim::Verdict& verdict) {
   if (!verdict.note.empty()) return "open";
@@ -32,7 +32,7 @@ Json claim_json(const std::string& that, const std::string& verdict, const std::
   return Json::object().set("that", that).set("verdict", verdict).set("text", text);
 }
 
-/// What was set in a run: at its start, and on its way.
+/// Values set in a run, at its start and later.
 struct SetValues {
   explicit SetValues(const EventLog& log) : start(log.last_of_each(first_set + 1)) {
     std::erase_if(start, &LiveEvent::is_input);
@@ -47,7 +47,7 @@ struct SetValues {
     for (const LiveEvent& event : log.last_of_each()) add(event);
   }
 
-  /// The values at the start but for one.
+  /// Returns the values at the start, with `other` in place of the one of its name.
   std::vector<LiveEvent> with(const LiveEvent& other) const {
     std::vector<LiveEvent> values = start;
     std::erase_if(values, [&](const LiveEvent& event) { return event.name == other.name; });
@@ -55,7 +55,7 @@ struct SetValues {
     return values;
   }
 
-  std::vector<LiveEvent> start, on_way;  ///< the last of each name; the first and the last of each
+  std::vector<LiveEvent> start, on_way;  ///< last event of each name; first and last later event of each name
 };
 
 std::vector<claim::Verdict> judged(LoadedRun& run, const std::vector<LiveEvent>& values,
@@ -66,7 +66,8 @@ std::vector<claim::Verdict> judged(LoadedRun& run, const std::vector<LiveEvent>&
   return std::move(outcome.verdicts);
 }
 
-/// Leaves those open that say something else where one of the values on the way is taken for the run's.
+/// Opens the verdicts that depend on a value set later: those that change if that value replaces the one at
+/// the start.
 void note_dependence(LoadedRun& run, const SetValues& values,
                      const std::vector<record::Recording>& recordings,
                      std::vector<claim::Verdict>& verdicts) {

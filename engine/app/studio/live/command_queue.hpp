@@ -10,24 +10,24 @@
 
 namespace stepwire::live {
 
-/// Seconds on the clock of this process, which goes on steadily.
+/// Returns the time of a monotonic clock of this process [s].
 double seconds_now();
 
-/// What other threads have a run do, one after the other, between two ticks.
+/// Queue of commands from other threads, which the run executes in order between two ticks.
 class CommandQueue {
  public:
   void push(std::function<void()> command);
-  /// Is there nothing to do? Costs no lock.
+  /// True if the queue is empty; takes no lock.
   bool empty() const { return count_.load(std::memory_order_acquire) == 0; }
-  /// Does all there is, in its order.
+  /// Executes all commands in order.
   void run_all();
-  /// Returns once there is something to do.
+  /// Waits for a command.
   void wait();
-  /// The same, or at a time of seconds_now().
+  /// Waits for a command, until a time of seconds_now() at most.
   void wait_until(double time);
 
-  /// Has the run do something, and waits for its result. Throws what it throws, std::future_error where the
-  /// run has gone.
+  /// Executes an action in the run's thread and returns its result. Throws what the action throws;
+  /// std::future_error if the queue is destroyed first.
   template <class Act>
   auto ask(Act act) {
     using Result = std::invoke_result_t<Act>;

@@ -12,52 +12,52 @@
 
 namespace stepwire::live {
 
-/// Stands for what is done before a run puts everything at time 0, such as initial values.
+/// Tick of events before the reset to time 0, such as initial values.
 inline constexpr std::int64_t before_start = -1;
 
-/// Something that was done to a run before it computed a tick: a value that was set, or an input written.
+/// Change of a run before it computes a tick: a value that is set, or an input that is written.
 struct LiveEvent {
   std::int64_t tick = 0;
-  std::string name;            ///< of a parameter, a value of a block or an input
-  std::string text;            ///< of a value that is set, as `--set` reads it
-  std::vector<double> values;  ///< of an input, SI; else empty
-  double time = 0.0;  ///< of an input: when it was read at the page, on the clock of this machine [s]
+  std::string name;            ///< parameter, value of a block, or input
+  std::string text;            ///< new value, in the syntax of `--set`
+  std::vector<double> values;  ///< for an input, SI; else empty
+  double time = 0.0;           ///< for an input: read time at the page, by the clock of seconds_now() [s]
 
   bool is_input() const { return !values.empty(); }
 };
 
-/// All that was done to a run, in order. A run that begins with the same diagram and gets the same events has
-/// the same bits.
+/// Log of all changes of a run, in order. A run of the same diagram with the same events yields the same
+/// bits.
 class EventLog {
  public:
-  /// Behind all of the same tick and before.
+  /// Inserts an event behind those of the same tick.
   void add(LiveEvent event);
-  /// Forgets what was done at a tick and later.
+  /// Removes the events at `tick` and later.
   void cut(std::int64_t tick);
   const std::vector<LiveEvent>& events() const { return events_; }
-  /// Hands on what was done at ticks from, ..., to - 1.
+  /// Passes on the events at ticks from, ..., to - 1.
   void each(std::int64_t from, std::int64_t to, const std::function<void(const LiveEvent&)>& take) const;
 
-  /// The last event of each name at a tick before `to`, in their order.
+  /// Returns the last event of each name before tick `to`, in order.
   std::vector<LiveEvent> last_of_each(std::int64_t to = std::numeric_limits<std::int64_t>::max()) const;
 
   json::Json json() const;
-  /// Throws std::runtime_error for what json() does not write.
+  /// Reads what json() writes; throws std::runtime_error for anything else.
   static EventLog read(const json::Json& list);
 
  private:
   std::vector<LiveEvent> events_;
 };
 
-/// Does to a run what the event says. Throws Error where that is refused.
+/// Applies an event to a run. Throws Error if the run refuses the value.
 void apply(const LiveEvent& event, run::Executor& run);
 
-/// The present number of a parameter of a run, SI; of any other value that of the text by which it was set.
-/// Nothing where it is no number.
+/// Returns the present value of a parameter in SI, or for other names the number in `text`. std::nullopt if
+/// the value is no number.
 std::optional<double> present_number(const run::Executor& run, const std::string& name,
                                      const std::string& text);
 
-/// Does all again in another run of the plan.
+/// Observer that applies the events of a log to another run of the plan.
 class LogReplay : public run::RunObserver {
  public:
   explicit LogReplay(EventLog log) : log_(std::move(log)) {}

@@ -7,7 +7,7 @@
 
 namespace stepwire::live {
 
-/// The smallest and the largest of some numbers, of those that are none without these.
+/// Minimum and maximum of some numbers; NaN is ignored. `least` exceeds `most` if there are none.
 struct Extremes {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
@@ -19,7 +19,7 @@ struct Extremes {
   }
 };
 
-/// Of numbers one behind the other. Several at a time, since each comparison waits for the one before.
+/// Returns the extremes of contiguous numbers. Eight independent lanes hide the latency of the comparisons.
 inline Extremes extremes_of(std::span<const double> values) {
   constexpr std::size_t lanes = 8;
   std::array<double, lanes> least, most;

@@ -22,7 +22,7 @@ constexpr std::int64_t samples_shown = 1000;
 constexpr std::size_t most_points = 64;
 constexpr std::int64_t profiled_ticks = 2000;
 
-/// What is read of a tick.
+/// Accessor of a column's value at a tick.
 struct Reading {
   std::size_t offset = 0;
   std::optional<expression::Expression> formula{};
@@ -44,7 +44,7 @@ Reading reading_of(const LoadedRun& run, std::size_t index) {
   return reading;
 }
 
-/// Takes readings of some ticks of a run.
+/// Observer that records readings at every n-th tick.
 class Sampling : public run::RunObserver {
  public:
   Sampling(const std::vector<Reading>& readings, std::int64_t every) : readings_(readings), every_(every) {
@@ -75,7 +75,7 @@ class Fan {
 
   Json points() {
     std::vector<Json> points(call_.count);
-    const unsigned threads = std::max(1u, std::thread::hardware_concurrency() - 1);  // one is the run's
+    const unsigned threads = std::max(1u, std::thread::hardware_concurrency() - 1);  // one core for the run
     parallel::in_parallel(call_.count, threads, [&](std::size_t i) { points[i] = point(i); });
     if (refused_ == call_.count) throw std::runtime_error(refusal_);
     Json list = Json::list();
@@ -90,7 +90,7 @@ class Fan {
     return call_.low + share * (call_.high - call_.low);
   }
 
-  /// Does the run take the value? Such as 0 for a mass is left out.
+  /// True if the run accepts the value; it refuses a mass of 0, for example.
   bool takes(run::Executor& simulation, double value) {
     try {
       apply({0, call_.name, fmt::format("{}", value), {}, 0.0}, simulation);
@@ -103,7 +103,7 @@ class Fan {
     }
   }
 
-  /// Nothing where it was interrupted, or the value is refused.
+  /// Returns null if the run was interrupted or the value is refused.
   Json point(std::size_t i) {
     run::Executor simulation(run_.plan());
     for (const LiveEvent& event : set_.events())
@@ -129,11 +129,11 @@ class Fan {
   LoadedRun& run_;
   const FanCall& call_;
   const std::atomic<bool>& interrupt_;
-  EventLog set_;  ///< what is set in the run
+  EventLog set_;  ///< values that are set in the run
   std::vector<Reading> readings_;
   std::mutex mutex_;
   std::size_t refused_ = 0;
-  std::string refusal_;  ///< of one of these
+  std::string refusal_;  ///< message of a refused value
 };
 
 }  // namespace

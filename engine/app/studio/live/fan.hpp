@@ -9,7 +9,7 @@
 
 namespace stepwire::live {
 
-/// A sweep of one parameter between two values, in runs of their own.
+/// Sweep of one parameter between two values, each in a separate run.
 struct FanCall {
   std::string name;
   double low = 0.0, high = 0.0;  ///< SI
@@ -17,12 +17,11 @@ struct FanCall {
   std::vector<std::size_t> columns;
 };
 
-/// Runs it to the end of the run, with the values that are set in the run now beside it; the points have
-/// about 1000 samples each. Ends with what it has once `interrupt` is true. Throws Error where a value is
-/// refused.
+/// Runs the sweep with the values that are now set in the run. Each point has about 1000 samples. After
+/// `interrupt` becomes true, it returns the points so far. Throws std::runtime_error if all are refused.
 json::Json fan(LoadedRun& run, const FanCall& call, const std::atomic<bool>& interrupt);
 
-/// What each block of the model takes of a step, measured in a short run of its own.
+/// Measures the cost of each block per step, in a short separate run.
 json::Json profile_now(const LoadedRun& run, const std::atomic<bool>& interrupt);
 
 }  // namespace stepwire::live

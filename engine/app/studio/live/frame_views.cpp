@@ -13,7 +13,7 @@ namespace {
 
 constexpr double most_pixels = 16'384.0;
 constexpr double furthest = 1e9;            // [s]
-constexpr std::size_t most_columns = 1024;  // of all views of a page: no screen shows more
+constexpr std::size_t most_columns = 1024;  // of all views of a page; more than any screen shows
 
 WantedView read_view(const Arguments& given) {
   WantedView view;
@@ -25,7 +25,7 @@ WantedView read_view(const Arguments& given) {
   return view;
 }
 
-/// The ticks of a view, of which some may not be there yet.
+/// Returns the ticks of a view, some of which may not be computed yet.
 SampleRange range_of(const LoadedRun& run, const WantedView& view, std::vector<std::size_t> stored,
                      std::int64_t end) {
   const double step = run.plan().diagram.step;
@@ -40,7 +40,8 @@ SampleRange range_of(const LoadedRun& run, const WantedView& view, std::vector<s
   return range;
 }
 
-/// Is another one after each start and return, and where samples of the past were put.
+/// Returns a number that changes with each start, each return to an earlier tick, and each fill of past
+/// samples.
 std::uint32_t life_of(const LoadedRun& run) {
   return run.status().run + (run.store().revision() << 16u);
 }
@@ -95,7 +96,7 @@ void FrameViews::send(LoadedRun& run) {
   for (const auto& [key, view] : due(number, end)) {
     try {
       send_view(run, key, view, end);
-    } catch (const std::runtime_error&) {  // a column that this run does not have: the page asks for others
+    } catch (const std::runtime_error&) {  // a column of another run; the page will request new ones
     }
     const std::lock_guard lock(mutex_);
     if (const auto known = views_.find(key); known != views_.end()) known->second.sent = {number, end};

@@ -14,7 +14,7 @@
 
 namespace stepwire::live {
 
-/// What a view of a page shows: a stretch of time, or the newest seconds.
+/// Window of a view of a page: a fixed range of time, or the newest `follow` seconds.
 struct WantedView {
   std::vector<std::size_t> columns;
   double from = 0.0, to = 0.0;   ///< [s]
@@ -22,20 +22,19 @@ struct WantedView {
   std::size_t pixels = 1;
 };
 
-/// The views of all pages, and what each has been sent. Samples wait for nobody: a view gets its newest
-/// window once it has acknowledged all but one of the frames before. From any thread.
+/// Views of all pages, with what each has received. The run never waits for a page: a view gets its newest
+/// window when all but one of its earlier frames are acknowledged. Thread-safe.
 class FrameViews {
  public:
   using Send = std::function<void(int client, std::string bytes)>;
 
   explicit FrameViews(Send send) : send_(std::move(send)) {}
 
-  /// Puts these views, as `data.want` gives them, in the place of all that the page had. Throws
-  /// std::runtime_error.
+  /// Replaces all views of a page by these, in the format of the protocol. Throws std::runtime_error.
   void want(int client, const json::Json& views);
   void acknowledge(int client, std::uint32_t sequence);
   void left(int client);
-  /// Sends what is new in a run.
+  /// Sends the new samples of a run.
   void send(LoadedRun& run);
 
  private:
@@ -43,8 +42,8 @@ class FrameViews {
 
   struct View {
     WantedView wanted;
-    std::set<std::uint32_t> waiting;                             ///< to be acknowledged
-    std::optional<std::pair<std::uint32_t, std::int64_t>> sent;  ///< of which run, up to which tick
+    std::set<std::uint32_t> waiting;                             ///< unacknowledged sequence numbers
+    std::optional<std::pair<std::uint32_t, std::int64_t>> sent;  ///< run and end tick of the last frame
   };
   using Key = std::pair<int, std::uint16_t>;  ///< page and view
 

@@ -6,7 +6,7 @@ namespace stepwire::live {
 
 namespace {
 
-/// The parameters of the files that a run may set.
+/// Returns the parameters of the diagram that can be set without changing its structure.
 std::vector<std::string> names_to_set(const diagram::Diagram& diagram) {
   std::vector<std::string> names;
   for (const diagram::DiagramParameter& parameter : diagram.parameters)
@@ -27,7 +27,7 @@ LiveCode::LiveCode(const plan::Plan& plan, plan::CodeSource* source) : plan_(pla
 }
 
 void LiveCode::compile() {
-  code_.reset();  // ends a compilation that goes on
+  code_.reset();  // ends a pending compilation
   code_ = std::make_unique<run::TieredExecution>(
       run::ExecutionMode::automatic, source_, std::vector<run::TieredExecution::Member>{{&plan_, variable_}},
       static_cast<double>(plan_.steps));
@@ -40,7 +40,7 @@ void LiveCode::look(run::Executor& run, std::int64_t ticks) {
   if (!code) return;
   run.use(*code);
   if (run.compiled()) return;
-  run.widen(variable_);  // it has a number that stands in the code otherwise
+  run.widen(variable_);  // the run has another value for a constant of the code
   compile();
 }
 

@@ -10,16 +10,17 @@
 
 namespace stepwire::live {
 
-/// Compiles the plan of a run beside it, once that is worth it, so that the parameters of the file may be set
-/// in compiled code; after another value has been set, the plan is compiled anew with that one.
+/// Compiler of the plan of a live run, in the background and only for runs that are long enough. Parameters
+/// of the diagram can be set in the compiled code. Setting any other value triggers a new compilation with
+/// that value as a variable.
 class LiveCode {
  public:
-  /// Plan and source must outlive it; without a source all is interpreted.
+  /// Plan and source must outlive it; without a source the run is interpreted.
   LiveCode(const plan::Plan& plan, plan::CodeSource* source);
 
-  /// Notes that ticks are done, and lets the run go on with the code where there is some.
+  /// Counts computed ticks, and switches the run to compiled code once that is available.
   void look(run::Executor& run, std::int64_t ticks);
-  /// A value of this name is set in the run, and may be again.
+  /// Records that a value was set, so that the next compilation makes it a variable.
   void was_set(const std::string& name);
 
  private:
@@ -27,7 +28,7 @@ class LiveCode {
 
   const plan::Plan& plan_;
   plan::CodeSource* source_;
-  std::set<std::string> names_;  ///< that may be set in compiled code
+  std::set<std::string> names_;  ///< names that can be set in compiled code
   std::vector<plan::VariableBlock> variable_;
   std::unique_ptr<run::TieredExecution> code_;
 };

@@ -21,7 +21,7 @@ using json::Json;
 
 constexpr const char* log_name = "/live.json";
 
-/// Values of blocks by their names in the flattened diagram, which has no parameters any more.
+/// Evaluator of the block values of the flattened diagram, which has no parameters, after each event.
 class FlattenedValues {
  public:
   explicit FlattenedValues(const plan::Plan& plan) : plan_(plan), run_(plan), diagram_(plan.diagram) {}
@@ -56,7 +56,7 @@ Json events_json(const plan::Plan& plan, const EventLog& log) {
   return all;
 }
 
-/// A loop goes beyond the file's stop, to where it stands.
+/// Returns the plan of a loop up to its last tick, which may be after the stop time of the file.
 plan::Plan plan_of_loop(const plan::Plan& plan, std::int64_t last) {
   diagram::Diagram diagram = plan.diagram;
   diagram.stop = plan.time_of(std::max<std::int64_t>(last, 1));
@@ -83,7 +83,7 @@ void write_live_folder(const std::string& folder, LoadedRun& run) {
   const EventLog log = run.thread().log();
   replay::write_replay(folder, timing ? plan_of_loop(plan, status.tick) : plan);
   write_tables(folder, run,
-               timing || status.state == RunStatus::State::ended);  // a loop ends where it stands
+               timing || status.state == RunStatus::State::ended);  // a loop ends at its present tick
   const Json note = Json::object()
                         .set("file", run.model().file)
                         .set("hash", run.model().hash)

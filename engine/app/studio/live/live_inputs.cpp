@@ -10,7 +10,7 @@ namespace stepwire::live {
 
 namespace {
 
-constexpr std::size_t most_waiting = 4096;  // samples: a run that is paused takes none
+constexpr std::size_t most_waiting = 4096;  // samples; a paused run takes none
 
 }  // namespace
 

@@ -11,45 +11,45 @@
 
 namespace stepwire::live {
 
-/// Numbers for an input that a client has read at a time.
+/// Sample of an input that a client has read.
 struct InputSample {
   int client = 0;
-  double time = 0.0;  ///< of seconds_now() [s]
+  double time = 0.0;  ///< by the clock of seconds_now() [s]
   std::string name;
   std::vector<double> values;         ///< SI
-  std::optional<double> page_time{};  ///< the same on the clock of the page, as it sent it
+  std::optional<double> page_time{};  ///< same time by the clock of the page, as sent
 };
 
-/// The defaults of all inputs of a diagram, SI.
+/// Returns the default values of all inputs of a diagram, SI.
 std::vector<std::vector<double>> defaults_of_inputs(const plan::Plan& plan);
 
-/// Samples for the inputs of a diagram, which wait for the tick of their time.
+/// Queue of samples for the inputs of a diagram, until the tick of their time.
 class LiveInputs {
  public:
   /// The plan must outlive it.
   explicit LiveInputs(const plan::Plan& plan);
 
-  /// From any thread; of more than 4096 that wait the oldest is dropped. Throws Error for an input that is
-  /// not there, or takes another count of numbers.
+  /// Appends a sample; thread-safe. Beyond 4096 samples the oldest is dropped. Throws Error for an unknown
+  /// input or a wrong count of numbers.
   void push(InputSample sample);
-  /// From any thread: what this client has written last is to be the default from now on.
+  /// Resets the inputs that this client wrote last to their defaults; thread-safe.
   void release(int client);
-  /// The events of all samples up to a time, in the order in which they came; `tick` is computed next.
+  /// Returns the events of all samples up to `time`, in order of arrival; `tick` is the next tick.
   std::vector<LiveEvent> take(double time, std::int64_t tick);
-  /// The connected page that wrote each input last; 0: none.
+  /// Returns for each input the connected page that wrote it last, or 0.
   std::vector<int> writers();
-  /// The time of the newest sample that was taken, as its page sent it; nothing before the first. For the
-  /// thread that takes.
+  /// Returns the page time of the newest sample taken; std::nullopt before the first one. Only for the thread
+  /// that calls take().
   std::optional<double> taken() const { return taken_; }
 
  private:
   std::size_t find(const std::string& name) const;
 
   const plan::Plan& plan_;
-  std::vector<std::vector<double>> defaults_;  ///< of each input
+  std::vector<std::vector<double>> defaults_;  ///< defaults of each input
   std::mutex mutex_;
   std::vector<InputSample> waiting_;
-  std::map<std::string, int> writers_;  ///< who has written an input last
+  std::map<std::string, int> writers_;  ///< client that wrote an input last
   std::atomic<bool> any_ = false;
   std::optional<double> taken_;
 };

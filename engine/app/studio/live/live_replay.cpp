@@ -1,4 +1,4 @@
-// A live run again, from the folder that write_live_folder() left.
+// Replay of a live run from the folder that write_live_folder() wrote.
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
@@ -26,10 +26,10 @@ std::string text_at(const Json& object, const char* key) {
   return *found->as_text();
 }
 
-/// What was done to a run, by the names of the flattened diagram.
+/// Event of a stored run, with the values of the flattened diagram that it set.
 struct KeptEvent {
   LiveEvent event;
-  std::vector<std::pair<std::string, std::string>> blocks;  ///< values that were set
+  std::vector<std::pair<std::string, std::string>> blocks;  ///< names and values of block parameters
 };
 
 class KeptLog {
@@ -37,7 +37,7 @@ class KeptLog {
   explicit KeptLog(const std::string& file) {
     try {
       read(Json::parse(io::read_file(file)));
-    } catch (const std::runtime_error& error) {  // that is no JSON, or lacks something
+    } catch (const std::runtime_error& error) {  // no JSON, or a member is missing
       refuse_log(file, error.what());
     }
     if (lost_ > 0.0)
@@ -64,7 +64,7 @@ class KeptLog {
   std::vector<KeptEvent> events_;
 };
 
-/// Does to a run what was done to the one that was kept.
+/// Observer that applies the events of a stored run.
 class KeptReplay : public run::RunObserver {
  public:
   KeptReplay(const std::vector<KeptEvent>& events, std::string file)
@@ -94,7 +94,7 @@ class KeptReplay : public run::RunObserver {
       names.push_back(name);
       values.push_back({name, diagram::value_of_text(text, file_), file_});
     }
-    if (names.empty()) return;  // nothing of the run follows from it
+    if (names.empty()) return;  // the event changes no block parameter
     if (run.set(diagram::Variation(run.plan().diagram, names), values) != run::Executor::Setting::done)
       refuse_log(file_, kept.event.name + ": " + run.structure_change());
   }

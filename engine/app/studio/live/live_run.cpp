@@ -26,7 +26,7 @@ bool is_file(const diagram::Diagram& diagram, const diagram::Target& target) {
   return type.parameters[static_cast<std::size_t>(target.index)].kind == ParameterKind::file;
 }
 
-/// Which files are read is looked at when a text is loaded, not when a value is set.
+/// Refuses to set a file name: the access to files is only checked when a text is loaded.
 void refuse_file(const diagram::Diagram& diagram, const std::string& name) {
   const diagram::Variation variation(diagram, {name});
   if (std::ranges::any_of(variation.targets(), [&](const auto& target) { return is_file(diagram, target); }))
@@ -56,7 +56,7 @@ LiveRun::~LiveRun() {
   judge_ = {};
   scene_.reset();
   scene_of_.reset();
-  loaded_.reset();  // its thread wakes the publisher
+  loaded_.reset();  // stops its thread, which wakes the publisher
 }
 
 const std::map<std::string, LiveRun::Call>& LiveRun::calls() {
@@ -89,7 +89,7 @@ Json LiveRun::call(int page, const std::string& name, const Json& arguments) {
   return (this->*found->second)(page, Arguments(arguments));
 }
 
-/// Whatever a page says shows that it is there.
+/// Records that a page is alive; any message counts.
 void LiveRun::heard(int page) {
   const std::lock_guard lock(mutex_);
   if (loaded_) loaded_->thread().heard(page);
@@ -175,7 +175,7 @@ Json LiveRun::input(int page, const Arguments& arguments) {
     const Arguments sample(item);
     const double shown = sample.number("time");
     const std::lock_guard lock(mutex_);
-    if (gone_.contains(page)) return {};  // after it has left no call would release them
+    if (gone_.contains(page)) return {};  // no later call would release inputs of a page that has left
     PageClock& clock = clocks_[page];
     clock.came(shown, now);
     run->thread().input({page, clock.here(shown), sample.text("name"), sample.numbers("values"), shown});

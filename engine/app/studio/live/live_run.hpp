@@ -21,36 +21,36 @@
 
 namespace stepwire::live {
 
-/// Where what pages are to see goes. Called from any thread; must return soon.
+/// Receivers of news and data for pages. Called from any thread; must return soon.
 struct Sinks {
-  std::function<void(json::Json news)> news;               ///< to all pages
+  std::function<void(json::Json news)> news;               ///< for all pages
   std::function<void(int page, std::string bytes)> frame;  ///< data of one view
 };
 
-/// Loads the model of a file by its number, with the texts that its page has; `hand`: with the pointer of a
-/// page in the place of who moves the pin in the file. Throws Error.
+/// Function that loads the model of a file from its edited texts. `hand`: the pointer of a page replaces the
+/// source of the pin's motion. Throws Error.
 using Load = std::function<Loading(int file, bool hand)>;
 
 struct LiveOptions {
-  std::optional<session::LoopSettings> loop{};  ///< runs are real-time loops with these settings
-  std::string out{};                            ///< the folder in which run.keep keeps a run; "": beside FILE
+  std::optional<session::LoopSettings> loop{};  ///< set: runs are real-time loops with these settings
+  std::string out{};                            ///< folder of run.keep; "": beside FILE
 };
 
-/// What runs under the pages of a studio: one model and its run, and what the pages see of it. Calls may come
-/// from several threads; those that take long (run.load, figures, claims, fan, profile, data.export) hold up
-/// no others. They throw std::runtime_error, Error or EnvironmentError, and change nothing then.
+/// Model and run of a studio, shared by its pages. Thread-safe; slow calls (run.load, figures, claims, fan,
+/// profile, data.export) do not delay others. Calls throw std::runtime_error, Error or EnvironmentError, and
+/// change nothing then.
 class LiveRun {
  public:
   LiveRun(Load load, Sinks sinks, LiveOptions options = {});
   ~LiveRun();
 
-  /// The calls of the studio's protocol: run.*, data.*, clock, scope.signal, figures, claims, fan, scene,
-  /// scene.watch, mechanism, profile, loop.
+  /// Executes a call of the studio's protocol: run.*, data.*, clock, scope.signal, figures, claims, fan,
+  /// scene, scene.watch, mechanism, profile, loop.
   json::Json call(int page, const std::string& name, const json::Json& arguments);
-  /// The names of all calls.
+  /// Returns the names of all calls.
   static std::vector<std::string> call_names();
   void acknowledge(int page, std::uint32_t sequence);
-  /// A page has gone: its views end, and the inputs that it wrote last have their defaults.
+  /// Removes the views of a page that has left, and resets the inputs that it wrote last.
   void left(int page);
 
  private:
@@ -82,7 +82,7 @@ class LiveRun {
   json::Json loop(int page, const Arguments& arguments);
   json::Json keep(int page, const Arguments& arguments);
 
-  /// Throws std::runtime_error where nothing is loaded.
+  /// Throws std::runtime_error if no run is loaded.
   Loaded loaded() const;
   MakeRun run_of(std::uint32_t number);
   Loaded going_loop(const session::LoadedModel& model) const;
@@ -108,22 +108,22 @@ class LiveRun {
   Loaded loaded_;
   std::map<int, PageClock> clocks_;
   std::set<int> scene_watchers_;
-  std::set<int> gone_;        ///< pages that have left, of which a last message may still come
-  bool scene_asked_ = false;  ///< by a page that has not seen it
+  std::set<int> gone_;        ///< pages that have left; a late message may still arrive
+  bool scene_asked_ = false;  ///< a new page needs the scene
   std::shared_ptr<std::atomic<bool>> fan_interrupt_;
   std::uint32_t runs_ = 0;
 
-  // Of the thread that publishes.
+  // State of the publisher's thread.
   std::condition_variable changed_;
   std::mutex wake_mutex_;
   bool is_woken_ = false, quits_ = false;
-  Loaded scene_of_;  ///< before what looks at it
+  Loaded scene_of_;  ///< declared before `scene_`, which refers to it
   std::optional<SceneNow> scene_;
-  std::jthread judge_;  ///< of claims
+  std::jthread judge_;  ///< computes claims
   std::int64_t scene_tick_ = -1;
   std::optional<RunStatus> told_;
   double told_at_ = 0.0, scene_at_ = 0.0, loop_at_ = 0.0;
-  std::thread publisher_;  ///< last: it uses the others
+  std::thread publisher_;  ///< last: uses the other members
 };
 
 }  // namespace stepwire::live

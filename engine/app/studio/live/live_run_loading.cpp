@@ -1,4 +1,4 @@
-// Which model runs, and as what: simulated, or as a real-time loop.
+// Loading of a model, as a simulation or as a real-time loop.
 #include <stdexcept>
 
 #include "engine/app/studio/live/live_folder.hpp"
@@ -35,7 +35,7 @@ MakeRun LiveRun::run_of(std::uint32_t number) {
   };
 }
 
-/// The loop of the same model that is running: another page looks on, and does not end it.
+/// Returns the running loop of the same model, which a further page joins; nullptr if there is none.
 LiveRun::Loaded LiveRun::going_loop(const session::LoadedModel& model) const {
   const std::lock_guard lock(mutex_);
   const bool same = loop_ && loaded_ && loaded_->model().file == model.file &&

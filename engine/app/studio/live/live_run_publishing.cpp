@@ -1,4 +1,4 @@
-// What pages are shown unasked, by a thread of its own.
+// Publisher thread: sends news and frames to the pages.
 #include <chrono>
 
 #include "engine/app/studio/live/live_run.hpp"
@@ -91,7 +91,7 @@ void LiveRun::publish_run(const Loaded& run, double now) {
     judge_ = std::jthread([this, run] {
       try {
         sinks_.news(claims_now(*run).set("news", "claims"));
-      } catch (const std::exception&) {  // the run has gone
+      } catch (const std::exception&) {  // the run was destroyed
       }
     });
 }

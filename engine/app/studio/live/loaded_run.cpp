@@ -12,7 +12,7 @@ namespace stepwire::live {
 
 namespace {
 
-constexpr std::size_t most_formulas = 256;  // each is computed at every tick, and stored
+constexpr std::size_t most_formulas = 256;  // each is computed and stored at every tick
 
 LiveColumn column_of(const query::Series& series) {
   LiveColumn column{series.label, series.formula.dimension, series.unit_text};

@@ -13,17 +13,17 @@
 
 namespace stepwire::live {
 
-/// A column as the page counts them: all signals, then the formulas that were asked for.
+/// Column by its index at the page: all signals first, then the requested formulas.
 struct LiveColumn {
   std::string name;
   std::optional<unit::Dimension> dimension;
-  std::string unit;    ///< in which it is shown
+  std::string unit;    ///< display unit
   double scale = 1.0;  ///< shown = SI * scale + offset
   double offset = 0.0;
-  std::optional<query::Formula> formula{};  ///< none: it is a signal
+  std::optional<query::Formula> formula{};  ///< std::nullopt for a signal
 };
 
-/// A model that was read, and how it is read again from the same texts, with other settings.
+/// Model that was loaded, with functions that load it again from the same texts.
 struct Loading {
   using Again = std::function<session::LoadedModel(const session::LoadOptions& options)>;
   using Documents = std::function<const yaml::Document&(const std::string& path)>;
@@ -32,47 +32,47 @@ struct Loading {
       : model(std::move(model_read)), again(std::move(read_again)), documents(std::move(files)) {}
 
   session::LoadedModel model;
-  Again again;          ///< empty: it cannot be
-  Documents documents;  ///< its texts as trees; throws Error for a file that is none of them
+  Again again;          ///< empty if it cannot be loaded again
+  Documents documents;  ///< returns the tree of a text; throws Error for an unknown file
 };
 
-/// Begins a run of a plan, whose signals are these; both outlive it.
+/// Function that starts a run of a plan. Plan and signals outlive the run.
 using MakeRun = std::function<std::unique_ptr<RunControl>(const plan::Plan& plan, const SignalList& signals)>;
 
-/// A model and its run, and the columns by which a page calls its signals. From any thread.
+/// Model, its run, and the columns by which a page refers to signals. Thread-safe.
 class LoadedRun {
  public:
   LoadedRun(Loading loading, const MakeRun& make);
 
   const session::LoadedModel& model() const { return model_; }
-  /// The model with the values that some events have set, for its figures and claims; its own where it cannot
-  /// be read again.
+  /// Returns the model with the values of the events, for its figures and claims; model() if it cannot be
+  /// loaded again.
   std::shared_ptr<const session::LoadedModel> model_with(const std::vector<LiveEvent>& set);
   const plan::Plan& plan() const { return model_.job.plan; }
-  /// The tree of a file's text; nullptr where it is not known. While the run is loaded only.
+  /// Returns the tree of a file's text; nullptr if unknown. Valid while the run is loaded.
   const yaml::Document* document(const std::string& path) const;
   const SignalList& signals() const { return signals_; }
   RunControl& thread() { return *thread_; }
   RunStatus status() const { return thread_->status(); }
   const SampleStore& store() const { return thread_->store(); }
 
-  /// The column of a name or an expression, "cart.position in mm". Throws Error where there is something
-  /// wrong with it.
+  /// Returns the column of a name or an expression, such as "cart.position in mm". Throws Error for a faulty
+  /// one.
   std::size_t find(const std::string& expression);
-  /// Throws std::runtime_error where there is none.
+  /// Throws std::runtime_error for an unknown index.
   LiveColumn column(std::size_t index) const;
-  /// Where its samples are, which are stored from now on at the latest.
+  /// Returns the column of the store with its samples, and starts storing them if needed.
   std::size_t stored(std::size_t index);
   std::vector<std::size_t> stored(const std::vector<std::size_t>& columns);
 
-  /// The first tick at or behind a time, 0 to that behind the last sample.
+  /// Returns the first tick at or after a time, from 0 to the end of the samples.
   std::int64_t tick_at(double time) const;
 
  private:
   session::LoadedModel model_;
   Loading::Again again_;
   Loading::Documents documents_;
-  std::mutex again_mutex_;  ///< of the model that was read last, and by which values
+  std::mutex again_mutex_;  ///< guards the cache of model_with()
   std::map<std::string, std::string> again_values_;
   std::shared_ptr<const session::LoadedModel> again_model_;
   SignalList signals_;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double unknown_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double between_hub_looks = 4e-3, hub_idle = 0.05;     // [s]
-constexpr std::int64_t most_deadlines = std::int64_t{1} << 50;  // without end: 35 years at 1 MHz
+constexpr std::int64_t most_deadlines = std::int64_t{1} << 50;  // no end: 35 years at 1 MHz
 
 realtime::LoopOptions options_of(const session::LoopSettings& settings) {
   realtime::LoopOptions options;
@@ -63,7 +63,7 @@ void LoopThread::main() {
     commands_.run_all();
     try {
       look();
-    } catch (const std::exception& error) {  // such as a disk that is full
+    } catch (const std::exception& error) {  // a full disk, for example
       end_thread();
       const std::lock_guard lock(told_mutex_);
       status_.fault = error.what();
@@ -82,7 +82,7 @@ void LoopThread::look() {
   tell();
 }
 
-/// Makes a loop that stands at its start, with the values that are set.
+/// Creates a loop at its start, with the values that are set.
 void LoopThread::begin_life() {
   const std::vector<LiveEvent> set = log_.last_of_each();
   log_ = {};
@@ -109,7 +109,7 @@ void LoopThread::begin_serving() {
   life_->thread = std::thread([this] { serve(); });
 }
 
-/// In the loop thread.
+/// Serves deadlines; runs in the loop thread.
 void LoopThread::serve() {
   const realtime::RealTimeThread real_time(options_.settings.policy, options_.settings.cpu);
   {
@@ -133,7 +133,7 @@ void LoopThread::stop_serving() {
   tell();
 }
 
-/// The loop's time, its inputs, and what pages look at.
+/// Selects the numbers that the loop passes to the hub: time, inputs, and the signals that pages display.
 void LoopThread::select() {
   std::vector<std::size_t> places = rows_.places();
   places.push_back(plan::Layout::time);
@@ -154,13 +154,13 @@ void LoopThread::take_rows() {
 
 void LoopThread::take_row(std::int64_t tick, const std::vector<std::size_t>& places,
                           std::span<const double> values) {
-  for (++shown_; shown_ < tick; ++shown_) rows_.take(absent_.data());  // the ring had no room for them
+  for (++shown_; shown_ < tick; ++shown_) rows_.take(absent_.data());  // rows for which the ring had no room
   for (std::size_t i = 0; i < places.size(); ++i) mirror_[places[i]] = values[i];
   rows_.take(mirror_.data());
   note_inputs(tick);
 }
 
-/// Logs what a tick was given, where it was another value than before.
+/// Logs the inputs of a tick that differ from those of the previous one.
 void LoopThread::note_inputs(std::int64_t tick) {
   for (std::size_t i = 0; i < seen_inputs_.size(); ++i) {
     const diagram::DiagramInput& input = plan_.diagram.inputs[i];
@@ -182,7 +182,7 @@ void LoopThread::lose_silent_pages(double now) {
   for (const int writer : silent) inputs_.release(writer);
 }
 
-/// Gives the loop what pages have written, for as long as they are there.
+/// Passes inputs of pages to the loop; an input expires if its page falls silent.
 void LoopThread::hand_inputs() {
   const double now = seconds_now();
   lose_silent_pages(now);

@@ -20,9 +20,10 @@
 
 namespace stepwire::live {
 
-/// A real-time loop under pages: a thread that serves deadlines, and another one, the hub, between it and all
-/// others. From the loop thread comes a ring of rows and what it counts; to it go values of inputs and runs
-/// with other parameters, which it takes between two ticks. It never waits for the hub, nor for a page.
+/// Real-time loop with pages as observers. The loop thread serves deadlines; a second thread, the hub,
+/// connects it with all others. The loop thread sends rows through a ring, and its counters. Between two
+/// ticks it takes values of inputs, and executors with new parameters. It waits neither for the hub nor for a
+/// page.
 class LoopThread : public RunControl {
  public:
   struct Options {
@@ -30,13 +31,13 @@ class LoopThread : public RunControl {
     StoreOptions store{};
     std::uint32_t run = 0;          ///< number of the run
     std::function<void()> changed{};  ///< called by the hub; must return soon
-    double patience = 0.5;          ///< [s] of silence after which a page that writes inputs counts as lost
+    double patience = 0.5;          ///< [s] silence after which a page that writes inputs counts as lost
   };
 
-  /// Takes all memory of the loop, which does not run yet. Plan and signals must outlive it. Throws Error for
-  /// what is not fit for a loop.
+  /// Allocates all memory of the loop, but does not start it. Plan and signals must outlive it. Throws Error
+  /// for a plan that no loop can run.
   LoopThread(const plan::Plan& plan, const SignalList& signals, Options options);
-  /// Ends the loop; outputs get their safe values.
+  /// Stops the loop; outputs get their safe values.
   ~LoopThread() override;
 
   void play(double rate) override;
@@ -58,14 +59,14 @@ class LoopThread : public RunControl {
   std::optional<json::Json> timing() override;
 
  private:
-  /// One loop, from its start.
+  /// Loop from its start to its end.
   struct Life {
     Life(const plan::Plan& plan, const session::LoopSettings& settings, realtime::LoopClock& clock);
     realtime::ValueExchange values;
     realtime::SignalTap tap;
     PageDevice device;
     std::atomic<bool> pause = false;
-    std::atomic<bool> done = false;  ///< the thread has served
+    std::atomic<bool> done = false;  ///< true after the thread has served
     realtime::Loop loop;
     std::thread thread;
   };
@@ -98,17 +99,18 @@ class LoopThread : public RunControl {
   std::unique_ptr<Life> life_;
   bool quits_ = false;
   std::uint32_t lives_;
-  std::int64_t shown_ = -1;              ///< the newest tick that came; -1: none
-  std::vector<double> mirror_, absent_;  ///< a workspace as far as it is known, and one of which nothing is
+  std::int64_t shown_ = -1;              ///< newest tick received; -1: none
+  std::vector<double> mirror_, absent_;  ///< present workspace as far as known; workspace of NaN
   std::vector<std::vector<double>> seen_inputs_;
-  std::map<std::string, double> sampled_;  ///< when the newest value of an input was read at its page [s]
-  std::optional<double> handed_, acted_;   ///< page_time of the newest sample given to the loop, and in force
-  mutable std::mutex told_mutex_;          ///< of what follows
+  std::map<std::string, double> sampled_;  ///< read time of the newest value of an input at its page [s]
+  std::optional<double> handed_, acted_;   ///< page_time of the newest sample passed to the loop, and of the
+                                           ///< one in force
+  mutable std::mutex told_mutex_;          ///< guards the members below
   RunStatus status_;
   std::string policy_;
   std::vector<std::string> refused_;
-  std::map<int, double> heard_;  ///< when something came from a client last [s]
-  std::thread hub_;              ///< last: it uses the others
+  std::map<int, double> heard_;  ///< time of a client's last message [s]
+  std::thread hub_;              ///< last: uses the other members
 };
 
 }  // namespace stepwire::live

@@ -1,4 +1,4 @@
-// What other threads have a loop do, and what they see of it.
+// Calls of other threads that control or observe a loop.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -10,7 +10,7 @@ namespace stepwire::live {
 
 namespace {
 
-constexpr double between_asks = 1e-4;  // [s] for a value that the loop is to take
+constexpr double between_asks = 1e-4;  // [s] between checks of whether the loop has taken a value
 
 [[noreturn]] void refuse_of_loop(const char* what) {
   throw std::runtime_error(std::string("a real-time loop ") + what);
@@ -64,7 +64,7 @@ SetResult LoopThread::set(const std::string& name, const std::string& text) {
   });
 }
 
-/// Returns the tick from which on the loop has the value.
+/// Returns the first tick with the new value.
 std::int64_t LoopThread::set_in_loop(const LiveEvent& event) {
   const bool begins = shown_ < 0 && !serves();
   const auto change = [&](run::Executor& run) {
@@ -75,7 +75,7 @@ std::int64_t LoopThread::set_in_loop(const LiveEvent& event) {
     life_->values.offer(change);
     while (!life_->values.taken() && !life_->done)
       std::this_thread::sleep_for(std::chrono::duration<double>(between_asks));
-    if (!life_->values.taken()) life_->values.at_tick();  // it has ended first
+    if (!life_->values.taken()) life_->values.at_tick();  // the loop ended before it took the value
     life_->values.follow(change);
     return *life_->values.taken();
   }

@@ -11,7 +11,7 @@ using json::Json;
 using realtime::Histogram;
 
 constexpr double per_octave = 4.0, ns = 1e-9;
-constexpr double shortest = 64.0;  // [ns]; what is below is one bin
+constexpr double shortest = 64.0;  // [ns] upper edge of the first bin
 constexpr std::size_t bins = 145;  // up to 73 min
 
 double edge(std::size_t bin) {
@@ -23,7 +23,7 @@ std::size_t bin_of(double time) {
   return std::min(bins - 1, 1 + static_cast<std::size_t>(per_octave * std::log2(time / shortest)));
 }
 
-/// Without the empty bins at both ends.
+/// Returns the histogram without empty bins at both ends.
 Json bins_json(const Histogram& times) {
   std::vector<std::int64_t> counts(bins, 0);
   for (std::size_t fine = 0; fine < Histogram::bins(); ++fine)

@@ -6,8 +6,8 @@
 
 namespace stepwire::live {
 
-/// How well a loop keeps time, which may run meanwhile: counts of deadlines, histograms of lateness, response
-/// and step in bins of a fourth of an octave, and the cost by type of block. All times in s.
+/// Returns the timing of a loop, which may be running: counts of deadlines, histograms, and the cost of each
+/// block type. Histograms of lateness, response and step have bins of a quarter octave. All times in s.
 json::Json timing_of(const realtime::Loop& loop, const session::LoopSettings& settings);
 
 }  // namespace stepwire::live

@@ -30,7 +30,7 @@ Json mechanism_of(const plot::Rig& rig) {
   return plot::rig_json(rig, [](const plot::RigElement& element, std::size_t) { return points_of(element); });
 }
 
-/// All maps of `plot: rig` in a section `figure`, its panels among them.
+/// Collects all maps of `plot: rig` in a section `figure`, including its panels.
 void find_rigs(const yaml::Node& figure, std::vector<const yaml::Node*>& rigs) {
   const yaml::Node* kind = figure.find("plot");
   if (kind && kind->text == "rig") rigs.push_back(&figure);
@@ -41,7 +41,7 @@ void find_rigs(const yaml::Node& figure, std::vector<const yaml::Node*>& rigs) {
 void add_rigs(const LoadedRun& run, Json& list) {
   const diagram::Diagram& diagram = run.plan().diagram;
   const Registry no_blocks;
-  diagram::Loader no_files(no_blocks);  // nothing is read: names are looked up in the diagram
+  diagram::Loader no_files(no_blocks);  // reads no files: names are resolved in the diagram
   const drawing::DiagramView view(diagram, no_files);
   query::SymbolTable names = run.signals().names(run.plan());
   names.diagram = &view;
@@ -55,7 +55,7 @@ void add_rigs(const LoadedRun& run, Json& list) {
   }
 }
 
-/// The pin of a linkage by names of signals: its output, or what feeds it.
+/// Returns the signals of a linkage's pin: those of its output or of the source of its input `position`.
 Json pin_of(const LoadedRun& run, std::size_t index) {
   const diagram::DiagramBlock& block = run.plan().diagram.blocks[index];
   const plan::PlannedBlock& planned = run.plan().blocks[index];

@@ -6,7 +6,7 @@ namespace stepwire::live {
 
 namespace {
 
-/// The first moment behind a tick.
+/// Returns the first checkpoint after a tick.
 auto behind(const std::vector<run::Workspace>& kept, std::int64_t tick) {
   return std::ranges::upper_bound(kept, tick, {}, &run::Workspace::tick);
 }
@@ -20,8 +20,8 @@ void Moments::keep(const run::Workspace& workspace) {
   if (kept_.size() > std::max<std::size_t>(8, bytes_ / each)) thin();
 }
 
-/// Leaves out that one whose neighbours lie closest to each other for how far back they are: the moments end
-/// up further apart the older they are. The first and the newest stay.
+/// Removes the checkpoint with the smallest gap between its neighbours relative to its age. The spacing thus
+/// grows in proportion to the age. The first and the newest checkpoint are never removed. Cost: one pass.
 void Moments::thin() {
   std::size_t least = 1;
   double best = 0.0;

@@ -7,21 +7,21 @@
 
 namespace stepwire::live {
 
-/// Moments of a run to return to: one for each interval of time, and of those that lie further back fewer and
-/// fewer, so that they never take more than the memory that they may.
+/// Checkpoints of a run, for returning to an earlier tick. They are taken at a regular interval and thinned
+/// out with age, so that they stay within a memory limit.
 class Moments {
  public:
-  /// `every` [ticks] between two moments.
+  /// `every`: ticks between two checkpoints.
   explicit Moments(std::int64_t every, std::size_t bytes = std::size_t{256} << 20)
       : every_(every), bytes_(bytes) {}
 
-  /// Is a moment of this tick due?
+  /// True if a checkpoint is due at this tick.
   bool due(std::int64_t tick) const { return tick >= next_; }
-  /// Keeps the moment between two ticks, of a run that is there for the first time.
+  /// Stores a checkpoint between two ticks; its tick must be after all stored ones.
   void keep(const run::Workspace& workspace);
-  /// The last one at or before a tick; null where there is none.
+  /// Returns the last checkpoint at or before a tick, or nullptr.
   const run::Workspace* before(std::int64_t tick) const;
-  /// Forgets what lies behind a tick.
+  /// Removes the checkpoints after a tick.
   void cut(std::int64_t tick);
   std::size_t size() const { return kept_.size(); }
 

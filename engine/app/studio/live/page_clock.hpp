@@ -5,11 +5,12 @@
 
 namespace stepwire::live {
 
-/// What the clock of a page shows against that of this process. A message takes at least no time, so that the
-/// one which took the least tells most; of the last ten to twenty seconds, since clocks drift.
+/// Estimator of the offset between the clock of a page and the one of this process. Delays are never
+/// negative, so the smallest difference of send and arrival time is the best estimate. The minimum covers the
+/// last 10 to 20 s, as clocks drift.
 class PageClock {
  public:
-  /// A message that the page sent at `page` came at `now` [s].
+  /// Adds a message that was sent at `page` and arrived at `now` [s].
   void came(double page, double now) {
     if (now - began_ > window) {
       offsets_[1] = offsets_[0];
@@ -19,7 +20,7 @@ class PageClock {
     if (now - page < offsets_[0]) offsets_[0] = now - page;
   }
 
-  /// When it was at this process what the page's clock showed; not before the first message.
+  /// Converts a time of the page to the clock of this process; infinite before the first message.
   double here(double page) const { return page + (offsets_[0] < offsets_[1] ? offsets_[0] : offsets_[1]); }
 
  private:

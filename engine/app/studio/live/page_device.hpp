@@ -9,10 +9,9 @@
 
 namespace stepwire::live {
 
-/// Pages as the outside world of a loop: its inputs are what a page wrote last, for as long as that page is
-/// known to be there, and their defaults otherwise. The loop thread itself sees that the time is over, so a
-/// page that is lost, a hub that is stuck, or anything between holds an input for no longer. Nobody takes the
-/// outputs.
+/// Device of a real-time loop whose inputs are written by pages. An input has the value of the last page that
+/// wrote it, until that value expires; then it has its default. The loop thread checks the expiry itself, so
+/// a lost page or a blocked hub cannot hold an input for longer. Outputs are ignored.
 class PageDevice : public realtime::Device {
  public:
   /// Plan and clock must outlive it.
@@ -21,10 +20,10 @@ class PageDevice : public realtime::Device {
   void read(double* inputs) noexcept override;
   void write(const double*) noexcept override {}
 
-  /// Of one other thread: the values of an input, which hold until a time of the clock [ns]; in force with
-  /// give().
+  /// Sets the values of an input, valid until a time of the clock [ns]; give() passes them to the loop. For
+  /// one other thread.
   void put(std::size_t input, const std::vector<double>& values, std::int64_t until);
-  /// They hold until another time.
+  /// Extends the validity of the values of an input.
   void extend(std::size_t input, std::int64_t until) {
     row_[inputs_[input].first] = static_cast<double>(until);
   }
@@ -32,7 +31,7 @@ class PageDevice : public realtime::Device {
 
  private:
   struct Input {
-    std::size_t first;  ///< in a row: until when, then the values
+    std::size_t first;  ///< index in a row of the expiry time, before the values
     std::vector<double> defaults;
   };
 

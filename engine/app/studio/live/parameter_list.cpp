@@ -15,10 +15,10 @@ namespace {
 
 using json::Json;
 
-constexpr std::size_t most_numbers = 4000;  // of blocks, which a page can list
-constexpr double around_zero = 10.0;        // ends of the slider of a zero in a unit that is not SI
+constexpr std::size_t most_numbers = 4000;  // numbers of blocks that a page can list
+constexpr double around_zero = 10.0;        // half range of the slider for 0 in a unit that is not SI
 
-/// The unit in which a number is shown: shown = SI * scale + offset.
+/// Unit for the display of a number: shown = SI * scale + offset.
 struct ShownUnit {
   std::string text;
   double scale = 1.0, offset = 0.0;
@@ -32,7 +32,7 @@ bool is_near(double a, double b) {
   return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
 }
 
-/// The text behind the number of a quantity: "mm" of "10 mm".
+/// Returns the text after the number of a quantity: "mm" for "10 mm".
 std::string_view unit_behind_number(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t+"), text.size()));
   double number = 0.0;
@@ -44,7 +44,7 @@ std::string_view unit_behind_number(std::string_view text) {
   return rest.substr(first, last - first + 1);
 }
 
-/// The unit of a text such as "10 mm" whose number is a value in SI; std::nullopt for another text.
+/// Returns the unit of a text such as "10 mm" whose number equals an SI value; std::nullopt for other texts.
 std::optional<ShownUnit> unit_of_text(std::string_view text, double value) {
   const auto quantity = unit::parse_quantity(text);
   const std::string_view behind = unit_behind_number(text);
@@ -56,11 +56,11 @@ std::optional<ShownUnit> unit_of_text(std::string_view text, double value) {
     shown.offset = unit->from_si(0.0);
     return shown;
   }
-  const double without_offset = quantity->value - unit->to_si(0.0);  // of a difference of temperatures
+  const double without_offset = quantity->value - unit->to_si(0.0);  // a temperature difference
   return is_near(without_offset, value) ? std::optional(shown) : std::nullopt;
 }
 
-/// The ends of a slider in SI: the bounds where there are any, else 0 and twice the value as it is shown.
+/// Range of a slider in SI: the bounds if any, else from 0 to twice the displayed value.
 struct Ends {
   std::optional<double> low, high;
 
@@ -88,7 +88,7 @@ Ends ends_of(const Range& range) {
   return {range.at_least ? range.at_least : range.above, range.at_most ? range.at_most : range.below};
 }
 
-/// The texts of scalars in a file by their places.
+/// Texts of the scalars in a file, by line and column.
 using Texts = std::map<std::pair<int, int>, std::string>;
 
 void gather(const yaml::Node& node, Texts& texts) {
@@ -97,7 +97,8 @@ void gather(const yaml::Node& node, Texts& texts) {
   for (const yaml::Entry& entry : node.entries) gather(entry.value, texts);
 }
 
-/// The number of a block's parameter; std::nullopt for another kind of value and a list of several.
+/// Returns the number of a block's parameter; std::nullopt for another type and for a list of several
+/// numbers.
 std::optional<double> number_of(const ParameterSpec& spec, const void* block) {
   const bool is_number = spec.kind == ParameterKind::number || spec.kind == ParameterKind::per_element;
   if (!is_number || !spec.get) return std::nullopt;
@@ -136,12 +137,12 @@ class ParameterList {
   }
   bool has_slider(int parameter) const { return has_slider_[static_cast<std::size_t>(parameter)]; }
 
-  /// True for a number, which a slider sets: its own one, or those of the parameters in its text.
+  /// True for a number that sliders can set: its own, or those of the parameters in its expression.
   bool is_number(std::size_t i) const {
     return std::holds_alternative<double>(diagram_.parameters[i].value.content);
   }
 
-  /// A text with names has the sliders of these names. Bounds with names are no such text.
+  /// True for a text that consists of parameters with sliders; a quantity whose bounds use names is none.
   bool is_expression(std::size_t i) const {
     return all_have_sliders(diagram_.bindings->definitions[i].uses) &&
            !unit::parse_quantity(diagram_.parameters[i].text);
@@ -186,7 +187,7 @@ class ParameterList {
         .set("shown", unit.json());
   }
 
-  /// The text of a block's parameter in its file; nullptr for a default.
+  /// Returns the text of a block's parameter in its file; nullptr for a default.
   const std::string* text_of(const diagram::DiagramBlock& block, std::size_t parameter) {
     const yaml::Mark mark = block.parameter_marks[parameter];
     if (mark.line == 0) return nullptr;
@@ -200,10 +201,10 @@ class ParameterList {
 
   const LoadedRun& run_;
   const diagram::Diagram& diagram_;
-  std::vector<bool> has_slider_;         ///< of each parameter
-  std::set<std::pair<int, int>> bound_;  ///< blocks and their parameters that follow from others
-  std::set<std::string> names_;          ///< of those in the list
-  std::map<std::string, Texts> texts_;   ///< of each file
+  std::vector<bool> has_slider_;         ///< for each parameter
+  std::set<std::pair<int, int>> bound_;  ///< blocks and their parameters that depend on others
+  std::set<std::string> names_;          ///< names in the list
+  std::map<std::string, Texts> texts_;   ///< texts of each file
   Json list_ = Json::list();
 };
 

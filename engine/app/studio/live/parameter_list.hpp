@@ -4,8 +4,8 @@
 
 namespace stepwire::live {
 
-/// The parameters of a run and the numbers of its blocks, each once: a value that follows from another
-/// parameter is left out. Each has its value in SI and the unit in which its file writes it.
+/// Returns the independent parameters of a run and the numbers of its blocks; values that follow from other
+/// parameters are omitted. Each has its value in SI and the unit in which its file writes it.
 json::Json parameters_json(const LoadedRun& run);
 
 }  // namespace stepwire::live

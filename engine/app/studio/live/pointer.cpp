@@ -17,13 +17,13 @@ namespace {
 using scene::ScenePointer;
 using Names = std::map<std::string, diagram::SignalRef>;
 
-/// Finds signals of a diagram by the names that a pointer has for them.
+/// Lookup of the signals that a pointer names.
 class Signals {
  public:
   Signals(const diagram::Diagram& diagram, const yaml::Mark& mark)
       : diagram_(diagram), mark_(mark), names_(diagram::named_signals(diagram)) {}
 
-  /// An output of a block. Throws Error with the nearest name.
+  /// Returns an output of a block. Throws Error with the nearest name.
   diagram::SignalRef find(const std::string& name) const {
     const auto found = names_.find(name);
     if (found == names_.end()) refuse(fmt::format("there is no signal '{}'", name) + nearest(name));
@@ -76,7 +76,7 @@ void mark_all(yaml::Node& node, const yaml::Mark& mark) {
   }
 }
 
-/// Adds an entry to a section of the file; it stands at the place of `pointer`, where its faults are then.
+/// Adds an entry to a section of the file. Its mark is that of `pointer`, so that faults refer to it.
 void add_entry(yaml::Node& root, const std::string& section, const std::string& name, const std::string& text,
                const yaml::Mark& mark) {
   yaml::Node value = yaml::parse_document(text, "pointer").root;
@@ -84,7 +84,7 @@ void add_entry(yaml::Node& root, const std::string& section, const std::string& 
   under(root, section, mark).entries.push_back({name, mark, std::move(value)});
 }
 
-/// Where the pin is at the start of the file's own run, as a file writes it.
+/// Returns the start position of the pin in the file's own run, as YAML.
 std::string start_of(const plan::Plan& plan, const diagram::SignalRef& position) {
   run::Executor start(plan);
   start.evaluate();
@@ -92,7 +92,7 @@ std::string start_of(const plan::Plan& plan, const diagram::SignalRef& position)
   return fmt::format("x: {} m, y: {} m", at[0], at[1]);
 }
 
-/// The block that stands for the hand.
+/// Returns the YAML of the block of the hand.
 std::string hand_text(const ScenePointer& pointer, const plan::Plan& plan, const Signals& signals) {
   const std::string parts = io::resource("diagrams") + "/parts/";
   const std::string led = fmt::format("pointer: {}, held: {}", pointer_input, held_input);
@@ -103,7 +103,7 @@ std::string hand_text(const ScenePointer& pointer, const plan::Plan& plan, const
                      start_of(plan, signals.find(pointer.motion[0])));
 }
 
-/// Signals of the file and what is read in their place.
+/// Returns pairs of a signal of the file and the signal that replaces it.
 std::vector<std::pair<std::string, std::string>> replaced_by(const ScenePointer& pointer) {
   const std::string hand = std::string(pointer_part) + ".";
   if (!pointer.place.empty()) return {{pointer.place, pointer_input}};
@@ -113,7 +113,7 @@ std::vector<std::pair<std::string, std::string>> replaced_by(const ScenePointer&
           {pointer.motion[2], hand + "acceleration"}};
 }
 
-/// Lets all that reads one signal read another one, but for the hand's own blocks.
+/// Replaces one signal by another at all readers except the blocks of the hand.
 void redirect(diagram::Diagram& diagram, const diagram::SignalRef& from, const diagram::SignalRef& to) {
   const std::string own = std::string(pointer_part) + ".";
   const auto turn = [&](auto& signal) {
@@ -129,7 +129,7 @@ void redirect(diagram::Diagram& diagram, const diagram::SignalRef& from, const d
     for (diagram::RecordedSignal& signal : request.signals) turn(signal.signal);
 }
 
-/// The plan in which the hand moves what the file names.
+/// Returns the plan in which the hand replaces the signals that the file names.
 plan::Plan led_plan(diagram::Diagram diagram, const ScenePointer& pointer) {
   const Signals signals(diagram, pointer.mark);
   const auto unit_of = [&](const diagram::SignalRef& signal) {

@@ -6,23 +6,23 @@
 
 namespace stepwire::live {
 
-/// Inputs that a page writes where the scene of a file has a `pointer`: where it is, [x, y] in the scene's
-/// coordinates [m], and whether it holds the pin, 1 or 0.
+/// Inputs that a page writes if the scene has a `pointer`. The first one is its position [x, y] in the
+/// scene's coordinates [m]; the second one is 1 while it holds the pin, else 0.
 inline constexpr const char *pointer_input = "pointer", *held_input = "pointer_held";
-/// The hand that the pointer leads, a part of the model.
+/// Part of the model that represents the hand; it follows the pointer.
 inline constexpr const char* pointer_part = "pointer_hand";
 
-/// Loads a model for a page. Where its scene has a `pointer`, the model is a variant of the file: two inputs
-/// and a hand that they lead (diagrams/parts/pointer-hand.yaml) are added, and whatever reads the signal of
-/// who moves the pin in the file reads that of this hand. All else stays, who moved the pin among it,
-/// unheard. So a run under a hand is a run of a diagram with inputs, and its log gives the same bits again.
-/// The document of the file in the loader is the variant's then. Throws Error.
+/// Loads a model for a page. If its scene has a `pointer`, the model is a variant of the file. It gets two
+/// inputs and a hand that follows them (diagrams/parts/pointer-hand.yaml). All readers of the signal that
+/// moves the pin read the signal of the hand instead; the original source remains, without effect. A run with
+/// a pointer is thus a run of a diagram with inputs, and its log reproduces the same bits. The loader's
+/// document of the file becomes the variant. Throws Error.
 session::LoadedModel load_for_page(diagram::Loader& loader, const std::string& file,
                                    const session::LoadOptions& options = {});
 
-/// Does the scene of a diagram have a `pointer`?
+/// True if the scene of a diagram has a `pointer`.
 bool offers_pointer(const diagram::Diagram& diagram);
-/// Is a model under the hand of a page: does it have the inputs of a pointer?
+/// True if a model has the inputs of a pointer.
 bool has_pointer(const diagram::Diagram& diagram);
 
 }  // namespace stepwire::live

@@ -9,7 +9,7 @@ namespace stepwire::live {
 
 namespace {
 
-/// The ticks at which an entry has rows.
+/// Returns the ticks of the rows of an entry.
 std::vector<std::int64_t> ticks_of(const plan::Plan& plan, const diagram::RecordRequest& request,
                                    std::int64_t from, std::int64_t end, bool ended) {
   const std::int64_t every = record::ticks_between_rows(plan, request);
@@ -20,7 +20,7 @@ std::vector<std::int64_t> ticks_of(const plan::Plan& plan, const diagram::Record
   return ticks;
 }
 
-/// Each of the ticks' numbers of a column of the store.
+/// Returns the values of a stored column at these ticks.
 std::vector<double> picked(const SampleStore& store, std::size_t column,
                            const std::vector<std::int64_t>& ticks) {
   std::vector<double> values, part;
@@ -36,7 +36,7 @@ std::vector<double> picked(const SampleStore& store, std::size_t column,
   return values;
 }
 
-/// The columns of what the file sweeps, with one value each: the present one.
+/// Adds the columns of swept parameters, each with its present value.
 void add_swept(const diagram::Diagram& diagram, RunControl& run, record::Recording& recording) {
   if (!diagram.sweep) return;
   auto place = recording.table.columns.begin() + 1;

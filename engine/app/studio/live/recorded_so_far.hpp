@@ -8,13 +8,13 @@
 
 namespace stepwire::live {
 
-/// What the records of a plan have of its run by now, from a tick on; `ended`: with the row of the last tick.
+/// Returns the records of a plan so far, from a tick on. `ended`: includes the row of the last tick.
 std::vector<record::Recording> recorded_rows(const plan::Plan& plan, const SignalList& signals,
                                              RunControl& run, bool ended, std::int64_t from = 0);
 
-/// What the file's entries of `record` have by now, the same bits as `run` writes at its end, with the
-/// present values of what the file sweeps; rows from the tick `from` on. `ended`: the last tick makes a row,
-/// too, where the period skips it.
+/// Returns the records of the file so far, from the tick `from` on, with the present values of swept
+/// parameters. The bits equal those that `run` writes at its end. `ended`: the last tick has a row even if
+/// the period skips it.
 std::vector<record::Recording> recorded_so_far(const session::LoadedModel& model, const SignalList& signals,
                                                RunControl& run, bool ended, std::int64_t from = 0);
 

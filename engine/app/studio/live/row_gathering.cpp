@@ -7,7 +7,7 @@ namespace stepwire::live {
 namespace {
 
 constexpr std::size_t rows_at_once = 256, rows_at_most = 16'384;
-constexpr std::size_t part = 4096;  // ticks of the past that are computed at once
+constexpr std::size_t part = 4096;  // ticks of the past per evaluation
 
 }  // namespace
 
@@ -15,7 +15,7 @@ RowGathering::RowGathering(const SignalList& signals, double step, const StoreOp
     : signals_(signals), store_(step, options) {
   for (std::size_t i = 0; i < signals.all().size(); ++i)
     if (signals.all()[i].recorded) column(i, 0);
-  if (columns_.empty() && !signals.all().empty()) column(0, 0);  // the store counts ticks by its rows
+  if (columns_.empty() && !signals.all().empty()) column(0, 0);  // the row count of the store is the tick
 }
 
 std::size_t RowGathering::add(std::size_t offset, std::int64_t tick) {
@@ -51,7 +51,7 @@ std::size_t RowGathering::column(const query::Formula& formula, std::int64_t nex
   return added;
 }
 
-/// Computes a formula for ticks of the past.
+/// Computes a formula for past ticks.
 void RowGathering::fill(std::size_t index, std::int64_t from, std::int64_t to) {
   const Column& column = columns_[index];
   std::vector<std::vector<double>> values(column.places.size());
@@ -97,7 +97,7 @@ void RowGathering::flush() {
   rows.swap(rows_);
   if (!rows.empty()) store_.append(rows);
   rows.clear();
-  rows_.swap(rows);  // keeps its memory
+  rows_.swap(rows);  // reuses the memory
 }
 
 std::vector<RowGathering::Incomplete> RowGathering::incomplete() const {

@@ -11,64 +11,62 @@
 
 namespace stepwire::live {
 
-/// How a run stands.
+/// State of a run.
 struct RunStatus {
   enum class State { playing, paused, ended };
   State state = State::paused;
-  std::uint32_t run = 0;    ///< counts up with restart and seek
-  std::int64_t tick = 0;    ///< that was computed last
-  double time = 0.0;        ///< of it [s]
-  double rate = 0.0;        ///< seconds of the run in one of the clock, lately
-  double wanted = 1.0;      ///< the same as it should be; 0: as fast as it goes
-  std::int64_t missed = 0;  ///< ticks that came more than 20 ms late
+  std::uint32_t run = 0;    ///< increases with each restart and seek
+  std::int64_t tick = 0;    ///< last computed tick
+  double time = 0.0;        ///< its time [s]
+  double rate = 0.0;        ///< recent simulated seconds per second of the clock
+  double wanted = 1.0;      ///< requested rate; 0: as fast as possible
+  std::int64_t missed = 0;  ///< ticks more than 20 ms late
   bool compiled = false;
-  /// Of the newest sample of an input that acted by a tick which is stored, as its page sent it [s].
+  /// Page time of the newest input sample that has acted by a stored tick [s].
   std::optional<double> input;
-  std::string fault;  ///< that ended it; empty where none did
+  std::string fault;  ///< reason of a failure, else empty
 };
 
-/// What set() came to.
+/// Outcome of set().
 struct SetResult {
-  std::optional<double> value;  ///< SI; nothing where it is no number
+  std::optional<double> value;  ///< SI; std::nullopt if it is no number
   std::string text;
-  std::int64_t tick = 0;  ///< from which on it holds
+  std::int64_t tick = 0;  ///< first tick with the new value
 };
 
-/// What pages have a run do, and what they see of it. Calls may come from any thread, and return once they
-/// have taken effect.
+/// Interface for pages to control and observe a run. Thread-safe; calls return after they have taken effect.
 class RunControl {
  public:
   virtual ~RunControl() = default;
 
-  /// `rate`: seconds of the run in one of the clock; 0: as fast as it goes.
+  /// Starts or continues the run. `rate`: simulated seconds per second of the clock; 0: as fast as possible.
   virtual void play(double rate) = 0;
   virtual void pause() = 0;
-  /// Returns which tick it will be.
+  /// Computes one tick and returns its number.
   virtual std::int64_t one_tick() = 0;
-  /// Begins anew with the values that are set now.
+  /// Starts the run again with the present values.
   virtual void restart() = 0;
-  /// Goes to a time as fast as it goes, back by a kept moment; returns the tick to which it goes.
+  /// Moves to a time as fast as possible, backwards from a checkpoint; returns the target tick.
   virtual std::int64_t seek(double time) = 0;
-  /// Throws Error where the value is refused.
+  /// Sets a value. Throws Error if the run refuses it.
   virtual SetResult set(const std::string& name, const std::string& text) = 0;
-  /// Numbers for an input, at a time of seconds_now(); throws Error where their count is wrong. Returns at
-  /// once.
+  /// Queues a sample of an input. Throws Error for a wrong count of numbers. Returns at once.
   virtual void input(const InputSample& sample) = 0;
-  /// Inputs that this client has written last have their defaults from the next tick on.
+  /// Resets the inputs that this client wrote last to their defaults, from the next tick on.
   virtual void release(int client) = 0;
-  /// This client has said something, whatever it was: it is there.
+  /// Records that a client is alive; any of its messages counts.
   virtual void heard(int) {}
-  /// The column of the store that has a signal of the list, which is stored from now on at the latest.
+  /// Returns the column of the store for a signal of the list, and starts storing it if needed.
   virtual std::size_t stored(std::size_t signal) = 0;
-  /// The same for a formula.
+  /// Returns the column of the store for a formula, and starts storing it if needed.
   virtual std::size_t stored(const query::Formula& formula) = 0;
 
   virtual RunStatus status() const = 0;
   virtual const SampleStore& store() const = 0;
   virtual EventLog log() = 0;
-  /// The present value of a parameter, SI; nothing where it is no number.
+  /// Returns the present value of a parameter in SI; std::nullopt if it is no number.
   virtual std::optional<double> value(const std::string& parameter) = 0;
-  /// How well a real-time loop keeps time, as the news `loop`; nothing of what is no such loop.
+  /// Returns the timing of a real-time loop, as in the news `loop`; std::nullopt for a simulation.
   virtual std::optional<json::Json> timing() { return std::nullopt; }
 };
 

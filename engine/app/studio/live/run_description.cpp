@@ -12,7 +12,7 @@ namespace {
 
 using json::Json;
 
-constexpr std::size_t most_traces = 6;  // of a scope that no figure gives
+constexpr std::size_t most_traces = 6;  // per default scope
 
 Json columns_json(const SignalList& signals) {
   Json list = Json::list();
@@ -44,7 +44,7 @@ std::string expression_of(const query::Series& series) {
   return series.unit_text.empty() ? text : text + " in " + series.unit_text;
 }
 
-/// The curves of a panel over time; what is drawn of several runs side by side has none of one run.
+/// Returns the curves of a panel over time; empty for a panel over several runs.
 Json scope_of(LoadedRun& run, const plot::Panel& panel) {
   Json traces = Json::list();
   const query::Series* x = panel.find("x");
@@ -55,13 +55,13 @@ Json scope_of(LoadedRun& run, const plot::Panel& panel) {
     const bool named = i < panel.legend.size() && curves->second.size() == panel.legend.size();
     try {
       traces.push(trace_json(run, expression_of(series), named ? panel.legend[i] : series.label));
-    } catch (const std::exception&) {  // reads what a run alone does not have, such as what a sweep varies
+    } catch (const std::exception&) {  // the formula reads swept values, which a single run does not have
     }
   }
   return traces;
 }
 
-/// Scopes of what is recorded, for a file without such figures: one for each unit.
+/// Returns default scopes for a file without figures: one for each unit of its records.
 Json recorded_scopes(LoadedRun& run) {
   std::map<std::string, Json> by_unit;
   for (const LiveSignal& signal : run.signals().all()) {

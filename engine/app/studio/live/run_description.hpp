@@ -4,7 +4,7 @@
 
 namespace stepwire::live {
 
-/// What `run.load` answers: columns, parameters, scopes, inputs, and what else the file has to show.
+/// Returns the answer to `run.load`: columns, parameters, scopes, inputs, and other features of the file.
 json::Json run_description(LoadedRun& run);
 
 }  // namespace stepwire::live

@@ -5,19 +5,19 @@
 
 namespace stepwire::live {
 
-/// The figures of the file as they are by now, with the values that are set now, each as in figure.json; with
-/// `fault` in the place of panels where there is nothing to draw yet.
+/// Returns the figures of the file with the data and values so far, each in the format of figure.json. A
+/// figure that cannot be drawn yet has `fault` in place of its panels.
 json::Json figures_now(LoadedRun& run);
 
-/// The claims with `verdict`: ok, FAIL, known (the file says so), open (the run has not ended, or nothing can
-/// be said of it). A claim is about a run with one set of values: one that reads a value which was set on the
-/// way is open, and says so.
+/// Returns the claims, each with a `verdict`: ok, FAIL, known or open. A known failure is listed in the file.
+/// An open claim cannot be judged, or not before the end of the run. A claim that depends on a value set
+/// during the run is open, with a note.
 json::Json claims_now(LoadedRun& run);
 
-/// Columns between two times as CSV with units in the header, all samples.
+/// Returns all samples of columns between two times as CSV, with units in the header.
 std::string csv_of(LoadedRun& run, const std::vector<std::size_t>& columns, double from, double to);
 
-/// For each column what all samples between two times say.
+/// Returns statistics of all samples of columns between two times.
 json::Json statistics_of(LoadedRun& run, const std::vector<std::size_t>& columns, double from, double to);
 
 }  // namespace stepwire::live

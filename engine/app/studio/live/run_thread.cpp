@@ -12,8 +12,8 @@ namespace stepwire::live {
 
 namespace {
 
-constexpr double between_moments = 0.5;   // [s] of the run
-constexpr double ahead = 1e-3;            // [s] by which a tick may be early: no thread sleeps for less
+constexpr double between_moments = 0.5;   // [s] simulated time between checkpoints
+constexpr double ahead = 1e-3;            // [s] by which a tick may be early; no sleep is shorter
 constexpr double between_flushes = 4e-3;  // [s]
 
 std::int64_t ticks_between_moments(const plan::Plan& plan) {
@@ -56,7 +56,7 @@ void RunThread::main() {
   }
 }
 
-/// Makes a run that stands at its start, or at the moment to which it goes back.
+/// Creates a run at its start, or at the checkpoint before the tick to return to.
 void RunThread::begin_life() {
   life_.reset();
   life_ = std::make_unique<Life>(plan_);
@@ -82,7 +82,7 @@ void RunThread::live() {
   if (const auto fault = life_->run.fault()) fault_ = fault->fault.text();
 }
 
-/// Waits, after the end, for somebody who goes back.
+/// Waits, after the end of the run, for a restart or seek.
 void RunThread::rest() {
   ended_ = true;
   plays_ = false;
@@ -107,9 +107,9 @@ run::Flow RunThread::before_tick(const run::ObservedRun& run) {
   return run::Flow::go_on;
 }
 
-/// Does what others have it do until the next tick may be computed; false where this life is over.
+/// Executes commands until the next tick may be computed; false if this run ends.
 bool RunThread::wait_for_turn() {
-  if (next_tick() == 0) return true;  // the start is always shown
+  if (next_tick() == 0) return true;  // tick 0 is computed even while paused
   while (!quits_) {
     commands_.run_all();
     if (quits_ || back_to_) return false;
@@ -123,7 +123,7 @@ bool RunThread::wait_for_turn() {
   return false;
 }
 
-/// Shows the tick to which somebody had the run go, and says so.
+/// Publishes the target tick and completes the pending call.
 void RunThread::arrive() {
   if (!arrived_) return;
   hand_over();
@@ -136,7 +136,8 @@ void RunThread::hand_over() {
   stored_input_ = inputs_.taken();
 }
 
-/// May the next tick be computed by the clock? Waits until then, or until somebody has it do something.
+/// True if the next tick is due by the clock. Otherwise it waits until then or until a command arrives, and
+/// returns false.
 bool RunThread::is_due() {
   const double now = seconds_now();
   if (!std::exchange(is_paced_, true)) pace_.begin(pace_.rate(), next_tick(), now);
@@ -176,7 +177,7 @@ void RunThread::add_event(LiveEvent event) {
   log_.add(std::move(event));
 }
 
-/// Puts the run at its start, with the values that are set now.
+/// Resets the run to its start, with the values that are set now.
 void RunThread::start_anew() {
   const std::vector<LiveEvent> set = log_.last_of_each();
   log_ = {};
@@ -192,7 +193,7 @@ void RunThread::start_anew() {
   shown_ = before_start;
 }
 
-/// Puts the run at the last moment before a tick, from where it computes again what was computed before.
+/// Restores the last checkpoint before a tick; the ticks from there on are computed again.
 void RunThread::go_back(std::int64_t tick) {
   const run::Workspace* moment = moments_.before(tick);
   const std::int64_t at = moment ? moment->tick : 0;
@@ -211,7 +212,7 @@ void RunThread::go_back(std::int64_t tick) {
   fill_past();
 }
 
-/// From behind a tick on the run has the values that are set now.
+/// Applies the present values from the tick after `tick` on.
 void RunThread::carry_values(std::int64_t tick) {
   const std::vector<LiveEvent> now = log_.last_of_each();
   log_.cut(tick + 1);

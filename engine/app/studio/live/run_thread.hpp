@@ -22,19 +22,19 @@
 
 namespace stepwire::live {
 
-/// Computes a run on a thread of its own, as others have it go on: each call takes effect between two ticks.
-/// What is set and what is written to inputs is logged with its tick; a return to an earlier moment computes
-/// the same bits again and goes on with the values that are set now.
+/// Simulated run in a thread of its own. Calls of other threads take effect between two ticks. Values that
+/// are set and inputs that are written are logged with their tick. A return to an earlier tick reproduces the
+/// same bits from a checkpoint and the log, then continues with the present values.
 class RunThread : public RunControl, private run::RunObserver {
  public:
   struct Options {
-    plan::CodeSource* code = nullptr;  ///< null: all is interpreted
+    plan::CodeSource* code = nullptr;  ///< nullptr: the run is interpreted
     StoreOptions store{};
     std::uint32_t run = 0;          ///< number of the run
     std::function<void()> changed;  ///< called by the run's thread; must return soon
   };
 
-  /// Computes the tick of time 0, and is paused then. Plan and signals must outlive it.
+  /// Computes tick 0 and pauses. Plan and signals must outlive it.
   RunThread(const plan::Plan& plan, const SignalList& signals, Options options);
   ~RunThread() override;
 
@@ -55,7 +55,7 @@ class RunThread : public RunControl, private run::RunObserver {
   std::optional<double> value(const std::string& parameter) override;
 
  private:
-  /// One run of the plan, from its start or from a moment on.
+  /// Run of the plan, from its start or from a checkpoint.
   struct Life {
     explicit Life(const plan::Plan& plan) : run(plan), drive(run, no_recorders) {}
     run::Executor run;
@@ -101,21 +101,21 @@ class RunThread : public RunControl, private run::RunObserver {
   std::unique_ptr<Life> life_;
   std::atomic<bool> quits_ = false;
   bool plays_ = false, ended_ = false;
-  bool is_paced_ = false;                ///< does the pace know the next tick?
-  std::optional<double> stored_input_;   ///< RunStatus::input
-  double flushed_ = 0.0;                 ///< when rows were handed to the store last
-  std::int64_t shown_ = -1;              ///< the tick that was computed last; -1: none
-  std::int64_t goal_ = 0;                ///< up to this tick it goes as fast as it goes
-  std::int64_t known_ = 0;               ///< ticks before this one are computed again, as the log has them
-  std::optional<std::int64_t> back_to_;  ///< the tick at which another life begins
-  std::shared_ptr<std::promise<void>> arrived_;  ///< of who waits for the goal; null: nobody
-  std::uint32_t lives_;                          ///< number of this one
+  bool is_paced_ = false;               ///< true after the pace has a first tick
+  std::optional<double> stored_input_;  ///< RunStatus::input
+  double flushed_ = 0.0;
+  std::int64_t shown_ = -1;                      ///< last computed tick; -1: none
+  std::int64_t goal_ = 0;                        ///< computed without the clock up to here
+  std::int64_t known_ = 0;                       ///< replays the log before this tick
+  std::optional<std::int64_t> back_to_;          ///< pending restart or seek
+  std::shared_ptr<std::promise<void>> arrived_;  ///< waits for `goal_`; may be nullptr
+  std::uint32_t lives_;                          ///< number of the run
   std::string fault_;
   mutable std::mutex status_mutex_;
   RunStatus status_;
   std::atomic<bool> past_interrupt_ = false;
-  std::thread past_;    ///< for samples that columns miss
-  std::thread thread_;  ///< last: it uses the others
+  std::thread past_;    ///< computes missing samples
+  std::thread thread_;  ///< last: uses the other members
 };
 
 }  // namespace stepwire::live

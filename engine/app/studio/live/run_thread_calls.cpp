@@ -1,4 +1,4 @@
-// What other threads have a run do.
+// Calls of other threads that control a run.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace stepwire::live {
 
-/// Has the run's thread do something, and shows how the run stands then.
+/// Executes an action in the run's thread and publishes the new status.
 template <class Act>
 void RunThread::act(const Act& act) {
   commands_.ask([&] {
@@ -39,7 +39,7 @@ void RunThread::pause() {
 }
 
 std::int64_t RunThread::one_tick() {
-  constexpr std::chrono::seconds patience{1};  // with a tick that takes very long
+  constexpr std::chrono::seconds patience{1};  // limit for very slow ticks
   const auto arrived = std::make_shared<std::promise<void>>();
   const std::int64_t tick = commands_.ask([&] {
     plays_ = false;
@@ -101,7 +101,7 @@ std::size_t RunThread::stored(const query::Formula& formula) {
   });
 }
 
-/// Starts the computation of samples that columns miss because they were chosen after the start.
+/// Starts the computation of samples before the first tick of columns that were selected after the start.
 void RunThread::fill_past() {
   past_interrupt_ = true;
   if (past_.joinable()) past_.join();
@@ -112,7 +112,7 @@ void RunThread::fill_past() {
     std::vector<std::vector<double>> samples;
     try {
       samples = past_of(plan_, log, columns, past_interrupt_);
-    } catch (const std::exception&) {  // the columns stay as they are; the page shows where they begin
+    } catch (const std::exception&) {  // the columns remain incomplete; the page shows their begin
     }
     if (!samples.empty()) commands_.push([=, this] { put_past(life, columns, samples); });
   });

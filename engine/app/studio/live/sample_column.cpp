@@ -16,7 +16,7 @@ SampleColumn::SampleColumn(SpillFile& file, std::int64_t first_tick, const std::
   start(first_tick);
 }
 
-/// Begins at a tick, with nothing before it: chunks of all columns begin at the same ticks.
+/// Starts empty at a tick. The chunks of all columns start at the same ticks.
 void SampleColumn::start(std::int64_t tick) {
   first_tick_ = tick;
   base_ = tick / chunk * chunk;
@@ -51,7 +51,7 @@ void SampleColumn::seal() {
   tail_ = unused ? std::move(unused) : std::make_unique<Chunk>();
 }
 
-/// Makes the blocks of the level above that are complete now.
+/// Appends the completed blocks of the next level.
 void SampleColumn::raise(std::size_t level) {
   if (levels_[level].size() < factor) return;
   if (level + 1 == levels_.size()) levels_.emplace_back();
@@ -106,7 +106,8 @@ Extremes SampleColumn::of_samples(std::int64_t begin, std::int64_t end) const {
   return all;
 }
 
-/// Goes up as long as whole blocks of the next level lie between the ends.
+/// Combines blocks of the lowest levels at both ends, and of the highest levels between. Cost: logarithmic in
+/// the number of blocks.
 Extremes SampleColumn::of_blocks(std::size_t begin, std::size_t end) const {
   Extremes all;
   const auto take = [&](std::size_t level, std::size_t from, std::size_t to) {

@@ -14,34 +14,33 @@
 
 namespace stepwire::live {
 
-/// The samples of one signal, one for each tick from the first on: the newest in memory, all on disk, and the
-/// extremes of 64, 256, 1024, ... of them in memory (a 24th part of what the samples take). Where there is no
-/// sample it has none: nan.
+/// Samples of one signal, one per tick from the first one on. All are on disk, the newest in memory, too. The
+/// extremes of 64, 256, 1024, ... samples are in memory; they take a 24th of the samples' size. A missing
+/// sample is NaN.
 class SampleColumn {
  public:
-  static constexpr std::int64_t chunk = 4096;  ///< ticks; each begins at a multiple
+  static constexpr std::int64_t chunk = 4096;  ///< ticks; each chunk starts at a multiple
   static constexpr std::int64_t block = 64;    ///< ticks of the lowest level of extremes
   static constexpr std::size_t factor = 4;     ///< blocks of a level in one of the next
 
-  /// Keeps as many chunks as `in_memory` says by then, beside the one that is filled. It and the file must
-  /// outlive the column.
+  /// Keeps the last `in_memory` full chunks in memory; the number may change. It and the file must outlive
+  /// the column.
   SampleColumn(SpillFile& file, std::int64_t first_tick, const std::size_t& in_memory);
 
   std::int64_t first_tick() const { return first_tick_; }
-  /// The tick behind the last sample.
+  /// Returns the tick after the last sample.
   std::int64_t end_tick() const { return sealed_end() + static_cast<std::int64_t>(filled_); }
 
   /// Appends `count` samples, `stride` numbers apart. Throws EnvironmentError.
   void append(const double* values, std::size_t count, std::size_t stride);
-  /// Forgets all from a tick on, which may lie before the first: then it begins there.
+  /// Removes all samples from a tick on; if that is before the first one, the column starts there.
   void cut(std::int64_t tick);
 
-  /// Of the ticks begin, begin + 1, ..., end - 1.
+  /// Returns the extremes of ticks begin, ..., end - 1.
   Extremes extremes(std::int64_t begin, std::int64_t end) const;
-  /// The samples from a tick on, as many as `into` has.
+  /// Copies samples from a tick on, as many as fit into `into`; missing ones are NaN.
   void read(std::int64_t begin, std::span<double> into) const;
-  /// Hands the samples of these ticks on that there are, in parts one behind the other, each with its first
-  /// tick.
+  /// Passes on the existing samples of these ticks, in contiguous parts, each with its first tick.
   template <class Take>
   void each_part(std::int64_t begin, std::int64_t end, const Take& take) const {
     begin = std::max(begin, first_tick_);
@@ -60,20 +59,20 @@ class SampleColumn {
   void start(std::int64_t tick);
   void seal();
   void raise(std::size_t level);
-  /// Samples of one chunk; good until the next call.
+  /// Returns samples of one chunk; valid until the next call.
   std::span<const double> part(std::int64_t begin, std::size_t count) const;
   Extremes of_samples(std::int64_t begin, std::int64_t end) const;
   Extremes of_blocks(std::size_t begin, std::size_t end) const;
 
   SpillFile& file_;
-  std::int64_t first_tick_ = 0, base_ = 0;  ///< of the first sample, and of its chunk
+  std::int64_t first_tick_ = 0, base_ = 0;  ///< ticks of the first sample and of its chunk
   const std::size_t& in_memory_;
   std::unique_ptr<Chunk> tail_ = std::make_unique<Chunk>();
-  std::size_t filled_ = 0;                     ///< of the tail
-  std::vector<std::uint64_t> chunks_;          ///< where the full ones lie in the file
-  std::deque<std::unique_ptr<Chunk>> recent_;  ///< the last of these
+  std::size_t filled_ = 0;                     ///< samples in the tail
+  std::vector<std::uint64_t> chunks_;          ///< places of full chunks in the file
+  std::deque<std::unique_ptr<Chunk>> recent_;  ///< the last full chunks
   std::vector<std::vector<Extremes>> levels_;  ///< of full chunks
-  mutable std::unique_ptr<Chunk> read_;        ///< the chunk that was read last
+  mutable std::unique_ptr<Chunk> read_;        ///< last chunk read
   mutable std::uint64_t read_index_ = UINT64_MAX;
 };
 

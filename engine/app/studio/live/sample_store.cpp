@@ -8,19 +8,19 @@ namespace stepwire::live {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::int64_t samples_per_pixel = 2;  // up to which all are shown
+constexpr std::int64_t samples_per_pixel = 2;  // up to which all samples are shown
 
 std::string folder_of(const StoreOptions& options) {
   return options.folder.empty() ? std::filesystem::temp_directory_path().string() : options.folder;
 }
 
-/// Ticks of a row.
+/// Returns the ticks of a row.
 std::int64_t width_of(const SampleRange& range) {
   const std::int64_t count = range.to - range.from;
   const auto pixels = static_cast<std::int64_t>(std::max<std::size_t>(range.pixels, 1));
   if (count <= samples_per_pixel * pixels) return 1;
   const std::int64_t width = count / pixels;
-  constexpr std::int64_t block = SampleColumn::block;  // of which the extremes are known
+  constexpr std::int64_t block = SampleColumn::block;  // the lowest level of extremes
   return width < block ? width : width / block * block;
 }
 
@@ -39,7 +39,7 @@ void append_extremes(const SampleColumn& column, const SampleRange& range, std::
   columns.push_back(std::move(most));
 }
 
-/// Sums over samples, about the first of them, since means may be far larger than what moves.
+/// Sums of samples relative to the first one, since a mean may be far larger than the variation.
 class Sums {
  public:
   void add(double tick, double value) {

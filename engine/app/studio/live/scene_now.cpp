@@ -84,7 +84,7 @@ Json SceneNow::description() const {
 }
 
 std::optional<Json> SceneNow::news() const {
-  const std::optional<double> input = run_.thread().status().input;  // before what it led to
+  const std::optional<double> input = run_.thread().status().input;  // read before the samples that it caused
   const std::int64_t tick = run_.store().end_tick() - 1;
   if (tick < 0) return std::nullopt;
   std::vector<double> row = fixed_;

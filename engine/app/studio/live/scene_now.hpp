@@ -7,23 +7,23 @@
 
 namespace stepwire::live {
 
-/// The scene of a file at the newest tick of its run.
+/// Scene of a file at the newest tick of its run.
 class SceneNow {
  public:
-  /// The run has a scene and must outlive it.
+  /// The run must have a scene and outlive it.
   explicit SceneNow(LoadedRun& run);
 
-  /// What does not move: view, objects, walls, and which inputs a pointer feeds.
+  /// Returns the static part: view, objects, walls, and the inputs that a pointer writes.
   json::Json description() const;
-  /// What is shown; nothing before the first tick.
+  /// Returns the shapes; std::nullopt before the first tick.
   std::optional<json::Json> news() const;
 
  private:
   LoadedRun& run_;
   const scene::Scene& scene_;
-  std::vector<double> fixed_;         ///< values of the columns that no signal has
-  std::vector<std::size_t> columns_;  ///< of the store
-  std::vector<std::size_t> places_;   ///< of these in a row
+  std::vector<double> fixed_;         ///< values of columns that are no signals
+  std::vector<std::size_t> columns_;  ///< columns of the store
+  std::vector<std::size_t> places_;   ///< their indices in a row
   std::optional<scene::SceneView> view_;
 };
 

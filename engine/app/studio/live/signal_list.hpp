@@ -10,24 +10,25 @@
 
 namespace stepwire::live {
 
-/// One number of a diagram that changes in time.
+/// Scalar of a diagram that changes in time.
 struct LiveSignal {
   std::string name;  ///< "cart.position", "path.2" of a vector, as in signals.csv
   std::optional<unit::Dimension> dimension;
   std::size_t offset = 0;  ///< in the workspace of a run
-  bool recorded = false;   ///< by the file
+  bool recorded = false;   ///< true if the file records it
 };
 
-/// All signals of a diagram that are numbers or elements of vectors: those of its records first, in their
-/// order, then the others by name. Several names may be of one number.
+/// Scalar signals of a diagram, including the elements of vectors: recorded ones first, in the order of the
+/// file, then the others by name. Several names may refer to one number.
 class SignalList {
  public:
   explicit SignalList(const plan::Plan& plan);
 
   const std::vector<LiveSignal>& all() const { return signals_; }
-  /// Where a signal of this name stands.
+  /// Returns the index of a signal, or std::nullopt.
   std::optional<std::size_t> find(const std::string& name) const;
-  /// What expressions may name: all signals and the numbers of parameters. The file is for messages.
+  /// Returns the names that expressions may use: all signals and numeric parameters. The file is for
+  /// messages.
   query::SymbolTable names(const plan::Plan& plan) const;
 
  private:
@@ -37,7 +38,7 @@ class SignalList {
   std::map<std::string, std::size_t> index_;
 };
 
-/// The SI unit of a signal as text; empty where it has none or none is known.
+/// Returns the SI unit of a signal as text; "" if it has none or it is unknown.
 std::string unit_text(const std::optional<unit::Dimension>& dimension);
 
 }  // namespace stepwire::live

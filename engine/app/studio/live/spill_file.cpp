@@ -20,13 +20,13 @@ namespace {
       fmt::format("{}: the samples of the run cannot be {}: {}", folder, what, std::strerror(errno)));
 }
 
-constexpr std::uint64_t left_free = std::uint64_t{1} << 30;       // bytes of the disk
-constexpr std::uint64_t between_looks = std::uint64_t{64} << 20;  // at the disk
+constexpr std::uint64_t left_free = std::uint64_t{1} << 30;       // bytes of free disk space
+constexpr std::uint64_t between_looks = std::uint64_t{64} << 20;  // bytes written between checks of the disk
 
 int open_without_name(const std::string& folder) {
   const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
   if (file >= 0) return file;
-  std::string name = folder + "/stepwire-samples-XXXXXX";  // a file system that has no such files
+  std::string name = folder + "/stepwire-samples-XXXXXX";  // for file systems without O_TMPFILE
   const int named = ::mkostemp(name.data(), O_CLOEXEC);
   if (named >= 0) ::unlink(name.c_str());
   return named;
@@ -56,7 +56,7 @@ std::uint64_t SpillFile::write(std::span<const double> chunk) {
   return place;
 }
 
-/// A run that nobody ends must not fill the disk.
+/// Throws if the disk is nearly full, as a run may continue without end.
 void SpillFile::leave_room() const {
   std::error_code unknown;
   const std::filesystem::space_info space = std::filesystem::space(folder_, unknown);

@@ -10,19 +10,19 @@
 
 namespace stepwire::live {
 
-/// A file without a name for chunks of numbers, which the system removes with the process. Chunks that are
-/// given back are written anew.
+/// Unnamed temporary file for chunks of numbers; the system removes it with the process. The space of
+/// returned chunks is reused.
 class SpillFile {
  public:
-  /// `chunk`: numbers in each. Throws EnvironmentError where the folder takes no file.
+  /// `chunk`: numbers per chunk. Throws EnvironmentError if the folder is not writable.
   SpillFile(const std::string& folder, std::size_t chunk);
 
-  /// Where the chunk lies now. Throws EnvironmentError where the disk has less than 1 GiB left.
+  /// Writes a chunk and returns its place. Throws EnvironmentError if less than 1 GiB of the disk is free.
   std::uint64_t write(std::span<const double> chunk);
-  /// As many numbers as `into` has, from the number `first` of a chunk on. Throws EnvironmentError.
+  /// Reads numbers of a chunk from index `first` on, as many as fit into `into`. Throws EnvironmentError.
   void read(std::uint64_t place, std::size_t first, std::span<double> into) const;
   void give_back(std::uint64_t place) { free_.push_back(place); }
-  /// Bytes that lie on the disk.
+  /// Returns the size of the file in bytes.
   std::uint64_t size() const { return end_; }
 
  private:

@@ -1,4 +1,4 @@
-// Builds the page into dist/: one page, one style sheet, and scripts with fixed names, so that the program can hold them as a table.
+// Builds the page into dist/: one page, one style sheet, and scripts with fixed names, as the program contains them in a table.
 
 import {fileURLToPath} from "node:url";
 import {defineConfig} from "vite";
@@ -10,19 +10,19 @@ export default defineConfig({
   root: here,
   base: "/",
   plugins: [licences(here)],
-  // The drawing's own modules lie beside the page in the engine; elkjs is resolved from the page.
+  // The drawing's modules are in the engine, beside the page; elkjs is resolved from the page.
   server: {fs: {allow: [fileURLToPath(new URL("../../../..", import.meta.url))]}},
   build: {
     target: "es2022",
     minify: "terser",  // 3 % smaller than with esbuild
     outDir: "dist",
     emptyOutDir: true,
-    assetsInlineLimit: 0,  // data: addresses of styles and scripts are refused by the page's security policy
+    assetsInlineLimit: 0,  // the page's security policy refuses styles and scripts in data: URLs
     cssCodeSplit: false,
     modulePreload: false,
     chunkSizeWarningLimit: 2000,
     rollupOptions: {
-      // Scripts of a few hundred letters go into those that load them.
+      // Scripts of a few hundred characters are merged into those that load them.
       output: {entryFileNames: "assets/[name].js", chunkFileNames: "assets/[name].js", assetFileNames: named, experimentalMinChunkSize: 4000},
     },
   },

@@ -1,4 +1,4 @@
-// When the server hears that a frame was drawn, so that a view gets no more frames than it would show.
+// Acknowledgement of drawn frames: a view receives no more frames than it shows.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";

@@ -1,4 +1,4 @@
-// Modules of the page for node, and the page of the scopes for a browser; esbuild comes with the page's own build.
+// Bundles of page modules for node, and of the test page of scopes for a browser; esbuild is a dependency of the page's build.
 
 import {copyFileSync, mkdtempSync} from "node:fs";
 import {createServer} from "node:http";
@@ -12,7 +12,7 @@ const here = dirname(fileURLToPath(import.meta.url)), page = resolve(here, "../.
 const esbuild = createRequire(join(page, "package.json"))("esbuild");
 const usual = {bundle: true, format: "esm", target: "es2022", logLevel: "error", absWorkingDir: page, nodePaths: [join(page, "node_modules")]};
 
-/** What modules of engine/app/studio/page/src export, all in one. */
+/** Returns the exports of several modules of engine/app/studio/page/src. */
 export async function bundled(...paths) {
   const contents = paths.map((path) => `export * from "./src/${path}";`).join("\n"), outfile = join(mkdtempSync(join(tmpdir(), "scopes-")), "modules.mjs");
   await esbuild.build({...usual, stdin: {contents, resolveDir: page}, outfile, platform: "node", loader: {".css": "empty"}});
@@ -21,7 +21,7 @@ export async function bundled(...paths) {
 
 const types = {".html": "text/html", ".js": "text/javascript", ".css": "text/css"};
 
-/** Serves the page of the scopes on a free port of this machine. */
+/** Serves the test page of scopes on a free port of this machine. */
 export async function served() {
   const folder = mkdtempSync(join(tmpdir(), "scopes-page-"));
   await esbuild.build({...usual, entryPoints: [join(here, "page.ts"), join(here, "fake_worker.ts")], outdir: folder});

@@ -1,7 +1,7 @@
 import {type Connection, Fault, type Frame, type Wanted} from "../../../../engine/app/studio/page/src/connection/connection";
 import type {Shape} from "./fake_run";
 
-/** A connection to a FakeRun in a worker; frames come as from a socket: memory of another thread, at the pace of its clock. */
+/** Connection to a FakeRun in a worker. As from a socket, frames have memory of another thread and arrive at the pace of its clock. */
 export class FakeConnection implements Connection {
   private readonly worker = new Worker("fake_worker.js", {type: "module"});
   private readonly pending = new Map<number, {resolve: (value: any) => void; reject: (fault: Fault) => void}>();

@@ -1,9 +1,9 @@
-// A run without an engine: many signals at a fixed step, among them one with a peak of a single sample. It answers as the server does.
+// Simulated server without an engine: many signals at a fixed step, one of which has a peak of a single sample.
 
 import type {Frame} from "../../../../engine/app/studio/page/src/connection/frame";
 import type {Loaded, RunNews} from "../../../../engine/app/studio/page/src/run/run_types";
 
-/** Rows of a bucket: each level of the pyramid has four of the one below. */
+/** Factor between levels of the pyramid, and number of levels. */
 const factor = 4, levels = 7;
 
 export interface Shape {
@@ -16,7 +16,7 @@ export interface Shape {
 
 export const spikeAt = 1.2345;
 
-/** Signal `column` at a time [s], for `gain` 1: sines of many frequencies, noise from a hash, and a spike of one sample in the first. */
+/** Returns signal `column` at a tick: a sine, noise from a hash, and in column 0 a spike of one sample. */
 export function signal(column: number, tick: number, step: number, gain: number): number {
   const time = tick * step, noise = (((tick + 31 * column) * 2654435761) % 4294967296) / 4294967296 - 0.5;
   const spike = column === 0 && tick === Math.round(spikeAt / step) ? 0.05 : 0;
@@ -39,7 +39,7 @@ class Column {
     }
   }
 
-  /** Above a tick everything is forgotten. */
+  /** Removes all rows after a tick. */
   cut(tick: number): void {
     for (let level = 0; level < levels; ++level) {
       this.low[level].fill(Infinity, Math.ceil((tick + 1) / factor ** level));
@@ -85,7 +85,7 @@ export class FakeRun {
     this.put(0);
   }
 
-  /** The clock goes on by some seconds. */
+  /** Advances the clock by some seconds. */
   advance(seconds: number): void {
     if (this.news.state !== "playing") return;
     this.debt += seconds * (this.news.wanted || 20);

@@ -1,4 +1,4 @@
-// The thread of a FakeRun: steps it by the clock, sends frames, at most two of a view unacknowledged.
+// Thread of a FakeRun: steps it by the clock and sends frames, of which at most two per view are unacknowledged.
 
 import {FakeRun} from "./fake_run";
 

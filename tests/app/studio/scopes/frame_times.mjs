@@ -1,6 +1,7 @@
-// What the studio's scopes cost and how long they take, measured in Chromium on the program's own page: 100 signals at 1 kHz, 20 of
-// them drawn in 6 scopes, of the newest 60 s; then zooming in what was recorded, and sliders. Prints lines of JSON with the goals; bench/studio makes a table of them.
-// node frame_times.mjs [--seconds 20] [--zoom-at 100] [--short]: of frames, and how many seconds are recorded (at 10 times real time) before it zooms
+// Measures the scopes in Chromium, on the program's own page, with 100 signals at 1 kHz. 6 scopes draw the newest 60 s of 20 signals. Then
+// it measures zooming in the recorded data, and sliders. Prints lines of JSON with the goals; bench/studio formats them as a table.
+// node frame_times.mjs [--seconds 20] [--zoom-at 100] [--short]; --seconds: of frames; --zoom-at: recorded seconds (at 10 times real time)
+// before the zoom
 
 import {Studio} from "../studio.mjs";
 import {given, print, printQuantiles, quantile} from "../times.mjs";
@@ -8,7 +9,7 @@ import {hundredSignals} from "./hundred_signals.mjs";
 
 const {seconds, "zoom-at": zoomAt} = given({seconds: [20, 5], "zoom-at": [100, 70]});
 
-/** Runs in the page before its scripts: notes when calls leave, answers come, and frames come. */
+/** Runs in the page before its scripts: records the times of calls, answers and frames. */
 function observe() {
   const noted = (window.noted = {sent: [], answers: new Map(), frames: []});
   const Original = WebSocket;
@@ -28,7 +29,7 @@ function observe() {
   };
 }
 
-/** Times between pictures [ms]. */
+/** Returns the times between pictures [ms]. */
 async function gaps(seconds) {
   const found = [], end = performance.now() + 1000 * seconds;
   for (let last = await new Promise(requestAnimationFrame); last < end;) {
@@ -39,7 +40,7 @@ async function gaps(seconds) {
   return found;
 }
 
-/** From a turn of the wheel to the picture with the samples of the new stretch [ms]. */
+/** Returns the times from a wheel event to the picture with the new samples [ms]. */
 async function zoomed(times) {
   const over = document.querySelector(".scope .u-over"), box = over.getBoundingClientRect(), found = [];
   const wheel = (deltaY) => over.dispatchEvent(new WheelEvent("wheel", {deltaY, clientX: box.left + box.width / 2, clientY: box.top + 20, bubbles: true, cancelable: true}));
@@ -61,7 +62,7 @@ async function zoomed(times) {
   return found;
 }
 
-/** Another page on the same run, until all of its scopes are there [ms]. */
+/** Opens another page on the same run; returns the time until all of its scopes are there [ms]. */
 async function opened(studio) {
   const page = await studio.context.then((context) => context.newPage()), begin = performance.now();
   await page.goto(studio.address);
@@ -79,7 +80,7 @@ async function play(page, rate, until) {
   await page.waitForFunction((time) => parseFloat(document.querySelector(".run-time").textContent) >= time, until, {timeout: 300_000, polling: 200});
 }
 
-/** Of frames, the page's process and its memory, in real time. */
+/** Measures frames, the page's process and its memory in real time. */
 async function drawn(page) {
   const session = await page.context().newCDPSession(page), workload = "20 of 100 signals at 1 kHz in 6 scopes, 60 s";
   await session.send("Performance.enable");
@@ -94,7 +95,7 @@ async function drawn(page) {
   print(workload, "memory, grown by", "MB", (await inUse() - heap) / 1e6, 5);
 }
 
-/** In the page: moves a slider; times until the server had taken each value [ms]. */
+/** In the page: moves a slider; returns the times until the server has accepted each value [ms]. */
 async function slid() {
   const slider = document.querySelector(".tuned-slider");
   for (let place = 300; place < 700; place += 10) {

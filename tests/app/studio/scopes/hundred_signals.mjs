@@ -1,4 +1,4 @@
-/** A diagram of 100 signals at 1 kHz of which six figures draw 20, and that runs for an hour. One has a peak of a single tick. */
+/** Returns a diagram of 100 signals at 1 kHz with a stop time of one hour; six figures draw 20 of them. */
 export function hundredSignals() {
   const names = Array.from({length: 100}, (_, i) => `s${i + 1}`);
   const blocks = names.map((name, i) => `  ${name}: {block: Sine, amplitude: ${1 + (i % 7)} mm, frequency: ${(0.11 + 0.07 * i).toFixed(2)} Hz}`);

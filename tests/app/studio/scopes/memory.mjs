@@ -1,5 +1,6 @@
-// What memory the studio takes while a run goes on in real time: the page's heap after a collection, and what of the server lies in memory; 100 signals
-// at 1 kHz, of which 20 are drawn in 6 scopes of 60 s. Prints lines of JSON with the goals; bench/studio --long makes a table of them.
+// Measures the memory of the studio during a run in real time: the page's heap after a collection, and the resident memory of the server.
+// Of 100 signals at 1 kHz 20 are drawn, in 6 scopes of 60 s. Prints lines of JSON with the goals; bench/studio --long formats them as a
+// table.
 // node memory.mjs [--minutes 5]
 
 import {readFileSync} from "node:fs";
@@ -8,7 +9,7 @@ import {given, print} from "../times.mjs";
 import {hundredSignals} from "./hundred_signals.mjs";
 
 const {minutes} = given({minutes: [5, 5]});
-/** After so long all buffers have what they hold at most: 65,536 samples of each signal [s of the run]. */
+/** Time after which all buffers are full: 65,536 samples of each signal [s of the run]. */
 const filled = 70;
 const workload = `run of ${minutes} min in real time, 100 signals at 1 kHz`;
 

@@ -1,4 +1,4 @@
-// What the tests of scopes, run bar and tuning without a browser share.
+// Shared modules of the tests of scopes, run bar and tuning without a browser.
 
 import assert from "node:assert/strict";
 import {bundled} from "./bundled.mjs";

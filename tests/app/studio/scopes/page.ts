@@ -1,4 +1,4 @@
-// Run bar, scopes and tuning alone, on a run that is made up: for looking at them, and for measuring what a picture costs.
+// Run bar, scopes and tuning alone, on a simulated server: for inspection, and for measuring the cost of a picture.
 
 import "../../../../engine/app/studio/page/src/shell/tokens.css";
 import "../../../../engine/app/studio/page/src/shell/shell.css";

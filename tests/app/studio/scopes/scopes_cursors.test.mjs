@@ -1,4 +1,4 @@
-// Cursors, statistics, lines of claims and figures, and differences of runs, without a browser.
+// Cursors, statistics, items of claims and figures, and differences of runs, without a browser.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";

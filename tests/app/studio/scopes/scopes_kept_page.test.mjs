@@ -1,4 +1,4 @@
-// What of scopes is kept, handed on and read aloud, as who sits before them meets it.
+// Storage, export and announcements of scopes in the browser.
 
 import assert from "node:assert/strict";
 import {readFileSync} from "node:fs";

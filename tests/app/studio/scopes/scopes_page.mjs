@@ -1,4 +1,4 @@
-// The page of scopes, run bar and tuning in a browser, on a run that is made up.
+// Test page of scopes, run bar and tuning in a browser, on a simulated server.
 
 import assert from "node:assert/strict";
 import {after, before} from "node:test";
@@ -13,7 +13,7 @@ before(async () => {
 });
 after(() => site?.close());
 
-/** A page whose run stands at `until` [s], where it has come at this rate; 0 is as fast as it goes. */
+/** Opens a page whose run has reached `until` [s] at this rate; 0: as fast as possible. */
 export async function at(until, action, {query = "", rate = 5, ...more} = {}) {
   const context = await newContext({viewport: {width: 1200, height: 800}, acceptDownloads: true, permissions: ["clipboard-read", "clipboard-write"], ...more});
   const page = await context.newPage(), errors = [];
@@ -37,7 +37,7 @@ export async function run(page, until, rate = 5) {
   await settled(page);
 }
 
-/** Waits until what was asked for has come and was drawn. */
+/** Waits until the requested data are drawn. */
 export async function settled(page) {
   await page.waitForFunction(() => studio.board.scopes.every(({feed, traces}) => traces.length === 0 || (feed.frame && !feed.isOld)));
   await page.evaluate(() => new Promise((done) => { let left = 5; const next = () => (left-- > 0 ? requestAnimationFrame(next) : done()); next(); }));

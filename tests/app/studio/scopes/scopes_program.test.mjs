@@ -1,4 +1,4 @@
-// Scopes on a run of the program: what they show, save and write into the text is what `run` gives.
+// Scopes on a run of the program: their displayed, saved and inserted values equal those of `run`.
 
 import assert from "node:assert/strict";
 import {execFileSync, spawnSync} from "node:child_process";
@@ -27,7 +27,7 @@ claims:
   - {that: the cart ends where the spring holds the push, final: cart.position, equals: 50 mm, within: 1 %}
 `;
 
-/** Level but for a peak of one tick of 200,000. */
+/** Constant except for a peak of one tick in 200,000. */
 const peak = `stepwire: 1
 title: One tick
 step: 1 ms
@@ -38,7 +38,7 @@ blocks:
 record: [spike]
 `;
 
-/** A studio whose run has come to its end. */
+/** Opens a studio and plays its run to the end. */
 async function ended(action, text = cart) {
   const studio = await Studio.opened(text), {page} = studio;
   try {
@@ -63,7 +63,7 @@ const menu = async (page, entry) => {
   await page.getByRole("menuitem", {name: entry}).click();
 };
 
-/** Cursors at both ends of the window, by keys. */
+/** Sets cursors to both ends of the window, by keys. */
 async function cursors(page) {
   await page.locator(".scope").first().focus();
   await page.keyboard.press("Home");

@@ -1,4 +1,4 @@
-// Frames of samples, and what of them is painted, without a browser.
+// Frames of samples and their painting, without a browser.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";
@@ -38,7 +38,7 @@ test("the extent of a window leaves out what is no number", () => {
   assert.equal(m.extent(samples([0], [NaN]), {low: 0, high: 1}), undefined);
 });
 
-/** A canvas of which only what is covered is kept. */
+/** Returns a canvas that records only the painted areas. */
 function canvas() {
   const bars = [], points = [];
   return {bars, points, lineWidth: 1, setLineDash() {}, beginPath() {}, stroke() {}, translate() {}, arc() {}, fill() {},
@@ -101,7 +101,7 @@ test("a steep curve that moves has no steps, wherever its rows lie in the pixels
     assert.equal(bars.length, 0);
     assert.ok(points.length > 0.9 * Math.min(width, rows));
     for (const [i, [x, y]] of points.entries()) {
-      // The way to the true curve, which goes up and down by 10 pixels in one.
+      // Distance to the true curve, whose slope is up to 10 pixels per pixel.
       const slope = (Math.PI * 5 * height / width) * Math.cos(2 * Math.PI * 5 * x / width), far = Math.abs(y - yAt(x / width)) / Math.hypot(1, slope);
       assert.ok(far < 0.5, `${rows} rows, point ${i}: ${far}`);
       assert.ok(i === 0 || x > points[i - 1][0], `${rows} rows, point ${i} stands above the one before`);

@@ -1,4 +1,4 @@
-// Signals that come into scopes, as who sits before them meets it.
+// Adding of signals to scopes in the browser.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";

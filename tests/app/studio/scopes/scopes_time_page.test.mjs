@@ -1,4 +1,4 @@
-// Time, cursors and stretches of scopes as who sits before them meets them.
+// Time windows and cursors of scopes in the browser.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";

@@ -1,4 +1,4 @@
-// Numbers, units, ranges and times as scopes and run bar show them, without a browser.
+// Numbers, units, ranges and times in scopes and run bar, without a browser.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";

@@ -1,4 +1,4 @@
-// Sliders and the bar of the run, as who sits before them meets them.
+// Sliders and the run bar in the browser.
 
 import assert from "node:assert/strict";
 import {test} from "node:test";

@@ -44,7 +44,7 @@ context.shortcuts.add({key: "F6", text: "next pane", group: "Panes", action: () 
 context.shortcuts.add({key: "Shift+F6", text: "pane before", group: "Panes", action: () => layout.cycle(-1)});
 settings.on((key) => { if (key === "theme") context.theme.choose(settings.get<Choice>("theme", "system")); });
 
-/** Loads the diagram for a run; one with faults is loaded when it is started. */
+/** Loads the diagram for a run. A diagram with faults is loaded when its run is started. */
 async function load(file: number): Promise<void> {
   try {
     await context.run.load(file);

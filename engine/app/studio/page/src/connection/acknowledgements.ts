@@ -1,6 +1,6 @@
 import type {Frame} from "./frame";
 
-/** Of one view: sequences that the server still waits for, and since when the timer runs. */
+/** State of one view: sequence numbers that are not acknowledged yet, and the timer of the pause. */
 interface Paced {
   pause: number; // ms
   held: number[];
@@ -8,15 +8,15 @@ interface Paced {
 }
 
 /**
- * When the server hears that a frame was drawn. It sends a view no third frame before; so a view that is to have one frame in each pause
- * holds back the newest acknowledgement, and sends the one before when the pause is over.
+ * Acknowledgement of drawn frames. The server sends a view no third frame before the first one is acknowledged. A view with a minimum pause
+ * between frames therefore delays its newest acknowledgement until the pause has passed.
  */
 export class Acknowledgements {
   private readonly views = new Map<number, Paced>();
 
   constructor(private readonly send: (sequence: number) => void) {}
 
-  /** Another wish for a view: what is held back goes at once, so that its first frame does not wait. */
+  /** Sets the pause of a view. A delayed acknowledgement is sent at once, so that the first frame of the new request does not wait. */
   pace(view: number, pause: number): void {
     const known = this.views.get(view);
     if (known) this.release(known, 0);
@@ -32,7 +32,7 @@ export class Acknowledgements {
     paced.timer ??= setTimeout(() => this.release(paced, 1), paced.pause);
   }
 
-  /** The connection was lost. */
+  /** Drops all state after the connection was lost. */
   forget(): void {
     for (const paced of this.views.values()) {
       clearTimeout(paced.timer);

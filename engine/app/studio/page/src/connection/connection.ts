@@ -1,4 +1,4 @@
-// The one WebSocket between page and server: calls with ids, news, data frames.
+// WebSocket between page and server: calls with ids, news, data frames.
 
 import {Fault} from "./fault";
 import {Acknowledgements} from "./acknowledgements";
@@ -8,7 +8,7 @@ export {Fault} from "./fault";
 export type {DiagramFault} from "./fault";
 export type {Frame} from "./frame";
 
-/** What a view shall get; `follow` [s] asks for the newest stretch, otherwise `from` to `to` [s]. */
+/** Data request of a view: the newest `follow` seconds, or the range `from` to `to` [s]. */
 export interface Wanted {
   columns: number[];
   from?: number;
@@ -20,14 +20,14 @@ export interface Wanted {
 export type State = "open" | "lost";
 
 export interface Connection {
-  /** Rejects with a Fault. */
+  /** Makes a call; rejects with a Fault. */
   call<T>(name: string, args?: object): Promise<T>;
-  /** A call without an answer; dropped while there is no connection. */
+  /** Makes a call without an answer; does nothing while the connection is lost. */
   tell(name: string, args?: object): void;
-  /** Listens to news of the server; "connection" {state} is news of the connection itself. Returns what ends it. */
+  /** Adds a listener for news of the server; "connection" {state} is news of the connection itself. Returns a function that removes it. */
   on(news: string, listener: (message: any) => void): () => void;
   frames(view: number, listener: (frame: Frame) => void): () => void;
-  /** Frames of a view, from now on; `pause` [ms] between them, where the page would not show more. */
+  /** Requests frames for a view, at least `pause` [ms] apart, or none for null. */
   want(view: number, wanted: Wanted | null, pause?: number): void;
   readonly state: State;
 }
@@ -41,7 +41,7 @@ interface Pending {
   reject: (fault: Fault) => void;
 }
 
-/** The names and listeners of news or views. */
+/** Listeners by the name of the news or the number of the view. */
 class Listeners<Key, Message> {
   private readonly all = new Map<Key, Set<(message: Message) => void>>();
 
@@ -156,7 +156,7 @@ export class SocketConnection implements Connection {
     else waiting?.resolve(message.result);
   }
 
-  /** Frames are handed on once for each picture of the screen, the newest of each view; only then they are acknowledged. */
+  /** Passes on the newest frame of each view once per screen refresh, and acknowledges it only then. */
   private receiveFrame(message: ArrayBuffer): void {
     const frame = readFrame(message);
     if (this.arrived.size === 0) requestAnimationFrame(() => this.handOn());
@@ -185,7 +185,7 @@ export class SocketConnection implements Connection {
   }
 }
 
-/** The connection to the server that gave this page. */
+/** Connects to the server of this page. */
 export function connect(): SocketConnection {
   return new SocketConnection(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/socket`);
 }

@@ -1,4 +1,4 @@
-/** One fault of a diagram as `check --json` writes it; lines and columns count from 1, `end` is behind the last character. */
+/** Fault of a diagram in the format of `check --json`. Lines and columns count from 1; `end` is behind the last character. */
 export interface DiagramFault {
   file: string;
   line: number;
@@ -9,14 +9,14 @@ export interface DiagramFault {
   cure?: string;
 }
 
-/** Why a call failed, for the person at the page: what is wrong, and what would be right. */
+/** Reason of a failed call for the user: the problem and its cure. */
 export class Fault extends Error {
   constructor(readonly text: string, readonly cure?: string, readonly faults: DiagramFault[] = [], readonly detail: Record<string, unknown> = {}) {
     super(cure ? `${text}; ${cure}` : text);
     this.name = "Fault";
   }
 
-  /** The fault of an answer, or of anything else that was thrown. */
+  /** Converts the fault of an answer, or any other thrown value. */
   static from(thrown: unknown): Fault {
     if (thrown instanceof Fault) return thrown;
     if (typeof thrown !== "object" || thrown === null) return new Fault(String(thrown));

@@ -1,10 +1,10 @@
-/** Samples of some columns for one view, as the server's binary frame holds them; values in SI units. */
+/** Samples of some columns for one view, from a binary frame of the server; values in SI units. */
 export interface Frame {
   view: number;
   sequence: number;
-  /** Every sample, or minimum and maximum of each pixel: then each signal has two columns. */
+  /** All samples, or the minimum and maximum of each pixel: then each signal has two columns. */
   kind: "samples" | "extremes";
-  /** Counts up with load, restart and seek. */
+  /** Number of the run; increases with load, restart and seek. */
   run: number;
   /** Newest time of the run [s]. */
   newest: number;

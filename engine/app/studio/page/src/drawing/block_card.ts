@@ -5,7 +5,7 @@ import {type Field, fieldsOf} from "./fields";
 import type {Place} from "./places";
 import type {Shape} from "./types";
 
-/** What may be changed of a block: its name and its numbers and words. Enter writes a field into the text. */
+/** Card for editing a block: its name and its scalar parameters. Enter writes a field into the text. */
 export class BlockCard {
   private element: HTMLElement | undefined;
 
@@ -52,7 +52,7 @@ export class BlockCard {
     return this.row(key, text, doc, (value) => this.context.workbench.splice(place.file, {kind: "number", name: `${place.name}.${key}`, text: value}), placeholder);
   }
 
-  /** A label and a field, which is written on Enter or when it is left; without `write` it is only shown. */
+  /** Creates a label and a field that is written on Enter or on losing the focus; without `write` it is read-only. */
   private row(key: string, text: string, doc: string, write: ((text: string) => Promise<unknown>) | undefined, placeholder = ""): HTMLElement[] {
     const id = `card-${key}`, input = h("input", {type: "text", id, value: text, title: doc, readonly: write === undefined, spellcheck: "false", autocomplete: "off", placeholder});
     const wrong = h("div", {class: "wrong", role: "alert", hidden: true});

@@ -1,4 +1,4 @@
-// A wire is drawn from an output to an input by dragging, or by keys from a list; only inputs whose unit fits are offered.
+// Drawing of wires from an output to an input, by dragging or from a list. Only inputs with a matching unit are offered.
 
 import {Fault} from "../connection/connection";
 import type {Context} from "../shell/context";
@@ -14,11 +14,11 @@ interface Source {
   shape: Shape;
   port: string;
   file: number;
-  /** With its port, also where the drawing shows one output of several. */
+  /** Full name with the port, even if the drawing shows only one of several outputs. */
   name: string;
 }
 
-/** An input that takes the signal; one that is not drawn, such as one more of a list, lies at the block's left. */
+/** Input that accepts the signal. An input that is not drawn, such as a further one of a list, is placed at the left of the block. */
 interface Target {
   placed: Placed;
   port: string;
@@ -50,7 +50,7 @@ export class Connecting {
     this.refusal.hide();
   }
 
-  /** Offers the inputs for the first output of a block in a list. */
+  /** Lists the inputs that accept the first output of a block. */
   async byKeys({shape}: Placed): Promise<void> {
     const [port] = shape.outputs;
     if (!port) return this.context.announce(`${shape.name} has no output`);
@@ -68,10 +68,10 @@ export class Connecting {
   private sourceOf(shape: Shape, port: string): Source | undefined {
     if (shape.own === "input") return {shape, port, file: this.places.file, name: port};
     const place = this.places.place(shape.id);
-    return place ? {shape, port, file: place.file, name: `${place.name}.${port}`} : undefined;  // the server leaves out the name of an only output
+    return place ? {shape, port, file: place.file, name: `${place.name}.${port}`} : undefined;  // the server omits the name of a single output
   }
 
-  /** Inputs in the same file that take an output. */
+  /** Returns the inputs in the same file that accept an output. */
   private async fitting(source: Source): Promise<Target[]> {
     const {workbench, connection} = this.context, document = await workbench.open(source.file), where = source.shape.within.join();
     const here = [...this.shapes.placed.values()].filter(({shape}) => shape.within.join() === where && shape.own !== "input" && !shape.id.startsWith(":constant:"));
@@ -82,7 +82,7 @@ export class Connecting {
         return placed ? [this.targetAt(placed, input)] : [];
       });
     } catch {
-      return here.flatMap((placed) => placed.shape.inputs.map(({port}) => this.targetAt(placed, port)));  // then the splice refuses what does not fit
+      return here.flatMap((placed) => placed.shape.inputs.map(({port}) => this.targetAt(placed, port)));  // the splice refuses unsuitable inputs
     }
   }
 
@@ -130,7 +130,7 @@ export class Connecting {
     this.shapes.overlay(svg("path", {class: "loose", d: `M${start.join(" ")}C${start[0] + bend} ${start[1]} ${end[0] - bend} ${end[1]} ${end.join(" ")}`}));
   }
 
-  /** The drawn input beside a place, or any of the block at it. */
+  /** Returns the drawn input near a position, or else any input of the block there. */
   private nearest(x: number, y: number): Target | undefined {
     const distance = (target: Target) => Math.hypot(target.x - x, target.y - y), sorted = [...this.targets].sort((a, b) => distance(a) - distance(b));
     const inside = ({placed: {shape: {x: left, y: top, width, height}}}: Target) => x >= left && x <= left + width && y >= top && y <= top + height;
@@ -143,7 +143,7 @@ export class Connecting {
     if (target) this.dotOf(target.placed, target.port)?.classList.add("target");
   }
 
-  /** Beside a drawn input it is that one; elsewhere on a block with several, one of a list. */
+  /** Connects to the drawn input at the pointer; elsewhere on a block with several inputs it shows a list. */
   private drop(event: PointerEvent): void {
     const {source, target, targets} = this, [x, y] = this.viewport.at(event);
     this.stop();
@@ -154,7 +154,7 @@ export class Connecting {
     openMenu({x: event.clientX, y: event.clientY}, own.map((one): [string, () => void] => [`${this.labelOf(one)}${one.isDrawn ? "" : ", new"}`, () => void this.connect(source, one)]), "Connect to");
   }
 
-  /** On what was not offered: the edit is tried, and says why it is refused. */
+  /** Tries the edit for a drop on a target that was not offered, and shows the reason of the refusal. */
   private dropAside(source: Source, event: PointerEvent, [x, y]: [number, number]): void {
     const inside = ({shape}: Placed) => !shape.isFrame && x >= shape.x - near / 2 && x <= shape.x + shape.width + near / 2 && y >= shape.y - near / 2 && y <= shape.y + shape.height + near / 2;
     const placed = [...this.shapes.placed.values()].find(inside);
@@ -165,12 +165,12 @@ export class Connecting {
     void this.connect(source, {...first, port}, event);
   }
 
-  /** The name of an output of the file, whose shape has a port without a name. */
+  /** Returns the name of an output of the file; the port of its shape has no name. */
   private openPort({shape}: Placed, port: string): string {
     return /^:output:(.*)$/.exec(shape.id)?.[1] ?? port;
   }
 
-  /** Why no input of a shape can have the signal, where that needs no look at the text. */
+  /** Returns the reason why no input of a shape can accept the signal, as far as the drawing alone shows it; otherwise "". */
   private reasonAgainst(source: Source, {shape}: Placed): string {
     if (shape.within.join() !== source.shape.within.join()) return `${shape.name} lies in another file than ${source.name}; open the part, and connect its input there`;
     if (shape.own === "input") return `${shape.name || "this"} is an input of the file: it gives a signal and takes none`;
@@ -203,7 +203,7 @@ export class Connecting {
     }
   }
 
-  /** What feeds a drawn input now. */
+  /** Returns the present source of a drawn input. */
   private sourceOfInput({placed: {shape}, port, isDrawn}: Target): string {
     const fed = isDrawn ? this.shapes.laid.find(({wire: {to}}) => to?.node === shape.id && (to.port === port || to.port === `${port}.1`)) : undefined;
     return fed ? this.places.path(fed.wire.from) : "";

@@ -1,6 +1,6 @@
 import {h} from "../shell/dom";
 
-/** The way from the file down to the part that is drawn. */
+/** Breadcrumbs from the file to the part that is drawn. */
 export class Crumbs {
   readonly element = h("nav", {class: "crumbs", "aria-label": "Parts"});
 

@@ -2,7 +2,7 @@ import type {Picture, Shape} from "./types";
 
 const named = (id: string) => id.replace(/^:(input|output|constant):/, "");
 
-/** What a shape is, for who does not see it. */
+/** Describes a shape for screen readers. */
 export function describe(shape: Shape, {wires}: Picture): string {
   if (shape.own) return `${shape.own} ${named(shape.id)} of the file`;
   if (shape.id.startsWith(":constant:")) return `constant ${shape.lines.join(" ")}`;

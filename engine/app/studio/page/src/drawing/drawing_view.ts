@@ -17,7 +17,7 @@ import type {Picture, Shape, TextRange} from "./types";
 import {Viewport} from "./viewport";
 import "./drawing.css";
 
-/** The drawing of the diagram: a view of its text, which is edited through it. */
+/** Drawing of the diagram, through which its text is edited. */
 export class DrawingView implements View {
   private readonly shapes = new Shapes();
   private readonly places = new Places(this.shapes);
@@ -34,7 +34,7 @@ export class DrawingView implements View {
   private readonly edits: ShapeEdits;
   private readonly opened = new Set<string>();
   private picture: Picture | undefined;
-  /** The newest one, which may still be made. */
+  /** Newest picture, which may not be complete yet. */
   private latest: Picture | undefined;
   private pressed = [0, 0];
 
@@ -77,7 +77,7 @@ export class DrawingView implements View {
     this.source.dispose();
   }
 
-  /** Draws a part by the names down to it; [] is the file itself. */
+  /** Shows the inside of a part, by the names that lead to it; [] is the file itself. */
   private enter(scope: string[]): void {
     const {workbench} = this.context;
     this.places.scope = scope;
@@ -124,13 +124,13 @@ export class DrawingView implements View {
     this.busy.hidden = true;
   }
 
-  /** The place of a fault in the text. */
+  /** Shows a fault in the text. */
   private toFault({file, line, column}: DiagramFault): void {
     const {workbench} = this.context, entry = workbench.files.find(({name}) => file.endsWith(name));
     void workbench.revealLine(entry?.file ?? workbench.root, line, column);
   }
 
-  /** Marks shapes that have a fault in their text. */
+  /** Marks shapes whose text has a fault. */
   private mark(): void {
     const {workbench} = this.context, faulty = new Map<string, string>();
     for (const {file} of workbench.files)
@@ -148,14 +148,14 @@ export class DrawingView implements View {
     this.selection.take(event.target);
   }
 
-  /** A part is entered, a block shown with what may be changed. */
+  /** Enters a part, or opens the card of a block. */
   private activate(placed: Placed | undefined): void {
     if (!placed || placed.shape.id.startsWith(":")) return;
     if (placed.shape.isPart) return this.enter([...this.places.scope, ...this.places.relative(placed.shape.id)]);
     this.edits.edit(placed);
   }
 
-  /** Draws the inside of a part in its place, or no longer. */
+  /** Expands a part in place, or collapses it. */
   private toggle({shape}: Placed): void {
     if (!shape.isPart) return;
     const name = [...this.places.scope, ...this.places.relative(shape.id)].join(".");
@@ -170,7 +170,7 @@ export class DrawingView implements View {
     openMenu({x: event.clientX, y: event.clientY}, this.entries(), "Drawing");
   }
 
-  /** What may be done with what is selected. */
+  /** Returns the menu entries for the selection. */
   private entries(): [string, () => void][] {
     const {current, wire} = this.selection, insert: [string, () => void] = ["Insert a block …", () => void this.edits.insert()];
     if (wire) return [["Bode plot of the loop, cut here", () => this.edits.bode(this.canvas)], ["Delete the wire", () => void this.edits.remove()], insert];
@@ -202,7 +202,7 @@ export class DrawingView implements View {
   }
 }
 
-/** For the list of keys; they hold while the drawing has the focus. */
+/** Rows for the list of keys; they apply while the drawing has the focus. */
 const keyList: [string, string][] = [
   ["Left", "the next shape in that direction, of all four arrows"], ["Enter", "open a part, change a block"], ["O", "open a part in its place"], ["Backspace", "back out of a part"],
   ["F2", "rename a block with every use"], ["C", "connect its output"], ["W", "next wire of a block"], ["B", "Bode plot of the loop, cut at the wire or behind the block"], ["Delete", "delete a block or wire"], ["I", "insert a block"],

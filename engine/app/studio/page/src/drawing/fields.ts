@@ -5,7 +5,7 @@ import type {SyntaxNode} from "@lezer/common";
 export interface Field {
   key: string;
   text: string;
-  /** A single number or word, not a list or mapping. */
+  /** True for a single number or word, false for a list or mapping. */
   isScalar: boolean;
   from: number;
   to: number;
@@ -13,7 +13,7 @@ export interface Field {
 
 const mappings = new Set(["FlowMapping", "BlockMapping"]), scalars = new Set(["Literal", "QuotedLiteral"]);
 
-/** The value of a pair, without its key, colon, tag and anchor. */
+/** Returns the value of a pair, without its key, colon, tag and anchor. */
 function valueOf(pair: SyntaxNode): SyntaxNode | null {
   for (let node = pair.lastChild; node; node = node.prevSibling) if (![":", "?", "Key", "Comment", "Tag", "Anchor"].includes(node.name)) return node;
   return null;
@@ -30,7 +30,7 @@ function firstMapping(state: EditorState, from: number, to: number): SyntaxNode 
   return found;
 }
 
-/** The keys and values that are written for a block, whose text lies in a range. */
+/** Returns the keys and values of the block whose text is in this range. */
 export function fieldsOf(state: EditorState, from: number, to: number): Field[] {
   const mapping = firstMapping(state, from, to), fields: Field[] = [];
   for (let pair = mapping?.firstChild ?? null; pair; pair = pair.nextSibling) {

@@ -1,4 +1,4 @@
-// Asks the server for the graph of what is drawn, one at a time, and the worker for its picture.
+// Source of pictures: requests the graph from the server, one at a time, and its layout from the worker.
 
 import {type Connection, Fault} from "../connection/connection";
 import {Layouter} from "./layouter";
@@ -16,9 +16,9 @@ export interface Shown {
   units: boolean;
 }
 
-/** A picture that was searched for replaces a quick one where it costs a reader so much less. */
+/** Limit for the cost of a searched picture, as a share of that of the quick one. Above it the quick one remains. */
 const worthwhile = 0.85;
-const idle = 1500;  // ms without another graph before the search begins, which takes a processor
+const idle = 1500;  // ms without a new graph before the search starts, which occupies a processor
 
 export class GraphSource {
   private readonly layouter = new Layouter();
@@ -27,9 +27,9 @@ export class GraphSource {
   private latest = 0;
   private graph = "";
   private timer: number | undefined;
-  /** The picture that is shown, to which the next one keeps. */
+  /** Id of the displayed picture; the next layout stays close to it. */
   private like = 0;
-  /** Is it known that the search finds nothing much better for what is shown? */
+  /** True if the search found no much better picture for the present graph. */
   private isSettled = false;
   shown: Shown | undefined;
 
@@ -42,7 +42,7 @@ export class GraphSource {
     this.layouter.dispose();
   }
 
-  /** Draws something else: nothing of the way of the last picture is kept. */
+  /** Shows another part; the next layout ignores the last picture. */
   show(shown: Shown): void {
     this.shown = shown;
     this.like = 0;
@@ -50,7 +50,7 @@ export class GraphSource {
     void this.refresh();
   }
 
-  /** The texts may have changed. */
+  /** Requests the graph again, as the texts may have changed. */
   async refresh(): Promise<void> {
     if (this.isAsking || !this.shown) return void (this.isDue = true);
     const {shown} = this;
@@ -91,7 +91,7 @@ export class GraphSource {
     }
   }
 
-  /** Looks for a better picture while nothing else is to do. */
+  /** Searches a better picture while the page is idle. */
   private async search(graph: Graph, quick: Picture, number: number): Promise<void> {
     const picture = await this.layouter.search(graph).catch(() => null);
     if (!picture || number !== this.latest) return;

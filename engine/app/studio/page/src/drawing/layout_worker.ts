@@ -1,4 +1,4 @@
-// Lays out graphs beside the page: a layout may take seconds. A newer order ends an older search.
+// Layout of graphs in a worker, since it may take seconds. A newer order ends an older search.
 
 import ELK from "elkjs/lib/elk-api.js";
 import elkAddress from "elkjs/lib/elk-worker.min.js?url";
@@ -8,16 +8,16 @@ import type {Answer, Graph, Order, Picture, Shape, Wire} from "./types";
 class Stopped extends Error {}
 
 const newElk = () => new ELK({workerFactory: () => new Worker(elkAddress)});
-/** What is drawn while somebody edits does not wait for the search. */
+/** Instance for layouts during editing, which must not wait for the search. */
 const elk = newElk();
 let searcher: ReturnType<typeof newElk> | undefined;
 let isSearching = false;
-/** Pictures of parts, by their graphs: they seldom change. */
+/** Cache of pictures of parts by their graphs, as parts seldom change. */
 let known = new Map<string, string>();
 const mostKnown = 400;
 let newest = 0;
 
-/** elk for one order, which ends before its next layout once there is a newer one. */
+/** Returns an instance of elk for one order; its next layout throws Stopped if a newer order exists. */
 const elkOf = (id: number, own = elk) => ({
   layout: (graph: any) => {
     if (id < newest) throw new Stopped();
@@ -41,7 +41,7 @@ function pictureOf(id: number, arranged: any, isRelabeled: boolean): Picture {
   return {id, isRelabeled, width, height, shapes: [...frames, ...blocks].map(shapeOf), wires: wires.map(wireOf), forks: forks as string, cost};
 }
 
-/** The newest pictures with their graphs, of which the page shows one. */
+/** Newest pictures with their graphs; the page shows one of them. */
 const kept = new Map<number, {graph: Graph; picture: any}>();
 const mostKept = 4;
 
@@ -50,14 +50,14 @@ function keep(id: number, graph: Graph, picture: any): void {
   for (const old of kept.keys()) if (kept.size > mostKept) kept.delete(old);
 }
 
-/** The picture before with other words where only these changed; else one close to it. */
+/** Replaces only the words of the previous picture if nothing else has changed; otherwise computes a similar layout. */
 async function sketched({id, graph, like}: Order & {want: "sketch"}): Promise<Picture> {
   const before = kept.get(like), same = before && relabeled(before, graph as any), picture = same ?? await arrangeLike(before?.picture.like ?? {}, graph as any, elkOf(id), known);
   keep(id, graph, picture);
   return pictureOf(id, picture, same !== undefined);
 }
 
-/** Ends a search in the middle of a layout, which would take a processor from what somebody waits for. */
+/** Ends a search within a layout, since that would take a processor from editing. */
 function endSearch(): void {
   if (!isSearching) return;
   searcher?.terminateWorker();
@@ -80,7 +80,7 @@ async function done(order: Order): Promise<Answer> {
   return {id, picture: want === "sketch" ? await sketched(order) : await best(id, graph)};
 }
 
-/** elk's code becomes fast by being run: that happens while the page still waits for its first graph. */
+/** Runs elk until its code is optimised, while the page still waits for its first graph. */
 async function warmUp(): Promise<void> {
   const names = Array.from({length: 24}, (_, i) => `w${i}`), node = (id: string) => ({id, name: id, outline: "box", lines: ["w"], inputs: [{port: "u"}], outputs: [{port: "y"}]});
   const wires = names.slice(1).map((id, i) => ({from: {node: names[i % 3 === 0 ? i >> 1 : i], port: "y"}, to: {node: id, port: "u"}}));

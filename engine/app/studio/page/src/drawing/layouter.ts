@@ -1,11 +1,11 @@
 import type {Answer, Graph, Order, Picture} from "./types";
 
-/** How long an older sketch may go on beside a newer order before its worker is ended: it can loop for ever [ms]. */
+/** Time that an older sketch may run beside a newer order before its worker is terminated [ms]; elk may loop for ever. */
 const patience = 3000;
 
 type Wish = {graph: Graph} & ({want: "sketch"; like: number} | {want: "best"} | {want: "text"});
 
-/** Orders layouts of a worker, one after the other: a newer order ends an older one, whose promise gives null. */
+/** Queue of layout orders for a worker. A newer order ends an older one, whose promise resolves to null. */
 export class Layouter {
   private worker: Worker | undefined;
   private nextId = 1;
@@ -13,20 +13,20 @@ export class Layouter {
   private timer: number | undefined;
 
   constructor() {
-    this.started();  // it loads and warms up before the first graph comes
+    this.started();  // starts loading and warming up before the first graph arrives
   }
 
-  /** A picture soon, close to an earlier one by its id (0 for none); null where a newer order came. Throws where there is none. */
+  /** Returns a quick picture that is similar to an earlier one (id 0: none); null if a newer order arrived. Throws if the layout fails. */
   async sketch(graph: Graph, like: number): Promise<Picture | null> {
     return (await this.order({graph, want: "sketch", like}))?.picture ?? null;
   }
 
-  /** The best picture that is found, which may take seconds. */
+  /** Returns the best picture of a search, which may take seconds. */
   async search(graph: Graph): Promise<Picture | null> {
     return (await this.order({graph, want: "best"}))?.picture ?? null;
   }
 
-  /** The text of an SVG file. */
+  /** Returns the text of an SVG file. */
   async text(graph: Graph): Promise<string> {
     return (await this.order({graph, want: "text"}))?.text ?? "";
   }
@@ -54,7 +54,7 @@ export class Layouter {
     return answer?.stopped ? null : answer;
   }
 
-  /** A search is of no use beside a newer order; the worker ends it before its next layout. */
+  /** Ends a search in favour of a newer order; the worker stops before its next layout. */
   private stopSearch(): void {
     for (const [id, {order, resolve}] of this.waiting) {
       if (order.want !== "best") continue;
@@ -84,7 +84,7 @@ export class Layouter {
     this.timer ??= window.setTimeout(() => this.restart(), patience);
   }
 
-  /** Ends the worker with all that it does, and gives the newest order to another one. */
+  /** Terminates the worker, and passes the newest order to a new one. */
   private restart(): void {
     this.timer = undefined;
     this.worker?.terminate();
@@ -98,7 +98,7 @@ export class Layouter {
   }
 }
 
-/** The drawing of a graph as the text of an SVG file, by a worker of its own that ends with it. */
+/** Draws a graph as the text of an SVG file, in a worker of its own. */
 export async function drawGraph(graph: unknown): Promise<string> {
   const layouter = new Layouter();
   try {

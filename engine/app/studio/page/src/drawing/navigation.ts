@@ -3,7 +3,7 @@ import type {Placed} from "./shapes";
 const middle = ({shape: {x, y, width, height}}: Placed) => [x + width / 2, y + height / 2] as const;
 const directions: Record<string, readonly [number, number]> = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
 
-/** The shape that lies next in the direction of an arrow key; the first one at the left without a present one. */
+/** Returns the next shape in the direction of an arrow key; without a present shape the leftmost one. */
 export function nextShape(all: Placed[], now: Placed | undefined, key: string): Placed | undefined {
   const direction = directions[key];
   if (!direction || all.length === 0) return undefined;

@@ -1,6 +1,6 @@
 import type {TextRange} from "./types";
 
-/** Where the shapes of a drawing stand in the texts; ranges move with edits until the next drawing. */
+/** Ranges of the drawn shapes in the texts. They move with edits until the next drawing. */
 export class Ranges {
   private all = new Map<string, TextRange>();
 
@@ -16,7 +16,7 @@ export class Ranges {
     for (const [id, range] of this.all) if (range.file === file) this.all.set(id, {file, from: at(range.from, 1), to: at(range.to, -1)});
   }
 
-  /** The block with the narrowest range around a place in a text; `blockOf` gives the drawn block of a shape or port, or "". */
+  /** Returns the block with the narrowest range around a range of a text. `blockOf` returns the drawn block of a shape or port, or "". */
   around(file: number, from: number, to: number, blockOf: (id: string) => string): string {
     let best = "", width = Infinity;
     for (const [id, range] of this.all) {

@@ -1,10 +1,10 @@
 import type {Context} from "../shell/context";
 import {h, listen} from "../shell/dom";
 
-/** Until it goes away by itself [ms]. */
+/** Display time [ms]. */
 const shownFor = 8000;
 
-/** Says beside the pointer why something was refused, until the next press of a key or the pointer. */
+/** Message beside the pointer with the reason of a refusal, until the next key press or click. */
 export class Refusal {
   private element: HTMLElement | undefined;
   private ends: (() => void)[] = [];

@@ -5,7 +5,7 @@ import {keyOf, type Placed, type Shapes} from "./shapes";
 import type {Wire} from "./types";
 import type {Viewport} from "./viewport";
 
-/** The shape or wire that is selected in the drawing, and with it its text. */
+/** Selected shape or wire of the drawing, which also selects its text. */
 export class Selection {
   private key = "";
   wire: Wire | undefined;
@@ -16,13 +16,13 @@ export class Selection {
     return this.shapes.placed.get(this.key);
   }
 
-  /** The same shape in another picture. */
+  /** Selects the same shape in a new picture. */
   restore(): void {
     this.select(this.key, false);
     this.selectWire(undefined);
   }
 
-  /** What a pointer is on. */
+  /** Selects the shape or wire under the pointer. */
   take(target: EventTarget | null): void {
     const laid = this.shapes.wireOf(target);
     if (!laid) return this.choose(this.shapes.of(target));
@@ -30,7 +30,7 @@ export class Selection {
     this.selectWire(laid.wire);
   }
 
-  /** The shape of a place in the text. */
+  /** Selects the shape of a range in the text. */
   follow(file: number, from: number, to: number): void {
     const found = this.shapes.find(this.places.around(file, from, to));
     if (!found || keyOf(found.shape) === this.key) return;
@@ -38,7 +38,7 @@ export class Selection {
     this.viewport.reveal(found.shape);
   }
 
-  /** The shape that lies next in the direction of an arrow key. */
+  /** Selects the next shape in the direction of an arrow key. */
   step(key: string): void {
     const next = nextShape([...this.shapes.placed.values()].filter(({shape}) => !shape.isFrame), this.current, key);
     if (!next) return;
@@ -46,7 +46,7 @@ export class Selection {
     this.viewport.reveal(next.shape);
   }
 
-  /** Goes through the wires of the selected block. */
+  /** Selects the next wire of the selected block. */
   nextWire(): void {
     const id = this.current?.shape.id, own = this.shapes.laid.filter(({wire: {from, to}}) => to && (id === undefined || from.node === id || to.node === id));
     if (own.length > 0) this.selectWire(own[(own.findIndex(({wire}) => wire === this.wire) + 1) % own.length].wire);

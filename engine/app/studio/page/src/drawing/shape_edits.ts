@@ -6,7 +6,7 @@ import type {Selection} from "./selection";
 import type {Placed} from "./shapes";
 import type {Wire} from "./types";
 
-/** Edits of what is selected, as splices of the text. */
+/** Edits of the selection, as splices of the text. */
 export class ShapeEdits {
   constructor(private readonly places: Places, private readonly selection: Selection, private readonly card: BlockCard, private readonly context: Context) {}
 
@@ -15,7 +15,7 @@ export class ShapeEdits {
     if (place) void this.card.open(shape, place, field);
   }
 
-  /** Deletes the wire or block. */
+  /** Deletes the selected wire or block. */
   async remove(): Promise<void> {
     const {wire, current} = this.selection;
     if (wire?.to) return this.disconnect(wire);
@@ -28,7 +28,7 @@ export class ShapeEdits {
     openPalette(this.context, {file: this.places.file, signals: this.places.signals(undefined, types), preferred: current ? this.places.signals([current])[0] ?? "" : ""});
   }
 
-  /** Offers the text a Bode plot of the loop through the selected wire, or through what the selected block gives. */
+  /** Requests a Bode plot of the loop through the selected wire, or through the output of the selected block. */
   bode(from: HTMLElement): void {
     const {wire, current} = this.selection, signal = wire ? this.places.path(wire.from) : current?.shape.outputs[0] ? this.places.path({node: current.shape.id, port: current.shape.outputs[0].port}) : "";
     if (signal) from.dispatchEvent(new CustomEvent("studio:bode", {bubbles: true, cancelable: true, detail: {signal}}));

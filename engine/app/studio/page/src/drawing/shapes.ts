@@ -1,16 +1,16 @@
-// The picture in the page: one group for each shape and wire, which are marked, selected and moved one by one.
+// Picture in the page: one group for each shape and wire, so that each can be marked, selected and moved.
 
 import {svg} from "../shell/dom";
 import {svgElement} from "./svg_guard";
 import type {Picture, Shape, Wire} from "./types";
 
 const moveTime = 150;  // ms
-/** So many pieces are made at a time, and for so long without a pause [ms]. */
+/** Number of pieces that are created at once, and the time until a pause [ms]. */
 const slice = 12, longest = 8;
 const frame = (pieces: string[]) => `<svg xmlns="http://www.w3.org/2000/svg" font-family="Helvetica, Arial, sans-serif">${pieces.map((piece) => `<g>${piece}</g>`).join("")}</svg>`;
 const idOf = (prefix: string, id: string) => `${prefix}-${[...id].map((letter) => (/[\w-]/.test(letter) ? letter : `_${letter.codePointAt(0)!.toString(16)}_`)).join("")}`;
 
-/** A shape by its place too, since constants of different parts may have one name. */
+/** Returns the key of a shape, with its part: constants of different parts may have the same name. */
 export const keyOf = ({id, within}: {id: string; within: string[]}) => [...within, id].join("/");
 
 export interface Placed {
@@ -44,7 +44,7 @@ function dress(piece: Wire | Shape | {svg: string}, element: SVGGElement): void 
   else if ("id" in piece) dressShape(piece, element);
 }
 
-/** Gives a group these children; those that it has already stay in it. */
+/** Sets the children of a group; existing ones are not removed and added again. */
 function fill(group: SVGGElement, children: SVGGElement[]): void {
   const wanted = new Set<Element>(children);
   for (const child of [...group.children]) if (!wanted.has(child)) child.remove();
@@ -55,14 +55,14 @@ function fill(group: SVGGElement, children: SVGGElement[]): void {
   }
 }
 
-/** The elements of a picture: of its wires, its shapes, its forks. */
+/** Elements of a picture: its wires, its shapes, its forks. */
 type Elements = SVGGElement[];
 
 export class Shapes {
   readonly root = svg("svg", {class: "picture", width: "100%", height: "100%", "font-family": "Helvetica, Arial, sans-serif"});
   placed = new Map<string, Placed>();
   laid: Laid[] = [];
-  /** What is shown, by all that it is made of. */
+  /** Displayed elements by their content. */
   private shown = new Map<string, SVGGElement>();
   private readonly frames = svg("g", {class: "frames"});
   private readonly wires = svg("g", {class: "wires"});
@@ -73,7 +73,7 @@ export class Shapes {
     this.root.append(this.frames, this.wires, this.blocks, this.over);
   }
 
-  /** Finds the elements of a picture among those that are shown, and makes the others, some at a time, so that the page answers meanwhile. */
+  /** Returns the elements of a picture. Displayed ones are reused; the others are created in small groups, so that the page stays responsive. */
   async made({wires, shapes, forks}: Picture): Promise<Elements> {
     const pieces = [...wires, ...shapes, {svg: forks}], known = new Map(this.shown), keys = pieces.map((piece) => JSON.stringify(piece));
     const elements = keys.map((key) => (known.delete(key) ? this.shown.get(key) : undefined)), fresh = elements.flatMap((element, i) => (element ? [] : i));
@@ -87,7 +87,7 @@ export class Shapes {
     return elements as Elements;
   }
 
-  /** Shows a picture by its elements; what was there before moves to its new place unless `isStill`. */
+  /** Shows a picture; shapes move to their new places unless `isStill`. */
   show({wires, shapes, forks}: Picture, elements: Elements, describe: (shape: Shape) => string, isStill: boolean): void {
     const before = this.placed, count = wires.length;
     this.shown = new Map([...wires, ...shapes, {svg: forks}].map((piece, i) => [JSON.stringify(piece), elements[i]]));
@@ -101,23 +101,23 @@ export class Shapes {
     if (before.size > 0 && !isStill) this.animate(before);
   }
 
-  /** What is drawn above all, such as the wire that is dragged. */
+  /** Sets the topmost layer, such as a wire during dragging. */
   overlay(...children: SVGElement[]): void {
     this.over.replaceChildren(...children);
   }
 
-  /** The shape of a block that is not a constant, by its name. */
+  /** Returns the shape of a block by its name, except for constants. */
   find(id: string): Placed | undefined {
     return [...this.placed.values()].find(({shape}) => shape.id === id);
   }
 
-  /** The shape that an event is for. */
+  /** Returns the shape under an event. */
   of(target: EventTarget | null): Placed | undefined {
     const element = target instanceof Element ? target.closest<SVGGElement>("[data-shape]") : null;
     return element ? this.placed.get(element.dataset.shape!) : undefined;
   }
 
-  /** Marks blocks by their names as faulty, with why. */
+  /** Marks blocks as faulty, with their messages, by name. */
   markFaulty(faults: Map<string, string>): void {
     for (const {shape, element} of this.placed.values()) {
       const message = faults.get(shape.id);

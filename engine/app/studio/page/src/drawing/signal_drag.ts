@@ -1,10 +1,10 @@
-// A wire or block that is dragged out of the drawing carries the name of its signal to where it is dropped, such as a scope.
+// Dragging of a wire or block out of the drawing: the drop target, such as a scope, receives the name of its signal.
 
 import {h, listen} from "../shell/dom";
 import type {Places} from "./places";
 import type {Shapes} from "./shapes";
 
-/** The signal of what a pointer is on, as the run names it; "" for none. */
+/** Returns the signal under the pointer as the run names it, or "". */
 function signalOf(target: EventTarget | null, shapes: Shapes, {scope, relative}: {scope: string[]; relative: (id: string) => string[]}): string {
   const wire = shapes.wireOf(target)?.wire, shape = wire ? shapes.find(wire.from.node)?.shape : shapes.of(target)?.shape;
   const port = wire ? wire.from.port : shape?.outputs[0]?.port;
@@ -14,7 +14,7 @@ function signalOf(target: EventTarget | null, shapes: Shapes, {scope, relative}:
   return shape.outputs.length === 1 && !shape.isPart ? name : `${name}.${port}`;
 }
 
-/** Begins when a pressed pointer leaves the drawing. Returns what ends it for good. */
+/** Starts a drag when a pressed pointer leaves the drawing. Returns a function that removes the listeners. */
 export function dragSignals(canvas: HTMLElement, shapes: Shapes, places: Places): () => void {
   return listen(canvas, "pointerdown", (event: PointerEvent) => {
     const signal = event.button === 0 && !canvas.classList.contains("connecting") ? signalOf(event.target, shapes, {scope: places.scope, relative: (id) => places.relative(id)}) : "";
@@ -39,7 +39,7 @@ function follow(canvas: HTMLElement, signal: string): void {
   const stop = () => ends.forEach((end) => end());
 }
 
-/** What lies under the pointer gets it as a text that is dropped. */
+/** Dispatches the drop of a text to the element under the pointer. */
 function drop({clientX, clientY}: PointerEvent, signal: string): void {
   const dataTransfer = new DataTransfer();
   dataTransfer.setData("text/plain", signal);

@@ -1,4 +1,4 @@
-// SVG that was made from texts of a diagram is taken into the page only if it consists of what the drawing is written with.
+// Guard for SVG from texts of a diagram: the page accepts only the elements and attributes that drawings use.
 
 const elements = new Set(["svg", "g", "path", "rect", "circle", "text", "tspan", "line", "polyline", "polygon", "title"]);
 const attributes = new Set([
@@ -6,7 +6,7 @@ const attributes = new Set([
   "fill", "stroke", "stroke-width", "stroke-linejoin", "stroke-linecap", "stroke-dasharray", "opacity", "fill-opacity",
   "font-size", "font-family", "font-style", "font-weight", "text-anchor", "paint-order", "class",
 ]);
-/** No value of these attributes has a reason to point anywhere. */
+/** Pattern of references, which no attribute value needs. */
 const points = /url\s*\(|javascript:|data:/i;
 
 function refused(element: Element): string | undefined {
@@ -15,7 +15,7 @@ function refused(element: Element): string | undefined {
   return undefined;
 }
 
-/** The SVG of a text as an element of this page. Throws where it is not well formed or has anything else in it than a drawing has. */
+/** Parses an SVG text into an element of this page. Throws if it is malformed or contains anything that drawings do not use. */
 export function svgElement(text: string): SVGSVGElement {
   const parsed = new DOMParser().parseFromString(text, "image/svg+xml"), root = parsed.documentElement;
   for (const element of [root, ...root.querySelectorAll("*")]) {

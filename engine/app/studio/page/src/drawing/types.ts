@@ -1,6 +1,6 @@
-// Graphs and pictures of the drawing's module, engine/view/drawing.
+// Graphs and pictures of the module engine/view/drawing.
 
-/** What the server draws: see engine/view/drawing/graph.hpp. */
+/** Graph of a diagram from the server; see engine/view/drawing/graph.hpp. */
 export interface Graph {
   title?: string;
   nodes: {id: string; name: string; type?: string; part?: boolean; graph?: Graph}[];
@@ -12,7 +12,7 @@ export interface End {
   port: string;
 }
 
-/** Pixels of the picture; a port's place is relative to its block. */
+/** Port at a position relative to its block, in pixels of the picture. */
 export interface Port {
   port: string;
   x: number;
@@ -27,7 +27,7 @@ export interface Box {
   height: number;
 }
 
-/** A block, a port of the file (":input:u") or a constant (":constant:3"). */
+/** Block, port of the file (":input:u") or constant (":constant:3"). */
 export interface Shape extends Box {
   id: string;
   name: string;
@@ -51,11 +51,11 @@ export interface Wire {
   svg: string;
 }
 
-/** What a layout gives: the picture in pieces, and what the next layout needs to keep to it. */
+/** Result of a layout: the picture in pieces, and the data for a similar next layout. */
 export interface Picture {
-  /** By which the worker knows it. */
+  /** Number by which the worker identifies the picture. */
   id: number;
-  /** Are only words other than in the picture before? */
+  /** True if only words differ from the previous picture. */
   isRelabeled: boolean;
   width: number;
   height: number;
@@ -71,6 +71,6 @@ export interface TextRange {
   to: number;
 }
 
-/** What the page orders of the worker: a sketch close to a picture by its id (0 for none), the best picture, or the text of a file. */
+/** Order for the worker: a sketch similar to a picture (id 0: none), the best picture, or the text of a file. */
 export type Order = {id: number; graph: Graph} & ({want: "sketch"; like: number} | {want: "best"} | {want: "text"});
 export type Answer = {id: number; picture?: Picture; text?: string; stopped?: boolean; fault?: string};

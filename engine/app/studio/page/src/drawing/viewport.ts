@@ -3,24 +3,24 @@
 import {listen} from "../shell/dom";
 import type {Box} from "./types";
 
-/** From `readable` on the letters of blocks, of 13 pixels, are 10 pixels high. */
+/** Limits of the zoom. At `readable` the letters of blocks, of 13 pixels, are 10 pixels high. */
 const least = 0.1, readable = 0.77, most = 4, margin = 12;
 
-/** Where a view of some size begins in a picture: in its middle where all is seen, else around a place, without leaving the picture. */
+/** Returns the start of a view in a picture, along one axis: centred if all of it fits, else around a position within the picture. */
 function placed(whole: number, seen: number, room: number, around?: number): number {
   if (around === undefined || whole <= seen - 2 * room) return (whole - seen) / 2;
   return Math.max(-room, Math.min(around - seen / 2, whole + room - seen));
 }
 
 export class Viewport {
-  /** Pixels of the screen for one of the picture, and what of the picture is at the left and top. */
+  /** Screen pixels per pixel of the picture, and the position of the left upper corner in it. */
   private scale = 1;
   private x = 0;
   private y = 0;
   private picture = {width: 1, height: 1};
-  /** Of the host, as it was laid out last: to ask it would lay out the page anew. */
+  /** Size of the host at the last layout; reading it from the page would force a new layout. */
   private size: {width: number; height: number};
-  /** Does the picture fill the pane, until somebody zooms? */
+  /** True until the user zooms or pans: the picture fills the pane. */
   private isFitted = true;
   private readonly pointers = new Map<number, {x: number; y: number}>();
   private readonly observer: ResizeObserver;
@@ -49,13 +49,13 @@ export class Viewport {
     else this.apply();
   }
 
-  /** The whole picture, not much larger than it is. */
+  /** Shows the whole picture, only slightly enlarged at most. */
   fit(): void {
     this.isFitted = true;
     this.put(least);
   }
 
-  /** The same, but where its letters would be too small only what lies around the block where signals begin. */
+  /** Shows the whole picture; if its letters would be too small, only the surroundings of the block where signals start. */
   begin(start?: Box): void {
     this.isFitted = true;
     this.put(readable, start);
@@ -83,7 +83,7 @@ export class Viewport {
     this.apply();
   }
 
-  /** Moves by pixels of the screen. */
+  /** Pans by pixels of the screen. */
   pan(dx: number, dy: number): void {
     this.x += dx / this.scale;
     this.y += dy / this.scale;
@@ -91,7 +91,7 @@ export class Viewport {
     this.apply();
   }
 
-  /** Brings a box into view if it is out of it. */
+  /** Scrolls a box into view. */
   reveal({x, y, width, height}: Box): void {
     const seen = {width: this.size.width / this.scale, height: this.size.height / this.scale}, by = 20 / this.scale;
     const shift = (from: number, size: number, at: number, room: number) =>
@@ -100,7 +100,7 @@ export class Viewport {
     if (dx !== 0 || dy !== 0) this.pan(dx * this.scale, dy * this.scale);
   }
 
-  /** Where a point of the window lies in the picture. */
+  /** Returns the position in the picture of a point of the window. */
   at(event: {clientX: number; clientY: number}): [number, number] {
     const {left, top} = this.host.getBoundingClientRect();
     return [this.x + (event.clientX - left) / this.scale, this.y + (event.clientY - top) / this.scale];

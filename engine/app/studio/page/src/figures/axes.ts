@@ -1,4 +1,4 @@
-// Grid, frame, ticks and labels of axes in the plane, and the bar of colours.
+// Grid, frame, ticks and labels of plane axes, and the colour bar.
 
 import type {Scale} from "./axis";
 import type {Palette, Theme} from "./colors";
@@ -22,7 +22,7 @@ const yAt = (scale: Scale, {top, bottom}: Frame, value: number) => bottom - scal
 
 const strokes = (lines: number[][], color: string, width: number): PathPiece[] => (lines.length ? [{piece: "path", lines, stroke: {color, width}}] : []);
 
-/** Behind all marks. */
+/** Returns the pieces behind all marks. */
 export function gridPieces({plot, x, y, frame, theme}: Axes): Piece[] {
   const lines: number[][] = [];
   if (plot.x?.grid !== false) for (const {at} of x.ticks) lines.push([xAt(x, frame, at), frame.top, xAt(x, frame, at), frame.bottom]);
@@ -60,7 +60,7 @@ function tickLines({plot, x, y, frame}: Axes): number[][] {
   return lines;
 }
 
-/** Labels below the frame; where one would touch the one before it is left out, unless it is a name. */
+/** Returns the labels below the frame. A label that would touch the previous one is omitted unless it is a name. */
 function xTickTexts({plot, x, frame, theme}: Axes): TextPiece[] {
   const angle = plot.x?.label_angle ?? 0, named = plot.x?.named_ticks !== undefined;
   let free = -Infinity;
@@ -93,12 +93,12 @@ function labels(axes: Axes): TextPiece[] {
   return [...below, ...upright(y.label, frame.left - yLabelGap(y), frame, theme.ink)];
 }
 
-/** In front of the marks. */
+/** Returns the pieces in front of the marks. */
 export function axisPieces(axes: Axes): Piece[] {
   return [...strokes([...border(axes), ...tickLines(axes)], axes.theme.frame, 0.8), ...xTickTexts(axes), ...yTickTexts(axes), ...labels(axes)];
 }
 
-/** The bar of colours beside a frame, `place` from its left edge and upper edge. */
+/** Returns the colour bar in its rectangle beside a frame. */
 export function colorBar(color: Scale, palette: Palette, bar: Frame, theme: Theme): Piece[] {
   const height = (bar.bottom - bar.top) / palette.all.length, pieces: Piece[] = [];
   palette.all.forEach((fill, i) => {

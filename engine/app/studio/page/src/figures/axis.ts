@@ -1,4 +1,4 @@
-// Numbers along an axis: its range, where its ticks stand, and what is written at them.
+// Scale of an axis: its range, its ticks and their labels.
 
 import type {Axis} from "./spec";
 
@@ -7,7 +7,7 @@ export interface Tick {
   label: string;
 }
 
-/** An axis with all that a spec leaves open. */
+/** Axis with values for all optional fields of the spec. */
 export interface Scale {
   axis: Axis;
   low: number; // left or lower end
@@ -15,14 +15,14 @@ export interface Scale {
   ticks: Tick[];
   minor: number[];
   label: string; // with its unit
-  /** The place of a value: 0 at the left or lower end, 1 at the other; nan where the axis has no place for it. */
+  /** Returns the position of a value: 0 at the left or lower end, 1 at the other; NaN if the axis cannot show it. */
   share(value: number | null | undefined): number;
 }
 
 /** "position [mm]". */
 export const labelOf = ({label = "", unit = ""}: Axis) => (unit === "" ? label : `${label} [${unit}]`);
 
-/** As gnuplot writes it by "%g", with a real minus sign. */
+/** Formats a number like gnuplot's "%g", with a proper minus sign. */
 export function numberText(value: number): string {
   const rounded = Number.parseFloat(value.toPrecision(6));
   if (rounded === 0) return "0";
@@ -32,7 +32,7 @@ export function numberText(value: number): string {
   return `${digits}e${exponent[0]}${exponent.slice(1).padStart(2, "0")}`.replaceAll("-", "−");
 }
 
-/** The distance of ticks for a range, as gnuplot has it: about twenty at most, at 1, 2 or 5 of a power of ten. */
+/** Returns gnuplot's tick distance for a range: 1, 2 or 5 times a power of ten, for at most about twenty ticks. */
 export function usualStep(span: number): number {
   if (!(span > 0) || !Number.isFinite(span)) return 1;
   const power = 10 ** Math.floor(Math.log10(span)), parts = 20 / (span / power);
@@ -62,7 +62,7 @@ function decadeTicks(low: number, high: number, more: readonly number[]): {ticks
   return {ticks: labelled([...powers, ...more].filter(inside).sort((a, b) => a - b)), minor: minor.filter(inside)};
 }
 
-/** The range that an axis without one has: as far as its values, widened to ticks. */
+/** Returns the default range of an axis: its values, extended to ticks. */
 function usualRange(axis: Axis, [low, high]: readonly [number, number]): [number, number] {
   if (!(low <= high)) return axis.log ? [1, 10] : [-10, 10];
   if (axis.log) return low > 0 ? [10 ** Math.floor(Math.log10(low) + 1e-9), 10 ** Math.ceil(Math.log10(high) - 1e-9)] : [1, 10];
@@ -78,7 +78,7 @@ function linearTicks(axis: Axis, low: number, high: number): Tick[] {
   return labelled(ticksBetween(low, high, axis.step ?? usualStep(Math.abs(high - low))));
 }
 
-/** `extent` are the least and the largest value of the marks along it. */
+/** Returns the scale of an axis; `extent` is the range of the marks along it. */
 export function scaleOf(axis: Axis, extent: readonly [number, number]): Scale {
   const [low, high] = axis.range ?? usualRange(axis, extent);
   const log = axis.log === true && low > 0 && high > 0;

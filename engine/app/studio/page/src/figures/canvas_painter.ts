@@ -1,4 +1,4 @@
-// Pieces on a canvas: scenes in motion, and marks that are too many for elements.
+// Painter of pieces on a canvas: for moving scenes, and for more marks than SVG can show.
 
 import type {CellsPiece, DotsPiece, PathPiece, Piece, Stroke, TextPiece} from "./pieces";
 import {lightStops} from "./svg_painter";
@@ -77,7 +77,7 @@ function paintLight(pen: Pen, x: number, y: number, radius: number): void {
   pen.fill();
 }
 
-/** Paints in the units of the pieces; the pen is scaled by its owner. */
+/** Paints pieces in their own units; the caller has scaled the pen. */
 export function paint(pen: Pen, pieces: readonly Piece[]): void {
   for (const piece of pieces)
     if (piece.piece === "path") paintPath(pen, piece);

@@ -1,5 +1,5 @@
-// Colours of a spec are meant for white paper. On a dark page the lightness of lines, areas and letters is mirrored and their
-// hue kept, until they stand out; colours that stand for values stay as they are.
+// Colours of a figure. A spec assumes white paper. On a dark page lines, areas and letters keep their hue; their lightness is mirrored
+// until the contrast suffices. Colours that represent values are unchanged.
 
 type Rgb = readonly [number, number, number];
 
@@ -15,7 +15,7 @@ export interface Theme {
 export const light: Theme = {dark: false, paper: "#ffffff", ink: "#111111", ticks: "#333333", frame: "#8a8a8a", grid: "#e4e4e4"};
 export const dark: Theme = {dark: true, paper: "#16191d", ink: "#eceef0", ticks: "#c4c9cf", frame: "#7f8790", grid: "#30353b"};
 
-/** The numbers of "#rrggbb", 0 to 255; black for what is no such colour. */
+/** Returns the components of "#rrggbb", 0 to 255; black for any other text. */
 export function rgbOf(color: string): Rgb {
   const number = /^#[0-9a-f]{6}$/i.test(color) ? Number.parseInt(color.slice(1), 16) : 0;
   return [number >> 16, (number >> 8) & 255, number & 255];
@@ -25,7 +25,7 @@ const hex = (rgb: Rgb) => "#" + rgb.map((one) => Math.round(Math.min(255, Math.m
 const toLinear = (one: number) => (one <= 10.31475 ? one / 3294.6 : ((one / 255 + 0.055) / 1.055) ** 2.4);
 const fromLinear = (one: number) => 255 * (one <= 0.0031308 ? 12.92 * one : 1.055 * Math.max(one, 0) ** (1 / 2.4) - 0.055);
 
-/** Lightness 0 to 1 and the two axes of colour: Björn Ottosson, "A perceptual color space for image processing" (Oklab), 2020. */
+/** Converts to lightness 0 to 1 and two colour axes: Björn Ottosson, "A perceptual color space for image processing" (Oklab), 2020. */
 function oklab(rgb: Rgb): Rgb {
   const [r, g, b] = rgb.map(toLinear) as unknown as Rgb;
   const l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
@@ -54,7 +54,7 @@ const luminance = (color: string) => {
   return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 };
 
-/** Contrast of two colours as WCAG 2 has it, 1 to 21. */
+/** Returns the contrast ratio of two colours by WCAG 2, 1 to 21. */
 export function contrast(one: string, other: string): number {
   const [low, high] = [luminance(one), luminance(other)].sort((a, b) => a - b) as [number, number];
   return (high + 0.05) / (low + 0.05);
@@ -79,19 +79,19 @@ function shown(color: string, theme: Theme, least: number): string {
   return made;
 }
 
-/** The colour of a line or a symbol, of an area, and of letters on the paper of this theme. */
+/** Colours of lines and symbols, of areas, and of letters on the paper of a theme. */
 export const lineColor = (color: string, theme: Theme) => shown(color, theme, 3);
 export const areaColor = (color: string, theme: Theme) => shown(color, theme, 1);
 export const textColor = (color: string, theme: Theme) => shown(color, theme, 4.5);
 
-/** Colours along the colour axis, as many as gnuplot is given: a value, a share of the axis, to its colour. */
+/** Colour map along the colour axis, with as many steps as gnuplot gets. Stops map shares of the axis to colours. */
 export class Palette {
   private static readonly count = 96;
   private readonly colors: string[] = [];
   constructor(stops: readonly { at?: number; color: string }[], private readonly low = 0, private readonly high = 1) {
     for (let i = 0; i < Palette.count; ++i) this.colors.push(between(stops, i / (Palette.count - 1)));
   }
-  /** The step of a value; -1 for what is no number. */
+  /** Returns the step of a value; -1 for a missing or non-finite one. */
   step(value: number | null | undefined): number {
     if (value === null || value === undefined || !Number.isFinite(value)) return -1;
     const share = this.high === this.low ? 0 : (value - this.low) / (this.high - this.low);

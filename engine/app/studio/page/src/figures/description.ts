@@ -1,4 +1,4 @@
-// What a figure shows, in words for who does not see it.
+// Description of a figure in words, for screen readers.
 
 import {labelOf, numberText} from "./axis";
 import type {Axis, Figure, Mark, Named, Panel, Plot} from "./spec";
@@ -48,7 +48,7 @@ function panelText(panel: Panel): string {
   }
 }
 
-/** One sentence for each panel. */
+/** Returns one sentence per panel. */
 export function describe(figure: Figure): string {
   const panels = (figure.panels ?? []).map(panelText).filter(Boolean);
   return [figure.title, ...panels].filter(Boolean).join(". ") || "empty figure";

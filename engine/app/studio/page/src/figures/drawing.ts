@@ -1,4 +1,4 @@
-// What marks are drawn with: the places of values, and colours of this theme.
+// Context for drawing marks: positions of values, and colours of the theme.
 
 import type {Scale} from "./axis";
 import {lineColor, type Palette, type Theme} from "./colors";
@@ -13,13 +13,13 @@ export interface Drawing {
   palette: Palette;
   figureWidth: number;
   frame: Frame;
-  /** The place of a row [px]; nan where it has none. */
+  /** Returns the position of a row [px]; NaN if it has none. */
   place(rows: Rows, row: number): Point;
-  /** In space: how far away a row is. */
+  /** Returns the distance of a row from the eye; for axes in space. */
   depth?(rows: Rows, row: number): number;
 }
 
-/** Places in the plane. */
+/** Returns the function from values to positions in the plane. */
 export function placeIn(frame: Frame, x: Scale, y: Scale) {
   return (atX: number | null | undefined, atY: number | null | undefined): Point => [
     frame.left + x.share(atX) * (frame.right - frame.left), frame.bottom - y.share(atY) * (frame.bottom - frame.top)];
@@ -34,7 +34,7 @@ export function strokeOf(line: Line | undefined, drawing: Drawing, color = line?
 export const lengthOf = (rows: Rows) => (rows.x ?? rows.y ?? []).length;
 export const numbers = (column: Column | undefined, count: number): Column => column ?? new Array<number>(count).fill(0);
 
-/** Lines through places, the pen lifted where there is none. */
+/** Returns lines through positions; a NaN position interrupts the line. */
 export function linesThrough(places: Iterable<Point>): number[][] {
   const lines: number[][] = [];
   let open: number[] | undefined;
@@ -50,7 +50,7 @@ export function* placesOf(rows: Rows, drawing: Drawing): Generator<Point> {
   for (let i = 0; i < lengthOf(rows); ++i) yield drawing.place(rows, i);
 }
 
-/** A line in the colours of its values: pieces of one colour each, which begin where the last one ends. */
+/** Returns a line in the colours of its values: contiguous pieces of one colour each. */
 export function coloredLines(rows: Rows, line: Line | undefined, drawing: Drawing): PathPiece[] {
   const pieces: PathPiece[] = [];
   let step = -2, open: number[] = [], last: Point = [Number.NaN, Number.NaN];
@@ -65,7 +65,7 @@ export function coloredLines(rows: Rows, line: Line | undefined, drawing: Drawin
     } else open = [];
     [step, last] = [next, at];
   }
-  // In space what is near covers what is far; a curve is drawn as a whole from its end that is farther.
+  // In space near pieces cover far ones; a curve is drawn as a whole, from its farther end.
   const count = lengthOf(rows), isNear = drawing.depth && count > 1 && drawing.depth(rows, 0) < drawing.depth(rows, count - 1);
   return isNear ? pieces.reverse() : pieces;
 }

@@ -1,4 +1,4 @@
-// How far marks reach along the axes, for axes without a range.
+// Extent of marks along the axes, for axes without a range.
 
 import type {Column, Mark, Rows} from "./spec";
 
@@ -42,7 +42,7 @@ function columns(mark: Mark, along: Along): Column[] {
   }
 }
 
-/** [Infinity, -Infinity] where nothing has a value; what is not above `floor` does not count. */
+/** Returns the extent of the values above `floor`; [Infinity, -Infinity] if there are none. */
 export function extentOf(marks: readonly Mark[], along: Along, floor = -Infinity): Extent {
   let low = Infinity, high = -Infinity;
   for (const mark of marks)

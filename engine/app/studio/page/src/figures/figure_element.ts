@@ -10,11 +10,11 @@ import {reflowed} from "./reflow";
 import type {Figure} from "./spec";
 import {pageElement, svgFile, SvgPainter} from "./svg_painter";
 
-/** More points than this are painted on a canvas. */
+/** Number of points above which marks are painted on a canvas. */
 const mostOfSvg = 20_000;
 let count = 0;
 
-/** One figure of the page. It is drawn anew when it has grown, when there is another room, or in other colours. */
+/** Figure of the page. It is redrawn when its data, its space or the theme change. */
 export class FigureElement {
   readonly element: HTMLElement;
   private readonly sheet = h("div", {class: "figure-sheet"});
@@ -25,7 +25,7 @@ export class FigureElement {
   private drawn = "";
   private painting: number | undefined;
 
-  /** `enlarge` is what its button does; without it there is none. */
+  /** `enlarge` is the action of its button; undefined hides the button. */
   constructor(private readonly number: number, enlarge?: () => void) {
     this.name = `figure-${++count}`;
     this.element = h("figure", {class: "figure"}, this.sheet, h("div", {class: "figure-tools"}, enlarge ? this.enlarge : null, this.save));
@@ -35,7 +35,7 @@ export class FigureElement {
     if (enlarge) this.enlarge.addEventListener("click", enlarge);
   }
 
-  /** `room` and `tall` are the width and the height that there are [px]. */
+  /** Shows a figure; `room` and `tall` are the available width and height [px]. */
   show(figure: Figure, isDark: boolean, room: number, tall = Infinity): void {
     const key = JSON.stringify([figure, isDark, Math.round(room), Math.round(tall)]);
     if (key === this.drawn) return;

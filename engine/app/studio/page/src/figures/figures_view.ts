@@ -6,11 +6,11 @@ import {FigureElement} from "./figure_element";
 import type {Figure} from "./spec";
 import "./figures.css";
 
-const soonest = 250; // ms between two drawings while the run goes
+const soonest = 250; // ms between two drawings while the run is playing
 const around = 34; // px beside a figure
-const share = 5; // a drawing takes no more than this part of the time
+const share = 5; // a drawing uses at most one fifth of the time
 
-/** The figures of the file as they will be, of what was recorded so far; they grow while the run goes. */
+/** Figures of the file from the records so far; they grow during the run. */
 export class FiguresView implements View {
   private readonly list = h("div", {class: "figure-list"});
   private readonly note = h("p", {class: "empty"});
@@ -64,7 +64,7 @@ export class FiguresView implements View {
     this.note.hidden = text === "";
   }
 
-  /** Asks for the figures soon; while one question is open no other is sent. */
+  /** Requests the figures after a pause; at most one request is pending. */
   private later(pause = soonest): void {
     if (!this.isSeen || !this.context.run.loaded?.figures) return;
     if (this.isAsking || this.timer !== undefined) return void (this.isDue = true);
@@ -100,7 +100,7 @@ export class FiguresView implements View {
     return new FigureElement(index + 1, () => this.enlarge(index));
   }
 
-  /** One figure as large as it is in a report; it grows there as well. */
+  /** Shows one figure in the size of a report; it keeps growing. */
   private enlarge(index: number): void {
     const element = new FigureElement(index + 1);
     this.large = {element, index};

@@ -1,11 +1,11 @@
-// A figure that shows a diagram or a mechanism: drawn by the drawing's own modules.
+// Picture of a figure with a diagram or a mechanism, by the modules of the drawing.
 
 import {drawRig} from "../../../../../view/drawing/rig.mjs";
 import {drawGraph} from "../drawing/layouter";
 import {svgElement} from "../drawing/svg_guard";
 import type {Graph} from "./spec";
 
-/** The SVG without what only a file of its own needs: its style for dark screens. */
+/** Removes the parts of an SVG text that only a separate file needs: its style for dark screens. */
 const forPage = (text: string) => text.replace(/<style>[^<]*<\/style>/g, "").replaceAll(' style="paint-order:stroke"', ' paint-order="stroke"');
 
 export async function graphText({panel, graph}: Graph): Promise<string> {

@@ -1,5 +1,5 @@
-// Where axes, labels and legend of a panel stand. Distances are those of gnuplot's pictures, with letters of 13 px: so the page
-// and figure.svg have the same frames.
+// Positions of axes, labels and legend of a panel. Distances equal those of gnuplot's pictures, with letters of 13 px. The page and
+// figure.svg thus have the same frames.
 
 import type {Scale} from "./axis";
 import type {Box, Plot} from "./spec";
@@ -26,14 +26,14 @@ export const gaps = {
 
 const widest = (scale: Scale) => Math.max(0, ...scale.ticks.map(({label}) => [...label].length));
 
-/** How far labels of ticks that are turned reach below the frame. */
+/** Returns the depth of rotated tick labels below the frame. */
 export function depthOfTicks({axis, ticks}: Scale): number {
   if (ticks.length === 0) return 0;
   const angle = (Math.abs(axis.label_angle ?? 0) * Math.PI) / 180;
   return letter.height + Math.sin(angle) * Math.max(0, ...ticks.map(({label}) => 0.8 * letter.width * [...label].length));
 }
 
-/** How many rows the title takes. */
+/** Returns the number of rows of the title. */
 export const titleRows = (title: string) => (title === "" ? 0 : 1);
 
 export const rowHeight = 20.7;
@@ -68,7 +68,7 @@ export function marginsOf(plot: Plot, width: number, x: Scale, y: Scale, room: R
   return {left, right: rightMargin(plot, width, left, room), top: 19.5 + 40.5 * titleRows(plot.title ?? "") + rowHeight * room.legendRows, bottom};
 }
 
-/** A frame in which one unit is as long along both axes, in the middle of what is free. */
+/** Returns a centred frame with equal scales along both axes. */
 function equalFrame(free: Frame, x: Scale, y: Scale): Frame {
   const across = Math.abs(x.high - x.low), up = Math.abs(y.high - y.low), [width, height] = [free.right - free.left, free.bottom - free.top];
   const pixels = Math.min(width / across, height / up);
@@ -86,6 +86,6 @@ export function frameOf(plot: Plot, box: Box, x: Scale, y: Scale, room: Room): F
   return plot.equal ? equalFrame(free, x, y) : free;
 }
 
-/** How far the label of the y axis stands from the frame. */
+/** Returns the distance of the y axis label from the frame. */
 export const yLabelGap = (y: Scale) => gaps.yLabel + letter.width * widest(y);
 export const barLabelGap = (color: Scale) => gaps.barLabel + letter.width * widest(color);

@@ -1,4 +1,4 @@
-// The entries of marks that have one, above the axes or beside them.
+// Legend of the marks that have an entry, above or beside the axes.
 
 import {lineColor} from "./colors";
 import {type Drawing, strokeOf} from "./drawing";
@@ -17,7 +17,7 @@ export const entriesOf = (plot: Plot): LegendMark[] =>
 
 const sampleWidth = (entries: readonly Mark[]) => (entries.every((mark) => mark.mark === "rectangles") ? 14 : sample);
 
-/** Entries in rows no wider than `room` [px], all columns alike. */
+/** Arranges entries in rows of at most `room` [px], with equal column widths. */
 export function legendRows(entries: readonly LegendMark[], room: number): LegendMark[][] {
   if (entries.length === 0) return [];
   const widest = columnWidth(entries), columns = Math.max(1, Math.min(entries.length, Math.floor((room + between) / widest)));
@@ -27,7 +27,7 @@ export function legendRows(entries: readonly LegendMark[], room: number): Legend
 const columnWidth = (entries: readonly LegendMark[]) =>
   sampleWidth(entries) + gap + between + Math.max(0, ...entries.map(({legend}) => textWidth(legend, size)));
 
-/** What stands beside the words of an entry, from x over so many pixels, its middle at y. */
+/** Returns the sample beside the words of an entry, from `x` over `width` pixels, centred at `y`. */
 function samplePieces(mark: LegendMark, x: number, y: number, width: number, drawing: Drawing): Piece[] {
   const line = [x, y, x + width, y], middle = [x + 0.5 * width, y];
   if (mark.mark === "line") {
@@ -42,7 +42,7 @@ function samplePieces(mark: LegendMark, x: number, y: number, width: number, dra
   return [{piece: "path", lines: [box], closed: true, fill: color, ...(mark.mark === "boxes" ? {opacity: 0.2, stroke: {color, width: 1.3}} : {})}];
 }
 
-/** Where entries stand: above the frame in rows around its middle, or beside it in one column. */
+/** Positions the entries: above the frame in centred rows, or beside it in one column. */
 export function legendPieces(plot: Plot, rows: readonly LegendMark[][], drawing: Drawing, top: number): Piece[] {
   const pieces: Piece[] = [], all = rows.flat(), step = columnWidth(all), wide = sampleWidth(all), {frame, theme} = drawing;
   const put = (mark: LegendMark, x: number, base: number) => pieces.push(...samplePieces(mark, x, base - gaps.base, wide, drawing),

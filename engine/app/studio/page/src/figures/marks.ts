@@ -20,7 +20,7 @@ export function linePieces(mark: LineMark, drawing: Drawing): Piece[] {
   return mark.dots ? pieces.concat(dots(mark.curves, 0.5 * mark.dots, mark.line?.color, drawing)) : pieces;
 }
 
-/** Filled discs at rows, in one colour or in those of their values. */
+/** Returns filled discs at rows, in one colour or in the colours of their values. */
 function dots(curves: readonly Rows[], radius: number, color: string | undefined, drawing: Drawing): DotsPiece[] {
   const byColor = new Map<string, number[]>();
   for (const rows of curves)
@@ -37,7 +37,7 @@ function isInside([x, y]: Point, {frame}: Drawing): boolean {
   return x >= frame.left - 0.5 && x <= frame.right + 0.5 && y >= frame.top - 0.5 && y <= frame.bottom + 0.5;
 }
 
-/** A ring or six strokes at each row. */
+/** Returns a disc, ring or star at each row. */
 export function pointPieces(mark: PointsMark, drawing: Drawing): Piece[] {
   const radius = 0.5 * (mark.size ?? 4);
   const discs = dots([mark.rows], radius, mark.color, drawing);
@@ -84,7 +84,7 @@ export function spanPieces({low = 0, high = 0, color}: SpanMark, drawing: Drawin
 
 const rectangle = ([x0, y0]: Point, [x1, y1]: Point) => [x0, y0, x1, y0, x1, y1, x0, y1];
 
-/** Boxes of a box plot: whiskers with bars half as wide as the box. */
+/** Returns the boxes of a box plot; the bars of whiskers are half as wide as the box. */
 function boxPieces(mark: BoxesMark, drawing: Drawing, place: XY): Piece[] {
   const half = 0.5 * (mark.width ?? 0.5), boxes: number[][] = [], whiskers: number[][] = [];
   for (let i = 0; i < mark.x.length; ++i) {
@@ -109,7 +109,7 @@ function rectanglePieces(mark: RectanglesMark, drawing: Drawing, place: XY): Pie
   return [...byColor].map(([fill, lines]) => filled(lines, fill, stroke && {stroke}));
 }
 
-/** Pixels of cells from the highest row down; none where nothing is known. */
+/** Returns the pixels of cells from the highest row down; cells without a value are transparent. */
 function pixelsOf(values: Column, columns: number, rows: number, drawing: Drawing): Uint8ClampedArray<ArrayBuffer> {
   const pixels = new Uint8ClampedArray(4 * columns * rows), colors = drawing.palette.all.map(rgbOf);
   for (let row = 0; row < rows; ++row)
@@ -126,7 +126,7 @@ function imagePieces({x = 0, y = 0, dx = 1, dy = 1, columns, rows, values}: Imag
   return [{piece: "cells", ...size, columns, rows, pixels: pixelsOf(values, columns, rows, drawing)}];
 }
 
-/** The pieces of a mark; `place` gives the place of values along the axes. */
+/** Returns the pieces of a mark; `place` maps values to positions. */
 export function markPieces(mark: Mark, drawing: Drawing, place: XY): Piece[] {
   switch (mark.mark) {
     case "line":
@@ -147,6 +147,6 @@ export function markPieces(mark: Mark, drawing: Drawing, place: XY): Piece[] {
       return vectorPieces(mark, drawing, place);
     case "span":
     case "surface":
-      return []; // behind the grid, and in space
+      return []; // drawn behind the grid, and in space
   }
 }

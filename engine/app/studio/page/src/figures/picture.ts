@@ -1,4 +1,4 @@
-// A figure as pieces, in three layers: many marks go on a canvas between the two others.
+// Figure as pieces in three layers; the middle one may be painted on a canvas if it has many marks.
 
 import {dark, light, type Theme} from "./colors";
 import type {Piece} from "./pieces";
@@ -7,7 +7,7 @@ import {stillPieces} from "./scene_panel";
 import type {Box, Figure, Graph, Panel} from "./spec";
 import {tablePieces} from "./table_panel";
 
-/** A panel that the drawing module draws: a diagram or a mechanism. */
+/** Panel that the drawing module draws: a diagram or a mechanism. */
 export interface GraphPicture {
   kind: "graph";
   graph: Graph;
@@ -28,7 +28,7 @@ const whole = ({pieces, width, height}: {pieces: Piece[]; width: number; height:
 
 const usualSize = {width: 680, height: 440};
 
-/** What a figure looks like. A panel that is no plot has the picture for itself. */
+/** Returns the picture of a figure. A panel that is no plot fills the whole picture. */
 export function pictureOf(figure: Figure, isDark: boolean): Picture {
   const theme: Theme = isDark ? dark : light, panels = figure.panels ?? [], [first] = panels;
   if (first?.panel === "table") return whole(tablePieces(first, theme));

@@ -1,4 +1,4 @@
-// What a picture is made of, in pixels, y downwards: painted as SVG or on a canvas, and read by tests.
+// Primitives of a picture, in pixels with y downwards. They are painted as SVG or on a canvas, and checked by tests.
 
 export interface Stroke {
   color: string;
@@ -7,7 +7,7 @@ export interface Stroke {
   opacity?: number;
 }
 
-/** Lines, the pen lifted between two of them: each a list x0, y0, x1, y1, ... */
+/** Separate polylines, each a list x0, y0, x1, y1, ... */
 export interface PathPiece {
   piece: "path";
   lines: readonly ArrayLike<number>[];
@@ -16,7 +16,7 @@ export interface PathPiece {
   opacity?: number; // of the fill
   stroke?: Stroke;
 }
-/** Discs or rings of one look, at x0, y0, x1, y1, ... */
+/** Discs or rings of one style, at x0, y0, x1, y1, ... */
 export interface DotsPiece {
   piece: "dots";
   at: ArrayLike<number>;
@@ -35,7 +35,7 @@ export interface TextPiece {
   angle?: number; // clockwise [degrees]
   rim?: string; // colour around the letters
 }
-/** Equal cells, row by row from the highest; `pixels` has red, green, blue, opacity of each. */
+/** Cells of equal size, row by row from the top; `pixels` has red, green, blue and opacity of each. */
 export interface CellsPiece {
   piece: "cells";
   x: number;
@@ -46,7 +46,7 @@ export interface CellsPiece {
   rows: number;
   pixels: Uint8ClampedArray<ArrayBuffer>;
 }
-/** A rectangle whose colour goes over from above to below. */
+/** Rectangle with a vertical colour gradient. */
 export interface GroundPiece {
   piece: "ground";
   x: number;
@@ -56,14 +56,14 @@ export interface GroundPiece {
   radius: number;
   colors: readonly [string, string];
 }
-/** Light on a ball. */
+/** Highlight on a ball. */
 export interface LightPiece {
   piece: "light";
   x: number;
   y: number;
   radius: number;
 }
-/** Pieces of which nothing is seen outside of a rectangle. */
+/** Pieces that are clipped to a rectangle. */
 export interface ClippedPiece {
   piece: "clipped";
   x: number;
@@ -74,7 +74,7 @@ export interface ClippedPiece {
 }
 export type Piece = PathPiece | DotsPiece | TextPiece | CellsPiece | GroundPiece | LightPiece | ClippedPiece;
 
-/** How many points pieces have: what decides between SVG and a canvas. */
+/** Returns the number of points of pieces, which decides between SVG and a canvas. */
 export function pointCount(pieces: readonly Piece[]): number {
   let count = 0;
   for (const piece of pieces)

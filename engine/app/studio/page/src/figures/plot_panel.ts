@@ -1,4 +1,4 @@
-// A panel with axes as pieces: what lies behind, the marks, and what lies in front, so that many marks can go on a canvas.
+// Panel with axes as three layers: background, marks and foreground, so that many marks can be painted on a canvas.
 
 import {axisPieces, colorBar, gridPieces} from "./axes";
 import {type Scale, scaleOf} from "./axis";
@@ -20,7 +20,7 @@ export interface Layers {
   front: Piece[];
 }
 
-/** The figure that a panel is part of. */
+/** Properties of the whole figure that a panel needs. */
 export interface Sheet {
   width: number;
   height: number;
@@ -40,7 +40,7 @@ function colorsOf(plot: Plot): Colors {
   return {scale, palette: new Palette(plot.palette ?? [], scale.low, scale.high)};
 }
 
-/** The title of a panel above its axes, smaller or in two lines where it is long. */
+/** Returns the title of a panel above its axes; a long one is smaller or has two lines. */
 function titlePieces(plot: Plot, box: Box, frame: {left: number; right: number; top: number}, theme: Theme): Piece[] {
   const title = plot.title ?? "", room = box[2] - 70;
   if (title === "") return [];
@@ -54,7 +54,7 @@ function clipped({left, top, right, bottom}: Frame, pieces: Piece[]): Piece[] {
   return pieces.length === 0 ? [] : [{piece: "clipped", x: left - 0.8, y: top - 0.8, width: right - left + 1.6, height: bottom - top + 1.6, pieces}];
 }
 
-/** Dots at the edge of the frame are whole, all else ends there. */
+/** Clips pieces to the frame, except for dots at its edge. */
 function inFrame(frame: Frame, pieces: Piece[]): Piece[] {
   const layers: Piece[] = [];
   let open: Piece[] = [];
@@ -121,7 +121,7 @@ function spacePanel(plot: Plot, box: Box, sheet: Sheet): Layers {
 
 export const plotLayers = (plot: Plot, box: Box, sheet: Sheet): Layers => (plot.view ? spacePanel : planePanel)(plot, box, sheet);
 
-/** The title of a whole figure. */
+/** Returns the title of a whole figure. */
 export function figureTitle(title: string, {width, theme}: Sheet): Piece[] {
   if (title === "") return [];
   return [{piece: "text", x: 0.5 * width, y: 22.5, text: title, size: fittedSize(title, 15, width - 20), color: textColor("#111111", theme), anchor: "middle"}];

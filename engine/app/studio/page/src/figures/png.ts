@@ -1,4 +1,4 @@
-// Cells as a PNG in the address of an <image>, without a canvas: so a figure is SVG text by itself, also where there is no browser.
+// Encoder of cells as a PNG data URL for an <image>. It needs no canvas, so a figure is SVG text even without a browser.
 
 const table = Uint32Array.from({length: 256}, (_, byte) => {
   let c = byte;
@@ -32,7 +32,7 @@ function chunk(name: string, data: Uint8Array): Uint8Array {
   return whole;
 }
 
-/** The stream of zlib with its bytes as they are: cells are few. */
+/** Returns a zlib stream without compression, as there are few cells. */
 function stored(bytes: Uint8Array): Uint8Array {
   const most = 65535, parts: number[][] = [], starts: number[] = [];
   for (let at = 0; at < bytes.length || at === 0; at += most) {
@@ -53,7 +53,7 @@ function stored(bytes: Uint8Array): Uint8Array {
   return stream;
 }
 
-/** "data:image/png;base64,..." of so many columns and rows; `pixels` has red, green, blue, opacity of each, 0 to 255. */
+/** Returns "data:image/png;base64,..."; `pixels` has red, green, blue and opacity of each cell, 0 to 255. */
 export function pngAddress(pixels: Uint8ClampedArray, columns: number, rows: number): string {
   const raw = new Uint8Array(rows * (4 * columns + 1));
   for (let row = 0; row < rows; ++row) raw.set(pixels.subarray(4 * columns * row, 4 * columns * (row + 1)), row * (4 * columns + 1) + 1);

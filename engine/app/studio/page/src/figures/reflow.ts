@@ -1,8 +1,8 @@
 import type {Box, Figure, Panel} from "./spec";
 
-const least = 300; // px that a panel needs to be read
-const lowest = 230; // px that its height needs
-const close = 0.9; // a picture may be made this much smaller as it is
+const least = 300; // px width that a readable panel needs
+const lowest = 230; // px height that a readable panel needs
+const close = 0.9; // down to this share a picture is scaled instead of rearranged
 
 const columnsOf = (panels: readonly Panel[]): number => {
   const tops = new Map<number, number>();
@@ -12,16 +12,13 @@ const columnsOf = (panels: readonly Panel[]): number => {
 
 type Placed = Extract<Panel, {panel: "plot"}>;
 
-/** A panel at another place; its frame follows from it. */
+/** Returns a panel in another box; its frame is computed again. */
 function placedAt(panel: Panel, box: Box): Panel {
   const {frame: _, ...rest} = panel as Placed;
   return {...rest, box};
 }
 
-/**
- * The same panels in fewer and narrower columns where there is too little room, and less high where that makes them fit, so that their
- * letters stay as large [px].
- */
+/** Arranges panels in fewer and narrower columns if there is too little space, and reduces their height if they then fit. Letters keep their size. */
 export function reflowed(figure: Figure, room: number, tall = Infinity): Figure {
   const {panels = [], width = 0} = figure;
   if (!(room > 0) || panels.length === 0 || panels.some((panel) => panel.panel !== "plot" || !panel.box)) return figure;

@@ -1,4 +1,4 @@
-// Objects of a scene as pieces: of a still in a figure, and of the live scene.
+// Objects of a scene as pieces: for stills in a figure, and for the live scene.
 
 import type {Piece, Stroke} from "./pieces";
 import type {SceneStill, Shape} from "./spec";
@@ -11,7 +11,7 @@ export interface SceneView {
   background: string;
 }
 
-/** Where a scene is drawn: its left upper corner and the pixels of a metre. */
+/** Position of a scene in the picture: its left upper corner, and pixels per metre. */
 export interface Place {
   left: number;
   top: number;
@@ -19,7 +19,7 @@ export interface Place {
 }
 
 const leastLetters = 12; // px, in however small a view
-const usual = 480; // px that a scene is wide in pictures
+const usual = 480; // px width of a scene in pictures
 
 export const sceneHeight = ({x, y}: SceneView, width: number) => (width * (y[1] - y[0])) / (x[1] - x[0]);
 
@@ -33,7 +33,7 @@ export function groundPiece(view: SceneView, {left, top, scale}: Place): Piece {
   return {piece: "ground", x: left, y: top, width, height: sceneHeight(view, width), radius: 8, colors: groundColors(view.background)};
 }
 
-/** A round bar: dark at its edges and with light along its middle. A wall has light alone. */
+/** Layers of strokes that look like a round bar: dark edges and a light middle. Walls have the light middle only. */
 const looks: Record<string, readonly [share: number, opacity: number, color: string][]> = {
   rod: [[1.25, 0.35, "#000000"], [1, 1, ""], [0.4, 0.45, "#ffffff"]],
   walls: [[1, 1, ""], [0.3, 0.35, "#ffffff"]],
@@ -42,7 +42,7 @@ const looks: Record<string, readonly [share: number, opacity: number, color: str
 
 const strokeOf = (color: string, width: number, opacity: number): Stroke => (opacity === 1 ? {color, width} : {color, width, opacity});
 
-/** A sentence is not cut off: it is as small as it must be, and keeps off the edges. */
+/** Returns the piece of a text, reduced in size and moved so that none of it is cut off. */
 function textPiece(shape: Shape, view: SceneView, place: Place, x: number, y: number): Piece {
   const text = shape.text ?? "", width = place.scale * (view.x[1] - view.x[0]), height = sceneHeight(view, width), edge = 4;
   const size = fittedSize(text, Math.max(leastLetters, place.scale * shape.size), width - 2 * edge), half = 0.5 * textWidth(text, size);
@@ -68,7 +68,7 @@ export function shapePieces(shape: Shape, view: SceneView, place: Place): Piece[
 
 const gap = 14, wordsHeight = 26, margin = 10;
 
-/** Instants side by side, each with its words below. */
+/** Returns instants side by side, each with its caption below. */
 export function stillPieces(still: SceneStill, title: string, theme: Theme): {pieces: Piece[]; width: number; height: number} {
   const count = still.instants.length, columns = count === 4 ? 2 : Math.min(3, Math.max(1, count)), height = sceneHeight(still, usual);
   const worded = still.instants.some(({words}) => words !== ""), cell = height + (worded ? wordsHeight : 0), top = title === "" ? margin : 34;

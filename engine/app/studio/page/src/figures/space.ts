@@ -1,5 +1,5 @@
-// Axes and marks in space, seen without perspective: a box of the ranges is turned by the azimuth about z and by the elevation
-// towards the eye, as gnuplot does it.
+// Axes and marks in space, in parallel projection. The box of the ranges is rotated by the azimuth about z, then tilted by the elevation,
+// as in gnuplot.
 
 import {type Scale, scaleOf} from "./axis";
 import type {Theme} from "./colors";
@@ -13,12 +13,12 @@ type Place3 = readonly [x: number, y: number, z: number];
 
 export interface Space {
   scales: [Scale, Scale, Scale];
-  /** The place of shares of the ranges, 0 to 1 each. */
+  /** Projects shares of the ranges, 0 to 1 each. */
   project(at: Place3): Point;
-  depth(at: Place3): number; // larger is farther
+  depth(at: Place3): number; // grows with the distance from the eye
 }
 
-/** How much of the panel half a side of the box takes, across and up. */
+/** Half sides of the box as shares of the panel, across and up. */
 const shares = {across: 0.26, up: 0.2415};
 const radians = (degrees: number) => (degrees * Math.PI) / 180;
 
@@ -48,7 +48,7 @@ export function spaceOf(plot: Plot, [left, top, width, height]: Box): Space {
 export const sharesOf = ({scales: [x, y, z]}: Space, rows: Rows, i: number): Place3 =>
   [x.share(rows.x?.[i] ?? null), y.share(rows.y?.[i] ?? null), z.share(rows.z?.[i] ?? null)];
 
-/** On which side of the box each axis of the floor is seen from the front, and where the upright walls behind are. */
+/** Returns the front edge of the floor for each axis, and the positions of the back walls. */
 function sidesOf(space: Space) {
   const near = (axis: 0 | 1) => (space.depth(axis === 0 ? [0, 0.5, 0] : [0.5, 0, 0]) < space.depth(axis === 0 ? [1, 0.5, 0] : [0.5, 1, 0]) ? 0 : 1);
   const front = {x: near(0), y: near(1)};
@@ -57,7 +57,7 @@ function sidesOf(space: Space) {
 
 const line = (space: Space, ...places: Place3[]) => places.flatMap((at) => [...space.project(at)]);
 
-/** Walls behind and the floor, with their grid. */
+/** Returns the back walls and the floor, with their grid. */
 export function boxPieces(space: Space, theme: Theme): Piece[] {
   const {front: f, back: b} = sidesOf(space), [x, y, z] = space.scales, grid: number[][] = [];
   for (const {at} of x.ticks) grid.push(line(space, [x.share(at), f.y, 0], [x.share(at), b.y, 0], [x.share(at), b.y, 1]));
@@ -72,7 +72,7 @@ export function boxPieces(space: Space, theme: Theme): Piece[] {
 
 const size = 13;
 
-/** Labels of an axis along an edge of the box, away from its middle. */
+/** Returns the labels of an axis along an edge of the box, on its outer side. */
 function edgeTexts(space: Space, scale: Scale, at: (share: number) => Place3, theme: Theme): TextPiece[] {
   const [cx, cy] = space.project([0.5, 0.5, 0.5]), [ax, ay] = space.project(at(0)), [bx, by] = space.project(at(1));
   const length = Math.hypot(bx - ax, by - ay) || 1, side = Math.sign((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) || 1;
@@ -100,7 +100,7 @@ export function spaceTexts(space: Space, theme: Theme): Piece[] {
   ];
 }
 
-/** A surface as coloured pieces between points of lines that follow each other, those far away first. */
+/** Returns a surface as coloured quadrilaterals between successive lines, the far ones first. */
 export function surfacePieces({lines}: SurfaceMark, space: Space, drawing: Drawing): Piece[] {
   const cells: {depth: number; fill: string; corners: number[]}[] = [];
   for (let i = 0; i + 1 < lines.length; ++i) {
@@ -114,11 +114,11 @@ export function surfacePieces({lines}: SurfaceMark, space: Space, drawing: Drawi
     }
   }
   cells.sort((a, b) => b.depth - a.depth);
-  // A stroke of the same colour closes the gaps that smoothing leaves between neighbours.
+  // A stroke of the same colour closes the gaps that antialiasing leaves between neighbours.
   return cells.map(({fill, corners}) => ({piece: "path", lines: [corners], closed: true, fill, stroke: {color: fill, width: 0.6}}));
 }
 
-/** The rectangle beside the box in which the bar of colours stands. */
+/** Returns the rectangle of the colour bar beside the box. */
 export function barInSpace([left, top, width, height]: Box): Frame {
   return {left: left + 0.87 * width, right: left + 0.905 * width, top: top + 0.24 * height, bottom: top + 0.553 * height};
 }

@@ -1,5 +1,5 @@
-// The JSON of a figure: engine/view/plot/figure-json.md. A field that stands at its default is left out there; `null` in a
-// column is no number. Sizes are pixels from the upper left corner, angles degrees.
+// The JSON of a figure: engine/view/plot/figure-json.md. Fields with their default value are omitted; `null` in a column is a missing
+// number. Sizes are pixels from the upper left corner, angles degrees.
 
 export type Column = (number | null)[];
 
@@ -159,7 +159,7 @@ export interface Table {
   rows: string[][];
   notes: string[];
 }
-/** A block of a diagram, or an element of a mechanism. */
+/** Block of a diagram, or element of a mechanism. */
 export interface Named {
   name?: string;
   kind?: string;
@@ -169,7 +169,7 @@ export interface Graph {
   box?: Box;
   graph: {title?: string; nodes?: Named[]; elements?: Named[]};
 }
-/** A shape of a scene in metres; `points` of walls are the lines of their boundary. */
+/** Shape of a scene in metres; `points` of walls are the lines of their boundary. */
 export interface Shape {
   kind: string;
   name?: string;

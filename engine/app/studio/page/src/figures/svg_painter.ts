@@ -1,4 +1,4 @@
-// Pieces as a tree of SVG elements: made into elements of the page, or into the text of a file.
+// Pieces as a tree of SVG elements, for elements of the page or the text of a file.
 
 import type {ClippedPiece, DotsPiece, PathPiece, Piece, Stroke, TextPiece} from "./pieces";
 import {pngAddress} from "./png";
@@ -49,12 +49,12 @@ function textElement({x, y, text, size, color, anchor, angle, rim}: TextPiece): 
   return element("text", {x, y, "font-size": size, fill: color, "text-anchor": anchor === "start" ? undefined : anchor, transform: turned, ...around}, [], text);
 }
 
-/** Elements of one picture; what they refer to has names that begin with `prefix`. */
+/** Painter of one picture; the ids of its definitions begin with `prefix`. */
 export class SvgPainter {
   private readonly definitions: Element[] = [];
   constructor(private readonly prefix: string) {}
 
-  /** The definitions and the elements of all layers. */
+  /** Returns the definitions and the elements of all layers. */
   paint(pieces: readonly Piece[]): Element[] {
     const drawn = this.elements(pieces);
     return this.definitions.length === 0 ? drawn : [element("defs", {}, this.definitions), ...drawn];
@@ -106,27 +106,27 @@ export class SvgPainter {
 
 export const lightStops = [[0, "#ffffff", 0.85], [0.35, "#ffffff", 0.1], [1, "#000000", 0.55]] as const;
 
-// Signs that XML does not allow, or that nobody sees.
+// Characters that XML does not allow or that are invisible.
 // eslint-disable-next-line no-control-regex
 const unseen = /[\u0000-\u0008\u000b-\u001f\u007f-\u009f\ufffe\uffff]/g;
 const escapes: Record<string, string> = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"};
 const escaped = (text: string) => text.replace(unseen, " ").replace(/[&<>"]/g, (sign) => escapes[sign]!);
 
-/** An element as text; what a diagram says is escaped. */
+/** Serialises an element, with texts escaped. */
 export function svgText({name, attributes, children, text}: Element): string {
   const list = Object.entries(attributes).map(([key, value]) => ` ${key}="${escaped(value)}"`).join("");
   const inside = (text === undefined ? "" : escaped(text)) + children.map(svgText).join("");
   return inside === "" ? `<${name}${list}/>` : `<${name}${list}>${inside}</${name}>`;
 }
 
-/** The whole picture as the text of a file. */
+/** Returns a whole picture as the text of an SVG file. */
 export function svgFile(width: number, height: number, paper: string, pieces: readonly Piece[], title: string): string {
   const root = element("svg", {xmlns: "http://www.w3.org/2000/svg", width, height, viewBox: `0 0 ${number(width)} ${number(height)}`, "font-family": "Helvetica, Arial, sans-serif"}, [
     element("title", {}, [], title), element("rect", {width, height, fill: paper}), ...new SvgPainter("f").paint(pieces)]);
   return svgText(root) + "\n";
 }
 
-/** An element of the page. */
+/** Creates an element of the page. */
 export function pageElement({name, attributes, children, text}: Element): SVGElement {
   const made = document.createElementNS("http://www.w3.org/2000/svg", name);
   for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);

@@ -5,10 +5,10 @@ import {textWidth, wrapped} from "./text_size";
 
 const rowHeight = 23, gap = 26, margin = 18, size = 13, noteSize = 12;
 
-/** Is every cell of a column a number, with its spread or unit perhaps? */
+/** True if every cell of a column is a number, possibly with a spread or unit. */
 const isNumbers = (cells: readonly string[]) => cells.some((cell) => cell !== "") && cells.every((cell) => /^\s*$|^[-–−]$|^[<>≤≥~±]?\s*[-−+]?[\d.]/.test(cell));
 
-/** A table as pieces, and how large it is: numbers to the right, words to the left. */
+/** Returns a table as pieces, with its size; numbers are right-aligned, words left-aligned. */
 export function tablePieces({title, columns, rows, notes}: Table, theme: Theme): {pieces: Piece[]; width: number; height: number} {
   const cells = columns.map((_, i) => rows.map((row) => row[i] ?? "")), right = cells.map(isNumbers);
   const widths = columns.map((head, i) => Math.max(...[head, ...cells[i]!].map((cell) => textWidth(cell, size))));

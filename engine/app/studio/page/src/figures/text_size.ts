@@ -1,13 +1,13 @@
 import {widthOf} from "../../../../../view/drawing/text.mjs";
 
-/** Width of letters in any system font, some of which are wider than Helvetica [px]. */
+/** Returns an upper estimate of the width of a text in any system font; some are wider than Helvetica [px]. */
 export const textWidth = (text: string, size: number): number => 1.06 * widthOf(text, size);
 
-/** The size at which a text is no wider than `room` [px]. */
+/** Returns the size at which a text is no wider than `room` [px]. */
 export const fittedSize = (text: string, usual: number, room: number): number =>
   Math.max(7, Math.min(usual, (usual * room) / Math.max(1, textWidth(text, usual))));
 
-/** A text in lines that are no wider than `room`. */
+/** Breaks a text into lines no wider than `room`. */
 export function wrapped(text: string, size: number, room: number): string[] {
   const lines: string[] = [];
   for (const word of text.split(/\s+/)) {

@@ -6,7 +6,7 @@ import type {Text} from "./spec";
 
 const anchors = {left: "start", center: "middle", right: "end"} as const;
 
-/** Texts in front of all marks, each with its dot. */
+/** Returns texts in front of all marks, each with its dot. */
 export function textPieces(texts: readonly Text[], drawing: Drawing, place: (x: number, y: number) => Point): Piece[] {
   const {frame, theme} = drawing;
   return texts.flatMap((text): Piece[] => {

@@ -3,9 +3,9 @@ import {type Drawing, type Point, strokeOf} from "./drawing";
 import type {Piece} from "./pieces";
 import type {VectorsMark} from "./spec";
 
-const back = (70 * Math.PI) / 180; // between the back of a head and its stroke
+const back = (70 * Math.PI) / 180; // between the back edge of a head and its stroke
 
-/** A filled head with its tip at the end of a stroke; one that is not fixed takes half of a short stroke at the most, and is wider then. */
+/** Returns a filled head with its tip at the end of a stroke. Unless fixed, it has at most half the length of the stroke, and is then wider. */
 function headOf([x0, y0]: Point, [x1, y1]: Point, size: number, angle: number, isFixed: boolean): number[] {
   const far = Math.hypot(x1 - x0, y1 - y0) || 1e-9, [ux, uy] = [(x1 - x0) / far, (y1 - y0) / far];
   const length = isFixed ? size : Math.min(size, 0.5 * far), slope = (Math.tan(angle) * size) / length;
@@ -14,7 +14,7 @@ function headOf([x0, y0]: Point, [x1, y1]: Point, size: number, angle: number, i
   return [x1, y1, ...at(along, aside), ...at(notch, 0), ...at(along, -aside)];
 }
 
-/** Strokes with their heads, by colour. */
+/** Returns strokes with their heads, grouped by colour. */
 export function vectorPieces(mark: VectorsMark, drawing: Drawing, place: (x: number | null, y: number | null) => Point): Piece[] {
   const byColor = new Map<string, {strokes: number[][]; heads: number[][]}>(), own = mark.line?.color;
   const pivot = mark.pivot ?? 0, size = (mark.head ?? 0) * drawing.figureWidth, angle = ((mark.head_angle ?? 20) * Math.PI) / 180;

@@ -2,7 +2,7 @@ import {openDialog} from "../shell/dialog";
 import {h} from "../shell/dom";
 import "./gallery.css";
 
-/** What the program and its page are made of, with all licences. */
+/** Shows the packages of the program and its page, with all licences. */
 export async function openAbout(version = ""): Promise<void> {
   const {licences} = await import("virtual:licences");
   const list = licences.map(({name, version: own, licence, text}) =>

@@ -5,15 +5,15 @@ import {h, listen} from "../shell/dom";
 import {type Entry, found} from "./search";
 import "./gallery.css";
 
-/** What groups are called, which the server names by their folders. */
+/** Titles of groups; the server names groups by their folders. */
 const titles: Record<string, string> = {examples: "Examples, one idea each", thesis: "Figures and tables of the thesis", parts: "Parts"};
 
-/** Examples and figures of the thesis to start from: the chosen one is copied beside the file of the studio and opened. */
+/** Opens the list of examples and figures of the thesis. The chosen one is copied beside the file of the studio and opened. */
 export function openGallery(context: Context): void {
   new Gallery(context).open();
 }
 
-/** Copies an entry and opens it. Rejects with the fault. */
+/** Copies an entry and opens the copy. Rejects with a Fault. */
 export async function startFrom(context: Context, {entry}: Entry, name: string): Promise<void> {
   const {file} = await context.connection.call<{file: number}>("gallery.copy", {entry, name});
   await context.workbench.listFiles();

@@ -1,4 +1,4 @@
-// What the page is made of, for its "about": each package that it depends on, with its licence, as they lie in node_modules.
+// List of the packages on which the page depends, with their licences from node_modules, for its "about".
 
 import {existsSync, readdirSync, readFileSync} from "node:fs";
 import {dirname, join} from "node:path";
@@ -6,7 +6,7 @@ import {dirname, join} from "node:path";
 const name = "virtual:licences", resolved = "\0" + name;
 const read = (path) => JSON.parse(readFileSync(path, "utf8"));
 
-/** Where node finds a package from a folder. */
+/** Returns the folder in which node finds a package from another folder. */
 function folderOf(wanted, from) {
   for (let at = from; ; at = dirname(at)) {
     const folder = join(at, "node_modules", wanted);
@@ -20,7 +20,7 @@ function licenceText(folder) {
   return file ? readFileSync(join(folder, file), "utf8").trim() : "";
 }
 
-/** All packages that a folder's package.json depends on, and those that these depend on, by name. */
+/** Returns all direct and indirect dependencies of a folder's package.json, by name. */
 export function licencesOf(root) {
   const found = new Map();
   const visit = (folder) => {
@@ -37,7 +37,7 @@ export function licencesOf(root) {
 
 const file = "assets/licences.json";
 
-/** The module "virtual:licences" of a page, for vite; the texts lie beside the scripts. */
+/** Plugin of vite with the module "virtual:licences"; the texts are stored beside the scripts. */
 export const licences = (root) => ({
   name: "licences",
   apply: "build",

@@ -1,6 +1,6 @@
 import type {Context} from "../shell/context";
 
-/** Entries of the page's menu for what is seldom needed; each is loaded when it is chosen. */
+/** Returns the menu entries for rare actions, each of which loads its module when chosen. */
 export function menuEntries(context: Context): [string, () => void][] {
   return [
     ["Examples…", () => void import("./gallery").then(({openGallery}) => openGallery(context))],

@@ -1,4 +1,4 @@
-/** Something to start from. */
+/** Diagram of the gallery. */
 export interface Entry {
   entry: number;
   name: string;
@@ -9,7 +9,7 @@ export interface Entry {
 
 const plain = (text: string) => text.toLowerCase().normalize("NFD").replaceAll(/\p{M}/gu, "");
 
-/** How well an entry fits a word: 0 not at all. */
+/** Rates the match of an entry with a word; 0 is no match. */
 function fit({name, title, group, caption = ""}: Entry, word: string): number {
   const [inTitle, inName, inRest] = [plain(title), plain(name), plain(`${group} ${caption}`)];
   if (inTitle.split(/\W+/).includes(word) || inName.split(/\W+/).includes(word)) return 4;
@@ -17,10 +17,10 @@ function fit({name, title, group, caption = ""}: Entry, word: string): number {
   return inRest.includes(word) ? 1 : 0;
 }
 
-/** "figure 38" is fig38 in the names of files. */
+/** Splits a query into words; "figure 38" becomes fig38, as in the names of files. */
 const words = (query: string) => plain(query).replaceAll(/\b(?:figure|fig\.?)\s*(\d+)/g, (_, number: string) => `fig${number.padStart(2, "0")}`).split(/\s+/).filter(Boolean);
 
-/** Entries that have all words of a query, the best first; all of them, as they are, without a query. */
+/** Returns the entries that match all words of a query, best first; without a query all of them in order. */
 export function found(entries: readonly Entry[], query: string): Entry[] {
   const wanted = words(query);
   if (wanted.length === 0) return [...entries];

@@ -3,14 +3,14 @@ import {type Histogram, timeText} from "./loop_types";
 
 const width = 640, height = 220, left = 46, right = 26, top = 14, bottom = 34;
 
-/** Decades from the shortest to the longest time that is shown [s]. */
+/** Returns the range of decades for histograms and a deadline, in log10 of s. */
 export function decadesOf(histograms: Histogram[], deadline: number): [number, number] {
   const edges = histograms.flatMap((one) => (one.edges.length > 0 ? [one.edges[0], one.edges[one.edges.length - 1]] : [])).filter((edge) => edge > 0);
   const low = Math.floor(Math.log10(Math.min(...edges, deadline))), high = Math.ceil(Math.log10(Math.max(...edges, deadline)) + 1e-9);
   return [low, Math.max(high, low + 1)];
 }
 
-/** Histograms over a logarithm of time, counts over a logarithm, too, so that a single late tick is seen; and the deadline. */
+/** Chart of histograms with the deadline. Both axes are logarithmic, so that a single late tick is visible. */
 export class HistogramChart {
   readonly element = svg("svg", {class: "loop-chart", viewBox: `0 0 ${width} ${height}`, role: "img"});
 
@@ -35,7 +35,7 @@ export class HistogramChart {
   }
 }
 
-/** The outline of all bars of a histogram. */
+/** Returns the outline of a histogram as an SVG path. */
 function outline({edges, counts}: Histogram, x: (time: number) => number, y: (count: number) => number): string {
   const points = counts.flatMap((count, i) => [`${x(edges[i]).toFixed(1)} ${y(count).toFixed(1)}`, `${x(edges[i + 1]).toFixed(1)} ${y(count).toFixed(1)}`]);
   return counts.length === 0 ? "" : `M${x(edges[0]).toFixed(1)} ${y(0)}L${points.join("L")}L${x(edges[edges.length - 1]).toFixed(1)} ${y(0)}Z`;

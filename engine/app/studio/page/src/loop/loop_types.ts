@@ -1,6 +1,6 @@
-// What the server says of a real-time loop (protocol, "A real-time loop"). Times in s.
+// Types of the protocol section "A real-time loop". Times in s.
 
-/** Bins of a fourth of an octave; one edge more than counts. */
+/** Histogram with bins of a quarter octave; there is one edge more than counts. */
 export interface Histogram {
   count: number;
   p50: number;
@@ -14,29 +14,29 @@ export interface Histogram {
 export interface LoopNews {
   run: number;
   period: number;
-  /** Deadlines that were served. */
+  /** Number of executed steps. */
   served: number;
   /** late + dropped */
   missed: number;
   late: number;
   dropped: number;
-  /** The longest row of misses. */
+  /** Longest run of successive misses. */
   longest: number;
-  /** How late the thread woke. */
+  /** Delay of the wake-up. */
   lateness: Histogram;
-  /** Until outputs were written. */
+  /** Time until outputs are written. */
   response: Histogram;
-  /** All of a wake-up. */
+  /** Duration of a whole wake-up. */
   step: Histogram;
-  /** The dearest first. */
+  /** Cost by block type, most expensive first. */
   costs: {type: string; blocks: string[] | number; mean: number}[];
-  /** Ticks that did not come to the page. */
+  /** Ticks that were lost on the way to the page. */
   lost: number;
   policy: string;
   refused: string[];
 }
 
-/** A time with three digits in the unit that suits it. */
+/** Formats a time with three digits in a suitable unit. */
 export function timeText(seconds: number): string {
   const [scale, unit] = seconds >= 1 ? [1, "s"] : seconds >= 1e-3 ? [1e3, "ms"] : seconds >= 1e-6 ? [1e6, "µs"] : [1e9, "ns"];
   return `${Number((seconds * scale).toPrecision(3))} ${unit}`;

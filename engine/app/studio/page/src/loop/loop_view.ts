@@ -10,7 +10,7 @@ const kinds: [keyof Pick<LoopNews, "lateness" | "response" | "step">, string, st
 ];
 const many = 12;
 
-/** How well a real-time loop keeps its deadlines: misses, histograms against the deadline, and which blocks cost most; while it goes on. */
+/** Timing of a real-time loop: misses, histograms with the deadline, and the most expensive blocks. */
 export class LoopView implements View {
   private readonly facts = h("div", {class: "loop-facts"});
   private readonly verdict = h("p", {class: "loop-verdict", role: "status"});

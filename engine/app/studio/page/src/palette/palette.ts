@@ -7,14 +7,14 @@ import {referencePage} from "./reference_page";
 import {found} from "./search";
 import "./palette.css";
 
-/** Where blocks are inserted: a file, its signals, and which of them is to feed the first input. */
+/** Target of an insertion: a file, its signals, and the preferred source of the first input. */
 export interface Target {
   file: number;
   signals: string[];
   preferred: string;
 }
 
-/** A list of all types of blocks to search in, with the page of each; the chosen one is inserted into the text of a file. */
+/** Opens the searchable list of block types with their reference pages. The chosen type is inserted into the text of a file. */
 export function openPalette(context: Context, target: Target): void {
   new Palette(context, target).open();
 }
@@ -23,7 +23,7 @@ class Palette {
   private readonly query = h("input", {type: "search", placeholder: "Search blocks: gain, filter, spring …", "aria-label": "Search blocks", role: "combobox", "aria-expanded": true, "aria-controls": "palette-list", autocomplete: "off"});
   private readonly list = h("div", {class: "palette-list", role: "listbox", id: "palette-list", "aria-label": "Blocks"});
   private readonly page = h("div", {class: "palette-page", tabindex: 0, "aria-label": "Reference"});
-  /** What feeds the inputs that a block requires. */
+  /** Choice of sources for the required inputs. */
   private readonly feeds = h("div", {class: "palette-feeds"});
   private readonly fault = h("p", {class: "palette-fault", role: "alert", hidden: true});
   private types: BlockType[] = [];
@@ -76,7 +76,7 @@ class Palette {
     event.preventDefault();
   }
 
-  /** A choice of a signal for each input that must be fed. */
+  /** Creates a choice of sources for each required input. */
   private sources(type: BlockType): HTMLElement[] {
     const {signals, preferred} = this.target, required = type.inputs.filter(({optional}) => !optional);
     return required.map(({name, unit}, i) => {

@@ -17,7 +17,7 @@ export interface ParameterReference {
   default?: unknown;
 }
 
-/** A type of block, as `blocks NAME --json` has it. */
+/** Block type in the format of `blocks NAME --json`. */
 export interface BlockType {
   name: string;
   folder: string;
@@ -30,12 +30,12 @@ export interface BlockType {
   keys?: string[];
 }
 
-/** A default as it is written in a diagram. */
+/** Formats a default value as in a diagram. */
 export const valueText = (value: unknown) => (value === undefined || value === null ? "" : typeof value === "object" ? JSON.stringify(value) : String(value));
 
 let types: Promise<BlockType[]> | undefined;
 
-/** The types of blocks of the program; read once. */
+/** Returns the block types of the program; reads them only once. */
 export function blockTypes(connection: Connection): Promise<BlockType[]> {
   types ??= connection.call<{blocks: BlockType[]}>("blocks").then(({blocks}) => blocks);
   types.catch(() => { types = undefined; });

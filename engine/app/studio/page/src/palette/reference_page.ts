@@ -1,7 +1,7 @@
 import {h} from "../shell/dom";
 import {type BlockType, type ParameterReference, type PortReference, valueText} from "./reference";
 
-/** A text whose words between backticks are code. */
+/** Returns a text with the words between backticks as code. */
 const rich = (text: string): (Node | string)[] => text.split("`").map((piece, i) => (i % 2 === 1 ? h("code", {}, piece) : piece));
 
 function ports(title: string, all: PortReference[]): (HTMLElement | null)[] {
@@ -16,7 +16,7 @@ function parameters(all: ParameterReference[]): (HTMLElement | null)[] {
     [h("dt", {}, name, unit ? ` [${unit}]` : "", required ? ", required" : valueText(other) ? ` = ${valueText(other)}` : ""), h("dd", {}, ...rich(doc), ` (${kind})`)]))];
 }
 
-/** The reference of a type of block. */
+/** Returns the reference page of a block type. */
 export function referencePage({name, doc, source, inputs, outputs, parameters: own, example}: BlockType): Node[] {
   const parts = [h("h3", {}, name), h("p", {}, ...rich(doc)), example ? h("pre", {}, example) : null, ...ports("Inputs", inputs), ...ports("Outputs", outputs), ...parameters(own),
     source ? h("p", {class: "palette-source"}, `Source: ${source}`) : null];

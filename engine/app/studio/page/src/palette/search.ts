@@ -1,6 +1,6 @@
 import type {BlockType} from "./reference";
 
-/** How well a type of block suits what is searched: 0 not at all. */
+/** Rates the match of a block type with the words of a search; 0 is no match. */
 function score({name, folder, doc, keys = []}: BlockType, words: string[]): number {
   const lower = name.toLowerCase(), text = `${folder} ${doc} ${keys.join(" ")}`.toLowerCase();
   let sum = 0;
@@ -12,7 +12,7 @@ function score({name, folder, doc, keys = []}: BlockType, words: string[]): numb
   return sum;
 }
 
-/** Types that have all words, the best first; all by their families without a word. */
+/** Returns the types that match all words, best first; without a word all of them in order. */
 export function found(types: BlockType[], query: string): BlockType[] {
   const words = query.toLowerCase().split(/\s+/).filter(Boolean);
   if (words.length === 0) return types;

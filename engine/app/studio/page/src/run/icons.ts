@@ -9,7 +9,7 @@ const paths = {
   pin: "M5 1.5h6v1.6l-1.2.8V7l2.4 2.2v1.3H8.8v4l-.8 1-.8-1v-4H3.8V9.2L6.2 7V3.9L5 3.1z",
 };
 
-/** A sign on a button; the button has the words. */
+/** Returns an icon for a button, whose label is the text for screen readers. */
 export function icon(name: keyof typeof paths): SVGElement {
   return svg("svg", {class: "icon", width: 14, height: 14, viewBox: "0 0 16 16", "aria-hidden": "true", fill: "currentColor"}, svg("path", {d: paths[name]}));
 }

@@ -1,25 +1,25 @@
 interface Waiting {
   sentAt: number;
-  /** Time of the run at which it acts [s]; unknown until the server says so. */
+  /** Time of the run at which the input acts [s]; undefined until the server has answered. */
   acts: number | undefined;
 }
 
-/** Samples of which the middle is shown. */
+/** Number of samples for the median. */
 const kept = 15;
 
-/** How long it takes from an input at the page to the first picture that shows it; instants in ms of the page's clock. */
+/** Latency from an input at the page to the first picture with its effect. Instants in ms of the page's clock. */
 export class Latency {
   private readonly waiting = new Set<Waiting>();
   private readonly samples: number[] = [];
 
-  /** An input leaves the page; the function that comes back is called with the time of the run at which it acts [s]. */
+  /** Records an input. The returned function sets the time of the run at which it acts [s]. */
   sent(at: number): (acts: number) => void {
     const input: Waiting = {sentAt: at, acts: undefined};
     this.waiting.add(input);
     return (acts) => void (input.acts = acts);
   }
 
-  /** A picture that shows the run up to `newest` [s] is on its way to the screen. */
+  /** Records a picture that shows the run up to `newest` [s]. */
   drawn(newest: number, at: number): void {
     for (const input of this.waiting) {
       if (input.acts === undefined || newest < input.acts) continue;
@@ -28,18 +28,18 @@ export class Latency {
     }
   }
 
-  /** Takes in what was measured elsewhere, such as of a hand in the scene [ms]. */
+  /** Adds a latency that was measured elsewhere, such as that of a hand in the scene [ms]. */
   measured(duration: number): void {
     this.samples.push(duration);
     this.samples.splice(0, this.samples.length - kept);
   }
 
-  /** What was waited for does not come: another run began, or the input was refused. */
+  /** Drops pending inputs, after a restart or a refusal. */
   forget(): void {
     this.waiting.clear();
   }
 
-  /** Median of the last inputs [ms]; undefined before the first. */
+  /** Returns the median of the last inputs [ms]; undefined before the first. */
   get median(): number | undefined {
     const sorted = [...this.samples].sort((a, b) => a - b);
     return sorted[sorted.length >> 1];

@@ -1,8 +1,8 @@
-/** Who listens to the events of an object, by their names. */
+/** Listeners of an object, by the names of its events. */
 export class Listeners<Events extends object> {
   private readonly all = new Map<keyof Events, Set<(event: never) => void>>();
 
-  /** Returns what ends the listening. */
+  /** Adds a listener. Returns a function that removes it. */
   on<Name extends keyof Events>(name: Name, listener: (event: Events[Name]) => void): () => void {
     const own = this.all.get(name) ?? new Set();
     this.all.set(name, own.add(listener));

@@ -1,7 +1,10 @@
 import type {Text} from "@codemirror/state";
 import type {Context} from "../shell/context";
 
-/** Marks the run as stale while a text differs from the one that the run was loaded with: an edit that is undone leaves none. A file that was opened since differs once it is edited. */
+/**
+ * Marks the run as stale while a text differs from the loaded one, until the edit is undone. A file that was opened after loading counts
+ * once it is edited.
+ */
 export function followTexts({run, workbench, connection}: Context): void {
   const texts = new Map<number, Text | undefined>();
   const look = () => run.markStale(workbench.openDocuments.some(({file, state}) => texts.has(file) && !texts.get(file)?.eq(state.doc)));

@@ -7,12 +7,12 @@ import {measuredText, nextRate, rates, rateText} from "./rates";
 import {Scrub} from "./scrub";
 import {Verdicts} from "./verdicts";
 
-/** Between two readings of numbers that change by themselves [ms]. */
+/** Pause between updates of numbers that change during the run [ms]. */
 const pause = 90;
 
 const seconds = (time: number, step: number) => time.toFixed(Math.min(6, Math.max(3, Math.ceil(-Math.log10(step) - 1e-9))));
 
-/** Play, pause, one tick, from the start, the pace, where the run stands, and how well it keeps time. */
+/** Bar with play, pause, single tick, restart, rate, time of the run, and timing. */
 export class RunBar implements View {
   private readonly play = h("button", {type: "button", class: "main play"});
   private readonly tick = h("button", {type: "button", title: "One tick (.)", "aria-label": "One tick"}, icon("tick"));
@@ -74,12 +74,12 @@ export class RunBar implements View {
     if (folder !== undefined) this.context.notify(`The run up to ${this.time.textContent} is kept. To replay it bit by bit: stepwire verify ${folder}`);
   }
 
-  /** A real-time loop goes at its own pace, and not back. */
+  /** Hides the controls that a real-time loop does not have: its rate is fixed, and it cannot go back. */
   private offer({loop}: Loaded): void {
     for (const element of [this.tick, this.rate, this.scrub.element]) element.hidden = loop !== undefined;
   }
 
-  /** What changes with every picture, ten times a second; what was done, at once. */
+  /** Shows the state. Numbers that change with every picture are updated ten times per second, other changes at once. */
   private show(): void {
     const {state} = this.context.run.news, now = performance.now();
     if (state === "playing" && state === this.shownState && now - this.shownAt < pause) return;

@@ -1,9 +1,9 @@
-/** How long the clock runs on without news of the run [s]. */
+/** Time for which the clock continues without news of the run [s]. */
 const longestGuess = 0.5;
-/** An error beyond this many seconds of the clock is jumped over; a smaller one fades with `fade` [s]. */
+/** Error above which the clock jumps [s of the clock]; smaller errors decay with the time constant `fade` [s]. */
 const jump = 0.3, fade = 0.2;
 
-/** The time of the run between two news of it, so that axes move evenly; all instants are seconds of the page's clock. */
+/** Time of the run, interpolated between its news so that axes move smoothly. All instants are seconds of the page's clock. */
 export class RunClock {
   private time = 0;
   private at = 0;
@@ -11,26 +11,26 @@ export class RunClock {
   private readAt = 0;
   private rate = 0;
 
-  /** Whether it moves. */
+  /** True while the time advances. */
   get moves(): boolean {
     return this.rate > 0;
   }
 
-  /** The run is at `time`, and goes on with `rate` seconds in one of the clock; 0 while it stands. */
+  /** Records news: the run is at `time` and advances by `rate` seconds per second of the clock; 0 while paused. */
   observe(time: number, rate: number, at: number): void {
     this.time = time;
     this.at = at;
     this.rate = rate;
   }
 
-  /** Another run begins at `time`. */
+  /** Starts another run at `time`. */
   restart(time: number, at: number): void {
     this.observe(time, this.rate, at);
     this.shown = time;
     this.readAt = at;
   }
 
-  /** Time of the run at an instant not before the last; it never goes back by less than a jump. */
+  /** Returns the time of the run at an instant, which must not be before the last one. It goes back only by jumps. */
   read(at: number): number {
     const passed = Math.max(0, at - this.readAt);
     this.readAt = at;

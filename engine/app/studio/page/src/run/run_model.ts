@@ -5,7 +5,7 @@ import {RunClock} from "./run_clock";
 import type {Fan, Loaded, RunNews, SetEcho, Verdict} from "./run_types";
 
 export interface RunEvents {
-  /** A diagram was loaded; its run stands at 0. */
+  /** A diagram was loaded; its run is at time 0. */
   loaded: Loaded;
   state: RunNews;
   set: SetEcho;
@@ -13,7 +13,7 @@ export interface RunEvents {
   fan: Fan;
   /** A call of the run failed. */
   fault: Fault;
-  /** The text is another than the one that runs, or no longer. */
+  /** The text now differs from the loaded one, or no longer differs. */
   stale: boolean;
 }
 
@@ -21,23 +21,23 @@ const rest: RunNews = {run: 0, state: "paused", time: 0, tick: 0, rate: 0, wante
 const si = {text: "", scale: 1, offset: 0};
 const seconds = () => performance.now() / 1000;
 
-/** The run of the page: what was loaded, where it stands, and what may be done with it. All views share one. */
+/** Run of the page, shared by all views: the loaded diagram, the state of the run, and its controls. */
 export class RunModel {
   private readonly listeners = new Listeners<RunEvents>();
   private readonly ends: (() => void)[];
   readonly clock = new RunClock();
   readonly latency = new Latency();
-  /** Columns in which a fan is of interest: those of the scopes. */
+  /** Columns that a fan records: those of the scopes. */
   fanColumns: () => number[] = () => [];
-  /** Resolves when the server has the texts as they are seen. */
+  /** Resolves when the server has the present texts. */
   textsSent?: () => Promise<unknown>;
   loaded: Loaded | null = null;
   file: number | null = null;
   news: RunNews = rest;
-  /** What `play` uses; 0 is as fast as it goes. */
+  /** Rate for `play`; 0: as fast as possible. */
   rate = 1;
   stale = false;
-  /** Is whoever sits at the page the hand of a scene, or the file's own? */
+  /** True if the user is the hand of a scene, false for the file's own hand. */
   hasHand = true;
 
   constructor(private readonly connection: Connection) {
@@ -58,7 +58,7 @@ export class RunModel {
     for (const end of this.ends) end();
   }
 
-  /** Time of the run now [s]. */
+  /** Returns the present time of the run [s]. */
   get time(): number {
     return this.clock.read(seconds());
   }
@@ -79,7 +79,7 @@ export class RunModel {
     return loaded;
   }
 
-  /** The text differs from what runs: the next start takes it. */
+  /** Sets whether the text differs from the loaded one; the next start then loads it again. */
   markStale(stale = true): void {
     if (stale === this.stale) return;
     this.stale = stale;
@@ -91,7 +91,7 @@ export class RunModel {
     if ((await this.prepare()) !== "failed") await this.call("run.play", {rate});
   }
 
-  /** Pauses, and keeps the run in a folder; resolves to its name, or to nothing where that failed. */
+  /** Pauses and stores the run in a folder; resolves to its name, or to undefined on failure. */
   async keep(): Promise<string | undefined> {
     try {
       return (await this.connection.call<{folder: string}>("run.keep")).folder;
@@ -113,24 +113,24 @@ export class RunModel {
     if ((await this.prepare()) !== "failed") await this.call("run.tick");
   }
 
-  /** From the start again, with the text as it is now. */
+  /** Restarts from time 0 with the present text. */
   async restart(): Promise<void> {
     if ((await this.prepare()) === "as it was") await this.call("run.restart");
   }
 
-  /** To a time that was [s]; play goes on from there. */
+  /** Returns to an earlier time [s], from which the run can continue. */
   async seek(time: number): Promise<void> {
     await this.call("run.seek", {time: Math.max(0, time)});
   }
 
-  /** Another rate, at once where it plays; 0 is as fast as it goes. */
+  /** Sets the rate, at once if the run is playing; 0: as fast as possible. */
   async setRate(rate: number): Promise<void> {
     this.rate = rate;
     if (this.news.state === "playing") await this.call("run.play", {rate});
     else this.listeners.emit("state", this.news);
   }
 
-  /** Sets a parameter while it runs: a text with its unit, or a number [SI]. Rejects with why it was refused. */
+  /** Sets a parameter during the run: a text with its unit, or a number [SI]. Rejects with the reason of a refusal. */
   async set(name: string, value: string | number): Promise<SetEcho> {
     const acts = this.latency.sent(performance.now());
     const echo = await this.connection.call<SetEcho>("run.set", {name, value});
@@ -139,7 +139,7 @@ export class RunModel {
     return echo;
   }
 
-  /** Runs the diagram at `count` values between `low` and `high` [SI] in the background. */
+  /** Runs the diagram with `count` values between `low` and `high` [SI] in the background. */
   async fan(name: string, low: number, high: number, count: number): Promise<Fan> {
     const columns = this.fanColumns(), unit = this.loaded?.parameters.find((one) => one.name === name)?.shown ?? si;
     const {points} = await this.connection.call<Pick<Fan, "points">>("fan", {name, low, high, count, columns});
@@ -152,7 +152,7 @@ export class RunModel {
     this.listeners.emit("fan", {name: "", unit: si, columns: [], points: []});
   }
 
-  /** Loads the text again where it is another than the one that runs. */
+  /** Loads the text again if it differs from the loaded one. */
   private async prepare(): Promise<"as it was" | "loaded" | "failed"> {
     if (!this.stale || this.file === null) return "as it was";
     try {

@@ -1,8 +1,8 @@
-// What the server says of a run (protocol 1). Values are SI; times in s of the run.
+// Messages of the server about a run (protocol 1). Values are SI; times in s of the run.
 
 import type {DisplayUnit} from "../scopes/display_unit";
 
-/** A scalar signal; `unit` is the text of its SI unit. */
+/** Scalar signal; `unit` is the text of its SI unit. */
 export interface Column {
   column: number;
   name: string;
@@ -10,13 +10,13 @@ export interface Column {
   recorded: boolean;
 }
 
-/** A parameter of the file or of a part, or a number that a block was given; `low` and `high` [SI] where the file bounds it. */
+/** Parameter of the file or of a part, or number of a block; `low` and `high` are its bounds in the file [SI]. */
 export interface Parameter {
   name: string;
   text: string;
   value: number;
   unit: string;
-  /** In which its file writes it: SI * scale + offset. */
+  /** Unit in which the file writes the value: SI * scale + offset. */
   shown: DisplayUnit;
   low: number | null;
   high: number | null;
@@ -24,14 +24,14 @@ export interface Parameter {
   block: boolean;
 }
 
-/** A signal in the unit in which it is shown: SI times `scale` plus `offset` (of degC; 0 where it is left out). */
+/** Signal in its display unit: SI * `scale` + `offset` (for degC; default 0). */
 export interface TraceSpec {
   column: number;
   label: string;
   unit: string;
   scale: number;
   offset?: number;
-  /** The expression with its unit, as scope.signal takes it. */
+  /** Expression with its unit, as the argument of scope.signal. */
   source?: string;
 }
 
@@ -59,13 +59,13 @@ export interface Loaded {
   scene: boolean;
   figures: number;
   claims: {that: string}[];
-  /** Of a run that is a real-time loop; times in s. */
+  /** Present for a real-time loop; times in s. */
   loop?: {rate: number; period: number; policy: string; overrun: string};
 }
 
 export type RunState = "playing" | "paused" | "ended";
 
-/** `rate` is seconds of the run in one of the clock, measured; `wanted` what was set, 0 for as fast as it goes. */
+/** State of a run. `rate` is the measured number of simulated seconds per second of the clock; `wanted` the requested one, 0: as fast as possible. */
 export interface RunNews {
   run: number;
   state: RunState;
@@ -78,10 +78,10 @@ export interface RunNews {
   fault: string | null;
 }
 
-/** A value that was taken over, from which tick on. */
+/** Value that the run has accepted, with its first tick. */
 export interface SetEcho {
   name: string;
-  /** SI; null of what is no number. */
+  /** SI; null if it is no number. */
   value: number | null;
   text: string;
   tick: number;
@@ -93,10 +93,10 @@ export interface Verdict {
   text: string;
 }
 
-/** Results of a sweep over a parameter; columns in the order of `columns`, SI. */
+/** Result of a sweep over a parameter; columns in the order of `columns`, SI. */
 export interface Fan {
   name: string;
-  /** In which the file writes the parameter. */
+  /** Unit in which the file writes the parameter. */
   unit: DisplayUnit;
   columns: number[];
   points: {value: number; time: number[]; columns: number[][]}[];

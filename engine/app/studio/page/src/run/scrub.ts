@@ -2,10 +2,10 @@ import {h, listen} from "../shell/dom";
 import type {RunModel} from "./run_model";
 
 const parts = 1000;
-/** A key press moves by this share. */
+/** Share of the slider by which a key press moves. */
 const keyShare = 0.01;
 
-/** The time of the run as a slider: dragged back, the run returns to a snapshot and goes on from there. */
+/** Slider of the time of the run. Dragging it back returns the run to a checkpoint, from which it can continue. */
 export class Scrub {
   readonly element = h("input", {type: "range", class: "scrub", min: 0, max: parts, step: 1, value: 0, "aria-label": "Time of the run", title: "Drag to go back; play goes on from there"});
   private isHeld = false;
@@ -17,7 +17,7 @@ export class Scrub {
     listen(this.element, "change", () => { this.isHeld = false; });
   }
 
-  /** The run went on. */
+  /** Shows the present time of the run. */
   show(): void {
     if (this.isHeld || this.isBusy) return;
     const {time} = this.run.news, value = String(Math.round((time / this.end) * parts));
@@ -25,12 +25,12 @@ export class Scrub {
     this.element.setAttribute("aria-valuetext", `${time.toFixed(3)} s`);
   }
 
-  /** By a share of what was reached, from a key. */
+  /** Moves by a share of the slider, for a key press. */
   step(sign: 1 | -1): void {
     void this.seek(Math.min(this.reached, Math.max(0, this.run.news.time + sign * keyShare * this.end)));
   }
 
-  /** The length of the slider [s]: the run's own, or what was reached of one without an end. */
+  /** Length of the slider [s]: the stop time of the run, or the furthest time reached if it has none. */
   private get end(): number {
     return this.run.loaded?.stop ?? Math.max(this.reached, 1);
   }
@@ -39,7 +39,7 @@ export class Scrub {
   }
   private furthest = 0;
 
-  /** Another diagram. */
+  /** Resets the slider for another diagram. */
   reset(): void {
     this.furthest = 0;
     this.show();
@@ -50,7 +50,7 @@ export class Scrub {
     void this.seek((Number(this.element.value) / parts) * this.end);
   }
 
-  /** One call at a time; of those that come meanwhile the last. */
+  /** Seeks with one call at a time; only the last pending one follows. */
   private async seek(time: number): Promise<void> {
     this.furthest = this.reached;
     this.due = time;

@@ -4,7 +4,7 @@ import type {Loaded, Verdict} from "./run_types";
 const marks: Record<Verdict["verdict"], string> = {ok: "✓", FAIL: "✗", known: "≠", open: "·"};
 const words: Record<Verdict["verdict"], string> = {ok: "holds", FAIL: "fails", known: "is known not to hold", open: "is not judged yet"};
 
-/** How the claims of the file stand: a button with the counts, and the list below it. */
+/** Verdicts of the file's claims: a button with their counts, above the list. */
 export class Verdicts {
   private readonly counts = h("summary", {class: "verdict-counts"});
   private readonly list = h("ul", {class: "verdict-list"});
@@ -24,7 +24,7 @@ export class Verdicts {
     this.show(claims.map(({that}) => ({that, verdict: "open", text: ""})));
   }
 
-  /** The end of a run. */
+  /** Shows the verdicts at the end of a run. */
   judge(verdicts: Verdict[]): void {
     this.element.hidden = verdicts.length === 0;
     this.show(verdicts);

@@ -4,7 +4,7 @@ import {h, svg} from "../shell/dom";
 const length = 26, half = 42; // px
 const ends = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
 
-/** Which way the axes of a mechanism point, in a corner of its view. */
+/** Directions of the axes of a mechanism, in a corner of its view. */
 export class AxisTriad {
   private readonly lines: SVGLineElement[];
   private readonly names: SVGTextElement[];

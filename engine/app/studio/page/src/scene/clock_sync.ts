@@ -1,11 +1,11 @@
 import type {Connection} from "../connection/connection";
 
-/** Calls at once; ms between later ones, and between those of a page that holds an input. */
+/** Number of immediate calls; pause between later ones, and between those of a page that holds an input [ms]. */
 const first = 5, pause = 5000, held = 100;
 
 /**
- * Tells the server the page's clock again and again, so that samples act at their own time although clocks differ and drift; and, while
- * `holds` says so, often enough that a real-time loop knows that the page is there and keeps what it holds.
+ * Synchronisation of the page's clock with the server, so that samples act at their own time although clocks differ and drift. While
+ * `holds` is true, the calls are frequent enough that a real-time loop does not release the inputs of the page.
  */
 export class ClockSync {
   private timer: number | undefined;

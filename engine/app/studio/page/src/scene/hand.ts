@@ -1,5 +1,5 @@
-// The virtual hand: where a person wants to be, from whatever device, as samples of the run's inputs. Instants are seconds of
-// the page's clock.
+// Virtual hand: the position that the user demands, from any device, as samples of the run's inputs. Instants are seconds of the page's
+// clock.
 
 import type {Place, PointerInfo} from "./scene_info";
 
@@ -15,7 +15,7 @@ export interface Bounds {
 }
 
 const within = (value: number, [low, high]: readonly [number, number]) => Math.min(Math.max(value, Math.min(low, high)), Math.max(low, high));
-/** Samples that were not sent yet; more are dropped, the oldest first. */
+/** Limit of unsent samples; beyond it the oldest are dropped. */
 const mostWaiting = 2000;
 
 export class Hand {
@@ -30,7 +30,7 @@ export class Hand {
     return this.isHeld;
   }
 
-  /** Takes hold at a place. */
+  /** Grips at a position. */
   take(time: number, at: Place): void {
     this.place(time, at);
     if (this.isHeld) return;
@@ -38,7 +38,7 @@ export class Hand {
     this.add(time, this.pointer.held, [1]);
   }
 
-  /** Moves while it holds; before it has no effect on the run and is not sent. */
+  /** Moves a gripping hand; otherwise the position has no effect on the run and is not sent. */
   move(time: number, at: Place): void {
     if (this.isHeld) this.place(time, at);
   }
@@ -49,7 +49,7 @@ export class Hand {
     this.add(time, this.pointer.held, [0]);
   }
 
-  /** What has come since the last call, in the order of time. */
+  /** Returns the samples since the last call, in the order of time. */
   collect(): Sample[] {
     const samples = this.waiting;
     this.waiting = [];
@@ -61,7 +61,7 @@ export class Hand {
     this.add(time, this.pointer.name, [...this.at]);
   }
 
-  /** Time does not go back, whatever clock a device has. */
+  /** Adds a sample. Times never decrease, whatever clock a device has. */
   private add(time: number, name: string, values: number[]): void {
     this.lastTime = Math.max(time, this.lastTime);
     this.waiting.push({time: this.lastTime, name, values});

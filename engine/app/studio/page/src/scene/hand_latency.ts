@@ -3,10 +3,10 @@ import type {SceneNews} from "./scene_info";
 
 const kept = 31, mostSent = 2000;
 
-/** How long it takes from a sample of the pointer to the first picture in which it acts; instants in s of the page's clock. */
+/** Latency from a sample of the pointer to the first picture with its effect. Instants in s of the page's clock. */
 export class HandLatency {
   private readonly durations: number[] = [];
-  /** Instants of samples that were sent and not seen yet: a picture may show those of another page. */
+  /** Instants of samples that were sent but not displayed yet. A picture may contain samples of another page. */
   private readonly waiting = new Set<number>();
 
   sent(samples: readonly Sample[]): void {
@@ -14,7 +14,7 @@ export class HandLatency {
     for (const time of this.waiting) if (this.waiting.size > mostSent) this.waiting.delete(time);
   }
 
-  /** A picture is on its way to the screen. Returns how long its newest sample took [s]; undefined where it has none that is new. */
+  /** Records a picture. Returns the latency of its newest sample [s]; undefined if it has no new one. */
   drawn({input}: SceneNews, at: number): number | undefined {
     if (input === undefined || input === null || !this.waiting.has(input)) return undefined;
     for (const time of this.waiting) if (time <= input) this.waiting.delete(time);
@@ -23,7 +23,7 @@ export class HandLatency {
     return at - input;
   }
 
-  /** Median of the last samples [s]; undefined before the first. */
+  /** Returns the median of the last samples [s]; undefined before the first. */
   get median(): number | undefined {
     return [...this.durations].sort((a, b) => a - b)[this.durations.length >> 1];
   }

@@ -1,24 +1,24 @@
-// Where names stand beside what they name, without one on another.
+// Placement of labels beside their points, without overlaps.
 
-/** A name: its middle, and half its width [px]. */
+/** Label: its centre, and half its width [px]. */
 export interface Box {
   x: number;
   y: number;
   half: number;
 }
 
-/** What is kept of a name from one picture to the next. */
+/** State of a label between two pictures. */
 export interface Place {
   width: number; // px
-  /** Which of the places it has. */
+  /** Index of its last place. */
   last: number;
 }
 
 const tall = 16, gap = 6; // px
-/** Places in the order in which they are tried: to the side (-1, 0, 1), and how far up or down [px]. */
+/** Candidate places in order: side (-1, 0, 1), and vertical distance [px]. */
 const places: readonly [side: number, down: number][] = [[0, -18], [0, 18], [0, -36], [0, 36], [1, -18], [-1, -18], [1, 18], [-1, 18], [1, 0], [-1, 0], [1, -36], [-1, -36], [1, 36], [-1, 36], [0, -54], [0, 54], [0, -72], [0, 72]];
 
-/** The place of a name at a point: the one that it had, if it is free, else the first free one; none where all are taken. */
+/** Returns the place of a label at a point: its last one if that is free, else the first free one; undefined if all are taken. */
 export function placeLabel(label: Place, x: number, y: number, taken: readonly Box[], width: number, height: number): Box | undefined {
   const half = 0.5 * label.width;
   for (const index of [label.last, ...places.keys()]) {

@@ -4,7 +4,7 @@ import {expressionsOf, type Mechanism} from "./mechanism_model";
 const view = 10_001; // numbers of the scopes are smaller
 const window = {follow: 0.05, pixels: 2}; // the newest instant is enough
 
-/** The newest values of all expressions of a mechanism, while the run goes. */
+/** Newest values of all expressions of a mechanism during the run. */
 export class MechanismFeed {
   private readonly columns = new Map<string, number>();
   private readonly end: () => void;
@@ -15,7 +15,7 @@ export class MechanismFeed {
     this.end = connection.frames(view, (frame) => this.receive(frame));
   }
 
-  /** Finds the columns of its expressions. Rejects with the fault of the first that has none. */
+  /** Resolves the expressions to columns. Rejects with the fault of the first unknown one. */
   async follow(mechanism: Mechanism): Promise<void> {
     this.columns.clear();
     const found = await Promise.all(expressionsOf(mechanism).map(async (expression) => {

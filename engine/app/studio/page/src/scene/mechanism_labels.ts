@@ -9,10 +9,10 @@ interface Label extends Place {
   at: Vector3;
 }
 
-/** A name that stands farther from what it names has a line to it [px]. */
+/** Distance from its point above which a label has a leader line [px]. */
 const near = 22;
 
-/** Names over a 3-D view, none on another and none cut off; one that finds no room is left out. What follows "_" stands lower. */
+/** Labels over a 3-D view, without overlaps or clipping; a label without space is omitted. Text after "_" is a subscript. */
 export class MechanismLabels {
   private readonly leaders = svg("path", {fill: "none"});
   private readonly lines = svg("svg", {class: "mechanism-leaders", width: "100%", height: "100%"}, this.leaders);
@@ -24,7 +24,7 @@ export class MechanismLabels {
     this.element.replaceChildren(this.lines);
   }
 
-  /** Adds a name; what comes back moves it. */
+  /** Adds a label; the returned vector is its position. */
   add(name: string): Vector3 {
     const pieces = piecesOf(name).map(({text, low}: {text: string; low: boolean}) => (low ? h("sub", {}, text) : text));
     const label = {element: h("span", {}, ...pieces), at: new Vector3(), width: 0, last: 0};

@@ -1,4 +1,4 @@
-// A mechanism as the server describes it: each coordinate is a number [m] or the text of an expression over signals of the run.
+// Mechanism as described by the server: each coordinate is a number [m] or the text of an expression over signals of the run.
 
 import {numberText} from "../figures/axis";
 
@@ -22,17 +22,17 @@ export interface Mechanism {
   elements: MechanismElement[];
 }
 
-/** Elements with the places of their points at one instant. */
+/** Element with the positions of its points at one instant. */
 export interface Placed {
   element: MechanismElement;
   points: Point[];
 }
 
-/** All expressions of a mechanism, each once. */
+/** Returns all different expressions of a mechanism. */
 export const expressionsOf = ({elements}: Mechanism): string[] =>
   [...new Set(elements.flatMap(({points}) => points.flat()).filter((one): one is string => typeof one === "string"))];
 
-/** The places at one instant; nan where a value is not known. */
+/** Returns the positions at one instant; NaN for unknown values. */
 export function placed({elements}: Mechanism, values: ReadonlyMap<string, number>): Placed[] {
   const number = (one: Coordinate | undefined) => (one === undefined ? 0 : typeof one === "number" ? one : (values.get(one) ?? Number.NaN));
   return elements.map((element) => ({element, points: element.points.map((point): Point => [number(point[0]), number(point[1]), number(point[2])])}));
@@ -41,12 +41,12 @@ export function placed({elements}: Mechanism, values: ReadonlyMap<string, number
 export const isKnown = ({points}: Placed) => points.every((point) => point.every(Number.isFinite));
 
 const links = new Set(["damper", "motor", "spring", "rod", "dashpot", "bouc_wen", "potentiometer", "lvdt", "load_cell"]);
-/** Does it reach from one of its two points to the other? */
+/** True for an element that connects its two points. */
 export const isLink = ({kind, points}: MechanismElement) => links.has(kind) && points.length === 2;
 
 export const distance = ([ax, ay, az]: Point, [bx, by, bz]: Point) => Math.hypot(bx - ax, by - ay, bz - az);
 
-/** The middle of all points, and how far the farthest lies from it [m]. */
+/** Returns the centre of all points, and the largest distance from it [m]. */
 export function extentOf(all: readonly Placed[]): {middle: Point; radius: number} {
   const points = all.filter(isKnown).flatMap(({points}) => points);
   if (points.length === 0) return {middle: [0, 0, 0], radius: 0.1};
@@ -62,7 +62,7 @@ export interface Fact {
   value: string;
 }
 
-/** Lengths of links, and places of what moves, in words. */
+/** Returns the lengths of links and the positions of moving points, in words. */
 export function factsOf(mechanism: Mechanism, all: readonly Placed[]): Fact[] {
   const axes = mechanism.axes ?? ["x", "y", "z"];
   return all.filter(isKnown).flatMap(({element, points}): Fact[] => {

@@ -1,4 +1,4 @@
-// The elements of a mechanism as bodies in space, to scale along their lengths; thicknesses are those of symbols.
+// Bodies for the elements of a mechanism, with lengths to scale and symbolic thickness.
 
 import {
   BoxGeometry, BufferGeometry, CatmullRomCurve3, ConeGeometry, CylinderGeometry, DoubleSide, EdgesGeometry, Group, Line, LineBasicMaterial, LineSegments, Mesh,
@@ -16,7 +16,7 @@ export interface Colors {
   line: string;
 }
 
-/** A body, and how it goes to the points of another instant. */
+/** Body that follows its points. */
 export interface Part {
   object: Object3D;
   move(points: readonly Point[]): void;
@@ -35,7 +35,7 @@ const metal = (color: string, metalness = 0.35) => new MeshStandardMaterial({col
 const cylinder = (radius: number, color: string, sides = 24) => new Mesh(new CylinderGeometry(radius, radius, 1, sides), metal(color));
 const ball = (radius: number, color: string) => new Mesh(new SphereGeometry(radius, 24, 16), metal(color));
 
-/** Puts a body of length 1 along y between two points. */
+/** Places a body of length 1 along y between two points. */
 function span(body: Object3D, from: Vector3, to: Vector3): void {
   const way = to.clone().sub(from), length = way.length();
   body.visible = length > 1e-9;
@@ -44,7 +44,7 @@ function span(body: Object3D, from: Vector3, to: Vector3): void {
   body.scale.set(1, Math.max(length, 1e-9), 1);
 }
 
-/** A housing of fixed length that its rod leaves and enters. */
+/** Creates a housing of fixed length with a sliding rod. */
 function telescope(element: MechanismElement, points: readonly Point[], {colors, thick}: Making, housingColor: string): Part {
   const first = vector(points[0]).distanceTo(vector(points[1])), housing = cylinder(thick, housingColor), rod = cylinder(0.35 * thick, colors.steel);
   const cap = cylinder(1.15 * thick, colors.dark), ends = [ball(0.55 * thick, colors.dark), ball(0.55 * thick, colors.dark)];
@@ -60,7 +60,7 @@ function telescope(element: MechanismElement, points: readonly Point[], {colors,
   }};
 }
 
-/** A body that is as long as the way between its points. */
+/** Creates a body that stretches between its points. */
 const stretched = (body: Object3D): Part => ({object: new Group().add(body), move: ([a, b]) => span(body, vector(a), vector(b))});
 
 function spring({colors, thick}: Making): Part {
@@ -71,13 +71,13 @@ function spring({colors, thick}: Making): Part {
   return stretched(new Mesh(new TubeGeometry(new CatmullRomCurve3(points), 360, 0.18 * thick, 8), metal(colors.steel)));
 }
 
-/** A body at each point. */
+/** Creates a body at each point. */
 function atEach(count: number, make: () => Object3D): Part {
   const bodies = Array.from({length: count}, make);
   return {object: new Group().add(...bodies), move: (points) => points.forEach((point, i) => bodies[i]?.position.copy(vector(point)))};
 }
 
-/** A joint at the ground: a block, and a ball on it. */
+/** Creates a ground joint: a block with a ball on it. */
 function ground({colors, thick, up}: Making): Object3D {
   const block = new Mesh(new BoxGeometry(3.2 * thick, 1.1 * thick, 3.2 * thick), metal(colors.ground, 0.1));
   block.quaternion.setFromUnitVectors(along, up);
@@ -86,7 +86,7 @@ function ground({colors, thick, up}: Making): Object3D {
 
 const directionOf = ({direction = [1, 0, 0]}: MechanismElement) => new Vector3(direction[0] ?? 0, direction[1] ?? 0, direction[2] ?? 0).normalize();
 
-/** An arrow of fixed length that leaves its point; a motion has one to either side. */
+/** Creates an arrow of fixed length from a point; a motion has one in either direction. */
 function arrow(element: MechanismElement, {colors, thick}: Making): Part {
   const length = 6 * thick, both = element.kind === "motion", color = both ? colors.accent : colors.acting, object = new Group();
   for (const sign of both ? [1, -1] : [1]) {
@@ -99,7 +99,7 @@ function arrow(element: MechanismElement, {colors, thick}: Making): Part {
   return {object, move: ([point]) => object.position.copy(vector(point))};
 }
 
-/** A flat plate of given corners that bulges nowhere inwards. */
+/** Creates a flat convex plate with given corners. */
 function plate(points: readonly Point[]): BufferGeometry {
   const geometry = new BufferGeometry().setFromPoints(points.map(vector));
   geometry.setIndex(points.slice(2).flatMap((_, i) => [0, i + 1, i + 2]));
@@ -107,7 +107,7 @@ function plate(points: readonly Point[]): BufferGeometry {
   return geometry;
 }
 
-/** A box between opposite corners, or a plate of given corners; a workspace is seen through. */
+/** Creates a box between opposite corners, or a plate with given corners; a workspace is transparent. */
 function region({kind}: MechanismElement, points: readonly Point[], {colors, thick}: Making): Part {
   const isOpen = kind === "workspace", material = new MeshStandardMaterial(
     {color: isOpen ? colors.accent : colors.ground, transparent: true, opacity: isOpen ? 0.08 : 0.55, side: DoubleSide, depthWrite: !isOpen});
@@ -124,7 +124,7 @@ function polyline({colors}: Making): Part {
 
 const mostOfTrail = 2000;
 
-/** The way of a point so far. */
+/** Creates the trail of a point. */
 function trail({colors}: Making): Part {
   const object = new Line(new BufferGeometry(), new LineBasicMaterial({color: colors.accent})), points: Vector3[] = [];
   return {object, move: ([point]) => {
@@ -137,7 +137,7 @@ function trail({colors}: Making): Part {
   }};
 }
 
-/** The body of an element; `points` are its places at the first instant. */
+/** Creates the body of an element; `points` are its initial positions. */
 export function partOf(element: MechanismElement, points: readonly Point[], making: Making): Part {
   const {colors, thick} = making, count = points.length;
   switch (element.kind) {

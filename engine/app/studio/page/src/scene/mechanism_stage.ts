@@ -1,4 +1,4 @@
-// The 3-D view itself; with it comes three, so this module is loaded only when it is looked at.
+// 3-D view. The module depends on three and is thus loaded only when the view is shown.
 
 import {Box3, DirectionalLight, Group, HemisphereLight, PerspectiveCamera, Scene, Spherical, Vector3, WebGLRenderer} from "three";
 import {OrbitControls} from "three/examples/jsm/controls/OrbitControls.js";
@@ -13,11 +13,11 @@ const opening = 40; // degrees
 
 interface Named {
   part: Part;
-  /** Where its name stands. */
+  /** Position of its label. */
   label: Vector3 | undefined;
 }
 
-/** The middle of points; of a force its tip, so that its name keeps off what it acts on. */
+/** Returns the label position: the centre of the points, or the tip of a force, away from its point of action. */
 function nameAt({element, points}: Placed, thick: number): Vector3 {
   const middle = new Vector3();
   for (const point of points) middle.addScaledVector(new Vector3(...point), 1 / points.length);
@@ -26,7 +26,7 @@ function nameAt({element, points}: Placed, thick: number): Vector3 {
   return middle.addScaledVector(new Vector3(x, y, z).normalize(), 8 * thick);
 }
 
-/** A mechanism in space. Drag, or arrows and + and -, turn it and bring it nearer; it is drawn anew only when something has changed. */
+/** Mechanism in space. Dragging, or arrows and + and -, rotate and zoom it; it is redrawn only after a change. */
 export class MechanismStage {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
@@ -39,12 +39,12 @@ export class MechanismStage {
   private named: Named[] = [];
   private thick = 0; // of housings [m]
   private box = new Box3(); // of all bodies at first [m]
-  /** Is it seen as at first? Then a view of another size shows it as large as it fits. */
+  /** True for the initial view, which is fitted again after a change of its size. */
   private isHome = true;
   private last: Placed[] = [];
   private frame: number | undefined;
 
-  /** Throws where the browser has no WebGL. */
+  /** Throws if the browser has no WebGL. */
   constructor(private readonly host: HTMLElement, private mechanism: Mechanism, private colors: Colors) {
     this.renderer = new WebGLRenderer({antialias: true, alpha: true});
     const {domElement} = this.renderer;
@@ -79,7 +79,7 @@ export class MechanismStage {
     this.axes.element.remove();
   }
 
-  /** Shows the mechanism at another instant; the first one makes its bodies. */
+  /** Shows the mechanism at another instant; the first call creates its bodies. */
   show(all: readonly Placed[]): void {
     const known = all.filter(isKnown);
     if (this.named.length !== all.length) {
@@ -95,7 +95,7 @@ export class MechanismStage {
     this.later();
   }
 
-  /** The same in other colours. */
+  /** Changes the colours. */
   recolor(colors: Colors): void {
     this.colors = colors;
     if (this.last.length === 0) return;
@@ -138,7 +138,7 @@ export class MechanismStage {
     this.goHome();
   }
 
-  /** From where it is seen first: a plane one nearly from the front. */
+  /** Sets the initial view; a plane mechanism is seen nearly from the front. */
   private goHome(): void {
     const eye = this.mechanism.dimensions === 2 ? new Vector3(0.15, 0.12, 1) : this.up.z === 1 ? new Vector3(1, 0.8, 0.5) : new Vector3(0.9, 0.5, 1);
     this.isHome = true;

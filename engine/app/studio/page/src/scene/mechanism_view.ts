@@ -7,7 +7,7 @@ import type {Colors} from "./mechanism_parts";
 import type {MechanismStage} from "./mechanism_stage";
 import "./mechanism.css";
 
-/** A mechanism of the file in space, moved by the signals of the run; its lengths stand beside it in words. */
+/** Mechanism of the file in space, moved by the signals of the run, with a list of its lengths. */
 export class MechanismView implements View {
   private readonly stageHost = h("div", {class: "mechanism-stage"});
   private readonly choice = h("select", {"aria-label": "Mechanism", hidden: true});
@@ -57,7 +57,7 @@ export class MechanismView implements View {
       if (mechanisms.length === 0) return this.showNone("This diagram has no mechanism. A figure with “plot: rig” draws one; figure 21 of the thesis has three dampers in space.");
       this.choice.replaceChildren(...mechanisms.map(({title}, i) => h("option", {value: i}, title || `mechanism ${i + 1}`)));
       this.choice.hidden = mechanisms.length < 2;
-      // What has three dimensions is why somebody looks here.
+      // The first three-dimensional mechanism is the default.
       await this.choose(Math.max(0, mechanisms.findIndex(({dimensions}) => dimensions === 3)));
     } catch (thrown) {
       if (number === this.opened) this.showNone(`The mechanism cannot be shown: ${(thrown as Fault).message}`);

@@ -4,15 +4,15 @@ import type {Place} from "./scene_info";
 
 const seconds = (milliseconds: number) => milliseconds / 1000;
 
-/** What a mouse, a pen or the first finger does over the scene: it holds while a button is down, or until the next click where it may stay. */
+/** Input of a mouse, a pen or the first finger over the scene: it grips while a button is down, or if `stays` until the next click. */
 export class PointerSource {
   private pointer: number | undefined;
   private readonly ends: (() => void)[];
-  /** Does the hand follow without a button, until it is let go? */
+  /** True if the hand grips without a button until a click releases it. */
   stays = false;
 
   constructor(private readonly canvas: HTMLElement, private readonly hand: () => Hand | undefined, private readonly placeOf: (x: number, y: number) => Place, private readonly flush: () => void) {
-    // Before a picture the browser gathers moves; raw updates come as the device gives them.
+    // Browsers merge moves between pictures; raw updates arrive at the rate of the device.
     const raw = "onpointerrawupdate" in window ? "pointerrawupdate" : "pointermove";
     this.ends = [
       listen(canvas, "pointerdown", (event: PointerEvent) => this.press(event)), listen(canvas, raw, (event: PointerEvent) => this.move(event)),

@@ -7,7 +7,7 @@ import type {Place, SceneInfo} from "./scene_info";
 
 const ring = {radius: 9, color: "#ffffff", edge: "#000000"}; // of the hand [px]
 
-/** The picture of a scene: as large as its host allows, a metre as long upward as to the right, sharp on every screen. */
+/** Canvas of a scene: as large as its host allows, with equal scales, and in the resolution of the screen. */
 export class SceneCanvas {
   readonly element = h("canvas", {class: "scene-canvas", tabindex: 0, role: "application", "data-focus": true, "data-own-keys": "Left Right Up Down"});
   private width = 0; // px of the page
@@ -21,7 +21,7 @@ export class SceneCanvas {
     this.fit();
   }
 
-  /** Fits the canvas into its host. Returns whether its size has changed. */
+  /** Fits the canvas into its host. Returns true if its size has changed. */
   fit(): boolean {
     const room = {width: this.host.clientWidth, height: this.host.clientHeight}, ratio = sceneHeight(this.info, 1);
     const width = Math.max(1, Math.floor(Math.min(room.width, room.height / ratio))), density = window.devicePixelRatio || 1;
@@ -33,13 +33,13 @@ export class SceneCanvas {
     return true;
   }
 
-  /** The place in the scene of a point of the page [m]. */
+  /** Converts a point of the page to a position in the scene [m]. */
   placeOf(x: number, y: number): Place {
     const {left, top, width, height} = this.element.getBoundingClientRect();
     return [this.info.x[0] + ((x - left) / width) * (this.info.x[1] - this.info.x[0]), this.info.y[1] - ((y - top) / height) * (this.info.y[1] - this.info.y[0])];
   }
 
-  /** `hand` is where somebody pulls, and what they pull. */
+  /** Draws the scene; `hand` is the position of the hand and that of the gripped object. */
   draw(shapes: readonly Shape[], hand: {at: Place; pulled: Place} | undefined): void {
     const pen = this.element.getContext("2d"), place = {left: 0, top: 0, scale: this.width / (this.info.x[1] - this.info.x[0])};
     if (!pen || this.width < 2) return;
@@ -48,7 +48,7 @@ export class SceneCanvas {
     paint(pen, [groundPiece(this.info, place), ...shapes.flatMap((shape) => shapePieces(shape, this.info, place)), ...this.handPieces(hand, place.scale)]);
   }
 
-  /** A ring where the hand is, and a band to what it pulls, seen on any ground: where something resists the band is long. */
+  /** Returns a ring at the hand and a band to the gripped object, visible on any background. A long band shows resistance. */
   private handPieces(hand: {at: Place; pulled: Place} | undefined, scale: number): Piece[] {
     if (!hand) return [];
     const [at, end] = [hand.at, hand.pulled].map(([x, y]) => [scale * (x - this.info.x[0]), scale * (this.info.y[1] - y)]), far = Math.hypot(at[0] - end[0], at[1] - end[1]);

@@ -1,4 +1,4 @@
-// A scene as the server gives it, and what is shown of it at one instant.
+// Scene from the server, and its shapes at one instant.
 
 import {numberText} from "../figures/axis";
 import type {Shape} from "../figures/spec";
@@ -12,12 +12,12 @@ export interface SceneObject {
   walls?: {points: Place[]; closed: boolean}[];
 }
 
-/** What a pointer at the page feeds: names of inputs for its place and for whether it holds. */
+/** Pointer of the scene: names of the inputs for its position and its grip. */
 export interface PointerInfo {
   name: string;
   held: string;
   text: string;
-  /** Does the page's hand move it now, or the file's own? */
+  /** True if the page's hand moves it, false for the file's own hand. */
   hand?: boolean;
 }
 
@@ -30,7 +30,7 @@ export interface SceneInfo {
   pointer?: PointerInfo | null;
 }
 
-/** A shape at one instant; `object` and `wall` count the scene's objects and their walls. */
+/** Shape at one instant; `object` and `wall` are indices of the scene's objects and their walls. */
 export interface ShapeNews {
   object: number;
   wall?: number;
@@ -45,11 +45,11 @@ export interface ShapeNews {
 export interface SceneNews {
   time: number;
   shapes: ShapeNews[];
-  /** Page's clock of the newest sample of the pointer that acts in it [s]. */
+  /** Instant of the newest pointer sample that acts in it, by the page's clock [s]. */
   input?: number | null;
 }
 
-/** What is drawn: the news with the names, kinds, texts and walls that stand in the scene. */
+/** Returns the shapes to draw: the news with the names, kinds, texts and walls of the scene. */
 export function shapesOf(info: SceneInfo, news: SceneNews): Shape[] {
   return news.shapes.flatMap((shape): Shape[] => {
     const object = info.objects[shape.object];
@@ -64,7 +64,7 @@ export function shapesOf(info: SceneInfo, news: SceneNews): Shape[] {
 
 const millimetres = ([x, y]: Place) => `${numberText(Math.round(1e4 * x) / 10)} mm, ${numberText(Math.round(1e4 * y) / 10)} mm`;
 
-/** The instant in words. */
+/** Describes the instant in words. */
 export function describeScene(info: SceneInfo, news: SceneNews): string {
   const parts = news.shapes.filter(({shown}) => shown).flatMap((shape): string[] => {
     const object = info.objects[shape.object];
@@ -77,7 +77,7 @@ export function describeScene(info: SceneInfo, news: SceneNews): string {
   return [`at ${news.time.toFixed(2)} s`, ...parts].join("; ");
 }
 
-/** Where a hand begins that has no place of its own: at what is moved, else in the middle. */
+/** Returns the start position of a hand without one: that of a moved object, else the centre. */
 export function startOf(info: SceneInfo, news: SceneNews | undefined): Place {
   const isMoved = ({object, shown}: ShapeNews) => shown && ["ball", "point"].includes(info.objects[object]?.kind ?? "");
   const shape = news?.shapes.findLast((one) => isMoved(one) && info.objects[one.object]!.kind === "ball") ?? news?.shapes.find(isMoved);

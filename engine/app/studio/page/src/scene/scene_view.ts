@@ -10,7 +10,7 @@ import {describeScene, type SceneInfo, type SceneNews, shapesOf, startOf} from "
 import {Steering} from "./steering";
 import "./scene.css";
 
-/** What every scene with a hand says, whatever its diagram adds. */
+/** Returns the text below a scene: the general hint, and the text of the diagram. */
 function wordsOf({pointer}: SceneInfo): string {
   if (pointer?.hand === false) return "The file's own hand moves: the scene shows only.";
   if (!pointer) return "The hand of this diagram is its own: the scene shows only.";
@@ -18,7 +18,7 @@ function wordsOf({pointer}: SceneInfo): string {
   return ["Press and move over the scene, or use arrow keys or a gamepad.", text, seen].filter(Boolean).join(" ");
 }
 
-/** The scene of the file while it runs; whoever moves a pointer, arrow keys or a gamepad over it is the hand. */
+/** Scene of the file during the run. Pointer, arrow keys or gamepad over it control the hand. */
 export class SceneView implements View {
   private readonly stage = h("div", {class: "scene-stage"});
   private readonly words = h("p", {class: "scene-words"});
@@ -135,7 +135,7 @@ export class SceneView implements View {
     this.pointer = pointer;
   }
 
-  /** Another hand: the run begins anew, and goes on if it went. */
+  /** Switches between the page's hand and the file's own. The run restarts, and continues playing if it was. */
   private async change(): Promise<void> {
     const {run} = this.context, isPlaying = run.news.state === "playing";
     if (run.file === null) return;
@@ -168,12 +168,12 @@ export class SceneView implements View {
     this.flush();
   }
 
-  /** Sends what the hand did, at once: events come in bundles as it is. */
+  /** Sends the samples of the hand at once, since events arrive in groups anyway. */
   private flush(): void {
     const samples = this.hand?.collect() ?? [];
     if (samples.length === 0) return;
     this.context.connection.tell("run.input", {samples});
-    // Who takes hold wants it to go.
+    // Gripping starts a paused run.
     if (this.hand?.held && this.context.run.news.state === "paused" && samples.some(({name}) => name === this.info?.pointer?.held)) void this.context.run.play();
     this.latency.sent(samples);
     this.showState();
@@ -185,7 +185,7 @@ export class SceneView implements View {
     this.draw();
   }
 
-  /** Once for each picture of the screen. */
+  /** Draws once per screen refresh. */
   private draw(): void {
     this.frame ??= requestAnimationFrame(() => {
       this.frame = undefined;

@@ -3,20 +3,20 @@ import type {Hand} from "./hand";
 import type {Place} from "./scene_info";
 
 const arrows: Record<string, Place> = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
-/** Shares of the view in a second: usual, and with Shift. */
+/** Speeds as shares of the view per second: usual, and with Shift. */
 const speeds = {usual: 0.4, slow: 0.08};
 const deadZone = 0.15, longestStep = 0.05; // s
 
 export interface Steered {
   hand(): Hand | undefined;
-  /** Where the hand begins. */
+  /** Start position of the hand. */
   start(): Place;
-  /** The longer side of the view [m]. */
+  /** Longer side of the view [m]. */
   span(): number;
   flush(): void;
 }
 
-/** Arrow keys and the stick of a gamepad move the hand at a speed; Esc or the second button lets go. */
+/** Control of the hand's velocity by arrow keys and the stick of a gamepad; Esc or the second button releases. */
 export class Steering {
   private readonly pressed = new Set<string>();
   private isSlow = false;
@@ -69,7 +69,7 @@ export class Steering {
     this.frame = requestAnimationFrame((now) => this.step(now));
   }
 
-  /** Where keys and stick point to, each part from -1 to 1. */
+  /** Returns the direction of keys and stick, each component from -1 to 1. */
   private direction(): Place {
     const sum: Place = [0, 0];
     for (const key of this.pressed) [sum[0], sum[1]] = [sum[0] + arrows[key][0], sum[1] + arrows[key][1]];

@@ -7,17 +7,17 @@ import type {Plot} from "./plot";
 import {extent, rowsWithin, type Samples} from "./samples";
 import {padded, type Range} from "./y_range";
 
-/** Pixels that are asked for, each of them two samples at most. */
+/** Requested pixels, each with two samples at most. */
 const fine = 6000;
 
-/** All traces against the first one. */
+/** Scope content: all traces against the first one. */
 export class Against implements Content {
   private x: Range = {low: 0, high: 1};
   private unit: DisplayUnit = {text: "", scale: 1, offset: 0};
 
   constructor(private readonly subject: Subject) {}
 
-  /** Fine enough for every sample of ten seconds at 1 kHz: extremes know no pairs. */
+  /** Requests enough pixels for every sample of 10 s at 1 kHz, since pairs of values cannot be restored from extremes. */
   wanted({low, high}: Range, isFollowing: boolean): Omit<Wanted, "columns"> {
     return isFollowing ? {follow: high - low, pixels: fine} : {from: low, to: high, pixels: fine};
   }
@@ -56,7 +56,7 @@ export class Against implements Content {
     }));
   }
 
-  /** The curve, and a dot where it is now. */
+  /** Paints the curve, with a dot at its present end. */
   private paintTrace(plot: Plot, plane: Plane, xs: Samples, ys: Samples, stroke: Stroke, window: Range): void {
     const last = rowsWithin(xs.time, window).to - 1;
     paintAgainst(plot.context, xs, ys, plane, stroke, window);

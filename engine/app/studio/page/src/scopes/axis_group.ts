@@ -6,16 +6,16 @@ import {extent, type Samples} from "./samples";
 import {scaleKey, type Trace, unitOf} from "./trace";
 import {joined, type Range, YRange} from "./y_range";
 
-/** Traces of one unit, which share an axis; the axis stays when traces come and go. */
+/** Traces of one unit, which share an axis. The axis keeps its range when traces are added or removed. */
 export interface AxisGroup {
   key: string;
   traces: Trace[];
   range: YRange;
-  /** As it is shown now. */
+  /** Present display unit. */
   unit: DisplayUnit;
 }
 
-/** The groups of some traces in the order of their first ones; axes that were there keep their ranges. */
+/** Groups traces in the order of the first one of each group; existing groups keep their ranges. */
 export function grouped(traces: Trace[], before: AxisGroup[]): AxisGroup[] {
   const groups = new Map<string, AxisGroup>();
   for (const trace of traces) {
@@ -29,14 +29,14 @@ export function grouped(traces: Trace[], before: AxisGroup[]): AxisGroup[] {
 
 const magnitude = ({low, high}: Range) => Math.max(Math.abs(low), Math.abs(high));
 
-/** Takes in what is visible now and returns the axis. */
+/** Updates the range of a group with the visible data, and returns its axis. */
 export function axisOf(group: AxisGroup, data: Range | undefined, at: number): YAxis {
   const range = group.range.update(data, at);
   group.unit = unitOf(group.traces[0], magnitude(range));
   return {key: group.key, unit: group.unit.text, range: {low: shownOf(range.low, group.unit), high: shownOf(range.high, group.unit)}};
 }
 
-/** What of a group is visible, with pinned runs and a fan behind it. */
+/** Returns the range of the visible data of a group, including pinned runs and a fan. */
 export function visible(group: AxisGroup, samplesOf: (trace: Trace) => Samples | undefined, pins: Pin[], fan: Fan | undefined, window: Range): Range | undefined {
   let all: Range | undefined;
   for (const trace of group.traces) {
@@ -55,7 +55,7 @@ export function visible(group: AxisGroup, samplesOf: (trace: Trace) => Samples |
 
 const fans = new WeakMap<Fan, Map<number, Samples[]>>();
 
-/** The curves of a fan for a column, made once. */
+/** Returns the curves of a fan for a column; creates them only once. */
 export function fanSamples(fan: Fan, column: number): Samples[] {
   const known = fans.get(fan) ?? new Map<number, Samples[]>(), at = fan.columns.indexOf(column);
   fans.set(fan, known);
@@ -68,7 +68,7 @@ function everySample(time: number[], values: number[]): Samples {
   return {time: Float64Array.from(time), low: own, high: own};
 }
 
-/** Zooms an axis about a value of it (shown unit) and keeps it so. */
+/** Zooms an axis about a share of its range, and fixes the new range. */
 export function zoomAxis(group: AxisGroup, factor: number, share: number): void {
   const {low, high} = group.range.now, center = low + share * (high - low);
   group.range.choose({low: center - (center - low) * factor, high: center + (high - center) * factor});

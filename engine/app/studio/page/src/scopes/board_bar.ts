@@ -4,10 +4,10 @@ import {fixedText, quantityText} from "./numbers";
 import type {Pin} from "./pins";
 import type {ScopeBoard} from "./scope_board";
 
-/** Stretches of time that may be followed [s]. */
+/** Selectable widths of the followed window [s]. */
 const widths = [0.1, 0.5, 1, 2, 5, 10, 30, 60, 300];
 
-/** The line above the scopes: which of the three states they are in, how much time is seen, pinned runs. */
+/** Bar above the scopes: their state, the width of the window, pinned runs. */
 export class BoardBar {
   readonly element = h("div", {class: "scope-bar", role: "toolbar", "aria-label": "Scopes"});
   private readonly state = h("span", {class: "chip", role: "status"});
@@ -55,7 +55,7 @@ export class BoardBar {
       h("button", {type: "button", class: "plain small", "aria-label": `Drop ${pin.label}`, onclick: () => pins.drop(pin)}, "×"))));
   }
 
-  /** Following, looking back, paused: data go on in the first two. */
+  /** Returns the state: following, looking back, or paused. In the first two, data may still arrive. */
   private stateText(): string {
     const {window, now, context} = this.board.shared, {state} = context.run.news, {low, high} = window.at(now);
     const paused = state === "playing" ? "" : state === "ended" ? "ended" : "paused";

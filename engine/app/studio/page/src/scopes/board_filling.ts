@@ -8,10 +8,10 @@ import {traceOf} from "./trace";
 
 const usualWidth = 10;
 
-/** What a reader would call the same scopes. */
+/** Returns a text that is equal for equivalent scopes. */
 const signed = (scopes: Pick<KeptScope, "title" | "traces">[]): string => JSON.stringify(scopes.map(({title, traces}) => [title, traces.map(({source}) => source)]));
 
-/** Which scopes a board has after a load: those of the file, until a reader changes them; then those, also at the next visit. */
+/** Choice of the scopes after a load: those of the file, or, once the user has changed them, the user's, also at the next visit. */
 export class BoardFilling {
   private file: number | null = null;
   private ofFile = "";
@@ -19,7 +19,7 @@ export class BoardFilling {
 
   constructor(private readonly board: ScopeBoard) {}
 
-  /** Notes for the next visit what a reader changed. */
+  /** Stores the user's changes for the next visit. */
   keep(): void {
     if (this.isBusy || this.file === null) return;
     const layout = layoutOf(this.board), isOwn = signed(layout.scopes) !== this.ofFile || layout.scopes.some(({against, own}) => against || own);
@@ -37,7 +37,7 @@ export class BoardFilling {
     await this.resolveAll(loaded);
   }
 
-  /** The scopes of the file, as if nothing had been changed. */
+  /** Restores the scopes of the file. */
   reset(loaded: Loaded): void {
     this.takeFile(loaded, true);
     this.keep();
@@ -47,7 +47,7 @@ export class BoardFilling {
     return `scopes ${this.board.shared.context.workbench.nameOf(this.file ?? 0)}`;
   }
 
-  /** What the address of the page asks for, else what was kept. */
+  /** Returns the layout in the page's address, else the stored one. */
   private kept(): KeptLayout | undefined {
     const ofAddress = layoutOfAddress(location.hash);
     if (ofAddress) history.replaceState(null, "", location.pathname);
@@ -72,7 +72,7 @@ export class BoardFilling {
     this.isBusy = false;
   }
 
-  /** The same traces, with the columns of this load. */
+  /** Sets the columns of this load in the same traces. */
   private async resolveAll({columns}: Loaded): Promise<void> {
     const {connection} = this.board.shared.context;
     await Promise.all(this.board.scopes.map(async (scope) =>

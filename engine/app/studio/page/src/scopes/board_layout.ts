@@ -2,7 +2,7 @@ import {type KeptLayout, type KeptWindow, keptTraces, tracesOf} from "./kept_lay
 import type {ScopeBoard} from "./scope_board";
 import type {TimeWindow} from "./time_window";
 
-/** What is kept of a board between visits. */
+/** Returns the layout of a board that is stored between visits. */
 export function layoutOf({shared, scopes}: ScopeBoard): KeptLayout {
   const kept = scopes.map((scope) => ({title: scope.name, traces: keptTraces(scope.traces), against: scope.isAgainst || undefined, own: scope.own?.kept}));
   return {version: 1, scopes: kept, window: shared.window.kept, cursors: {a: shared.cursors.a, b: shared.cursors.b}};

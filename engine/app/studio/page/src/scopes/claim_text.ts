@@ -3,21 +3,21 @@ import {plainNumber} from "./numbers";
 import {reduced, type Reduction, type Statistics} from "./statistics";
 import {flowMapping, yamlScalar} from "./yaml_text";
 
-/** Reductions that a claim has, too. */
+/** Reductions that claims support. */
 const claimed: Partial<Record<Reduction, {key: string; words: string}>> = {
   min: {key: "min", words: "the least"}, max: {key: "max", words: "the greatest"}, mean: {key: "mean", words: "the mean of"}, rms: {key: "rms", words: "the rms of"},
 };
 
 export const mayClaim = (reduction: Reduction): boolean => reduction in claimed || reduction === "a" || reduction === "b";
 
-/** A number of the file: "49.8 mm", "3". */
+/** Formats a number for the file: "49.8 mm", "3". */
 function quantity(value: number, unit: string): string {
   return unit === "" || unit === "1" ? plainNumber(value) : `${plainNumber(value)} ${unit}`;
 }
 
 const seconds = (time: number) => `${plainNumber(time, 9)} s`;
 
-/** Without the unit that follows " in ": the expression alone. */
+/** Removes the unit after " in " from a source; returns the expression. */
 export const expressionOf = (source: string): string => source.replace(/\s+in\s+[^()]*$/, "");
 
 interface Measured {
@@ -29,7 +29,7 @@ interface Measured {
   b: number | undefined;
 }
 
-/** An item of the section `claims` that says what was measured between the cursors, to a percent; undefined where no claim can say it. */
+/** Returns an item of the section `claims` for a measurement between the cursors, within 1 %; undefined for an unsupported reduction. */
 export function claimText({source, label, statistics, unit, a, b}: Measured, reduction: Reduction): string | undefined {
   if (!mayClaim(reduction)) return undefined;
   const value = reduced(statistics, reduction, unit, b !== undefined && b < a), expression = yamlScalar(expressionOf(source));
@@ -43,7 +43,7 @@ export function claimText({source, label, statistics, unit, a, b}: Measured, red
   return flowMapping([["that", that], ["where", `time >= ${from} && time <= ${to}`], [key, expression], ...compared]);
 }
 
-/** One percent; around zero, and with an offset (of degC), where a percent means nothing, a small absolute bound. */
+/** Returns the tolerance: 1 %, or a small absolute bound for 0 and for units with an offset (degC), where a percentage is meaningless. */
 function withinOf(value: number, unit: DisplayUnit): string {
   return value !== 0 && unit.offset === 0 ? "1 %" : quantity(1e-6, unit.text);
 }

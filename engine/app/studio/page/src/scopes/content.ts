@@ -10,7 +10,7 @@ import type {Shared} from "./shared";
 import type {Trace} from "./trace";
 import type {Range} from "./y_range";
 
-/** What one scope draws, seen by what fills it. */
+/** Part of a scope that its content needs. */
 export interface Subject {
   traces: Trace[];
   feed: Feed;
@@ -24,7 +24,7 @@ export interface Axes {
   ys: YAxis[];
 }
 
-/** A curve as it is seen, for a picture of it: `x` in the unit of its axis, values in SI. `axis`: which of the vertical ones. */
+/** Visible curve for a picture: `x` in the unit of its axis, values in SI. `axis` is the index of its vertical axis. */
 export interface Curve {
   trace: Trace;
   axis: number;
@@ -34,14 +34,14 @@ export interface Curve {
   high: Float64Array;
 }
 
-/** What fills a scope: curves over time, one signal against another, or the difference to a pinned run. */
+/** Content of a scope: curves over time, one signal against another, or the difference to a pinned run. */
 export interface Content {
   wanted(window: Range, isFollowing: boolean, pixels: number): Omit<Wanted, "columns">;
-  /** Axes for what is visible at `at` [s of the page's clock]. */
+  /** Returns the axes for the data visible at `at` [s of the page's clock]. */
   axes(window: Range, at: number): Axes;
   paint(plot: Plot, window: Range): void;
   curves(window: Range): Curve[];
-  /** A line below the plot. */
+  /** Returns a line for below the plot. */
   note(): string;
 }
 
@@ -50,7 +50,7 @@ export const strokeOf = (subject: Subject, trace: Trace, ratio: number, alpha = 
 
 export const samplesOf = (subject: Subject, trace: Trace): Samples | undefined => subject.feed.samples.get(trace.column);
 
-/** The rows of a window over time. */
+/** Returns the rows of a window over time. */
 export function curveOver(trace: Trace, axis: number, unit: DisplayUnit, {time, low, high}: Samples, window: Range): Curve {
   const {from, to} = rowsWithin(time, window), seen = low.subarray(from, to);
   return {trace, axis, unit, x: time.subarray(from, to), low: seen, high: high === low ? seen : high.subarray(from, to)};

@@ -3,7 +3,7 @@ import {valueText} from "./legend";
 import type {Scope} from "./scope";
 import {marksText} from "./statistics";
 
-/** What is said when a cursor has moved: where both are, and the values of one scope at the one that moved last. */
+/** Returns the text for screen readers after a cursor has moved: both cursors, and the values of one scope at the last one. */
 export function speechOf({a, b}: Cursors, scope: Scope | undefined): string {
   const values = (scope?.groups ?? []).flatMap(({traces, unit}) => traces.map((trace) => {
     const value = scope!.valueOf(trace, b ?? a);

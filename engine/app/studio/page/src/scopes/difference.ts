@@ -2,18 +2,18 @@ import type {DisplayUnit} from "./display_unit";
 import {numberText, quantityText} from "./numbers";
 import {isEvery, nearestRow, rowFrom, type Samples} from "./samples";
 
-/** How far a run is from a pinned one; SI, times in s. */
+/** Difference of a run to a pinned one; SI, times in s. */
 export interface Difference {
   samples: Samples;
-  /** The largest magnitude, and when it was. */
+  /** Largest magnitude, and its time. */
   worst: number;
   at: number;
-  /** Share of the time in which it is beyond the tolerance, and when it is first; undefined where never. */
+  /** Share of time beyond the tolerance, and the first such time; undefined if there is none. */
   share: number;
   first: number | undefined;
 }
 
-/** Linear between rows; NaN outside of them. */
+/** Interpolates linearly between rows; NaN outside of them. */
 function valueBetween(time: Float64Array, values: Float64Array, at: number): number {
   const row = rowFrom(time, at);
   if (row === time.length) return NaN;
@@ -25,7 +25,7 @@ function valueBetween(time: Float64Array, values: Float64Array, at: number): num
 
 type Pair = {low: number; high: number};
 
-/** What `now` minus `before` reached in a row of `now`. */
+/** Returns the range of `now` minus `before` in a row of `now`. */
 function pairAt(now: Samples, before: Samples, row: number): Pair {
   const at = now.time[row];
   if (isEvery(now) && isEvery(before)) {
@@ -38,13 +38,16 @@ function pairAt(now: Samples, before: Samples, row: number): Pair {
   return isSame ? {low: Math.min(a, b), high: Math.max(a, b)} : gap(now.low[row] - before.high[other], now.high[row] - before.low[other]);
 }
 
-/** Of stretches that were gathered differently only what lies outside of both is known to differ. */
+/** Returns the gap between two ranges. Intervals with different sampling are only known to differ by that much. */
 function gap(above: number, below: number): Pair {
   const value = above > 0 ? above : below < 0 ? below : 0;
   return {low: value, high: value};
 }
 
-/** `now` minus `before` at the times of `now`. Of extremes, lows are compared with lows and highs with highs, so that equal runs differ nowhere. */
+/**
+ * Returns `now` minus `before` at the times of `now`. Minima are compared with minima and maxima with maxima, so that equal runs have no
+ * difference.
+ */
 export function difference(now: Samples, before: Samples, tolerance: number): Difference {
   const rows = now.time.length, low = new Float64Array(rows), high = new Float64Array(rows);
   const result: Difference = {samples: {time: now.time, low, high}, worst: 0, at: NaN, share: 0, first: undefined};
@@ -64,7 +67,7 @@ export function difference(now: Samples, before: Samples, tolerance: number): Di
   return result;
 }
 
-/** "0.1" and "0.1 mm" in the shown unit, "1 %" of `span` [SI]: a bound in SI; undefined where it cannot be read. */
+/** Parses a tolerance into SI: "0.1" and "0.1 mm" in the display unit, "1 %" of `span` [SI]. Undefined for other texts. */
 export function readTolerance(text: string, unit: DisplayUnit, span: number): number | undefined {
   const match = /^\s*([\d.]+(?:e[-+]?\d+)?)\s*(.*?)\s*$/i.exec(text), value = Number(match?.[1]);
   if (!match || !(value >= 0)) return undefined;
@@ -72,7 +75,7 @@ export function readTolerance(text: string, unit: DisplayUnit, span: number): nu
   return match[2] === "" || match[2] === unit.text ? value / unit.scale : undefined;
 }
 
-/** "largest difference 0.31 mm at 1.234 s; beyond 0.1 mm in 12 % of the time, first at 1.2 s". */
+/** Returns "largest difference 0.31 mm at 1.234 s; beyond 0.1 mm in 12 % of the time, first at 1.2 s". */
 export function differenceText({worst, at, share, first}: Difference, tolerance: number, unit: DisplayUnit): string {
   if (Number.isNaN(at)) return "no time that both runs have";
   const largest = `largest difference ${quantityText(worst * unit.scale, unit.text)} at ${quantityText(at, "s")}`;

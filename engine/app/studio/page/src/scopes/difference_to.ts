@@ -9,16 +9,16 @@ import {extent, type Samples} from "./samples";
 import type {Trace} from "./trace";
 import {joined, type Range} from "./y_range";
 
-/** A difference of degrees Celsius is one of kelvins. */
+/** Converts an axis to differences: a difference of degrees Celsius is in kelvins. */
 const withoutOffset = (axis: YAxis, offset: number): YAxis => ({...axis, range: {low: axis.range.low - offset, high: axis.range.high - offset}});
 
-/** Each trace minus itself in a pinned run. */
+/** Scope content: each trace minus the same trace of a pinned run. */
 export class DifferenceTo implements Content {
   private readonly results = new Map<Trace, {difference: Difference; tolerance: number; of: Samples; text: string}>();
 
   constructor(private readonly subject: Subject, readonly pin: Pin, private readonly tolerance: () => string) {}
 
-  /** Always the whole length of the pinned run, so that both have the same rows. */
+  /** Requests the whole length of the pinned run, so that both have the same rows. */
   wanted(): Omit<Wanted, "columns"> {
     return {from: 0, to: this.pin.to, pixels: this.pin.pixels};
   }

@@ -1,6 +1,6 @@
 import {listen} from "../shell/dom";
 
-/** Takes the names and expressions that are dropped on an element. */
+/** Accepts names and expressions that are dropped on an element. */
 export function takeDrops(element: HTMLElement, take: (source: string) => void): void {
   listen(element, "dragover", (event: DragEvent) => {
     if (!event.dataTransfer?.types.includes("text/plain")) return;

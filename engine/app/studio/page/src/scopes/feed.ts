@@ -1,14 +1,14 @@
 import type {Connection, Frame, Wanted} from "../connection/connection";
 import {type Samples, samplesOf} from "./samples";
 
-/** View numbers of scopes; a number is used anew only after all others. */
+/** Number of view ids of scopes; an id is reused only after all others. */
 const views = 9999;
 let lastView = 0;
 
-/** The least time between two wishes [ms]: while somebody zooms there would be one for each event. */
+/** Minimum time between two requests [ms]; zooming would otherwise cause one per event. */
 const between = 30;
 
-/** What one scope gets from the server: the newest frame of its columns. */
+/** Data of one scope from the server: the newest frame of its columns. */
 export class Feed {
   private view = 0;
   private columns: number[] = [];
@@ -18,15 +18,15 @@ export class Feed {
   private pause = 0;
   private timer: number | undefined;
   private sentAt = -Infinity;
-  /** By column, SI. What was there stays until a frame with other columns comes. */
+  /** Samples by column, SI. They remain until a frame with other columns arrives. */
   samples = new Map<number, Samples>();
   frame: Frame | undefined;
-  /** Whether what is there was asked for before `renew`. */
+  /** True if the present data were requested before `renew`. */
   isOld = false;
 
   constructor(private readonly connection: Connection, private readonly arrived: () => void) {}
 
-  /** Asks for a stretch of columns, with so many ms between frames; null for nothing. */
+  /** Requests data of columns, with a pause between frames [ms]; null stops them. */
   want(wanted: Wanted | null, framePause = 0): void {
     const wish = wanted ? `${wanted.columns} ${wanted.from} ${wanted.to} ${wanted.follow} ${wanted.pixels} ${framePause}` : "";
     if (wish === this.wish) return;
@@ -38,7 +38,7 @@ export class Feed {
     else this.timer ??= window.setTimeout(() => this.send(), pause);
   }
 
-  /** From now on another kind of stretch is asked for: what is under way is not taken for it. */
+  /** Ignores frames that are still on their way, before a different kind of request. */
   renew(): void {
     this.leave();
     this.wish = "";
@@ -58,7 +58,7 @@ export class Feed {
     this.connection.want(this.view, this.due, this.pause);
   }
 
-  /** Other columns come under another number, so that a frame that is under way is not taken for them. */
+  /** Uses a new view id for other columns, so that frames on their way are not mistaken for them. */
   private enter(columns: number[]): void {
     this.leave();
     this.columns = columns;

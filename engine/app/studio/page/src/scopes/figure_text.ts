@@ -16,14 +16,14 @@ function panel(title: string, traces: Trace[], range: Range | undefined): string
   ]);
 }
 
-/** A figure of a diagram file that draws what a scope shows. Each unit has a panel, as an axis has one unit. `range`: of time [s]. */
+/** Returns a figure of a diagram file with the content of a scope. Each unit has its own panel. `range`: of time [s]. */
 export function figureText(title: string, groups: Trace[][], range?: Range): string {
   if (groups.length === 1) return panel(title, groups[0], range);
   const panels = groups.map((traces) => panel("", traces, range)).join(", ");
   return flowMapping([["title", title ? yamlScalar(title) : undefined], ["columns", "1"], ["panels", `[${panels}]`]]);
 }
 
-/** The same for y against x. */
+/** Returns a figure of y against x. */
 export function figureTextXy(title: string, x: Trace, ys: Trace[]): string {
   return flowMapping([["plot", "xy"], ["x", shown(x)], ["y", ys.map(shown)], ["title", title ? yamlScalar(title) : undefined]]);
 }

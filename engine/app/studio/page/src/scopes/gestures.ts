@@ -1,6 +1,6 @@
 import {listen} from "../shell/dom";
 
-/** What mouse and fingers do over a plot; places and distances in px from its left, `share` of its height from below. */
+/** Receiver of gestures over a plot; positions and distances in px from its left, `share` of its height from below. */
 export interface Gestured {
   zoom(factor: number, x: number): void;
   zoomUp(factor: number, share: number): void;
@@ -19,12 +19,15 @@ interface Finger {
   y: number;
 }
 
-/** Less than this is a click and no drag [px]. */
+/** Movement below which a press is a click [px]. */
 const still = 4, perWheel = 0.0015;
 
 type Drag = {kind: "mark"; mark: "a" | "b"} | {kind: "choose"; from: number} | {kind: "pan"; last: number};
 
-/** Listens on one layer; wheel zooms time, Alt wheel the values, Shift wheel moves; drag chooses, Alt drag and the middle button move; two fingers do both. */
+/**
+ * Gesture recogniser of one layer. The wheel zooms time, Alt+wheel the values, Shift+wheel pans. Dragging selects; Alt+drag and the middle
+ * button pan; two fingers zoom and pan.
+ */
 export class Gestures {
   private readonly fingers = new Map<number, Finger>();
   private drag: Drag | undefined;
@@ -96,7 +99,7 @@ export class Gestures {
     this.tapped = this.fingers.size === 1 ? at : undefined;
   }
 
-  /** One finger moves the cursor; two move and stretch time. */
+  /** Handles a finger movement: one finger moves the cursor; two pan and zoom time. */
   private slide(id: number, at: Finger): void {
     const before = [...this.fingers.values()], old = this.fingers.get(id)!;
     this.fingers.set(id, at);

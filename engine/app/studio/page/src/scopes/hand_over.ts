@@ -1,6 +1,6 @@
 import type {Context} from "../shell/context";
 
-/** Puts a text on the clipboard; where the browser refuses, it is shown to be copied by hand. */
+/** Copies a text to the clipboard; if the browser refuses, it shows the text for copying. */
 export async function copyText(context: Context, text: string, what: string): Promise<void> {
   try {
     await navigator.clipboard.writeText(text);
@@ -10,7 +10,7 @@ export async function copyText(context: Context, text: string, what: string): Pr
   }
 }
 
-/** Offers an item of a section to the text by the event `studio:insert`; copies it where nobody takes the event. */
+/** Offers an item of a section to the text by the event `studio:insert`; copies it if no listener handles the event. */
 export function insertText(from: HTMLElement, context: Context, section: "claims" | "figure", text: string): void {
   const isOpen = from.dispatchEvent(new CustomEvent("studio:insert", {bubbles: true, cancelable: true, detail: {section, text}}));
   if (isOpen) void copyText(context, `- ${text}`, `an item of ${section}`);

@@ -1,7 +1,7 @@
 import type {DisplayUnit} from "./display_unit";
 import type {Trace} from "./trace";
 
-/** Scopes as they are kept between visits, and in the address of a view. */
+/** Scope as stored between visits, and in the address of a view. */
 export interface KeptScope {
   title: string;
   traces: {source: string; label: string; unit?: DisplayUnit; si: string; style: number}[];
@@ -26,7 +26,7 @@ export function keptTraces(traces: Trace[]): KeptScope["traces"] {
   return traces.map(({source, label, unit, si, style}) => ({source, label, unit, si, style}));
 }
 
-/** Traces without columns yet. */
+/** Returns the traces of a stored scope, without columns. */
 export function tracesOf({traces}: KeptScope): Trace[] {
   return traces.map(({source, label, unit, si, style}) => ({source, label, unit, si, style, column: -1}));
 }
@@ -39,7 +39,7 @@ const isTrace = (value: any) => isText(value?.source) && isText(value.label) && 
 const isScope = (value: any) => isText(value?.title) && Array.isArray(value.traces) && value.traces.length <= 12 && value.traces.every(isTrace)
   && (value.own === undefined || isWindow(value.own));
 
-/** A layout from outside, an address or a file; undefined where it is none. */
+/** Validates a layout from an address or a file; undefined if it is invalid. */
 export function readLayout(value: any): KeptLayout | undefined {
   const fits = value?.version === 1 && Array.isArray(value.scopes) && value.scopes.length <= 50 && value.scopes.every(isScope) && isWindow(value.window);
   return fits ? (value as KeptLayout) : undefined;
@@ -47,7 +47,7 @@ export function readLayout(value: any): KeptLayout | undefined {
 
 const key = "#scopes=";
 
-/** The address of the page at which these scopes are seen. It holds no token: who opens it needs one of the same server. */
+/** Returns the address of the page with these scopes. It contains no token: the recipient needs one of the same server. */
 export function addressOf(layout: KeptLayout, page: string): string {
   return `${page.replace(/[?#].*$/, "")}${key}${encodeURIComponent(JSON.stringify(layout))}`;
 }

@@ -8,7 +8,7 @@ import type {Range} from "./y_range";
 
 const indices = Array.from({length: colorCount}, (_, i) => `var(--trace-${i + 1})`);
 
-/** A short line that looks as the trace does. */
+/** Returns a short line in the style of a trace. */
 export function swatch(style: number): SVGElement {
   const {color, dash} = traceStyle(style, indices);
   const line = svg("line", {x1: 0, y1: 5, x2: 18, y2: 5, stroke: "currentColor", "stroke-width": 2.5, "stroke-dasharray": dash.length > 0 ? "5 3" : undefined});
@@ -29,7 +29,7 @@ export class Legend {
     this.element.replaceChildren(...traces.map((trace) => this.entry(trace)));
   }
 
-  /** Shows a value for each trace, or the two between which it was. */
+  /** Shows a value for each trace, or a range. */
   show(groups: AxisGroup[], valueOf: (trace: Trace) => Range | undefined): void {
     for (const {traces, unit} of groups) for (const trace of traces) this.put(trace, unit, valueOf(trace));
   }
@@ -46,7 +46,7 @@ export class Legend {
   }
 }
 
-/** "49.8 mm", or "1 … 3 mm" where it reached all between. */
+/** Formats "49.8 mm", or "1 … 3 mm" for a range. */
 export function valueText({low, high}: Range, unit: AxisGroup["unit"]): string {
   const a = numberText(shownOf(low, unit), 4), b = numberText(shownOf(high, unit), 4), text = a === b ? a : `${a} … ${b}`;
   return unit.text === "" || unit.text === "1" ? text : `${text} ${unit.text}`;

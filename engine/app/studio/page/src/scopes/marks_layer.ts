@@ -2,17 +2,17 @@ import {h} from "../shell/dom";
 import type {Cursors} from "./cursors";
 import type {Range} from "./y_range";
 
-/** Room for the letter of a cursor [px]; at the right end it stands on the other side. */
+/** Space for the letter of a cursor [px]; at the right end the letter is on the other side. */
 const letter = 18;
 
-/** The cursors, the pointer's line and the rectangle of a zoom over the plot of one scope: elements that move, nothing is drawn anew. */
+/** Layer over the plot of a scope with cursors, pointer line and zoom rectangle. Its elements move without redrawing. */
 export class MarksLayer {
   private readonly a = h("div", {class: "mark mark-a", hidden: true, "aria-hidden": "true"}, h("span", {}, "A"));
   private readonly b = h("div", {class: "mark mark-b", hidden: true, "aria-hidden": "true"}, h("span", {}, "B"));
   private readonly hair = h("div", {class: "mark hair", hidden: true, "aria-hidden": "true"});
   private readonly chosen = h("div", {class: "chosen", hidden: true, "aria-hidden": "true"});
   private window: Range = {low: 0, high: 1};
-  /** Of the plot [px]; known from its axes, as reading it from the page would force a layout. */
+  /** Width of the plot [px], from its axes; reading it from the page would force a layout. */
   width = 1;
 
   constructor(over: HTMLElement) {
@@ -27,7 +27,7 @@ export class MarksLayer {
     return ((time - this.window.low) / (this.window.high - this.window.low)) * this.width;
   }
 
-  /** The cursor that stands within reach of a place [px]. */
+  /** Returns the cursor within reach of a position [px]. */
   markAt(x: number, cursors: Cursors): "a" | "b" | undefined {
     const near = (time: number | undefined) => time !== undefined && Math.abs(this.xOf(time) - x) < 6;
     return near(cursors.b) ? "b" : near(cursors.a) ? "a" : undefined;
@@ -41,7 +41,7 @@ export class MarksLayer {
     this.put(this.hair, hover);
   }
 
-  /** The rectangle between two places [px]; none without. */
+  /** Shows the rectangle between two positions [px], or hides it. */
   choose(from?: number, to?: number): void {
     this.chosen.hidden = from === undefined || to === undefined;
     if (from === undefined || to === undefined) return;

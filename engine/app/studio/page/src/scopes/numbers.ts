@@ -1,11 +1,11 @@
-// Numbers as people read them.
+// Formatting of numbers for people.
 
 const minus = "\u2212";
 
-/** Beyond these a number is written with a power of ten. */
+/** Limits beyond which a number is written with a power of ten. */
 const largest = 1e6, smallest = 1e-4;
 
-/** The shortest text with at most `digits` that count: "49.77", "1.2e-7", "–" for no number. */
+/** Returns the shortest text with at most `digits` significant digits: "49.77", "1.2e-7", "–" for NaN. */
 export function numberText(value: number, digits = 5): string {
   if (Number.isNaN(value)) return "–";
   if (!Number.isFinite(value)) return value > 0 ? "∞" : `${minus}∞`;
@@ -16,12 +16,12 @@ export function numberText(value: number, digits = 5): string {
   return text.replace(/-/g, minus);
 }
 
-/** With a fixed number of decimals, so that a column of them, or one that changes, does not jump. */
+/** Formats with a fixed number of decimals, so that columns and changing numbers do not jump. */
 export function fixedText(value: number, decimals: number): string {
   return (Math.abs(value) < 0.5 * 10 ** -decimals ? 0 : value).toFixed(decimals).replace("-", minus);
 }
 
-/** How many decimals multiples of `step` need. */
+/** Returns the number of decimals of multiples of `step`. */
 export function decimalsOf(step: number): number {
   if (!(step > 0) || !Number.isFinite(step)) return 0;
   for (let decimals = 0; decimals < 12; ++decimals) {
@@ -31,17 +31,17 @@ export function decimalsOf(step: number): number {
   return 12;
 }
 
-/** For files: 12 digits that count, an ordinary minus. */
+/** Formats a number for files: significant digits, and an ASCII minus. */
 export function plainNumber(value: number, digits = 6): string {
   return String(Number(value.toPrecision(digits)));
 }
 
-/** A value with its unit: "49.8 mm". */
+/** Formats a value with its unit: "49.8 mm". */
 export function quantityText(value: number, unit: string, digits = 5): string {
   return unit === "" || unit === "1" ? numberText(value, digits) : `${numberText(value, digits)} ${unit}`;
 }
 
-/** A stretch of time, from microseconds to seconds: "12.5 ms". */
+/** Formats a duration, from microseconds to seconds: "12.5 ms". */
 export function durationText(seconds: number, digits = 4): string {
   const magnitude = Math.abs(seconds);
   if (magnitude === 0 || magnitude >= 1) return quantityText(seconds, "s", digits);

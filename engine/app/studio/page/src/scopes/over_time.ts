@@ -8,11 +8,11 @@ import type {Plot} from "./plot";
 import type {Trace} from "./trace";
 import type {Range} from "./y_range";
 
-/** Curves over time, with pinned runs and a fan behind them. */
+/** Scope content: curves over time, with pinned runs and a fan behind them. */
 export class OverTime implements Content {
   constructor(private readonly subject: Subject) {}
 
-  /** Looking back, half a window more on either side, so that there is something to see while it is moved. */
+  /** Requests the window; when looking back half a window more on either side, so that panning shows data at once. */
   wanted({low, high}: Range, isFollowing: boolean, pixels: number): Omit<Wanted, "columns"> {
     const width = high - low;
     if (isFollowing) return {follow: width, pixels};

@@ -1,10 +1,10 @@
-// Curves on a canvas. Values are SI; a plane says which stretch of them lies where.
+// Curves on a canvas. Values are SI; a plane maps them to pixels.
 
 import {paintPixels} from "./paint_pixels";
 import {isEvery, rowsWithin, type Samples} from "./samples";
 import type {Range} from "./y_range";
 
-/** A rectangle of a canvas in its own pixels, and what it shows from left to right and from bottom to top. */
+/** Rectangle of a canvas in canvas pixels, with its horizontal and vertical ranges of values. */
 export interface Plane {
   left: number;
   top: number;
@@ -18,7 +18,7 @@ export interface Stroke {
   color: string;
   dash: number[];
   alpha: number;
-  /** Pixels of the canvas in one of the page. */
+  /** Canvas pixels per page pixel. */
   ratio: number;
 }
 
@@ -27,10 +27,10 @@ export const yOf = ({top, height, y}: Plane, value: number): number => top + hei
 
 type Context = CanvasRenderingContext2D;
 
-/** So many rows in a pixel are painted pixel by pixel. */
+/** Rows per pixel above which a curve is painted pixel by pixel. */
 const dense = 0.6;
 
-/** A curve over time. Where there is more than one row in a pixel, all that the pixel's rows reached is covered, so no peak is lost. */
+/** Paints a curve over time. With several rows per pixel it covers the range of each pixel's rows, so that no peak is lost. */
 export function paintOverTime(context: Context, samples: Samples, plane: Plane, stroke: Stroke): void {
   const {from, to} = rowsWithin(samples.time, plane.x), isDense = !isEvery(samples) || to - from > plane.width;
   if (to <= from) return;
@@ -47,7 +47,7 @@ function rowsInPixel({time}: Samples, plane: Plane, from: number, to: number): n
   return (to - from) / Math.max(1, xOf(plane, time[to - 1]) - xOf(plane, time[from]));
 }
 
-/** Width 1 and no dashes where it is dense: what would be left out between dashes could be a peak. */
+/** Sets the stroke style. A dense curve has width 1 and no dashes, since a gap between dashes could hide a peak. */
 function prepare(context: Context, {color, dash, alpha, ratio}: Stroke, isDense: boolean): void {
   context.strokeStyle = context.fillStyle = color;
   context.lineWidth = (isDense ? 1 : 1.5) * ratio;
@@ -67,13 +67,13 @@ function joinRows(context: Context, {time, high}: Samples, plane: Plane, from: n
   }
 }
 
-/** One vertical stroke for each row, from the end that is nearer to where the last one ended. */
+/** Adds one vertical stroke per row, starting at the end that is nearer to the end of the last one. */
 function coverRows(context: Context, {time, low, high}: Samples, plane: Plane, from: number, to: number): void {
   let last = NaN;
   for (let row = from; row < to; ++row) last = cover(context, xOf(plane, time[row]), yOf(plane, low[row]), yOf(plane, high[row]), last);
 }
 
-/** At least a pixel high, so that a level stretch is seen. Returns where the pen is; NaN where it was lifted. */
+/** Adds a stroke of at least one pixel, so that a constant is visible. Returns the position of the pen; NaN after a gap. */
 function cover(context: Context, x: number, low: number, high: number, last: number): number {
   if (Number.isNaN(low + high)) return NaN;
   const [first, second] = Math.abs(last - low) <= Math.abs(last - high) ? [low, high] : [high, low];
@@ -83,7 +83,7 @@ function cover(context: Context, x: number, low: number, high: number, last: num
   return second;
 }
 
-/** One signal against another; where only extremes are known, the rectangle in which they were. */
+/** Paints one signal against another; for extremes, the rectangles that contain the values. */
 export function paintAgainst(context: Context, xs: Samples, ys: Samples, plane: Plane, stroke: Stroke, window: Range): void {
   const {from, to} = rowsWithin(xs.time, window);
   if (isEvery(xs) && isEvery(ys)) {

@@ -1,17 +1,17 @@
-// Curves with about a row in each pixel or more: what each pixel's rows reached, as a smooth line where it is one, else as bars.
+// Curves with one row per pixel or more: the range of each pixel's rows, as a smooth line if possible, else as bars.
 
 import type {Plane} from "./paint";
 import type {Samples} from "./samples";
 
 /**
- * What the rows of each pixel reached, from left to right; pixels without rows are left out. `x` is the pixel, `at` the middle of its rows,
- * `first` and `last` their ends: pixels hold one row or two by turns, so that a line through middles of pixels would have steps. Filled anew for each curve.
+ * Ranges of the rows of each pixel, from left to right, without empty pixels; reused for each curve. `x` is the pixel, `at` the centre of
+ * its rows, `first` and `last` their ends. Pixels have one row or two alternately, so a line through pixel centres would have steps.
  */
 const pixels = {count: 0, x: new Float64Array(0), at: new Float64Array(0), first: new Float64Array(0), last: new Float64Array(0), top: new Float64Array(0), bottom: new Float64Array(0)};
 
-/** A line of this share of bars or more is drawn of bars alone. */
+/** Share of protruding pixels above which the curve is drawn as bars. */
 const rough = 0.3;
-/** Pixels without rows that are drawn across: rows may be a little wider than a pixel. */
+/** Number of empty pixels that a line bridges: rows may be slightly wider than a pixel. */
 const bridged = 3;
 
 export function paintPixels(context: CanvasRenderingContext2D, samples: Samples, plane: Plane, from: number, to: number, ratio: number): void {
@@ -53,21 +53,24 @@ function makeRoom(count: number): void {
 const middle = (i: number): number => (pixels.top[i] + pixels.bottom[i]) / 2;
 const isNext = (i: number): boolean => i > 0 && i < pixels.count && pixels.x[i] - pixels.x[i - 1] <= bridged;
 
-/** Where the line from pixel `i - 1` to pixel `i` is half-way between their rows. */
+/** Returns the height of the line from pixel `i - 1` to pixel `i`, half-way between their rows. */
 function between(i: number): number {
   const {at, first, last} = pixels, share = ((last[i - 1] + first[i]) / 2 - at[i - 1]) / (at[i] - at[i - 1]);
   return middle(i - 1) + share * (middle(i) - middle(i - 1));
 }
 
-/** Did the rows of a pixel reach what a line from middle to middle does not cover? */
+/** True if the range of a pixel exceeds the part that a line through the middles covers. */
 function sticksOut(i: number, ratio: number): boolean {
   const own = middle(i), hasBefore = isNext(i), hasAfter = isNext(i + 1);
-  const after = hasAfter ? between(i + 1) : hasBefore ? 2 * own - between(i) : own, before = hasBefore ? between(i) : 2 * own - after;  // an end goes on as it came
+  const after = hasAfter ? between(i + 1) : hasBefore ? 2 * own - between(i) : own, before = hasBefore ? between(i) : 2 * own - after;  // an end continues in the same direction
   const slack = 0.75 * ratio;
   return pixels.top[i] < Math.min(own, before, after) - slack || pixels.bottom[i] > Math.max(own, before, after) + slack;
 }
 
-/** A line through the middles; where a pixel reached farther it goes over all of that, from the end that is nearer to the last pixel. */
+/**
+ * Paints a line through the middles. Where the range of a pixel exceeds the line, it also covers the range, from the end nearer to the last
+ * pixel.
+ */
 function paintLine(context: CanvasRenderingContext2D, ratio: number): void {
   context.beginPath();
   for (let i = 0, last = NaN; i < pixels.count; ++i) {
@@ -83,7 +86,7 @@ function paintLine(context: CanvasRenderingContext2D, ratio: number): void {
   if (ratio <= 1 && context.globalAlpha === 1) widen(context);
 }
 
-/** Half a pixel wider, by strokes of one pixel: without a graphics card each of them takes a tenth of the time that a wider one takes. */
+/** Widens a line by half a pixel, by strokes of width 1; without a graphics card each takes a tenth of the time of a wider one. */
 function widen(context: CanvasRenderingContext2D): void {
   for (const [right, down] of [[0.5, 0], [-0.5, 0.5]]) {
     context.translate(right, down);
@@ -92,18 +95,18 @@ function widen(context: CanvasRenderingContext2D): void {
   context.translate(0, -0.5);
 }
 
-/** Both ends of what a pixel reached, the one first that is nearer to `last`. */
+/** Returns both ends of a pixel's range, the one nearer to `last` first. */
 function endsFrom(i: number, last: number): [number, number] {
   const {top, bottom} = pixels;
   return Math.abs(last - bottom[i]) < Math.abs(last - top[i]) ? [bottom[i], top[i]] : [top[i], bottom[i]];
 }
 
-/** Where in pixel `i` the curve is nearest to the middle of another. */
+/** Returns the value in the range of pixel `i` that is nearest to the middle of another pixel. */
 const towards = (i: number, other: number): number => Math.min(pixels.bottom[i], Math.max(pixels.top[i], middle(other)));
 
 /**
- * A bar for each pixel, on to where the pixel before ended, so that the curve has no gaps. They are strokes of one path, each as wide as a
- * pixel: without a graphics card that takes a tenth of the time that as many rectangles take.
+ * Paints a bar for each pixel, extended to the end of the previous one so that the curve has no gaps. The bars are strokes of one path, one
+ * pixel wide: without a graphics card that takes a tenth of the time of filled rectangles.
  */
 function paintBars(context: CanvasRenderingContext2D): void {
   const half = context.lineWidth / 2, {x, top, bottom} = pixels;

@@ -1,9 +1,9 @@
-// With which values a run was made: those that it began with, and those that were set on its way.
+// History of the parameter values of a run: initial values, and values set during the run.
 
 import type {Parameter} from "../run/run_types";
 import {valueText} from "../tuning/parameter_range";
 
-/** What was done to a run, as the call `run.log` has it. */
+/** Event of a run, from the call `run.log`. */
 export interface LogEvent {
   tick: number;
   name: string;
@@ -11,17 +11,17 @@ export interface LogEvent {
   values?: number[];
 }
 
-/** Values that follow each other so soon are one movement of a slider [s]. */
+/** Time between two values below which they belong to one slider movement [s]. */
 const together = 0.25;
 const secondsOf = (time: number) => `${Number(time.toPrecision(4))} s`;
 
-/** A value that was set: a bare number is SI. */
+/** Formats a value that was set; a bare number is SI. */
 function setText(text: string, parameter: Parameter | undefined): string {
   const number = Number(text);
   return parameter && text.trim() !== "" && Number.isFinite(number) ? valueText(number, parameter.shown) : text;
 }
 
-/** "then 3.8 kg at 0.7 s" for each value, and one text for those of a movement. */
+/** Returns "then 3.8 kg at 0.7 s" for each value, and a single text for a slider movement. */
 function changes(events: LogEvent[], parameter: Parameter | undefined, step: number): string[] {
   const moves: LogEvent[][] = [];
   for (const event of events) {
@@ -35,7 +35,7 @@ function changes(events: LogEvent[], parameter: Parameter | undefined, step: num
   });
 }
 
-/** "mass 2 kg, then 3.8 kg at 0.7 s" of each parameter that was set; of `others` those that were not. */
+/** Returns "mass 2 kg, then 3.8 kg at 0.7 s" for each parameter that was set, and up to `others` unchanged parameters. */
 export function historyOf(parameters: Parameter[], events: LogEvent[], step: number, others = 2): string[] {
   const set = new Map<string, LogEvent[]>(), find = (name: string) => parameters.find((one) => one.name === name);
   for (const event of events) if (event.text !== undefined) set.set(event.name, [...(set.get(event.name) ?? []), event]);

@@ -3,7 +3,7 @@ import {Feed} from "./feed";
 import type {Samples} from "./samples";
 import type {Trace} from "./trace";
 
-/** What a run was, kept in the page for comparison: by the source of each trace, SI. */
+/** Pinned run, for comparison: samples by the source of each trace, SI. */
 export interface Pin {
   label: string;
   to: number;
@@ -11,17 +11,17 @@ export interface Pin {
   samples: Map<string, Samples>;
 }
 
-/** As fine as a pin is over its whole length, and how many there may be. */
+/** Resolution of a pin over its whole length, and maximum number of pins. */
 const pixels = 4000, most = 4;
 
-/** Runs that are kept to be drawn behind those that follow. */
+/** Pinned runs, drawn behind later ones. */
 export class Pins {
   readonly all: Pin[] = [];
   private number = 0;
 
   constructor(private readonly connection: Connection, private readonly changed: () => void) {}
 
-  /** Keeps what these traces did up to `to` [s]; the oldest pin makes room. */
+  /** Pins these traces up to `to` [s]; removes the oldest pin if there are too many. */
   take(traces: Trace[], to: number, note: string): Promise<Pin> {
     const known = traces.filter(({column}) => column >= 0), columns = [...new Set(known.map(({column}) => column))].sort((a, b) => a - b);
     return new Promise((resolve) => {
@@ -48,7 +48,7 @@ export class Pins {
   }
 }
 
-/** Frames are one block of memory with all columns; a pin keeps its own only. */
+/** Copies samples out of a frame, whose memory block holds all columns. */
 function copied({time, low, high}: Samples): Samples {
   const kept = low.slice();
   return {time: time.slice(), low: kept, high: high === low ? kept : high.slice()};

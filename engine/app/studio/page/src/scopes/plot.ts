@@ -4,7 +4,7 @@ import {decimalsOf, fixedText, numberText} from "./numbers";
 import type {Plane} from "./paint";
 import type {Range} from "./y_range";
 
-/** A vertical axis: `range` in the unit that is shown. */
+/** Vertical axis; `range` is in the display unit. */
 export interface YAxis {
   key: string;
   unit: string;
@@ -17,30 +17,30 @@ export interface Look {
   font: string;
 }
 
-/** Labels have this width, whatever the numbers, so that nothing jumps [px]. */
+/** Fixed width of labels, so that changing numbers move nothing [px]. */
 const axisWidth = 52, axisHeight = 22, widestLabel = 7;
-/** Above the axes stand their units, clear of the half label of a tick at the upper end. */
+/** Height of the units above the axes, and their distance from the topmost tick label. */
 const unitHeight = 21, unitLift = 7;
 
-/** Steps between ticks: 1, 2 and 5 of every power of ten. */
+/** Steps between ticks: 1, 2 and 5 times every power of ten. */
 const steps = Array.from({length: 31}, (_, i) => i - 15).flatMap((power) => [1, 2, 5].map((digit) => Number(`${digit}e${power}`)));
 
 const labels = (_: uPlot, splits: number[], __: number, ___: number, step: number) => splits.map((value) => labelText(value, step));
 
-/** As many decimals as tell two ticks apart. */
+/** Formats with as many decimals as distinguish two ticks. */
 export function labelText(value: number, step: number): string {
   const text = fixedText(value, decimalsOf(step));
   return text.length > widestLabel ? numberText(value, 4) : text;
 }
 
-/** Axes, grid and canvas of one scope; what is drawn inside comes by `paint`. */
+/** Axes, grid and canvas of one scope; `paint` draws the content. */
 export class Plot {
   private drawn: uPlot | undefined;
   private keys = "";
   private units: string[] = [];
   private size = {width: 320, height: 160};
 
-  /** `paint` draws curves, with the axes in place. `ready` gets each new layer over them, for marks and pointers. */
+  /** `paint` draws curves after the axes. `ready` receives each new layer over them, for marks and pointers. */
   constructor(private readonly host: HTMLElement, private look: Look, private readonly paint: (plot: Plot) => void,
     private readonly ready: (over: HTMLElement) => void) {}
 
@@ -48,12 +48,12 @@ export class Plot {
     return this.drawn!.ctx;
   }
 
-  /** Pixels of the canvas in one of the page. */
+  /** Canvas pixels per page pixel. */
   get ratio(): number {
     return this.drawn ? this.drawn.ctx.canvas.width / this.drawn.width : 1;
   }
 
-  /** The rectangle inside of the axes, in pixels of the canvas. */
+  /** Rectangle within the axes, in canvas pixels. */
   get box(): Omit<Plane, "x" | "y"> {
     return this.drawn?.bbox ?? {left: 0, top: 0, ...this.size};
   }
@@ -64,7 +64,7 @@ export class Plot {
     this.drawn?.setSize(this.size);
   }
 
-  /** Draws all anew. Room for axes on `sides` sides is left even where this plot has fewer, so that plots below each other are in line. */
+  /** Redraws everything. It reserves space for axes on `sides` sides even without axes there, so that stacked plots are aligned. */
   draw(x: Range, axes: YAxis[], unitOfX: string, sides: number): void {
     const keys = JSON.stringify([sides, axes.map(({key}) => key)]);
     this.units = [unitOfX, ...axes.map(({unit}) => unit)];
@@ -94,7 +94,7 @@ export class Plot {
     this.drawn = new uPlot({
       ...this.size, legend: {show: false}, cursor: {show: false}, select: {show: false, left: 0, top: 0, width: 0, height: 0},
       padding: [unitHeight, pad(1), 0, pad(0)], scales: {x: {time: false, auto: false, range: unranged}, ...scales}, series: [{}],
-      axes: [this.axis("x", 0), ...axes.map(({key}, i) => this.axis(key, i + 1))], hooks: {drawClear: [({ctx}) => { ctx.direction = "ltr"; }], draw: [() => this.finish()]},  // a direction of its own spares each text a look at the page's styles
+      axes: [this.axis("x", 0), ...axes.map(({key}, i) => this.axis(key, i + 1))], hooks: {drawClear: [({ctx}) => { ctx.direction = "ltr"; }], draw: [() => this.finish()]},  // an explicit direction avoids a style lookup per text
     }, [[0, 1]]);
     this.host.replaceChildren(this.drawn.root);
     this.ready(this.drawn.over);
@@ -108,7 +108,7 @@ export class Plot {
     };
   }
 
-  /** Curves, inside of the axes only, and the units at the ends of the axes. */
+  /** Paints the curves, clipped to the axes, and the units at the ends of the axes. */
   private finish(): void {
     const {ctx, bbox} = this.drawn!;
     ctx.save();

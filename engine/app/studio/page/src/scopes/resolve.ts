@@ -10,7 +10,7 @@ interface Signal {
   offset?: number;
 }
 
-/** Finds the trace of a name, or of an expression with units, which the server computes. Rejects with a Fault. */
+/** Resolves a name, or an expression with units, which the server computes, to a trace. Rejects with a Fault. */
 export async function resolve(source: string, columns: Column[], connection: Connection, style: number): Promise<Trace> {
   const text = source.trim(), known = columns.find(({name}) => name === text);
   if (known) return traceOfColumn(known, style);
@@ -19,7 +19,7 @@ export async function resolve(source: string, columns: Column[], connection: Con
   return {source: text, column, label: text, unit: isSi ? undefined : {text: unit, scale, offset}, si: unit, style};
 }
 
-/** Finds a trace again after another load. One that the run has no more stays, without values. */
+/** Resolves a trace again after another load. A trace that no longer exists remains, without values. */
 export async function resolveAgain(trace: Trace, columns: Column[], connection: Connection): Promise<Trace> {
   const plain = trace.source.replace(/\s+in\s+[^()]*$/, ""), known = columns.find(({name}) => name === plain);
   if (known && (trace.unit !== undefined || plain === trace.source)) return {...trace, column: known.column};

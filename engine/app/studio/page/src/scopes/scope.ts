@@ -23,21 +23,21 @@ import {TimeWindow} from "./time_window";
 import type {Trace} from "./trace";
 import type {Range} from "./y_range";
 
-/** What a scope asks of the board that has it. */
+/** Interface of the board to a scope. */
 export interface ScopeHost {
-  /** A name or an expression was dropped or chosen. */
+  /** Adds a name or expression that was dropped or selected. */
   add(scope: Scope, source: string): void;
   remove(scope: Scope): void;
 }
 
-/** Curves are drawn anew when they move by this many pixels of the screen, or have waited with new values for so long [s]. */
+/** Curves are redrawn after a movement by this many screen pixels, or this time after new values arrived [s]. */
 const leastMove = 0.5, newPause = 0.1;
-/** Values in the legend change so often while time moves [s]. */
+/** Interval between updates of the legend while time advances [s]. */
 const legendPause = 0.2;
-/** Wishes are for widths in steps of this many pixels, so that moving a splitter does not ask for each. */
+/** Step of the requested width in pixels, so that moving a splitter does not cause a request per pixel. */
 const pixelStep = 50;
 
-/** One plot of signals: which, over which stretch of time, and the marks over it. */
+/** Plot of signals, with its window of time and the marks over it. */
 export class Scope implements Subject {
   readonly element = h("section", {class: "scope", tabindex: 0, role: "group"});
   readonly feed: Feed;
@@ -95,7 +95,7 @@ export class Scope implements Subject {
     return this.content instanceof DifferenceTo ? this.content.pin : undefined;
   }
 
-  /** Adds a trace; false where there is no room. */
+  /** Adds a trace; false if the scope is full. */
   add(trace: Trace): boolean {
     const style = freeNumber(this.traces.map((one) => one.style));
     if (style === undefined) {
@@ -114,13 +114,13 @@ export class Scope implements Subject {
     this.shared.keep();
   }
 
-  /** The same traces with the columns of another load. */
+  /** Replaces the traces by the same ones with the columns of another load. */
   replaceTraces(traces: Trace[]): void {
     this.traces = traces;
     this.list();
   }
 
-  /** Fills the plot with curves over time, one signal against another, or the difference to a pinned run. */
+  /** Sets the content: curves over time, one signal against another, or the difference to a pinned run. */
   fill(what: "time" | "against" | Pin): void {
     this.content = what === "time" ? new OverTime(this) : what === "against" ? new Against(this) : new DifferenceTo(this, what, () => this.tolerance.value);
     this.tolerance.hidden = !(this.content instanceof DifferenceTo);
@@ -129,14 +129,14 @@ export class Scope implements Subject {
     this.changed();
   }
 
-  /** Shows a stretch of time of its own from now on. */
+  /** Switches to a time window of its own. */
   takeOwnTime(): TimeWindow {
     this.own = new TimeWindow(this.shared.window.width, () => this.changed());
     this.changed();
     return this.own;
   }
 
-  /** Shows the stretch of time of the board again. */
+  /** Switches back to the time window of the board. */
   shareTime(): void {
     this.own = undefined;
     this.changed();
@@ -147,7 +147,7 @@ export class Scope implements Subject {
     this.shared.keep();
   }
 
-  /** Asks for what is to be seen; nothing while it is out of view. */
+  /** Requests the visible data; none while the scope is out of view. */
   want(isShown: boolean): void {
     const columns = [...new Set(this.traces.map(({column}) => column).filter((column) => column >= 0))].sort((a, b) => a - b), {rate} = this.shared.context.run;
     if (!isShown || !this.isSeen || columns.length === 0) return this.feed.stop();
@@ -155,7 +155,7 @@ export class Scope implements Subject {
     this.feed.want({columns, ...this.content.wanted(this.window.at(this.shared.now), this.window.isFollowing, pixels)}, this.isAgainst ? 0 : this.window.framePause(leastMove / this.plot.box.width, rate));
   }
 
-  /** Draws for the time of the run in `shared`, at `at` [s of the page's clock]; the curves only where they would be seen to move. */
+  /** Draws for the time of the run in `shared`, at `at` [s of the page's clock]. Curves are redrawn only if they would visibly move. */
   draw(at: number): void {
     const window = this.window.at(this.shared.now);
     if (this.isDue(window, at)) this.drawCurves(window, at);
@@ -165,7 +165,7 @@ export class Scope implements Subject {
     this.tell(window);
   }
 
-  /** Something else than time changed. */
+  /** Requests a redraw for a change other than time. */
   touch(): void {
     this.isTouched = true;
   }
@@ -175,7 +175,7 @@ export class Scope implements Subject {
     return this.isTouched || moved >= leastMove || (this.hasNew && at - this.drawnAt >= newPause) || high - low !== this.drawn.high - this.drawn.low;
   }
 
-  /** What is seen, for a picture of it: axes in the units shown, and curves. */
+  /** Visible content for a picture: axes in display units, and curves. */
   get picture(): {axes: Axes; curves: Curve[]} {
     return {axes: this.axes, curves: this.content.curves(this.window.at(this.shared.now))};
   }
@@ -188,20 +188,20 @@ export class Scope implements Subject {
     this.isTouched = this.hasNew = false;
   }
 
-  /** While time moves, new values wait for the next move. */
+  /** Notes new values; while time advances they are drawn with the next movement. */
   private arrived(): void {
     this.hasNew = true;
     if (!this.window.isFollowing || !this.shared.context.run.clock.moves) this.isTouched = true;
     this.shared.tick();
   }
 
-  /** What a trace was at a time [s]; the newest value without one. */
+  /** Returns the value of a trace at a time [s], by default the newest one. */
   valueOf(trace: Trace, time?: number): Range | undefined {
     const samples = this.feed.samples.get(trace.column), {news, loaded} = this.shared.context.run;
     return samples && (time === undefined || time <= news.time + (loaded?.step ?? 0)) ? valueAt(samples, time ?? Infinity) : undefined;
   }
 
-  /** The last value; of a stretch its middle. */
+  /** Returns the last value; of an interval its middle. */
   private newest(trace: Trace): Range | undefined {
     const value = this.valueOf(trace), middle = value && (value.low + value.high) / 2;
     return middle === undefined ? undefined : {low: middle, high: middle};
@@ -230,7 +230,7 @@ export class Scope implements Subject {
     new Gestures(over, new ScopeGestures(this, this.marks));
   }
 
-  /** Text that follows what is drawn. */
+  /** Updates the texts that depend on the drawn data. */
   private tell(window: Range): void {
     const {hover, cursors} = this.shared, time = hover ?? cursors.a, note = [this.content.note(), this.gaps()].filter(Boolean).join("; ");
     this.legend.show(this.groups, (trace) => (time === undefined ? this.newest(trace) : this.valueOf(trace, time)));
@@ -240,7 +240,7 @@ export class Scope implements Subject {
     if (this.own) this.chip.textContent = this.own.isFollowing ? `own time, following ${this.own.width} s` : `own time, ${window.low.toFixed(3)} to ${window.high.toFixed(3)} s`;
   }
 
-  /** Traces without samples at the beginning of what is seen: they were asked for later, and may still be computed. */
+  /** Describes traces without samples at the start of the window: they were requested later, and their past may still be computed. */
   private gaps(): string {
     return this.traces.flatMap(({label, column}) => {
       const from = gapOf(this.feed.samples.get(column));
@@ -248,7 +248,7 @@ export class Scope implements Subject {
     }).join("; ");
   }
 
-  /** Where values in the legend become wider it may take another line; it keeps that, so that the plot does not jump. */
+  /** Keeps the height of the legend after wider values have caused a further line, so that the plot does not jump. */
   private measure(): void {
     if (this.width !== this.area.clientWidth) this.head.style.removeProperty("min-height");
     this.head.style.setProperty("min-height", `${this.head.offsetHeight}px`);

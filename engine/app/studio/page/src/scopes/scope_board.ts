@@ -22,10 +22,10 @@ import {StatisticsTable} from "./statistics_table";
 import {Ticker} from "./ticker";
 import {TimeWindow} from "./time_window";
 
-/** How long the cursors rest before they are said [ms]. */
+/** Time that the cursors must rest before they are announced [ms]. */
 const spoken = 250;
 
-/** All scopes of the page, with what they share: the stretch of time, cursors, pinned runs, a fan. */
+/** All scopes of the page, with their shared state: time window, cursors, pinned runs, a fan. */
 export class ScopeBoard implements View, ScopeHost {
   readonly shared: Shared;
   scopes: Scope[] = [];
@@ -81,7 +81,7 @@ export class ScopeBoard implements View, ScopeHost {
     this.ticker.stop();
   }
 
-  // What a scope asks for.
+  // Requests of a scope.
   add(scope: Scope | undefined, source: string): void {
     void this.addSource(scope, source).then((fault) => { if (fault) this.context.notify(`${source}: ${fault}`, "fault"); });
   }
@@ -95,7 +95,7 @@ export class ScopeBoard implements View, ScopeHost {
   }
 
 
-  /** An empty scope, in which what is chosen next comes. */
+  /** Opens an empty scope and makes it the target of the next selection. */
   open(title = `Scope ${this.scopes.length + 1}`): Scope {
     const scope = new Scope(title, this.shared, this);
     listen(scope.element, "focusin", () => { this.target = scope; });
@@ -105,7 +105,7 @@ export class ScopeBoard implements View, ScopeHost {
     return scope;
   }
 
-  /** Adds a signal or an expression to a scope, or to a new one. Resolves to why it could not. */
+  /** Adds a signal or expression to a scope, or to a new one. Resolves to the reason of a failure, else undefined. */
   async addSource(scope: Scope | undefined, source: string): Promise<string | undefined> {
     try {
       const trace = await resolve(source, this.context.run.loaded?.columns ?? [], this.context.connection, 0);
@@ -126,7 +126,7 @@ export class ScopeBoard implements View, ScopeHost {
     (this.target ?? this.scopes[0])?.element.focus();
   }
 
-  /** Back to the newest, as wide as before, with fitting values. */
+  /** Follows the newest data again, with the former width and fitted values. */
   follow(width?: number): void {
     for (const scope of this.scopes) {
       scope.own?.follow();
@@ -136,7 +136,7 @@ export class ScopeBoard implements View, ScopeHost {
     this.bar.update();
   }
 
-  /** Keeps this run to compare later ones with it. */
+  /** Pins this run for comparison with later ones. */
   async pin(): Promise<void> {
     const {news, loaded} = this.context.run;
     if (news.time === 0 || !loaded) return this.context.notify("there is nothing to keep before the run has begun");
@@ -146,12 +146,12 @@ export class ScopeBoard implements View, ScopeHost {
     this.context.announce(`kept ${pin.label}`);
   }
 
-  /** The scopes of the file, as if nothing had been changed. */
+  /** Restores the scopes of the file. */
   reset(): void {
     if (this.context.run.loaded) this.filling.reset(this.context.run.loaded);
   }
 
-  /** Takes all scopes away. */
+  /** Removes all scopes. */
   clear(): void {
     for (const scope of [...this.scopes]) this.remove(scope);
   }
@@ -206,7 +206,7 @@ export class ScopeBoard implements View, ScopeHost {
     this.ticker.request();
   }
 
-  /** The cursors moved, or what they stand over changed. */
+  /** Handles a change of the cursors, or of the data at them. */
   private moved(): void {
     this.statistics.update();
     this.ticker.request();

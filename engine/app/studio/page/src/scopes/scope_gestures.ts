@@ -3,7 +3,7 @@ import type {Gestured} from "./gestures";
 import type {MarksLayer} from "./marks_layer";
 import type {Scope} from "./scope";
 
-/** What mouse and fingers do with a scope. Where it shows no time, nothing but its values can be zoomed. */
+/** Gestures on a scope. A scope without a time axis supports only zooming of its values. */
 export class ScopeGestures implements Gestured {
   constructor(private readonly scope: Scope, private readonly marks: MarksLayer) {}
 

@@ -1,7 +1,10 @@
 import {zoomAxis} from "./axis_group";
 import type {Scope} from "./scope";
 
-/** Keys while a scope has the focus. Left and right move cursor A, with Shift cursor B, with Alt by one tick; up and down zoom time, with Alt the values. */
+/**
+ * Handles a key while a scope has the focus. Left and right move cursor A, with Shift cursor B, with Alt by one tick; up and down zoom
+ * time, with Alt the values.
+ */
 export function pressed(event: KeyboardEvent, scope: Scope): void {
   if (event.ctrlKey || event.metaKey) return;
   const action = actionOf(event, scope);
@@ -10,7 +13,7 @@ export function pressed(event: KeyboardEvent, scope: Scope): void {
   action();
 }
 
-/** What a key press leaves of what is seen. */
+/** Factor of the range per key press. */
 const nearer = 0.7;
 
 function actionOf(event: KeyboardEvent, scope: Scope): (() => void) | undefined {
@@ -32,19 +35,19 @@ function actionOf(event: KeyboardEvent, scope: Scope): (() => void) | undefined 
 const stepOf = ({shared}: Scope) => shared.context.run.loaded?.step ?? 0;
 const markOf = ({shiftKey}: KeyboardEvent) => (shiftKey ? "b" : "a");
 
-/** About the middle. */
+/** Zooms the values about the middle. */
 function zoomValues({groups, shared}: Scope, factor: number): void {
   for (const group of groups) zoomAxis(group, factor, 0.5);
   shared.redraw();
 }
 
-/** Zoom keeps cursor A where it is, if it is in view. */
+/** Returns the fixed point of a zoom: cursor A if it is visible, else the middle. */
 function center({window, shared}: Scope): number {
   const {low, high} = window.at(shared.now), {a} = shared.cursors;
   return a !== undefined && a >= low && a <= high ? a : (low + high) / 2;
 }
 
-/** By a hundredth of the window, or by a tick. */
+/** Moves a cursor by a hundredth of the window, or by a tick. */
 function move(scope: Scope, event: KeyboardEvent, sign: number): void {
   const {window, shared} = scope, {low, high} = window.at(shared.now), step = stepOf(scope);
   const by = event.altKey ? step : Math.max(step, (high - low) / 100);

@@ -7,7 +7,7 @@ import {showTable} from "./scope_table";
 
 type Entry = [string, () => void];
 
-/** What may be done with one scope. */
+/** Returns the menu entries of a scope. */
 export function entriesOf(scope: Scope): Entry[] {
   return [...kinds(scope), ...times(scope), ...files(scope), ["Table of values", () => showTable(scope)], ["Take this scope out", () => scope.host.remove(scope)]];
 }
@@ -41,7 +41,7 @@ function figureOf(scope: Scope): string {
   return figureText(scope.name, scope.groups.map(({traces}) => traces), isFollowing ? undefined : scope.window.at(scope.shared.now));
 }
 
-/** All samples of the stretch between the cursors, or else of what is seen. */
+/** Saves all samples between the cursors, or else of the window. */
 async function saveCsv(scope: Scope): Promise<void> {
   const {context, cursors, now} = scope.shared, seen = scope.window.at(now), range = cursors.b === undefined ? seen : cursors.stretch!;
   const columns = scope.traces.map(({column}) => column).filter((column) => column >= 0);

@@ -14,7 +14,7 @@ interface Axis {
   position: (value: number) => number;
 }
 
-/** Ticks of 1, 2 or 5 times a power of ten, about `count` of them. */
+/** Returns about `count` ticks at multiples of 1, 2 or 5 times a power of ten. */
 export function ticksOf({low, high}: Range, count: number): {values: number[]; step: number} {
   const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough)), share = rough / power;
   const step = power * (share > 5 ? 10 : share > 2 ? 5 : share > 1 ? 2 : 1), first = Math.ceil(low / step - 1e-9);
@@ -22,7 +22,7 @@ export function ticksOf({low, high}: Range, count: number): {values: number[]; s
   return {values: Array.from({length: Math.max(0, many)}, (_, i) => (first + i) * step), step};
 }
 
-/** The picture of a scope as a file of its own. Texts are text, never markup. */
+/** Returns the picture of a scope as the content of a file. Texts are inserted as text, never as markup. */
 export function scopeSvg({name, picture: {axes, curves}}: Pick<Scope, "name" | "picture">): string {
   const across = (value: number) => frame.left + ((value - axes.x.low) / (axes.x.high - axes.x.low)) * frame.width;
   const ups = axes.ys.map(({range: {low, high}}) => (value: number) => frame.top + frame.height - ((value - low) / (high - low)) * frame.height);
@@ -36,7 +36,7 @@ export function scopeSvg({name, picture: {axes, curves}}: Pick<Scope, "name" | "
   return new XMLSerializer().serializeToString(root);
 }
 
-/** The colours of the light theme, in which pictures are printed. */
+/** Colours of the light theme, for print. */
 const lightColors = ["#054cb4", "#d07b0d", "#00955c", "#a21478", "#7d4f00", "#3f3b2f"];
 
 function text(x: number, y: number, content: string, anchor: "start" | "middle" | "end"): SVGTextElement {
@@ -54,7 +54,7 @@ function axisBelow({range, position}: Axis, unit: string): SVGElement[] {
     svg("rect", {x: frame.left, y: frame.top, width: frame.width, height: frame.height, fill: "none", stroke: "#888"})];
 }
 
-/** Left, right, and further axes not at all: their curves are there, their numbers in the CSV. */
+/** Returns the axis at the left or right. Further axes are omitted: their curves are drawn, and their numbers are in the CSV. */
 function axisBeside({range, position}: Axis, unit: string, place: number): SVGElement[] {
   if (place > 1) return [];
   const {values, step} = ticksOf(range, 6), edge = place === 0 ? frame.left : frame.left + frame.width, away = place === 0 ? -6 : 6;

@@ -6,10 +6,10 @@ import {numberText} from "./numbers";
 import type {Scope} from "./scope";
 import type {Trace} from "./trace";
 
-/** Rows of the table. */
+/** Number of rows of the table. */
 const rows = 21;
 
-/** What a scope shows as a table: values at times spread evenly over what is seen. */
+/** Shows the content of a scope as a table, with values at evenly spaced times of the window. */
 export function showTable(scope: Scope): void {
   const {low, high} = scope.window.at(scope.shared.now), end = Math.min(high, Math.max(low, scope.shared.now));
   const shown = scope.groups.flatMap((group) => group.traces.map((trace): [Trace, AxisGroup] => [trace, group]));

@@ -5,7 +5,7 @@ import type {Pins} from "./pins";
 import type {Look} from "./plot";
 import type {TimeWindow} from "./time_window";
 
-/** What all scopes of a board have in common. */
+/** Shared state of all scopes of a board. */
 export interface Shared {
   context: Context;
   cursors: Cursors;
@@ -18,12 +18,12 @@ export interface Shared {
   sides: number;
   /** Time of the run that is drawn now [s]. */
   now: number;
-  /** Where the pointer is over a scope [s]. */
+  /** Time under the pointer [s]. */
   hover: number | undefined;
-  /** Draws all scopes anew with the next picture of the screen. */
+  /** Redraws all scopes at the next screen refresh. */
   redraw(): void;
-  /** Brings marks and texts up to date, and what has moved. */
+  /** Updates marks and texts, and redraws curves that have moved. */
   tick(): void;
-  /** Something changed that is kept between visits. */
+  /** Stores changes for the next visit. */
   keep(): void;
 }

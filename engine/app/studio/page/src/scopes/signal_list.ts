@@ -1,10 +1,10 @@
 import {h, listen} from "../shell/dom";
 import type {Column} from "../run/run_types";
 
-/** More are not listed; the search narrows them down. */
+/** Limit of listed signals; a search narrows them down. */
 const most = 200;
 
-/** Signals whose names have all words of a search, in their order; whose name begins with it come first. */
+/** Returns the signals whose names contain all words of a search; names that begin with the first word are first. */
 export function found(columns: Column[], search: string): Column[] {
   const words = search.toLowerCase().split(/\s+/).filter(Boolean);
   const fitting = columns.filter(({name}) => words.every((word) => name.toLowerCase().includes(word)));
@@ -12,7 +12,7 @@ export function found(columns: Column[], search: string): Column[] {
   return fitting.map((column, i) => ({column, i})).sort((a, b) => starts(a.column) - starts(b.column) || a.i - b.i).map(({column}) => column);
 }
 
-/** The signals of the run, to be searched, dragged into a scope, or chosen; a text that is no name is taken as an expression. */
+/** Signals of the run, for searching, dragging into a scope, or selecting; a text that is no name is used as an expression. */
 export class SignalList {
   readonly element = h("div", {class: "signals", role: "group", "aria-label": "Signals of the run"});
   private readonly search = h("input", {type: "search", placeholder: "name, or expression: cart.position in mm", "aria-label": "Signal or expression with units"});
@@ -20,7 +20,7 @@ export class SignalList {
   private readonly fault = h("p", {class: "signal-fault", role: "alert", hidden: true});
   private columns: Column[] = [];
 
-  /** `add` resolves to why it could not, undefined where it did; `leave` closes the list. */
+  /** `add` resolves to the reason of a failure, else undefined; `leave` closes the list. */
   constructor(private readonly add: (source: string, inNew: boolean) => Promise<string | undefined>, leave: () => void) {
     this.element.append(h("div", {class: "signal-search"}, this.search), this.fault, this.list);
     listen(this.search, "input", () => this.show());
@@ -71,7 +71,7 @@ export class SignalList {
     event.preventDefault();
   }
 
-  /** The only name that fits, or the text as it stands. */
+  /** Returns the only matching name, or the text as typed. */
   private chosen(text: string): string {
     const all = found(this.columns, text);
     return all.length === 1 && /^[\w.[\]]+$/.test(text) ? all[0].name : text;

@@ -1,7 +1,7 @@
 import {type DisplayUnit, perSecond, shownOf} from "./display_unit";
 import {durationText, numberText, quantityText} from "./numbers";
 
-/** What the server says of a stretch, from all samples; SI, slope per second. */
+/** Statistics of all samples in an interval, from the server; SI, slope per second. */
 export interface Statistics {
   column: number;
   min: number;
@@ -15,19 +15,19 @@ export interface Statistics {
 
 export type Reduction = "min" | "max" | "mean" | "rms" | "slope" | "a" | "b" | "difference";
 
-/** The columns of the table, in their order. */
+/** Columns of the table, in order. */
 export const reductions: {name: Reduction; title: string; needsBoth: boolean}[] = [
   {name: "a", title: "A", needsBoth: false}, {name: "b", title: "B", needsBoth: true}, {name: "difference", title: "B − A", needsBoth: true},
   {name: "min", title: "min", needsBoth: true}, {name: "max", title: "max", needsBoth: true}, {name: "mean", title: "mean", needsBoth: true},
   {name: "rms", title: "rms", needsBoth: true}, {name: "slope", title: "slope", needsBoth: true},
 ];
 
-/** The value at A and at B: the ends of the stretch, turned around where B is before A. */
+/** Returns the values at A and B from the ends of the interval, swapped if B is before A. */
 function ends({first, last}: Statistics, isTurned: boolean): {a: number; b: number} {
   return isTurned ? {a: last, b: first} : {a: first, b: last};
 }
 
-/** One number of the table in the shown unit. Differences, and slopes per second, know no offset; rms is that of what is shown. */
+/** Returns one number of the table in the display unit. Differences and slopes have no offset; rms is that of the displayed values. */
 export function reduced(statistics: Statistics, reduction: Reduction, unit: DisplayUnit, isTurned = false): number {
   const {a, b} = ends(statistics, isTurned);
   switch (reduction) {
@@ -44,12 +44,12 @@ export function reducedUnit(reduction: Reduction, unit: DisplayUnit): string {
   return reduction === "slope" ? perSecond(unit.text) : unit.text;
 }
 
-/** "49.8 mm". */
+/** Formats a number of the table: "49.8 mm". */
 export function reducedText(statistics: Statistics, reduction: Reduction, unit: DisplayUnit, isTurned = false): string {
   return quantityText(reduced(statistics, reduction, unit, isTurned), reducedUnit(reduction, unit));
 }
 
-/** "A 1.2 s, B 1.45 s, B − A 250 ms, 1/(B − A) 4 Hz". */
+/** Returns "A 1.2 s, B 1.45 s, B − A 250 ms, 1/(B − A) 4 Hz". */
 export function marksText(a: number | undefined, b: number | undefined): string {
   if (a === undefined) return "";
   const parts = [`A ${quantityText(a, "s", 7)}`];

@@ -8,13 +8,13 @@ import type {Shared} from "./shared";
 import {marksText, reducedText, type Reduction, reductions, type Statistics} from "./statistics";
 import {type Trace, unitOf} from "./trace";
 
-/** How long the cursors must rest before the server is asked, and how often it is while the run goes on between them [ms]. */
+/** Time that the cursors must rest before a request, and interval between requests while the run is between them [ms]. */
 const quiet = 60, between = 250;
 
-/** JSON has no NaN; null stands for it. */
+/** Converts null to NaN, which JSON lacks. */
 const numbers = (one: Statistics): Statistics => Object.fromEntries(Object.entries(one).map(([name, value]) => [name, value ?? NaN])) as unknown as Statistics;
 
-/** What lies between the cursors, for all traces of all scopes, from all samples; a click on a number makes a line of `claims` of it. */
+/** Table with the statistics between the cursors, for all traces of all scopes, from all samples. A click on a number adds an item to `claims`. */
 export class StatisticsTable {
   readonly element = h("section", {class: "statistics", "aria-label": "Between the cursors", hidden: true});
   private readonly head = h("p", {class: "statistics-head"});
@@ -22,7 +22,7 @@ export class StatisticsTable {
   private timer: number | undefined;
   private asked = "";
   private askedAt = 0;
-  /** The time of the run when it was asked last. */
+  /** Time of the run at the last request. */
   private upTo = 0;
   private known = new Map<number, Statistics>();
 
@@ -31,13 +31,13 @@ export class StatisticsTable {
     this.element.append(h("header", {}, this.head, clear), h("div", {class: "scrolled"}, this.table));
   }
 
-  /** The run stands at another time: what lies between the cursors is another unless it had passed them before. */
+  /** Requests the statistics again for a new time of the run, unless the run had already passed the cursors. */
   passed(): void {
     const {context: {run: {news: {time}}}, cursors: {stretch}} = this.shared, hasPassed = stretch && Math.min(this.upTo, time) >= stretch.high;
     if (stretch && !hasPassed && time !== this.upTo && performance.now() - this.askedAt > between) void this.ask();
   }
 
-  /** The cursors moved, or signals came or went. */
+  /** Updates the table after a change of the cursors or the signals. */
   update(): void {
     const {a, b} = this.shared.cursors;
     this.element.hidden = a === undefined;
@@ -79,7 +79,7 @@ export class StatisticsTable {
     return h("tr", {}, name, ...shown.map((reduction) => h("td", {}, this.cell(scope, trace, reduction))));
   }
 
-  /** Is it a value at a cursor that stands where the run has not been yet? */
+  /** True for a value at a cursor that the run has not reached yet. */
   private isBeyond(reduction: Reduction): boolean {
     const {cursors: {a = 0, b = a}, context: {run}} = this.shared, at = {a, b, difference: Math.max(a, b)}[reduction as "a" | "b" | "difference"];
     return at !== undefined && at > run.news.time + (run.loaded?.step ?? 0);

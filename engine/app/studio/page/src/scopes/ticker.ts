@@ -1,7 +1,7 @@
-/** Pictures a second where nothing shall move by itself, and how long after the last change one more is drawn [s]. */
+/** Refresh rate with reduced motion [1/s], and delay of the final picture after the last change [s]. */
 const stillRate = 4, afterglow = 2.2;
 
-/** Draws with the pictures of the screen: all of them while something moves, else when it is asked for, and once more when axes may have shrunk. */
+/** Scheduler of pictures. While time advances it draws at each screen refresh, otherwise on request, and once more later, as axes may have shrunk. */
 export class Ticker {
   private frame = 0;
   private timer: number | undefined;
@@ -29,7 +29,7 @@ export class Ticker {
     else this.timer = window.setTimeout(() => this.settle(), afterglow * 1000);
   }
 
-  /** One more picture, which is followed by none. */
+  /** Draws the final picture. */
   private settle(): void {
     requestAnimationFrame((ms) => this.draw(ms / 1000, true));
   }

@@ -1,28 +1,28 @@
 import type {Column, TraceSpec} from "../run/run_types";
 import {type DisplayUnit, prefixed} from "./display_unit";
 
-/** One curve of a scope. */
+/** Curve of a scope. */
 export interface Trace {
-  /** Name or expression as it was given; by it the trace is found again after another load. */
+  /** Original name or expression, from which the trace is resolved again after another load. */
   source: string;
-  /** -1 while the run has none of it. */
+  /** Column of the run; -1 if the run lacks it. */
   column: number;
   label: string;
-  /** In which it is shown. Without it the SI unit, with a prefix by size. */
+  /** Display unit; undefined for the SI unit with an automatic prefix. */
   unit: DisplayUnit | undefined;
   /** Text of the SI unit. */
   si: string;
-  /** Of its colour and dash. */
+  /** Number of its colour and dash style. */
   style: number;
 }
 
-/** Traces with the same key share an axis. */
+/** Returns the key of a trace's axis; traces with the same key share one. */
 export const scaleKey = (trace: Trace): string => (trace.unit ? `${trace.unit.text}*${trace.unit.scale}+${trace.unit.offset}` : trace.si || "1");
 
-/** The unit of a trace while the largest magnitude on its axis is `magnitude` [SI]. */
+/** Returns the unit of a trace for the largest magnitude on its axis [SI]. */
 export const unitOf = (trace: Trace, magnitude: number): DisplayUnit => trace.unit ?? prefixed(trace.si, magnitude);
 
-/** A trace of a scope that the file asks for. */
+/** Returns a trace of a scope in the file. */
 export function traceOf(spec: TraceSpec, columns: Column[], style: number): Trace {
   const column = columns.find((one) => one.column === spec.column);
   const unit = {text: spec.unit, scale: spec.scale, offset: spec.offset ?? 0};
@@ -31,7 +31,7 @@ export function traceOf(spec: TraceSpec, columns: Column[], style: number): Trac
   return {source, column: spec.column, label: spec.label || source, unit: isSi ? undefined : unit, si: column?.unit ?? spec.unit, style};
 }
 
-/** A trace of a signal as it is recorded. */
+/** Returns a trace of a recorded signal. */
 export function traceOfColumn({column, name, unit}: Column, style: number): Trace {
   return {source: name, column, label: name, unit: undefined, si: unit, style};
 }

@@ -1,9 +1,9 @@
-/** How long an extent is held before the range shrinks [s]. It shrinks to at most this share of itself, or not at all. */
+/** Time for which an extent is kept before the range shrinks [s], and the share of the range above which it does not shrink. */
 export const patience = 2;
 const worthIt = 0.85;
-/** Free above and below, as a share of what data take. */
+/** Margin above and below, as a share of the data's range. */
 const margin = 0.06;
-/** Less is not resolved without being asked for, as a share of the magnitude: labels would not tell it apart, and rounding is no signal. */
+/** Smallest automatic range as a share of the magnitude: labels could not distinguish less, and it would show rounding errors. */
 const leastSpan = 1e-4;
 
 export interface Range {
@@ -13,7 +13,7 @@ export interface Range {
 
 const width = ({low, high}: Range) => high - low;
 
-/** A range with room above and below; a constant gets room in proportion to itself, and 0 that of `one`. */
+/** Adds a margin to a range. For a constant it is proportional to the magnitude; for 0 it is `one`. */
 export function padded({low, high}: Range, one = 1): Range {
   const span = high - low;
   const size = Math.max(Math.abs(low), Math.abs(high)), least = leastSpan * size;
@@ -25,16 +25,16 @@ export function joined(a: Range | undefined, b: Range): Range {
   return a ? {low: Math.min(a.low, b.low), high: Math.max(a.high, b.high)} : b;
 }
 
-/** The range of an axis: grows at once, shrinks when data have needed less for two seconds. Instants in seconds of the page's clock. */
+/** Range of an axis: grows at once, and shrinks after the data have needed less for two seconds. Instants in seconds of the page's clock. */
 export class YRange {
   private recent: {at: number; data: Range}[] = [];
   private shown: Range | undefined;
   private own: Range | undefined;
 
-  /** `one`: what is 1 in the shown unit. */
+  /** `one`: SI value of 1 in the display unit. */
   constructor(private readonly one = 1) {}
 
-  /** The data now visible. Returns what to show. */
+  /** Adds the visible data; returns the range to show. */
   update(data: Range | undefined, at: number): Range {
     if (this.own) return this.own;
     if (data) this.remember(data, at);
@@ -43,12 +43,12 @@ export class YRange {
     return this.shown ?? {low: 0, high: 1};
   }
 
-  /** Chosen by hand; stays until `fit`. */
+  /** Fixes the range until `fit`. */
   choose(range: Range): void {
     if (width(range) > 0 && Number.isFinite(width(range))) this.own = range;
   }
 
-  /** Fits to data again, at once. */
+  /** Fits the range to the data at once. */
   fit(): void {
     this.own = undefined;
     this.shown = undefined;

@@ -4,19 +4,19 @@ import {openMenu} from "./menu";
 import {showShortcuts} from "./shortcut_list";
 import type {Choice} from "./theme";
 
-/** After so long without the server the page says what else may be the cause [ms]. */
+/** Time without the server after which the page names another possible cause [ms]. */
 const longLost = 10000;
 
-/** The bar on top: which diagram, the run, and what belongs to the whole page. */
+/** Top bar: the diagram, the run, and actions of the whole page. */
 export class Bar {
   readonly element = h("header", {class: "bar"});
-  /** The bar of the run is put in here. */
+  /** Host of the run's bar. */
   readonly run = h("div", {class: "bar-run"});
   private readonly files = h("select", {"aria-label": "Diagram"});
   private readonly save = h("button", {type: "button", class: "plain", title: "Save (Ctrl+S)"}, "Save");
   private readonly lost = h("span", {class: "connection", role: "status", hidden: true}, "no connection, trying again");
   private readonly more = h("button", {type: "button", class: "plain", "aria-label": "More", title: "More", "aria-haspopup": "menu"}, "☰");
-  /** What the menu has beside the page's own entries. */
+  /** Further entries of the menu, beside the page's own ones. */
   readonly entries: [string, () => void][] = [];
 
   constructor(private readonly context: Context) {
@@ -35,7 +35,7 @@ export class Bar {
     this.mark();
   }
 
-  /** A studio that was started anew has another address, so no waiting helps. */
+  /** Shows the loss of the connection. A restarted studio has a new address, so waiting does not help then. */
   private showLost(isOpen: boolean): void {
     this.lost.hidden = isOpen;
     clearTimeout(this.timer);
@@ -60,7 +60,7 @@ export class Bar {
     document.title = `${changed.length > 0 ? "• " : ""}${name ? `${name} - ` : ""}Stepwire studio`;
   }
 
-  /** A diagram is drawn and run from now on; a part is only opened as a text, and what is drawn and run stays. */
+  /** Draws and runs the selected diagram. A part is only opened as a text; the drawn and running diagram remains. */
   private async choose(): Promise<void> {
     const {workbench, notify} = this.context, file = Number(this.files.value), isPart = workbench.files.some((one) => one.file === file && one.part);
     try {
@@ -81,7 +81,7 @@ export class Bar {
     openMenu(this.more, [...this.drafts(), ...this.entries, color("system", "Colours of the system"), color("light", "Light"), color("dark", "Dark")]);
   }
 
-  /** Texts that are not saved may be given up. */
+  /** Returns the entries that discard unsaved texts. */
   private drafts(): [string, () => void][] {
     const {workbench, notify} = this.context;
     return workbench.changedFiles.map((document) => [`Give up the draft of ${document.name}`, () => void workbench.saving.discard(document).then(() => notify(`${document.name} is as the file has it`), (fault) => notify(fault.message, "fault"))]);

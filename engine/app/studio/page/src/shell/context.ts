@@ -5,26 +5,26 @@ import type {Settings} from "./settings";
 import type {Shortcuts} from "./shortcuts";
 import type {Theme} from "./theme";
 
-/** What every view of the page gets. */
+/** Services of the page for its views. */
 export interface Context {
   connection: Connection;
   run: RunModel;
   settings: Settings;
   shortcuts: Shortcuts;
   theme: Theme;
-  /** The texts: what is open, edits of them, selection. */
+  /** Texts: open files, their edits, the selection. */
   workbench: Workbench;
-  /** Says something to who does not see the page. */
+  /** Announces a text to screen readers. */
   announce(text: string): void;
-  /** Shows a sentence for a few seconds; faults stay until they are closed. */
+  /** Shows a sentence for a few seconds; faults remain until they are closed. */
   notify(text: string, kind?: "note" | "fault"): void;
   /** Brings a pane to the front: "text", "drawing", "scopes", "scene", "figures", "tuning". */
   show(pane: string): void;
 }
 
-/** A part of the page. */
+/** Part of the page. */
 export interface View {
   dispose(): void;
-  /** The pane came to the front, or left it. */
+  /** Called when the pane is brought to the front, or leaves it. */
   shown?(isShown: boolean): void;
 }

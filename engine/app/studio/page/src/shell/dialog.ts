@@ -1,6 +1,6 @@
 import {h} from "./dom";
 
-/** A dialog with a title; it closes by Esc, its cross, or what `foot` does. `closed` runs once afterwards. */
+/** Opens a dialog with a title. Esc, its cross or a button of `foot` closes it; `closed` runs once afterwards. */
 export function openDialog(title: string, body: (Node | string)[], foot: (close: () => void) => Node[] = () => [], closed: () => void = () => {}): HTMLDialogElement {
   const dialog = h("dialog", {"aria-label": title});
   const close = () => dialog.close();

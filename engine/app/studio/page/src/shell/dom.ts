@@ -1,4 +1,4 @@
-// Elements are made by these few functions; text goes in as text, never as markup.
+// Functions for creating elements. Texts are inserted as text, never as markup.
 
 type Child = Node | string | null | undefined | false;
 type Properties = Record<string, unknown>;
@@ -15,17 +15,17 @@ function filled<E extends Element>(element: E, properties: Properties, children:
   return element;
 }
 
-/** An element of HTML: attributes by name, `onclick` and so on as listeners, children as nodes or text. */
+/** Creates an HTML element: attributes by name, listeners such as `onclick`, and children as nodes or text. */
 export function h<K extends keyof HTMLElementTagNameMap>(name: K, properties: Properties = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
   return filled(document.createElement(name), properties, children);
 }
 
-/** The same for SVG. */
+/** Creates an SVG element in the same way. */
 export function svg<K extends keyof SVGElementTagNameMap>(name: K, properties: Properties = {}, ...children: Child[]): SVGElementTagNameMap[K] {
   return filled(document.createElementNS("http://www.w3.org/2000/svg", name), properties, children);
 }
 
-/** Listens, and returns what ends it. */
+/** Adds a listener; returns a function that removes it. */
 export function listen(target: EventTarget, name: string, listener: (event: any) => void, options?: AddEventListenerOptions): () => void {
   target.addEventListener(name, listener, options);
   return () => target.removeEventListener(name, listener, options);

@@ -1,4 +1,4 @@
-// Where the panes stand. Wide: text, drawing above tabs, tuning beside them. Medium: tuning is a tab. Narrow: everything is a tab.
+// Layout of the panes. Wide: text, drawing above tabs, tuning beside them. Medium: tuning is a tab. Narrow: each pane is a tab.
 
 import {h, listen} from "./dom";
 import type {View} from "./context";
@@ -8,9 +8,9 @@ import {Splitter} from "./splitter";
 export interface Pane {
   id: string;
   title: string;
-  /** Is it kept back until it is offered? */
+  /** True if the pane is hidden until it is offered. */
   isKept?: boolean;
-  /** Makes the view when the pane comes to the front first. */
+  /** Creates the view when the pane is shown for the first time. */
   make(host: HTMLElement): Promise<View>;
 }
 
@@ -42,7 +42,7 @@ export class Layout {
     this.measure();
   }
 
-  /** Brings a pane to the front, and the focus into it if that is wished. */
+  /** Brings a pane to the front; with `focus` it also gets the focus. */
   show(id: string, focus = false): void {
     const pane = this.panes.find((one) => one.id === id);
     if (!pane || pane.isKept) return;
@@ -54,7 +54,7 @@ export class Layout {
     if (focus) this.focus(pane);
   }
 
-  /** A pane that was kept back is there from now on, in front. */
+  /** Makes a hidden pane available and brings it to the front. */
   offer(id: string): void {
     const pane = this.panes.find((one) => one.id === id);
     if (!pane) return;
@@ -62,7 +62,7 @@ export class Layout {
     this.show(id);
   }
 
-  /** Moves the focus to the next pane that is seen, or the one before. */
+  /** Moves the focus to the next or previous visible pane. */
   cycle(step: number): void {
     const seen = this.panes.filter(({section}) => !section.hidden);
     const now = seen.findIndex(({section}) => section.contains(document.activeElement));
@@ -128,7 +128,7 @@ export class Layout {
     pane.view.catch((thrown) => host.append(h("p", {class: "empty"}, `${pane.title} cannot be shown: ${thrown?.message ?? thrown}`)));
   }
 
-  /** What is made for the focus, else the first that may have it; a view that is still on its way gets it when it is there. */
+  /** Focuses the element marked for it, else the first focusable one. A view that is still loading gets the focus later. */
   private focus({section, view}: Placed): void {
     const first = (selector: string) => [...section.querySelectorAll<HTMLElement>(selector)].find((one) => one.checkVisibility({visibilityProperty: true}) && !one.matches(":disabled"));
     const inside = first("[data-focus]") ?? first(".cm-content") ?? first("[tabindex='0']") ?? first("button, input, select");

@@ -1,6 +1,6 @@
 import {h, listen} from "./dom";
 
-/** A menu below a button, or at a point of the window: arrows, Enter, Esc. The focus returns afterwards. */
+/** Opens a menu below a button, or at a point of the window; keys are arrows, Enter, Esc. Closing it restores the focus. */
 export function openMenu(at: HTMLElement | {x: number; y: number}, entries: [string, () => void][], label = "Menu"): void {
   document.querySelector(".menu")?.remove();
   const before = document.activeElement as HTMLElement | null;

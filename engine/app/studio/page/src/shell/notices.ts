@@ -2,7 +2,7 @@ import {h} from "./dom";
 
 const shownFor = 5000;  // ms
 
-/** Sentences at the corner of the page, and the same for who does not see them. */
+/** Notices in the corner of the page, which are also announced to screen readers. */
 export class Notices {
   readonly element: HTMLElement;
   private readonly polite = h("div", {class: "unseen", role: "status", "aria-live": "polite"});

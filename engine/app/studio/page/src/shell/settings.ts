@@ -1,4 +1,4 @@
-// What the page keeps between visits: one JSON in the user's state folder, one for each FILE, through the server.
+// Settings that persist between visits: one JSON per FILE in the user's state folder, through the server.
 
 import type {Connection} from "../connection/connection";
 
@@ -11,7 +11,7 @@ export class Settings {
 
   constructor(private readonly connection: Connection) {}
 
-  /** Reads what was kept; what is new here stays. */
+  /** Reads the stored settings; values that were set here before take precedence. */
   async load(): Promise<void> {
     const {state} = await this.connection.call<{state: Record<string, unknown> | null}>("state.get");
     this.state = {...(state ?? {}), ...this.state};
@@ -29,7 +29,7 @@ export class Settings {
     this.timer = window.setTimeout(() => this.write(), quiet);
   }
 
-  /** Calls the listener with the key of each value that changes. Returns what ends it. */
+  /** Adds a listener that gets the key of each changed value. Returns a function that removes it. */
   on(listener: (key: string) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
@@ -40,6 +40,6 @@ export class Settings {
   }
 
   private write(): void {
-    this.connection.call("state.put", {state: this.state}).catch(() => {});  // written again with the next change
+    this.connection.call("state.put", {state: this.state}).catch(() => {});  // the next change retries
   }
 }

@@ -7,7 +7,7 @@ const editorKeys: [string, string][] = [
   ["F2", "rename with every use"], ["F12", "go to the definition"], ["F8", "next fault"], ["Ctrl+.", "quick fixes of a fault"],
 ];
 
-/** All keys of the page, by their groups. */
+/** Shows all keys of the page, by group. */
 export function showShortcuts(shortcuts: Shortcuts): void {
   const groups = new Map<string, [string, string][]>();
   for (const {group = "Page", key, text} of shortcuts.list()) groups.set(group, [...(groups.get(group) ?? []), [key, text]]);

@@ -1,11 +1,11 @@
-// Keys of the whole page. Each has a text, which "?" lists.
+// Keys of the whole page. Each has a text for the list of "?".
 
 export interface Shortcut {
-  /** As a person reads it: "Ctrl+S", "Space", "Shift+F", "?". Ctrl is also Cmd. */
+  /** Key in its written form: "Ctrl+S", "Space", "Shift+F", "?". Ctrl also means Cmd. */
   key: string;
   text: string;
   action: (event: KeyboardEvent) => void;
-  /** Where the key holds; without it everywhere but in fields and the editor. */
+  /** True where the key applies; by default everywhere except in fields and the editor. */
   within?: () => boolean;
   /** Group in the list. */
   group?: string;
@@ -14,27 +14,27 @@ export interface Shortcut {
 const names: Record<string, string> = {" ": "Space", ArrowLeft: "Left", ArrowRight: "Right", ArrowUp: "Up", ArrowDown: "Down", Escape: "Esc"};
 const isWritten = (key: string) => key.length === 1 && key.toLowerCase() === key.toUpperCase();
 
-/** A pressed key as shortcuts write it. Signs such as "?" are written without the Shift that they need. */
+/** Returns a pressed key in the form of shortcuts. Symbols such as "?" omit the Shift that they need. */
 export function keyOf(event: KeyboardEvent): string {
   const key = names[event.key] ?? (event.key.length === 1 ? event.key.toUpperCase() : event.key);
   const shift = event.shiftKey && !(isWritten(event.key) && event.key !== " ");
   return (event.ctrlKey || event.metaKey ? "Ctrl+" : "") + (event.altKey ? "Alt+" : "") + (shift ? "Shift+" : "") + key;
 }
 
-/** Does whoever has the focus take letters? */
+/** True if the focused element accepts letters. */
 function takesText(target: EventTarget | null): boolean {
   if (!(target instanceof HTMLElement)) return false;
   const input = target instanceof HTMLInputElement && !["checkbox", "radio", "range", "button"].includes(target.type);
   return input || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement || target.isContentEditable;
 }
 
-/** Buttons and the like have uses of their own for these keys. */
+/** Keys that buttons and other controls use themselves. */
 const ownKeys = new Set(["Space", "Enter", "Left", "Right", "Up", "Down", "Home", "End", "PageUp", "PageDown"]);
 const controls = "button, a[href], summary, [role=tab], [role=slider], [role=separator], [role=option], [role=listbox], [role=menuitem], input, [data-own-keys]";
-/** These have none for Space. */
+/** Controls that do not use Space. */
 const spaceless = "[role=slider], [role=separator], input[type=range]";
 
-/** Has whoever has the focus a use for a key? `data-own-keys` lists those of an element. */
+/** True if the focused element uses a key itself; `data-own-keys` lists the keys of an element. */
 function hasOwnKey(target: EventTarget | null, key: string): boolean {
   const control = target instanceof Element ? target.closest<HTMLElement>(controls) : null;
   if (!control || !ownKeys.has(key)) return false;
@@ -44,7 +44,7 @@ function hasOwnKey(target: EventTarget | null, key: string): boolean {
 
 export class Shortcuts {
   private readonly all: Shortcut[] = [];
-  /** The button that has the focus by a click: Space is not for it, but for the page. */
+  /** Button that was focused by a click: it leaves Space to the page. */
   private clicked: Element | null = null;
 
   constructor() {
@@ -53,13 +53,13 @@ export class Shortcuts {
     document.addEventListener("focusin", ({target}) => { if (target !== this.clicked) this.clicked = null; });
   }
 
-  /** Adds a key; a later one goes before an earlier one. Returns what removes it. */
+  /** Adds a key, with precedence over earlier ones. Returns a function that removes it. */
   add(shortcut: Shortcut): () => void {
     this.all.unshift(shortcut);
     return () => { this.all.splice(this.all.indexOf(shortcut), 1); };
   }
 
-  /** All keys, in the order in which they were added. */
+  /** Returns all keys in the order in which they were added. */
   list(): readonly Shortcut[] {
     return [...this.all].reverse();
   }

@@ -4,16 +4,16 @@ import type {Settings} from "./settings";
 export interface SplitterOptions {
   name: string;
   label: string;
-  /** Which way it moves. */
+  /** Direction of movement. */
   axis: "x" | "y";
-  /** Does the pane after it have the size, not the one before? */
+  /** True if the pane after the splitter has the size, false for the one before. */
   fromEnd?: boolean;
-  /** Bounds of the pane's size, in shares of the panes' area. */
+  /** Bounds of the pane's size, as shares of the panes' area. */
   least: number;
   most: number;
 }
 
-/** A bar between panes; drag, or arrows, Home and End. The size is a share of the area, kept in the settings. */
+/** Splitter between panes, moved by dragging, arrows, Home and End. The size is a share of the area, stored in the settings. */
 export class Splitter {
   readonly element: HTMLElement;
   private share: number | undefined;
@@ -69,7 +69,7 @@ export class Splitter {
     ];
   }
 
-  /** The present share; before the first change that of the picture. */
+  /** Returns the present share; before the first change it is measured. */
   private now(): number {
     if (this.share !== undefined) return this.share;
     const own = this.element.getBoundingClientRect(), {left, top, width, height} = this.area.getBoundingClientRect();

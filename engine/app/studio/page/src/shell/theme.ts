@@ -1,4 +1,4 @@
-// Light or dark: the system's choice, or the reader's own.
+// Light or dark theme: the system's choice, or the user's.
 
 export type Choice = "system" | "light" | "dark";
 
@@ -26,17 +26,17 @@ export class Theme {
     return this.own === "system" ? this.dark.matches : this.own === "dark";
   }
 
-  /** Shall nothing move by itself? */
+  /** True if the user prefers reduced motion. */
   get isStill(): boolean {
     return this.still.matches;
   }
 
-  /** The value of a token, as "--ink"; for canvases. */
+  /** Returns the value of a token such as "--ink", for canvases. */
   token(name: string): string {
     return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   }
 
-  /** Calls the listener when colours change. Returns what ends it. */
+  /** Adds a listener for changes of colours. Returns a function that removes it. */
   on(listener: () => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);

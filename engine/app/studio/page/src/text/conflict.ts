@@ -1,4 +1,5 @@
-// A file was changed elsewhere while it was edited here: both texts side by side, and a choice. Lines that only one of them has changed are merged before that.
+// Dialog for a file that was changed by another program during editing: both texts side by side, and a choice. Lines that only one of them
+// has changed are merged before.
 
 import {type Extension, RangeSetBuilder} from "@codemirror/state";
 import {Decoration, EditorView} from "@codemirror/view";
@@ -9,7 +10,7 @@ import {reading} from "./editor";
 import {differentLines} from "./line_differences";
 import type {Conflict} from "./saving";
 
-/** Marks lines of a text by their numbers from 0. */
+/** Marks lines of a text by their indices. */
 function marked(text: string, lines: Set<number>): Extension {
   const builder = new RangeSetBuilder<Decoration>();
   let from = 0;
@@ -20,7 +21,7 @@ function marked(text: string, lines: Set<number>): Extension {
   return EditorView.decorations.of(builder.finish());
 }
 
-/** Shows both texts; the own one is kept or given up. */
+/** Shows both texts; the user keeps or drops the own one. */
 export function showConflict(context: Context, conflict: Conflict): void {
   const {document, text, hash} = conflict, own = document.state.doc.toString(), {ours, theirs} = differentLines(own.split("\n"), text.split("\n"));
   const holders = [h("div", {class: "side"}), h("div", {class: "side"})];

@@ -6,7 +6,7 @@ export interface Change {
   text: string;
 }
 
-/** One change that makes the second text of the first: all between what both begin and end with. */
+/** Returns a single change from the first text to the second: the range between their common start and end. */
 export function difference(before: Text, after: Text): ChangeSet {
   const old = before.toString(), now = after.toString(), most = Math.min(old.length, now.length);
   let from = 0, end = 0;
@@ -15,7 +15,7 @@ export function difference(before: Text, after: Text): ChangeSet {
   return ChangeSet.of({from, to: old.length - end, insert: now.slice(from, now.length - end)}, old.length);
 }
 
-/** A set of changes as the server takes it: all refer to the text before. */
+/** Returns a set of changes in the server's format: all positions refer to the original text. */
 export function listed(changes: ChangeSet): Change[] {
   const all: Change[] = [];
   changes.iterChanges((from, to, _a, _b, inserted) => all.push({from, to, text: inserted.toString()}));

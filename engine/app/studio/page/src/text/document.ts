@@ -1,7 +1,7 @@
 import {ChangeSet, type EditorState, Text} from "@codemirror/state";
 import {type Change, difference, setOf} from "./differences";
 
-/** What `open` gives of a file. */
+/** Result of the call `open`. */
 export interface Opened {
   name: string;
   text: string;
@@ -11,20 +11,20 @@ export interface Opened {
   writable?: boolean;
 }
 
-/** Lines end by "\n" only: then an offset here is the same one in the server. */
+/** Splits at "\n" only, so that offsets agree with those of the server. */
 export const textOf = (content: string) => Text.of(content.split("\n"));
 
-/** A file of the page: its editor's state with undo history, and what the server has of it. */
+/** File of the page: the state of its editor with undo history, and the state of the server. */
 export class Document {
   state!: EditorState;
-  /** The text that the file itself has. */
+  /** Text of the file on the disk. */
   saved: Text;
   hash: string;
-  /** The server's text, and the version that it gave it. */
+  /** Text of the server, with its version. */
   base: Text;
   version: number;
   readonly isWritable: boolean;
-  /** Changes of the server's text: those on their way to it, and those after them. */
+  /** Changes relative to the server's text: those being sent, and those after them. */
   private sent: ChangeSet | undefined;
   private pending: ChangeSet;
 
@@ -37,12 +37,12 @@ export class Document {
     this.pending = ChangeSet.empty(this.base.length);
   }
 
-  /** Does the text differ from the file? */
+  /** True if the text differs from the file. */
   get isChanged(): boolean {
     return !this.state.doc.eq(this.saved);
   }
 
-  /** Has the server all changes? */
+  /** True if the server has all changes. */
   get isSynced(): boolean {
     return this.pending.empty && !this.sent;
   }
@@ -51,12 +51,12 @@ export class Document {
     return this.sent !== undefined;
   }
 
-  /** The text was changed here. */
+  /** Records a change of the text by this page. */
   add(changes: ChangeSet): void {
     this.pending = this.pending.compose(changes);
   }
 
-  /** What is to be sent next; nothing more is until `confirm` or `refuse`. */
+  /** Returns the changes to send. It must not be called again before `confirm` or `refuse`. */
   take(): ChangeSet {
     const sent = this.pending;
     this.sent = sent;
@@ -64,20 +64,20 @@ export class Document {
     return sent;
   }
 
-  /** The server has what was sent. */
+  /** Records that the server has applied the sent changes. */
   confirm(version: number): void {
     if (this.sent) this.base = this.sent.apply(this.base);
     this.sent = undefined;
     this.version = version;
   }
 
-  /** The server did not take what was sent: it is sent again later. */
+  /** Records that the server has refused the sent changes; they are sent again later. */
   refuse(): void {
     if (this.sent) this.pending = this.sent.compose(this.pending);
     this.sent = undefined;
   }
 
-  /** The server's text was changed elsewhere. Returns the change for the editor. */
+  /** Applies a remote change of the server's text. Returns the change for the editor. */
   rebase(remote: ChangeSet, version: number): ChangeSet {
     const before = this.sent ?? ChangeSet.empty(this.base.length);
     const afterSent = remote.map(before, true), changes = afterSent.map(this.pending, true);
@@ -88,13 +88,13 @@ export class Document {
     return changes;
   }
 
-  /** The same for a list of changes; nothing where they do not fit to the server's text as it is known here. */
+  /** Applies a list of remote changes like `rebase`; returns undefined if they do not fit the known text of the server. */
   rebaseListed(changes: Change[], version: number): ChangeSet | undefined {
     if (changes.some(({from, to}) => from > to || to > this.base.length)) return undefined;
     return this.rebase(setOf(changes, this.base.length), version);
   }
 
-  /** The same for a whole text of the server. */
+  /** Applies a whole new text of the server like `rebase`. */
   rebaseText(text: string, version: number): ChangeSet {
     return this.rebase(difference(this.base, textOf(text)), version);
   }

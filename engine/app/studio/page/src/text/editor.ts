@@ -1,4 +1,4 @@
-// What an editor of a diagram has, whatever file it shows.
+// Extensions of an editor for diagrams, for any file.
 
 import {autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap} from "@codemirror/autocomplete";
 import {defaultKeymap, history, historyKeymap} from "@codemirror/commands";
@@ -10,7 +10,7 @@ import {EditorState, type Extension} from "@codemirror/state";
 import {drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers, rectangularSelection} from "@codemirror/view";
 import {appearance} from "./theme";
 
-/** The nonce that the server put into the page, for the styles that an editor makes. */
+/** Returns the style nonce that the server has put into the page. */
 export const nonced = () => EditorView.cspNonce.of(document.querySelector<HTMLMetaElement>("meta[name=style-nonce]")?.nonce ?? "");
 
 export function editing(title: string, isWritable: boolean): Extension {
@@ -24,7 +24,7 @@ export function editing(title: string, isWritable: boolean): Extension {
   ];
 }
 
-/** The same without anything that edits. */
+/** Returns the extensions of a read-only editor. */
 export function reading(title: string): Extension {
   return [nonced(), lineNumbers(), drawSelection(), yaml(), appearance, EditorState.readOnly.of(true),
     EditorView.editable.of(false), EditorView.contentAttributes.of({"aria-label": title, tabindex: "0"})];

@@ -33,7 +33,7 @@ const positionOf = (doc: Text, offset: number): Position => {
   return {line: line.number - 1, character: offset - line.from};
 };
 
-/** The library would make markup of Markdown in completions: it gets them as plain text, which it escapes. */
+/** Replaces Markdown in completions by plain text, which the library escapes; it would turn Markdown into HTML. */
 function plainDocumentation(message: any): unknown {
   for (const {documentation} of message.result?.items ?? []) if (documentation?.kind === "markdown") documentation.kind = "plaintext";
   return message;
@@ -41,7 +41,7 @@ function plainDocumentation(message: any): unknown {
 
 export class Language {
   private readonly client: LSPClient;
-  /** Does the server speak it? Until then faults of the drawing are shown. */
+  /** True after the language server has answered; until then the drawing's faults are shown. */
   private isThere = false;
   private readonly receivers = new Set<(message: string) => void>();
 
@@ -60,7 +60,7 @@ export class Language {
     if (connection.state === "open") void this.connect();
   }
 
-  /** What the editor of a document has of it. */
+  /** Returns the editor extensions for a document. */
   extensions(document: Document): Extension {
     return [
       this.client.plugin(addressOf(document.file), "yaml"), autocompletion({override: [(at) => (this.isThere ? serverCompletionSource(at) : null)]}), hoverTooltip((view, at) => this.hover(view, at), {hideOnChange: true}),
@@ -68,7 +68,7 @@ export class Language {
     ];
   }
 
-  /** Faults as the checker lists them, where no language server marks them. */
+  /** Shows faults of the checker while there is no language server. */
   showFaults(file: number, faults: DiagramFault[]): void {
     const document = this.workbench.document(file);
     if (this.isThere || !document) return;
@@ -79,7 +79,7 @@ export class Language {
     }));
   }
 
-  /** A message that a server may ignore shows whether there is one. */
+  /** Tests whether a language server exists, by a message that it may ignore. */
   private async connect(): Promise<void> {
     try {
       await this.connection.call("language", {message: {jsonrpc: "2.0", method: "$/hello"}});
@@ -140,7 +140,7 @@ export class Language {
     this.workbench.setMarks(document.file, diagnostics.map(({from, to, message, severity}) => ({from, to, message, severity: severity === "hint" ? "info" : severity})));
   }
 
-  /** Quick fixes of the fault at the cursor, or of the next one after it. */
+  /** Opens the quick fixes of the fault at the cursor, or of the next one. */
   private readonly mend: Command = (view) => {
     const found: {diagnostic: Diagnostic; from: number; to: number}[] = [], {head} = view.state.selection.main;
     forEachDiagnostic(view.state, (diagnostic, from, to) => { if (diagnostic.actions?.length && to >= head) found.push({diagnostic, from, to}); });
@@ -155,7 +155,7 @@ export class Language {
 
   // --- edits of several files ---
 
-  /** Does what the server proposes, in all files; each file has it as one step to undo. */
+  /** Applies edits proposed by the server in all files, as one undo step per file. */
   private async apply({changes = {}}: WorkspaceEdit): Promise<void> {
     for (const [uri, edits] of Object.entries(changes)) {
       if (fileOf(uri) < 0) continue;

@@ -3,7 +3,7 @@ import type {Text, TransactionSpec} from "@codemirror/state";
 import type {EditorView} from "@codemirror/view";
 import type {Workbench} from "./workbench";
 
-/** How the language server names the files of the studio: by their numbers. */
+/** Converts the number of a file to its name at the language server. */
 export const addressOf = (file: number) => `studio:/${file}`;
 export const fileOf = (address: string) => Number(/^studio:\/(\d+)$/.exec(address)?.[1] ?? -1);
 
@@ -15,7 +15,7 @@ class OpenFile implements WorkspaceFile {
   }
 }
 
-/** The file in the editor is open for the language server; others it has from the studio. */
+/** Workspace of the language server: the file in the editor is open; the server reads all others from the studio. */
 export class LanguageWorkspace extends Workspace {
   files: OpenFile[] = [];
   private readonly versions = new Map<string, number>();

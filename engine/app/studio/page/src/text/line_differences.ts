@@ -1,6 +1,6 @@
-const most = 2000;  // lines between the first and the last different one; beyond all of them count as different
+const most = 2000;  // lines without common start and end; beyond it all of them count as different
 
-/** Which lines of two texts are not in their longest common sequence, by numbers from 0. */
+/** Returns the indices of the lines of two texts that are not in their longest common subsequence. */
 export function differentLines(ours: string[], theirs: string[]): {ours: Set<number>; theirs: Set<number>} {
   let first = 0, end = 0;
   const shorter = Math.min(ours.length, theirs.length);
@@ -13,7 +13,7 @@ export function differentLines(ours: string[], theirs: string[]): {ours: Set<num
   return {ours: moved(different.ours), theirs: moved(different.theirs)};
 }
 
-/** Pairs of equal lines in order, as many as there are. */
+/** Returns a longest common subsequence of lines, as pairs of indices. */
 function common(a: string[], b: string[]): [number, number][] {
   const lengths = Array.from({length: a.length + 1}, () => new Uint16Array(b.length + 1));
   for (let i = a.length - 1; i >= 0; --i)

@@ -1,4 +1,4 @@
-// Documentation from the language server is Markdown with texts of diagrams in it: its elements are made one by one, and HTML in it stays text.
+// Conversion of Markdown from the language server to elements. Documentation may contain texts of diagrams, so HTML in it remains text.
 
 import {lexer, type Token, type Tokens} from "marked";
 
@@ -30,5 +30,5 @@ function nodesOf(token: Token): Node[] {
   return makers[token.type]?.(token) ?? [document.createTextNode("text" in token ? String(token.text) : token.raw)];
 }
 
-/** A Markdown text as elements of the page. */
+/** Returns a Markdown text as elements of the page. */
 export const markupNodes = (markdown: string): Node[] => lexer(markdown).flatMap(nodesOf);

@@ -1,4 +1,4 @@
-// Lines and values that other panes put into the text, by events that bubble from them. The server makes them by the tree of the text.
+// Requests of other panes to insert lines and values into the text. The server computes the changes from the tree of the text.
 
 import {Fault} from "../connection/connection";
 import type {Context} from "../shell/context";
@@ -9,7 +9,7 @@ async function insert({workbench, notify}: Context, {section, text}: {section: s
   notify(`a line is added to ${section} of ${document.name}`);
 }
 
-/** A linear analysis of the loop through a signal, cut there at the time of the run, and its Bode plot, which follows what is tuned. */
+/** Adds a linear analysis of the loop through a signal, cut there at the time of the run, and its Bode plot. The plot follows live parameters. */
 async function addBode({workbench, run, notify, show}: Context, {signal}: {signal: string}): Promise<void> {
   const document = await workbench.activate(workbench.root), {time} = run.news;
   await workbench.splice(document.file, {kind: "bode", signal, ...(time > 0 ? {at: `${Number(time.toPrecision(6))} s`} : {})});
@@ -22,7 +22,10 @@ async function write({workbench, announce}: Context, {name, text}: {name: string
   announce(`${name} is written as ${text}`);
 }
 
-/** Does what panes ask for: `studio:insert` {section, text} adds an item to a list of the file, `studio:bode` {signal} a linear analysis with its plot, `studio:write` {name, text} a value. */
+/**
+ * Serves the requests of panes. `studio:insert` {section, text} adds an item to a list of the file, `studio:bode` {signal} a linear
+ * analysis with its plot, `studio:write` {name, text} a value.
+ */
 export function serveRequests(context: Context): void {
   const serve = (name: string, action: (context: Context, detail: any) => Promise<void>) => document.addEventListener(name, (event) => {
     event.preventDefault();

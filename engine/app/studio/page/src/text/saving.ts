@@ -1,4 +1,4 @@
-// The files themselves: what is written to them, and what others write.
+// Saving of texts to their files, and changes of the files by other programs.
 
 import {isolateHistory} from "@codemirror/commands";
 import type {TransactionSpec} from "@codemirror/state";
@@ -7,22 +7,22 @@ import {difference} from "./differences";
 import {type Document, textOf} from "./document";
 import type {TextSync} from "./text_sync";
 
-/** A file that was changed elsewhere while its text was edited here. */
+/** Change of a file by another program that conflicts with the edited text. */
 export interface Conflict {
   document: Document;
   text: string;
   hash: string;
-  /** A text with all lines of both; those of the file that differ are comments. */
+  /** Merged text with all lines of both; differing lines of the file are comments. */
   both: string;
 }
 
 interface Owner {
   document(file: number): Document | undefined;
-  /** Documents that differ from their files. */
+  /** Returns the documents that differ from their files. */
   changed(): Document[];
   dispatch(document: Document, spec: TransactionSpec): void;
   synced(document: Document): void;
-  /** What is saved is another. */
+  /** The saved text of a document has changed. */
   kept(): void;
   conflict(conflict: Conflict): void;
 }
@@ -33,7 +33,7 @@ export class Saving {
     connection.on("saved", (news) => this.takeSaved(news));
   }
 
-  /** Writes all changed texts to their files; where one was changed elsewhere, both texts are shown. */
+  /** Writes all changed texts to their files; shows both texts of a conflict. */
   async save(): Promise<void> {
     const names: string[] = [];
     for (const document of this.owner.changed()) {
@@ -43,11 +43,11 @@ export class Saving {
     if (names.length > 0) this.notify(`${names.join(", ")} ${names.length === 1 ? "is" : "are"} saved`);
   }
 
-  /** Writes one text over what has the hash. Returns whether it was written. */
+  /** Writes a text if its file still has this hash. Returns true if it was written. */
   async write(document: Document, hash: string): Promise<boolean> {
     const text = document.base;
     const result = await this.connection.call<{hash?: string; merged?: boolean; conflict?: Omit<Conflict, "document">}>("save", {file: document.file, hash});
-    if (result.merged) return false;  // the news brings what was merged
+    if (result.merged) return false;  // the merged lines arrive as news
     if (result.conflict) this.owner.conflict({document, ...result.conflict});
     else this.keep(document, text, result.hash ?? hash);
     return !result.conflict;
@@ -61,21 +61,21 @@ export class Saving {
     this.owner.synced(document);
   }
 
-  /** The text of the file instead of the own one; undo brings that back. */
+  /** Replaces the own text by that of the file; undo restores it. */
   takeText(document: Document, text: string, hash: string): void {
     const changes = {from: 0, to: document.state.doc.length, insert: textOf(text)};
     this.owner.dispatch(document, {changes, annotations: isolateHistory.of("full")});
     this.keep(document, textOf(text), hash);
   }
 
-  /** All lines of both instead of the own text; undo brings that back. Nothing is written. */
+  /** Replaces the own text by the merged one; undo restores it. The file is not written. */
   takeBoth(document: Document, {both, text, hash}: Conflict): void {
     const spec = {changes: difference(document.state.doc, textOf(both)), annotations: isolateHistory.of("full")};
     this.owner.dispatch(document, spec);
     this.keep(document, textOf(text), hash);
   }
 
-  /** Writes the own text over the file, whose text comes back by undo. */
+  /** Writes the own text over the file; undo restores the text of the file. */
   async overwrite(document: Document, text: string, hash: string): Promise<boolean> {
     const own = document.state.doc;
     this.takeText(document, text, hash);
@@ -90,13 +90,16 @@ export class Saving {
     this.owner.kept();
   }
 
-  /** Another page saved the file. */
+  /** Records that another page has saved the file. */
   private takeSaved({file, hash}: {file: number; hash: string}): void {
     const document = this.owner.document(file);
     if (document) this.keep(document, document.base, hash);
   }
 
-  /** A file was written by another program: taken at once where there is no draft of another text, or merged with it; else both are shown. */
+  /**
+   * Handles a change of a file by another program. Without a draft the text is replaced at once, a mergeable draft is merged; otherwise
+   * both texts are shown.
+   */
   private takeChanged({file, text, hash, version, merged, both = ""}: {file: number; text: string; hash: string; version: number; merged: boolean; both?: string}): void {
     const document = this.owner.document(file), isSame = document?.state.doc.eq(textOf(text));
     if (!document || document.hash === hash) return;

@@ -1,4 +1,4 @@
-// Keeps the server's texts and those of the page the same: one edit on its way at a time, those of other pages in between.
+// Synchronisation of texts between server and page: one edit is sent at a time, with edits of other pages in between.
 
 import {type ChangeSet, Transaction, type TransactionSpec} from "@codemirror/state";
 import {type Connection, Fault} from "../connection/connection";
@@ -20,7 +20,7 @@ export class TextSync {
     connection.on("connection", ({state}) => { if (state === "open") void this.reopen(); });
   }
 
-  /** Sends what was changed; what is changed meanwhile is sent after that. */
+  /** Sends the pending changes; further ones are sent afterwards. */
   async send(document: Document): Promise<void> {
     if (document.isSending || document.isSynced || this.connection.state !== "open") return;
     const changes = document.take();
@@ -34,7 +34,7 @@ export class TextSync {
     this.goOn(document);
   }
 
-  /** Resolves when the server has the text as it is; rejects where the connection is lost. */
+  /** Resolves when the server has the present text; rejects if the connection is lost. */
   whenSynced(document: Document): Promise<void> {
     if (document.isSynced) return Promise.resolve();
     return new Promise((resolve, reject) => {
@@ -44,7 +44,7 @@ export class TextSync {
     });
   }
 
-  /** A change that was made elsewhere: undo here leaves it alone. */
+  /** Applies a remote change, which undo does not affect. */
   applyRemote(document: Document, changes: ChangeSet): void {
     if (!changes.empty) this.owner.dispatch(document, {changes, annotations: [Transaction.remote.of(true), Transaction.addToHistory.of(false)]});
   }
@@ -57,7 +57,7 @@ export class TextSync {
     this.owner.synced(document);
   }
 
-  /** Takes the server's text where a stale version was the fault. Returns whether sending again may help. */
+  /** Adopts the server's text after a version conflict. Returns true if sending again may succeed. */
   private recover(document: Document, {text, detail}: Fault): boolean {
     if (this.connection.state !== "open") return false;
     const current = detail.current as {text: string; version: number} | undefined;
@@ -74,7 +74,7 @@ export class TextSync {
     if (document.isSynced) this.owner.synced(document);
   }
 
-  /** After a lost connection: the server's texts are taken, and the own changes sent again. */
+  /** Adopts the server's texts after a lost connection, and sends the own changes again. */
   private async reopen(): Promise<void> {
     for (const document of this.owner.documents().values()) {
       const {text, hash, draft, version} = await this.connection.call<Opened>("open", {file: document.file});

@@ -7,10 +7,10 @@ import {editing, nonced} from "./editor";
 import {Language} from "./language";
 import "./text.css";
 
-/** The editor of the active text. */
+/** Editor of the active text. */
 export class TextView implements View {
   private readonly editor: EditorView;
-  /** The texts that are open; the one in the editor is marked. */
+  /** Open texts; the one in the editor is marked. */
   private readonly files = h("nav", {class: "text-files", "aria-label": "Open texts"});
   private readonly ends: (() => void)[];
 

@@ -1,4 +1,4 @@
-// The files that are open, their edits, and which of them is seen. Drawing, tuning and palette edit through it, so that all share one undo history.
+// Open files, their edits, and the active one. Drawing, tuning and palette make their edits through it, so that all share one undo history.
 
 import {isolateHistory} from "@codemirror/commands";
 import {EditorState, type Extension, Transaction, type TransactionSpec} from "@codemirror/state";
@@ -16,7 +16,7 @@ export interface FileEntry {
   part: boolean;
 }
 
-/** A fault with its range in the text of a file [UTF-16 offsets]. */
+/** Fault with its range in the text of a file [UTF-16 offsets]. */
 export interface Mark {
   from: number;
   to: number;
@@ -29,17 +29,17 @@ export interface WorkbenchEvents {
   active: Document;
   /** Another diagram is drawn and run. */
   root: number;
-  /** A text changed, by whomever. */
+  /** A text changed, by this page or remotely. */
   changed: Document;
-  /** Where places of a text are after a change. */
+  /** Maps positions in a text to those after a change. */
   moved: {file: number; at: (position: number, side: number) => number};
   /** The server has all changes of a file. */
   synced: Document;
-  /** The list of files, or what of them is saved. */
+  /** The list of files or their save states changed. */
   files: FileEntry[];
   selected: {file: number; from: number; to: number};
   marks: {file: number; marks: Mark[]};
-  /** What the checker says of a diagram; [] where it loads. */
+  /** Faults of a diagram from the checker; [] if it loads. */
   faults: {file: number; faults: DiagramFault[]};
   conflict: Conflict;
 }
@@ -53,9 +53,9 @@ export class Workbench {
   private view: EditorView | undefined;
   private extensions: (document: Document) => Extension = () => [];
   files: FileEntry[] = [];
-  /** The file that the studio was started with. */
+  /** File with which the studio was started. */
   main = -1;
-  /** The diagram that is drawn and run. */
+  /** Diagram that is drawn and run. */
   root = -1;
   active: Document | undefined;
 
@@ -79,7 +79,7 @@ export class Workbench {
     for (const listener of [...(this.listeners.get(name) ?? [])]) listener(event);
   }
 
-  /** Opens the file that the studio was started with. */
+  /** Opens the file with which the studio was started. */
   async start(main: number): Promise<void> {
     this.main = main;
     await this.listFiles();
@@ -95,7 +95,7 @@ export class Workbench {
     return this.documents.get(file)?.name ?? this.files.find((one) => one.file === file)?.name ?? `file ${file}`;
   }
 
-  /** The editor shows the active document from now on. `extensions` makes what an editor of a document has. */
+  /** Shows the active document in the editor. `extensions` returns the editor extensions of a document. */
   attach(view: EditorView, extensions: (document: Document) => Extension): void {
     this.view = view;
     this.extensions = extensions;
@@ -121,7 +121,7 @@ export class Workbench {
     return document;
   }
 
-  /** A file with its text; its draft where there is one. */
+  /** Opens a file with its text, or its draft if there is one. */
   async open(file: number): Promise<Document> {
     const known = this.documents.get(file);
     if (known) return known;
@@ -152,7 +152,7 @@ export class Workbench {
     return this.openDocuments.filter((document) => document.isChanged);
   }
 
-  /** Resolves when the server has all texts as they are. */
+  /** Resolves when the server has all present texts. */
   whenSynced(): Promise<unknown> {
     return Promise.all(this.openDocuments.map((document) => this.sync.whenSynced(document)));
   }
@@ -161,13 +161,13 @@ export class Workbench {
     return EditorState.create({doc: textOf(text), extensions: [EditorState.lineSeparator.of("\n"), this.extensions(document)]});
   }
 
-  /** Edits a document, whether it is seen or not. */
+  /** Edits a document, in the editor or in the background. */
   dispatch(document: Document, spec: TransactionSpec): void {
     if (document === this.active && this.view) return this.view.dispatch(spec);
     this.took(document, [document.state.update(spec)]);
   }
 
-  /** What the editor did. */
+  /** Records transactions of the editor. */
   took(document: Document, transactions: readonly Transaction[]): void {
     document.state = transactions[transactions.length - 1].state;
     const changed = transactions.filter((one) => one.docChanged);
@@ -184,7 +184,7 @@ export class Workbench {
     if (document === this.active) this.emit("selected", {file: document.file, from, to});
   }
 
-  /** Applies what the server proposes, as one step of the undo history of each file; `version` is that to which it refers. */
+  /** Applies changes proposed by the server, as one undo step per file; they refer to the texts `at`. */
   private async applyListed(changes: (Change & {file?: number})[], file: number, at: Map<number, Document["base"]>): Promise<void> {
     const files = new Set(changes.map((one) => one.file ?? file));
     for (const one of files) {
@@ -197,7 +197,7 @@ export class Workbench {
     }
   }
 
-  /** A small edit of a diagram by the server: it answers with changes of the text, and refuses what would change more. */
+  /** Requests a small edit of a diagram. The server returns changes of the text, or refuses edits that would change more. */
   async splice(file: number, edit: {kind: string; [key: string]: unknown}): Promise<{name?: string}> {
     const document = await this.open(file);
     await this.sync.whenSynced(document);
@@ -207,20 +207,20 @@ export class Workbench {
     return result;
   }
 
-  /** Selects a range and brings it into view; the focus stays where it is. */
+  /** Selects a range and scrolls it into view; the focus does not move unless `focus`. */
   async reveal(file: number, from: number, to: number, focus = false): Promise<void> {
     const document = await this.activate(file), most = document.state.doc.length;
     this.dispatch(document, {selection: {anchor: Math.min(to, most), head: Math.min(from, most)}, scrollIntoView: true, userEvent: "select.reveal"});
     if (focus) this.view?.focus();
   }
 
-  /** Puts the cursor to a line and column, which count from 1. */
+  /** Moves the cursor to a line and column, which count from 1. */
   async revealLine(file: number, line: number, column: number): Promise<void> {
     const {doc} = (await this.open(file)).state, {from, length} = doc.line(Math.min(Math.max(1, line), doc.lines)), at = from + Math.min(column - 1, length);
     await this.reveal(file, at, at, true);
   }
 
-  /** The drawing's graph came with these faults, or without any. */
+  /** Sets the faults of the drawing's graph, or none. */
   setFaults(file: number, faults: DiagramFault[]): void {
     this.emit("faults", {file, faults});
   }

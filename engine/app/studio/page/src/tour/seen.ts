@@ -2,7 +2,7 @@ import type {Context} from "../shell/context";
 
 const key = "tour.seen";
 
-/** Was the tour shown to this user? Kept for the user where the server can, else with the file. */
+/** Returns whether the tour was shown to this user. It is stored for the user if the server can do so, else with the file. */
 export async function wasSeen({connection, settings}: Context): Promise<boolean> {
   if (settings.get(key, false)) return true;
   const kept = await connection.call<{state: Record<string, unknown> | null}>("user.get").catch(() => null);

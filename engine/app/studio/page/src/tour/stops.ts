@@ -1,4 +1,4 @@
-/** Where the tour stops: what is shown, the pane that has to be seen for it, and what is said. */
+/** Stop of the tour: its target, the pane that must be visible for it, and its text. */
 export interface Stop {
   target: string;
   pane?: string;

@@ -11,12 +11,12 @@ import "./tour.css";
 
 const example = "01-first-diagram";
 
-/** Offers the tour to who has not seen it; once. */
+/** Offers the tour once, at the first visit. */
 export async function tourOnFirstVisit(context: Context): Promise<void> {
   if (!(await wasSeen(context))) await offerTour(context);
 }
 
-/** Asks whether to see it with example 01 or with the diagram that is open. */
+/** Offers the tour with example 01 or with the open diagram. */
 export async function offerTour(context: Context): Promise<void> {
   const entries = await context.connection.call<{entries: Entry[]}>("gallery").then(({entries}) => entries, () => []);
   const first = entries.find(({name}) => name.includes(example));

@@ -2,9 +2,9 @@ import type {Context} from "../shell/context";
 import {h, listen} from "../shell/dom";
 import type {Stop} from "./stops";
 
-const gap = 10; // px between what is shown and its card
+const gap = 10; // px between the target and its card
 
-/** A card beside what it speaks of. It covers nothing else and takes no clicks from the page; Esc, or its cross, ends the tour. */
+/** Card beside its target. It covers nothing else and does not block clicks on the page; Esc or its cross ends the tour. */
 export class TourCard {
   private readonly ring = h("div", {class: "tour-ring", "aria-hidden": true});
   private readonly title = h("h2", {id: "tour-title"});
@@ -57,7 +57,7 @@ export class TourCard {
     action();
   }
 
-  /** Beside the target where there is room, else over its lower end. */
+  /** Places the card beside the target if there is space, else over its lower end. */
   private place(): void {
     const target = document.querySelector(this.stops[this.index].target), box = target?.getBoundingClientRect();
     const {offsetWidth: width, offsetHeight: height} = this.card, {innerWidth, innerHeight} = window;

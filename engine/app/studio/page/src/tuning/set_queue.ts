@@ -1,4 +1,4 @@
-/** Sends values one after the other; of those that come while one is under way only the last is sent. */
+/** Queue that sends one value at a time; of the pending ones only the last is sent. */
 export class SetQueue<Value> {
   private isBusy = false;
   private due: {value: Value} | undefined;

@@ -4,10 +4,10 @@ import type {Context, View} from "../shell/context";
 import {h, listen} from "../shell/dom";
 import {TuningRow} from "./tuning_row";
 
-/** More are not listed; the search narrows them down. */
+/** Limit of listed parameters; a search narrows them down. */
 const most = 60, key = "tuning.pinned";
 
-/** Parameters that fit a search: pinned ones first, then those of the file, of its parts, and numbers of blocks. */
+/** Returns the parameters that match a search: pinned ones first, then those of the file, of its parts, and numbers of blocks. */
 export function listed(parameters: Parameter[], search: string, pinned: Set<string>): Parameter[] {
   const words = search.toLowerCase().split(/\s+/).filter(Boolean);
   const fits = ({name, doc}: Parameter) => words.every((word) => name.toLowerCase().includes(word) || doc.toLowerCase().includes(word));
@@ -15,7 +15,7 @@ export function listed(parameters: Parameter[], search: string, pinned: Set<stri
   return parameters.filter(fits).map((one, i) => ({one, i})).sort((a, b) => rank(a.one) - rank(b.one) || a.i - b.i).map(({one}) => one);
 }
 
-/** All that may be set while it runs. */
+/** List of live parameters. */
 export class TuningList implements View {
   private readonly search = h("input", {type: "search", placeholder: "parameter or number of a block", "aria-label": "Search parameters", "data-focus": ""});
   private readonly list = h("ul", {class: "tuned-list"});
@@ -60,7 +60,7 @@ export class TuningList implements View {
     return row;
   }
 
-  /** Keeps one on top, or no longer. */
+  /** Pins a parameter to the top, or unpins it. */
   private pin(name: string): void {
     if (!this.pinned.delete(name)) this.pinned.add(name);
     this.context.settings.set(key, [...this.pinned]);

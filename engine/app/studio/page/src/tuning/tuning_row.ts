@@ -7,10 +7,10 @@ import {h, listen} from "../shell/dom";
 import {placeOf, places, sliderRange, valueAt, valueText} from "./parameter_range";
 import {SetQueue} from "./set_queue";
 
-/** How many runs a fan has. */
+/** Number of runs in a fan. */
 const fanRuns = 9;
 
-/** One parameter: a slider, a field, and what the run made of it. */
+/** Row of a live parameter: a slider, a field, and the value that the run has accepted. */
 export class TuningRow {
   readonly element = h("li", {class: "tuned"});
   private readonly slider = h("input", {type: "range", class: "tuned-slider", min: 0, max: places, step: 1});
@@ -22,7 +22,7 @@ export class TuningRow {
   private readonly write: HTMLButtonElement;
   private readonly queue = new SetQueue<string | number>((value) => this.send(value));
   private readonly unit: DisplayUnit;
-  /** Has a value been set? Until then the ends of the slider stand below it. */
+  /** True after a value was set; until then the slider shows its range. */
   private isTuned = false;
   private range: {low: number; high: number};
   private readonly inText: {text: string; value: number};
@@ -48,7 +48,7 @@ export class TuningRow {
     this.show();
   }
 
-  /** The run took a value over, of this page or of another one. */
+  /** Shows a value that the run has accepted, from this page or another one. */
   took({value, text, tick}: SetEcho): void {
     if (value === null) return void (this.echo.textContent = `${text} from tick ${tick}`);
     this.isTuned = true;
@@ -85,7 +85,7 @@ export class TuningRow {
     this.refuse(undefined);
   }
 
-  /** A number without a unit has that of the field. */
+  /** Sets the value of the field; a number without a unit has that of the field. */
   private enter(): void {
     const text = this.field.value.trim();
     if (text === this.entered || text === "" || text === valueText(this.parameter.value, this.unit)) return;
@@ -94,7 +94,7 @@ export class TuningRow {
     void this.queue.put(isBare && this.unit.text && this.unit.text !== "1" ? `${text} ${this.unit.text}` : text);
   }
 
-  /** What is on its way: Enter and the change of the field come one behind the other. */
+  /** Text that was sent last: Enter and the change of the field follow each other. */
   private entered = "";
 
   private async send(value: string | number): Promise<void> {
@@ -113,7 +113,7 @@ export class TuningRow {
     this.field.setAttribute("aria-invalid", String(why !== undefined));
   }
 
-  /** The shell makes one edit of it, which may be undone. */
+  /** Requests a text edit with the value, which undo can revert. */
   private writeToText(): void {
     const detail = {name: this.parameter.name, text: valueText(this.parameter.value, this.unit)};
     this.element.dispatchEvent(new CustomEvent("studio:write", {bubbles: true, cancelable: true, detail}));
