@@ -72,8 +72,7 @@ struct Claim {
   std::string that;
   std::string check;  ///< Text of the condition: "max abs(limit) <= 0 A where rig.x > -4 mm".
   Reduction reduction = Reduction::final;
-  std::vector<query::Formula>
-      values;  ///< One formula; two for rising (value, over) and fit (model, measured).
+  std::vector<query::Formula> values;  ///< One formula; two for rising (value, over), fit (model, measured).
   std::optional<query::Formula> where;
   double time = 0.0;                           ///< Time of `at`, in s.
   double share = 0.5;                          ///< Share of `quantile`, 0 to 1.
