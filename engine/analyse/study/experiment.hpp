@@ -20,17 +20,17 @@ struct ExperimentOutcome {
 /// One human-subject experiment: all trials of all subjects, simulated or recorded, and their analysis.
 struct Experiment {
   std::uint64_t seed = 0;
-  std::vector<diagram::Setting> sets;  ///< Swept values of its point; empty without a sweep.
+  std::vector<diagram::Setting> sets;       ///< Swept values of its point; empty without a sweep.
   std::shared_ptr<run::PlanFamily> family;  ///< Plans of the runs.
-  std::vector<TrialRun> runs;  ///< Runs of the trials, in order; empty for recorded ones.
-  std::vector<Trial> trials;  ///< By subject, conditions in the order of the request.
-  PathErrors errors;  ///< One row per trial, in order.
+  std::vector<TrialRun> runs;               ///< Runs of the trials, in order; empty for recorded ones.
+  std::vector<Trial> trials;                ///< By subject, conditions in the order of the request.
+  PathErrors errors;                        ///< One row per trial, in order.
   std::optional<TaskAnalysis> analysis;
-  std::string not_analysed;  ///< Reason why there is no analysis.
+  std::string not_analysed;          ///< Reason why there is no analysis.
   std::vector<std::string> remarks;  ///< Remarks on trials that were repeated, left out, or too long.
   std::int64_t ticks = 0, compiled_ticks = 0, lane_ticks = 0;
   run::LaneReport lanes;  ///< Lanes of all trials that had run by the end of this experiment.
-  std::vector<ExperimentOutcome> others{};  ///< Results of further experiments, with other people: those of the following seeds.
+  std::vector<ExperimentOutcome> others{};  ///< Results of the following seeds, with other people.
 };
 
 /// One experiment per point of a file's sweep, with the same people and noises; one without a sweep.
@@ -38,8 +38,8 @@ using Experiments = std::vector<Experiment>;
 
 /// Receiver of experiments; called from any thread.
 struct ExperimentSink {
-  std::function<void(Experiments experiments)> done;  ///< Callback with the experiments of a seed, after all their trials.
-  std::function<void()> told;  ///< Callback after each trial; may be empty.
+  std::function<void(Experiments experiments)> done;  ///< Callback with the experiments of a seed.
+  std::function<void()> told;                         ///< Callback after each trial; may be empty.
 };
 
 /// Performs the experiments of these seeds at all points of the file's sweep, several persons in parallel.

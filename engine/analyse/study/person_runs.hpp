@@ -22,7 +22,7 @@ Person person_of(const StudyRequest& request, std::uint64_t seed, std::size_t nu
 /// Runs the trials of a person in sequence: practice, then the conditions in this person's order. Carried
 /// values are passed from each trial to the next, and the circle of the first one to the others. A trial that
 /// fails in all attempts is left out and carries nothing. If it is the one of the circle, the person has no
-/// further trials. An interruption ends the list with the interrupted trial. `told` is called after each
+/// further trials. An interruption ends the list with the interrupted trial. The callback runs after each
 /// trial. Throws Error.
 std::vector<TrialRun> run_person(TrialRuns& runs, const StudyRequest& request, const Person& person,
                                  const std::function<void()>& told);

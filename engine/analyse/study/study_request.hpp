@@ -53,8 +53,7 @@ struct StudyRequest {
   std::size_t recording = 0;  ///< Index of its recording.
   std::optional<CircleHandover> circle;
   std::optional<WayBackSignals> way_back;
-  std::vector<std::size_t>
-      first;  ///< Conditions in fixed order before the others, which are in random order.
+  std::vector<std::size_t> first;     ///< Conditions in fixed order; the others follow in random order.
   std::vector<std::size_t> practice;  ///< Conditions of the practice trials, which are not scored.
   std::vector<CarriedValue> carry;
   std::size_t experiments = 1;  ///< Number of experiments, with other people each: seeds from `seed` on.

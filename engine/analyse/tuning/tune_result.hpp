@@ -16,9 +16,8 @@ struct TunedNumber {
   double value = 0.0, start = 0.0, lower = 0.0, upper = 0.0;
   bool at_bound = false;
   std::optional<unit::Dimension> dimension{};
-  std::string unit{};  ///< Unit in which it is shown; empty: SI.
-  std::optional<std::array<double, 2>>
-      interval{};  ///< 95 % by the targets; std::nullopt in a free direction.
+  std::string unit{};                               ///< Unit in which it is shown; empty: SI.
+  std::optional<std::array<double, 2>> interval{};  ///< 95 %; std::nullopt in a free direction.
 };
 
 /// A target at the optimum.
@@ -53,8 +52,7 @@ struct TuneResult {
   std::vector<TunedClaim> claims;
   std::vector<Evaluation> history;  ///< Evaluations of all searches, in order.
   std::vector<TunedStart> starts;
-  std::vector<std::string>
-      findings;  ///< Messages: parameters at a bound, violated claims, failed evaluations.
+  std::vector<std::string> findings;           ///< Messages on bounds, violated claims, failed evaluations.
   std::optional<unit::Dimension> dimension{};  ///< Dimension of the objective.
   std::string method;
   std::size_t runs = 1;  ///< Number of runs per evaluation.
