@@ -82,8 +82,7 @@ class Steps : public benchmark::ConsoleReporter {
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration) continue;
       results_.push_back(loops_.at(run.run_name.function_name));
-      results_.back().value =
-          run.GetAdjustedCPUTime();  // processor time excludes waiting for a busy processor
+      results_.back().value = run.GetAdjustedCPUTime();  // excludes waiting
     }
   }
 

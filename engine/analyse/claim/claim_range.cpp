@@ -58,7 +58,7 @@ ReducedRange reduced_range(Reduction reduction) {
 }
 
 /// True for a formula that reads nothing of the run. Parameters count as part of the run, since they may be
-/// fitted, and so do the values of figures, scenes and blocks: a claim about them can fail.
+/// fitted. So do the values of figures, scenes and blocks: a claim about them can fail.
 bool names_nothing(const query::Formula& formula, const query::SymbolTable& names) {
   return formula.columns.empty() && formula.text.find('$') == std::string::npos &&
          std::ranges::none_of(names.drawn, [&](const query::NamedFormula& one) {

@@ -67,8 +67,8 @@ std::string unit_of(const Claim& claim, double value) {
   return written.empty() ? handy(unit::si_name(*dimension), value) : written;
 }
 
-/// Returns 0 for a value below the rounding error of `magnitude` and below 1 % of the bound, if 0 is on the
-/// same side of the bound; else the value.
+/// Replaces a negligible value by 0 if that is on the same side of the bound. Negligible is below the
+/// rounding error of `magnitude` and below 1 % of the bound.
 double resolved(const Comparison& comparison, double value, double magnitude) {
   constexpr double resolution = 1e-12, part_of_bound = 0.01;
   const double bound = std::max({std::abs(comparison.low), std::abs(comparison.high), comparison.within});
@@ -77,8 +77,8 @@ double resolved(const Comparison& comparison, double value, double magnitude) {
   return alike && std::abs(value) <= unseen ? 0.0 : value;
 }
 
-/// Returns the number of four digits that is nearest to a value and on the correct side of the comparison;
-/// with more digits if there is none.
+/// Returns the nearest number of four digits on the correct side of the comparison; with more digits if there
+/// is none.
 std::string holding_number(const Comparison& comparison, double value, const unit::Unit& unit) {
   const double in_unit = unit.from_si(value);
   const double step = in_unit == 0.0 ? 0.0 : std::pow(10.0, std::floor(std::log10(std::abs(in_unit))) - 3.0);

@@ -105,6 +105,8 @@ std::vector<Call> calls_in(const std::string& text) {
   return calls;
 }
 
+/// Reads one run formula: first the reductions that it calls, with their arguments and conditions, then the
+/// text in which names replace these calls.
 class RunFormulaReader {
  public:
   RunFormulaReader(const yaml::Node& node, const query::NamesReading& read) : node_(node), read_(read) {}

@@ -22,6 +22,10 @@ namespace stepwire::estimation {
 
 namespace {
 
+/// The steps of a fit. Parameters without effect at the start are faults. Differential evolution, if
+/// requested, adds a start. Searches begin from all starts; the best minimum is refined with central
+/// differences, which also give the standard errors. Then each record is predicted by a run with a new plan,
+/// and the numbers are described.
 class Fit {
  public:
   Fit(const ModelSource& source, const run::Job& job, const FitRequest& request, const FitOptions& options)

@@ -21,10 +21,10 @@ namespace stepwire::estimation {
 
 namespace {
 
-constexpr double poor = 0.25, good = 0.75;  // actual over predicted decrease of a step
-constexpr double probe = 0.1;               // share of a step, for the second derivative along it
-constexpr double most_bend = 0.15;          // acceleration over the step
-constexpr double shortest = 1e-10;          // step over the size of the unknowns
+constexpr double poor = 0.25, good = 0.75;  // Actual over predicted decrease of a step.
+constexpr double probe = 0.1;               // Share of a step, for the second derivative along it.
+constexpr double most_bend = 0.15;          // Limit of the acceleration over the step.
+constexpr double shortest = 1e-10;          // Limit of the step over the size of the unknowns.
 
 /// Residuals after the loss, their derivatives, and half the sum of their squares.
 struct Counts {

@@ -27,6 +27,9 @@ struct Past {
   }
 };
 
+/// Integrates a system with delays and an input of 1, step by step. Within a step the delayed signals are
+/// linear, so that one matrix exponential, computed once, gives the next state exactly. Past inputs of the
+/// delays are stored with left and right limits, since a jump must not be interpolated.
 class DelayedStep {
  public:
   DelayedStep(const StateSpace& system, double step)

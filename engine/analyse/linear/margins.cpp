@@ -27,6 +27,10 @@ double wrapped(double angle) {
   return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
+/// The frequency response of a loop on a grid, and its crossings. The grid resolves every pole, zero and turn
+/// of a delay, and reaches as far as the gain may cross 1. A change of sign between two rows of the imaginary
+/// part, or of |L| - 1, brackets a crossing. Bisection refines it. Limits at 0, at half the sample frequency
+/// and at infinity are added separately.
 class Loop {
  public:
   Loop(const StateSpace& system, double feedback) : response_(system), sign_(-feedback) {

@@ -21,8 +21,8 @@ struct InnerDelay {
   Channel out, in;
 };
 
-/// Linear system: dx/dt = A x + B u, y = C x + D u; sampled: x[k+1] = A x[k] + B u[k], y[k] = C x[k] + D
-/// u[k]. Numbers are SI. Columns and rows of the delays follow those of the inputs and outputs.
+/// Linear system dx/dt = A x + B u, y = C x + D u. A sampled one is x[k+1] = A x[k] + B u[k], y[k] = C x[k] +
+/// D u[k]. Numbers are SI. Columns and rows of the delays follow those of the inputs and outputs.
 struct StateSpace {
   Eigen::MatrixXd A, B, C, D;
   std::vector<Channel> states, inputs, outputs;

@@ -29,7 +29,11 @@ struct Equation {
   bool rate = false;  ///< For a sampled state: next value minus value.
 };
 
-/// Unknowns and equations of an operating point, and their solution.
+/// Finds the free numbers of an operating point. Unknowns are the columns of the working point without a
+/// fixed value. Equations are that steady states do not change and that outputs have their fixed values.
+/// There can be fewer unknowns than equations, or more, so the squared residuals are minimised by the
+/// Levenberg-Marquardt method. Steps are cut at the bounds. Each iteration costs a Jacobian by differences,
+/// two responses per unknown, and a trial step.
 class Search {
  public:
   Search(WorkingPoint& point, const TrimRequest& request, const plan::Plan& plan)

@@ -144,8 +144,7 @@ void WorkingPoint::add_state(std::size_t block, std::size_t state) {
   }
 }
 
-/// True for a state of whole numbers without a unit that no file sets. It may be an index, and another number
-/// could be out of range.
+/// True for a possible index: a state of whole numbers without a unit that no file sets.
 bool WorkingPoint::is_count(const StateSpec& spec, const plan::SignalSlot& slot) const {
   if (spec.continuous || spec.settable || spec.unit != "1") return false;
   for (std::size_t k = 0; k < static_cast<std::size_t>(slot.size); ++k)

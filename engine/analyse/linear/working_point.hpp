@@ -49,11 +49,9 @@ class WorkingPoint {
   /// Returns the value of a column: the states, then the inputs.
   double value(std::size_t column) const;
   void set(std::size_t column, double value);
-  /// Returns the largest allowed change of a column. It is 1/16 for possible counters, so that their whole
-  /// number is still recognised.
+  /// Returns the largest change of a column; 1/16 for possible counters, so that they round to the count.
   double most_change(std::size_t column) const;
-  /// Returns the derivatives or next values of the states, then the outputs, with another number in one
-  /// column.
+  /// Returns the derivatives or next values of the states, then the outputs, for a number in one column.
   Eigen::VectorXd respond(std::size_t column, double value);
   Eigen::VectorXd respond();
   std::size_t columns() const { return states_.size() + inputs().size(); }

@@ -66,8 +66,8 @@ void scale_channels(Matrices& m) {
   }
 }
 
-/// Returns powers of two that balance the states with the channels: the norms of each state's row with inputs
-/// and of its column with outputs become similar.
+/// Returns powers of two that balance the states with the channels. For each state, the norms of its row with
+/// inputs and of its column with outputs become similar.
 Eigen::VectorXd balancing_with_channels(const Matrices& m) {
   const Eigen::Index n = m.A.rows();
   Eigen::VectorXd by = Eigen::VectorXd::Ones(n);

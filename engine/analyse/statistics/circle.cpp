@@ -36,9 +36,9 @@ Circle kasa(const PlanePoints& points) {
   return from_coefficients({1.0, solution[0], solution[1], solution[2]});
 }
 
-/// Pratt's fit: minimises |M k| subject to b^2 + c^2 - 4 a d = 1, where M has the rows (x^2 + y^2, x, y, 1).
-/// In the axes of M's singular vectors the constraint has one negative eigenvalue; the next larger one
-/// belongs to the solution.
+/// Pratt's fit: minimises |M k| subject to b^2 + c^2 - 4 a d = 1. M has the rows (x^2 + y^2, x, y, 1). In the
+/// axes of M's singular vectors the constraint has one negative eigenvalue; the next larger one belongs to
+/// the solution.
 Circle pratt(const PlanePoints& points) {
   Eigen::MatrixXd columns(points.cols(), 4);
   columns << squares(points), points.transpose(), Eigen::VectorXd::Ones(points.cols());

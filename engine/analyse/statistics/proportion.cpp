@@ -12,8 +12,8 @@ double beta_quantile(double a, double b, double share) {
   return boost::math::quantile(boost::math::beta_distribution<double>(a, b), share);
 }
 
-/// Returns the probability that fewer than `rank` of the values are below the quantile of a share: a binomial
-/// distribution, computed by the incomplete beta function.
+/// Returns the probability that fewer than `rank` of the values are below the quantile of a share. It is that
+/// of a binomial distribution, computed by the incomplete beta function.
 double probability_of_fewer(std::size_t rank, std::size_t count, double share) {
   if (rank == 0) return 0.0;
   if (rank > count) return 1.0;

@@ -2,8 +2,8 @@
 
 namespace stepwire::statistics {
 
-/// Returns the probability that Fisher's F is `value` or more; degrees of freedom are above 0, fractions
-/// allowed. 0 for an infinite value, nan for nan.
+/// Returns the probability that Fisher's F is `value` or more. Degrees of freedom are above 0 and may be
+/// fractions. 0 for an infinite value, nan for nan.
 double fisher_tail(double value, double above, double below);
 
 /// Returns the value that Fisher's F reaches with a probability between 0 and 1, both exclusive.

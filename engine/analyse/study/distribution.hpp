@@ -22,8 +22,8 @@ std::vector<Distribution> distributions_of_errors(const std::vector<ExperimentOu
 std::vector<Distribution> distributions_of_p(const std::vector<ExperimentOutcome>& experiments,
                                              const StudyRequest& request);
 
-/// Returns a line per error: the thesis' value, our median, the range of 90 % of the experiments, and the
-/// share of them below the thesis' value.
+/// Returns a line per error: the thesis' value, our median, and the range of 90 % of the experiments. The
+/// last column is their share below the thesis' value.
 text::TextTable experiments_table(const std::vector<ExperimentOutcome>& experiments,
                                   const StudyRequest& request);
 

@@ -49,8 +49,8 @@ struct CircleTask {
   double time_limit = 75.0;  ///< In s; a longer trial is scored with a warning. The thesis repeats it.
 };
 
-/// Scores task 1. Throws StatisticsError, with the trial's name, for a subject without that drawing, for the
-/// faults of fit_circle, and if there are no trials of the task.
+/// Scores task 1. Throws StatisticsError, with the trial's name, for a subject without that drawing and for
+/// the faults of fit_circle. It also throws without any trial of the task.
 PathErrors circle_errors(const std::vector<Trial>& trials, const CircleTask& task = {});
 
 /// Task 2 of section 4.3.2: equations 17 to 25.

@@ -17,8 +17,8 @@ class StudyItems {
   /// Processes an item for another process. Throws Error.
   std::string work(const messages::Item& item) const;
 
-  /// Distributes the experiments of these seeds to other processes; the first seed is the request's. `done`
-  /// receives the results of each further experiment at all points of the sweep. Throws Error.
+  /// Distributes the experiments of these seeds to other processes; the first seed is the request's. The
+  /// callback receives the results of each further experiment at all points of the sweep. Throws Error.
   using Done = std::function<void(std::uint64_t seed, const std::vector<std::vector<NamedValue>>& outcomes)>;
   Experiments perform_by(messages::ItemWorkers& workers, const std::vector<std::uint64_t>& seeds,
                          const Done& done) const;

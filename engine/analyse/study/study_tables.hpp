@@ -15,9 +15,8 @@ std::vector<query::NamedTable> empty_study_tables();
 void fill_study_tables(const Experiment& experiment, const StudyRequest& request,
                        std::vector<query::NamedTable>& tables);
 
-/// Fills the tables of a sweep. `means` and `significance` have a line per point: means of the conditions, P
-/// of the factors, and agreement with the statements of the thesis. The others contain the rows of all
-/// points.
+/// Fills the tables of a sweep. The tables `means` and `significance` have a line per point: means, P, and
+/// agreement with the statements of the thesis. The others contain the rows of all points.
 void fill_sweep_tables(const Experiments& experiments, const StudyRequest& request,
                        std::vector<query::NamedTable>& tables);
 

@@ -74,8 +74,8 @@ Shown shown_significance(const StudyRequest& request, const TaskAnalysis& analys
   return {std::move(both.values), std::move(both.agreements)};
 }
 
-/// Adds the head of a table. "(1) order NO > H > V > HV" is too long for a column, so statements are numbered
-/// and listed in the notes.
+/// Adds the head of a table. Statements such as "order NO > H > V > HV" are too long for a column. They are
+/// numbered, and the notes list them.
 void add_head(const Shown& shown, text::TextTable& table) {
   for (const ComparedValue& value : shown.values) table.columns.push_back(value.name);
   for (std::size_t i = 0; i < shown.statements.size(); ++i) {

@@ -15,11 +15,11 @@ struct Trial {
   statistics::PlanePoints points;  ///< Positions of the end-effector [m], one per time.
 };
 
-/// Reads trials from a CSV file with the columns subject, task and condition (words), time, x and y in any
-/// units of time and length: "time [s],x [mm],y [mm]". The rows of one trial are consecutive. Throws
-/// TableError with file and line for the faults of read_csv, for a missing column or unsuitable unit, and for
-/// an empty word or a non-finite number. It also throws for a time that does not rise within its trial, for a
-/// trial of fewer than two rows, and for a second trial of the same subject, task and condition.
+/// Reads trials from a CSV file with the columns subject, task and condition (words), time, x and y. Time and
+/// length have any units: "time [s],x [mm],y [mm]". The rows of one trial are consecutive. Throws TableError
+/// with file and line for the faults of read_csv, a missing column or an unsuitable unit. The same holds for
+/// an empty word, a non-finite number, or a time that does not rise within its trial. A trial needs two rows
+/// or more, and may not occur twice.
 std::vector<Trial> read_trials(const std::string& path);
 
 /// Returns the text of such a file: time [s], x [mm], y [mm], then columns with one value per trial.

@@ -12,9 +12,9 @@ namespace stepwire::tuning {
 
 namespace {
 
-constexpr double seen = 1.0;        // least singular value of a direction that moves the targets
-constexpr double least_part = 0.1;  // least component of a parameter that takes part in a direction
-constexpr double of_normal = 1.96;  // half a 95 % interval in standard deviations
+constexpr double seen = 1.0;        // Least singular value of a direction that moves the targets.
+constexpr double least_part = 0.1;  // Least component of a parameter that takes part in a direction.
+constexpr double of_normal = 1.96;  // Half a 95 % interval in standard deviations.
 
 /// Returns the 95 % interval of a parameter from the variance of its share, limited to the bounds.
 std::array<double, 2> interval_of(const TuneParameter& parameter, double value, double variance) {

@@ -21,7 +21,7 @@ std::optional<std::vector<std::vector<double>>> target_jacobian(const LookAt& lo
     low[without] = std::max(0.0, at[without] - step);
     high[without] = std::min(1.0, at[without] + step);
     const Evaluation below = look(low),
-                     above = look(high);  // both copied: the second call may move what the first one returned
+                     above = look(high);  // copied: look() moves
     if (below.is_bad() || above.is_bad()) return std::nullopt;
     for (std::size_t i = 0; i < rows.size(); ++i)
       rows[i].push_back((above.offs[i] - below.offs[i]) / (high[without] - low[without]));
