@@ -11,8 +11,8 @@ namespace stepwire::estimation {
 
 /// Order of the rows of the residuals, and the kind of standard errors for intervals.
 struct RowOrder {
-  std::vector<Eigen::Index> starts;  ///< First row of each stretch of consecutive rows.
-  bool in_time = true;               ///< True: the rows of a stretch are a time series.
+  std::vector<Eigen::Index> starts;  ///< First row of each segment of consecutive rows.
+  bool in_time = true;               ///< True: the rows of a segment are a time series.
   StandardErrors use = StandardErrors::serial;
 };
 

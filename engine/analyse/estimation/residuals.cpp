@@ -1,4 +1,4 @@
-// More than 300 lines with its header: rows, unknowns and slopes are numbered alike, which is hidden here.
+// More than 300 lines with its header: rows, unknowns and derivatives share one numbering, hidden in here.
 #include "engine/analyse/estimation/residuals.hpp"
 
 #include <fmt/format.h>

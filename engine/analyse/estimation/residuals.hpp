@@ -44,7 +44,7 @@ class Residuals {
     return request_.parameters[unknowns_[unknown].parameter];
   }
   Eigen::VectorXd start() const;
-  /// Returns the first row of each stretch: one per comparison of each fitted record.
+  /// Returns the first row of each segment: one per comparison of each fitted record.
   std::vector<Eigen::Index> stretches() const;
   Eigen::Index count() const { return count_; }
   /// Returns the number of free offsets, which reduce the degrees of freedom.

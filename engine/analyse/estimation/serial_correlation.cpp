@@ -9,7 +9,7 @@ namespace {
 
 constexpr Eigen::Index longest = 2000;  // rows; a longer correlation means a wrong model
 
-/// Calls visit(first, count) for each stretch.
+/// Calls visit(first, count) for each segment.
 template <class Visit>
 void each_stretch(Eigen::Index rows, const std::vector<Eigen::Index>& starts, const Visit& visit) {
   for (std::size_t i = 0; i < starts.size(); ++i)

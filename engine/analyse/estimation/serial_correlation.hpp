@@ -11,7 +11,7 @@ struct SerialCorrelation {
   Eigen::Index rows = 0;   ///< Number of correlated consecutive rows; 0: independent.
   double inflation = 1.0;  ///< Number of rows that are worth one independent row.
 
-  /// Estimates the correlation of residuals in stretches that begin at these rows. It sums autocorrelations
+  /// Estimates the correlation of residuals in segments that begin at these rows. It sums autocorrelations
   /// until two neighbouring ones are no longer above chance (after C. J. Geyer 1992).
   static SerialCorrelation of(const Eigen::VectorXd& residuals, const std::vector<Eigen::Index>& starts);
 

@@ -35,7 +35,7 @@ class DelayedStep {
   DelayedStep(const StateSpace& system, double step)
       : system_(system), step_(step), past_(system.delays.size()) {
     const Eigen::Index n = system.A.rows(), all = system.B.cols(), d = all - 1;
-    // State vector of the exponential: states, input, delayed signals, and their slopes [1/step].
+    // State vector of the exponential: states, input, delayed signals, and their derivatives [1/step].
     Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n + 1 + 2 * d, n + 1 + 2 * d);
     whole.topLeftCorner(n, n) = system.A * step;
     whole.block(0, n, n, all) = system.B * step;

@@ -98,7 +98,7 @@ bool disagrees(const Difference& small, const Slopes& slopes, Eigen::Index i) {
   return std::abs(small.central[i] - slopes.value[i]) > 1e-3 * size + 1000.0 * small.rounding[i];
 }
 
-/// True if large differences agree on a slope where small ones give 0: a staircase, or backlash.
+/// True if large differences agree on a derivative where small ones give 0: a staircase, or backlash.
 bool is_flat_here(const std::vector<Difference>& sizes, const Slopes& slopes, Eigen::Index i) {
   const double first = sizes[0].central[i], second = sizes[1].central[i];
   return slopes.value[i] == 0.0 && first != 0.0 && std::abs(first - second) <= 0.05 * std::abs(first);

@@ -40,7 +40,7 @@ using Choice = std::vector<std::size_t>;
 std::vector<Estimate> estimate(const Samples& samples, const Bootstrap& bootstrap,
                                const std::function<std::vector<double>(const Choice&)>& numbers_of);
 
-/// Returns the part-th run of `size` consecutive estimates.
+/// Returns the part-th group of `size` consecutive estimates.
 std::vector<Estimate> part_of(const std::vector<Estimate>& all, std::size_t part, std::size_t size);
 
 }  // namespace stepwire::statistics

@@ -20,7 +20,7 @@ struct PowerSimulation {
 
 /// Returns the simulated power of a within-subject term by the number of subjects (0 for none and one). Power
 /// is the share of experiments in which F is significant at 0.05. Simulated subjects are drawn with
-/// replacement from the rows of scores[subject][contrast]. The mean of the scores is kept as the effect.
+/// replacement from the rows of scores[subject][contrast]. The mean of the scores remains the effect.
 /// Deviations from it are scaled by sqrt(n / (n - 1)), so that the population has the estimated variance. An
 /// experiment with identical subjects is not significant. A seed draws the same subjects for all terms. Empty
 /// for fewer than three subjects and for constant scores.

@@ -50,7 +50,7 @@ text::TextTable intervals_table(const statistics::WithinSubjects& within, const 
   return table;
 }
 
-/// Returns the number of comparisons with a P, for which P is corrected.
+/// Returns the note on the correction of P: the number of comparisons with a P.
 std::string corrected_for(const statistics::WithinSubjects& within) {
   std::size_t of_t = 0, of_ranks = 0;
   for (const statistics::PairComparison& one : within.comparisons) {

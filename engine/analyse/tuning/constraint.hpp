@@ -7,8 +7,8 @@
 
 namespace stepwire::tuning {
 
-/// Reads the claims that constrain a tuning. Adds a fault for a claim without a margin: its value is true or
-/// false, or its two bounds are equal.
+/// Reads the claims that constrain an optimisation. Adds a fault for a claim without a margin: its value is
+/// true or false, or its two bounds are equal.
 std::vector<claim::Claim> read_constraints(const yaml::Node& node,
                                            const std::vector<linear::NamedAnalysis>& linear,
                                            const query::NamesReading& read);

@@ -9,7 +9,7 @@
 
 namespace stepwire::tuning {
 
-/// Singular values and confidence intervals of a tuning with targets. Parameters are scaled by the way
+/// Singular values and confidence intervals of an optimisation with targets. Parameters are scaled by the way
 /// between their bounds, targets by their deviations.
 struct Resolution {
   std::vector<std::vector<double>> jacobian{};  ///< Jacobian: one row per target.

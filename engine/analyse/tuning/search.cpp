@@ -178,8 +178,8 @@ class Search {
     return log_.add(shares, std::move(one));
   }
 
-  /// Evaluates a point within a call of NLopt, where only nlopt::forced_stop may be thrown; others are kept
-  /// in thrown_.
+  /// Evaluates a point within a call of NLopt, where only nlopt::forced_stop may be thrown; others are
+  /// stored in thrown_.
   const Evaluation& looked_at(const Shares& shares) {
     try {
       if (!log_.find(shares) && log_.size() >= limit_) throw nlopt::forced_stop();

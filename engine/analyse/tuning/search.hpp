@@ -8,7 +8,7 @@
 
 namespace stepwire::tuning {
 
-/// Data that all searches of a tuning share.
+/// Data that all searches of an optimisation share.
 struct SearchProblem {
   const TuneRuns& runs;
   const TuneRequest& request;

@@ -20,8 +20,7 @@ std::optional<std::vector<std::vector<double>>> target_jacobian(const LookAt& lo
     Shares low = at, high = at;
     low[without] = std::max(0.0, at[without] - step);
     high[without] = std::min(1.0, at[without] + step);
-    const Evaluation below = look(low),
-                     above = look(high);  // copied: look() moves
+    const Evaluation below = look(low), above = look(high);  // copies: look() may move the first one
     if (below.is_bad() || above.is_bad()) return std::nullopt;
     for (std::size_t i = 0; i < rows.size(); ++i)
       rows[i].push_back((above.offs[i] - below.offs[i]) / (high[without] - low[without]));

@@ -43,10 +43,10 @@ class Watch {
   double best_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The steps of a tuning. The given start is evaluated first; its values are the scales of objective and
-/// claims. Searches from all starts then run in parallel, here or in other processes. If none satisfies all
-/// claims, restore() minimises the largest violation from the best point, and a further search follows from a
-/// point that it finds. The best evaluation of all searches is the result.
+/// The steps of an optimisation. The given start is evaluated first; its values are the scales of objective
+/// and claims. Searches from all starts then run in parallel, here or in other processes. If none satisfies
+/// all claims, restore() minimises the largest violation from the best point, and a further search follows
+/// from a point that it finds. The best evaluation of all searches is the result.
 class Tuning {
  public:
   Tuning(const TuneSource& source, const run::Job& job, const TuneRequest& request,

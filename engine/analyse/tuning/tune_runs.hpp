@@ -14,7 +14,7 @@
 
 namespace stepwire::tuning {
 
-/// Inputs of the runs of a tuning besides the request.
+/// Inputs of the runs of an optimisation besides the request.
 struct TuneSource {
   diagram::Loader& loader;
   std::string file;
