@@ -18,7 +18,7 @@ namespace {
 
 constexpr double tolerance = 1e-11;
 
-/// x, v [mm, mm/s], z, i [A] of W1 after so many steps.
+/// State of W1 after a number of steps: x, v [mm, mm/s], z, i [A].
 struct ReferenceW1 {
   int steps;
   std::array<double, 4> state;
@@ -28,7 +28,7 @@ constexpr ReferenceW1 references_w1[] = {
     {2000, {-22.0660615859992, 0.500905335020262, 1.10514893010915, 0.273227421053629}},
     {100000, {-23.1581554834532, 0.500891457269049, 1.10514961942006, 0.273227418748788}}};
 
-/// The sum of all states of W2 after so many steps.
+/// Sum of all states of W2 after a number of steps.
 struct ReferenceW2 {
   int blocks, steps;
   double sum;
@@ -59,7 +59,7 @@ void go(run::Executor& simulation, int steps) {
   }
 }
 
-/// The same with compiled code.
+/// Steps with compiled code.
 void go_compiled(run::Executor& simulation, int steps) {
   static codegen::GeneratedCode source{run::code_trial()};
   const std::optional<plan::CompiledPlan> code = source.compile(simulation.plan(), {}, {});

@@ -1,6 +1,6 @@
-// How well processes of mpirun are used by a sweep, to 10,000 of them: a simulation of their messages, with
-// costs that `mpirun -np 3 build/bench/cluster_schedule --measure` measures with the program's own server,
-// processes and journal.
+// Simulates the utilisation of up to 10,000 processes of mpirun by a sweep, by their messages. The costs are
+// measured by `mpirun -np 3 build/bench/cluster_schedule --measure`, with the program's own server, processes
+// and journal.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,11 +21,11 @@ namespace {
 
 using namespace stepwire;
 
-// Measured on a 2-core AMD EPYC, beside other work; the latency is what a process waits between two looks.
+// Measured on a 2-core AMD EPYC under other load; the latency is the interval at which a process polls.
 constexpr schedule::Costs measured{.answer = 12e-6, .item = 0.2e-6, .latency = 1e-3};
-constexpr std::size_t row = 130;  // bytes of a run that leaves a row of two numbers
+constexpr std::size_t row = 130;  // bytes of a run with one row of two numbers
 
-/// Answers items at once with as many bytes as a row has.
+/// Answers each item at once with the bytes of one row.
 void answer_all(messages::Connection& server) {
   cluster::ItemClient client(server);
   const std::string bytes(row, '\0');
@@ -62,7 +62,7 @@ int measure() {
   return 0;
 }
 
-/// `seconds` is what the sweep takes where all processes run all the time; 0: it has a million runs.
+/// `seconds` is the duration of the sweep at full utilisation; 0: it has a million runs.
 void print_row(double run, double seconds, schedule::Rule rule, std::size_t parts,
                const schedule::Costs& costs) {
   const char* const name = rule == schedule::Rule::by_number ? "by number" : "by time";
@@ -94,7 +94,7 @@ int simulate_all(const schedule::Costs& costs) {
   return 0;
 }
 
-/// A cost that the call gives in microseconds, "--answer 12".
+/// Returns a cost of the command line in microseconds, "--answer 12".
 double cost_of(std::span<char*> words, const char* name, double otherwise) {
   for (std::size_t i = 0; i + 1 < words.size(); ++i)
     if (std::strcmp(words[i], name) == 0) return 1e-6 * std::strtod(words[i + 1], nullptr);

@@ -1,4 +1,4 @@
-// How long an editor waits: from a key to what is wrong, and to what may be written.
+// Measures the latency of an editor: from a key to diagnostics, and to completions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 constexpr int blocks_of_file = 300;
 constexpr int edits = 100;
 
-/// Messages to a server that runs, and the time until something comes back.
+/// Client of a running language server; it times the server's messages.
 class Editor {
  public:
   explicit Editor(const Registry& registry)
@@ -42,7 +42,7 @@ class Editor {
     server_.post(message.text(-1));
   }
 
-  /// Milliseconds from a message to one that holds a word.
+  /// Returns the milliseconds from a message to one that contains a word.
   double wait(int id, const std::string& method, json::Json params, const std::string& word) {
     std::future<void> came = expect(word);
     const auto start = std::chrono::steady_clock::now();
@@ -69,7 +69,7 @@ class Editor {
   std::string word_;
   std::promise<void> came_;
   language::LanguageServer server_;
-  std::thread thread_;  // last: it uses the others
+  std::thread thread_;  // last member, since it uses the others
 };
 
 json::Json document() {
@@ -80,7 +80,7 @@ json::Json position(int line, std::size_t character) {
   return json::Json::object().set("line", line).set("character", character);
 }
 
-/// Line and column behind the first input of the last block, where a person types.
+/// Line and column of the first input of the last block, the place of the edits.
 struct Spot {
   int line = 0;
   std::size_t from = 0, to = 0;
@@ -93,7 +93,7 @@ Spot spot_in(const std::string& text) {
           text.find_first_of(",}[]\n", at) - start};
 }
 
-/// A name is written to a wrong one and back, time after time.
+/// Changes a name to an unknown one and back, repeatedly.
 std::vector<double> keys_to_diagnostics(Editor& editor, const std::string& text, const Spot& spot) {
   std::vector<double> times;
   const std::size_t line = text.rfind('\n', text.rfind("u: x")) + 1;

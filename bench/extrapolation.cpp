@@ -37,7 +37,7 @@ class Extrapolation {
  private:
   static constexpr int columns = 6;
 
-  /// The midpoint rule in `count` parts of the step.
+  /// Integrates a step by the midpoint rule in `count` parts.
   void midpoint(Number time, Number step, int count, Vector& result) {
     const Number part = step / count;
     before_ = x_;
@@ -51,7 +51,7 @@ class Extrapolation {
     result = now_;
   }
 
-  /// Leaves the new states in rows_[0]; returns the error in parts of the tolerance.
+  /// Stores the new states in rows_[0]; returns the error over the tolerance.
   Number attempt(Number time, Number step) {
     Vector last(x_.size());
     for (int k = 0; k < columns; ++k) {

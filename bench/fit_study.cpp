@@ -1,8 +1,8 @@
-// Repeats the fit of a file with other noise and tells how often its intervals hold the truth:
+// Repeats the fit of a file with different noise and counts how often its intervals hold the truth:
 //   fit_study FILE [--seeds 100] [--parameter seed] NAME=TRUTH...
-// NAME is a parameter that the file fits, TRUTH its true value in the file's notation ("model.beta=10.614
-// 1/mm"). Each repetition sets the file's parameter `seed` to 1, 2, ... Exit status 1 where an interval of 95
-// % holds the truth in less than 90 or more than 99 of 100 repetitions, 2 for a wrong call or file.
+// NAME is a parameter that the file fits. TRUTH is its true value in the file's notation ("model.beta=10.614
+// 1/mm"). Each repetition sets the file's parameter `seed` to 1, 2, ... Exit status 1: a 95 % interval holds
+// the truth in less than 90 or more than 99 of 100 repetitions. Exit status 2: wrong call or file.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 struct Call {
   std::string file, seed = "seed";
   int repetitions = 100;
-  std::map<std::string, double> truth;  ///< SI
+  std::map<std::string, double> truth;  ///< True values in SI.
 };
 
 double number_of(const std::string& text) {
@@ -50,7 +50,7 @@ Call call_of(int count, char** words) {
   return call;
 }
 
-/// What the repetitions say about one number.
+/// Statistics of one fitted number over the repetitions.
 struct Tally {
   int fits = 0, held = 0;
   double sum = 0.0, squares = 0.0, errors = 0.0;
@@ -87,7 +87,7 @@ std::map<std::string, Tally> tallies_of(const Call& call) {
   return tallies;
 }
 
-/// Are all shares from 90 to 99 of 100?
+/// Prints the table. Returns true if all shares are from 90 to 99 %.
 bool tell(const Call& call, const std::map<std::string, Tally>& tallies) {
   bool good = true;
   fmt::print(

@@ -6,12 +6,12 @@
 
 namespace stepwire {
 
-/// W1 as one would write it by hand: the same mathematics, nothing recorded, nothing checked.
+/// W1 written by hand: the same mathematics, without recording and checks.
 template <int level = 2>
 class HandWrittenW1 {
  public:
   void step();
-  /// x, v [mm, mm/s], z, i [A]
+  /// Returns x, v [mm, mm/s], z, i [A].
   const std::array<double, 4>& state() const { return state_; }
 
  private:
@@ -24,7 +24,7 @@ class HandWrittenW1 {
   long tick_ = 0;
 };
 
-/// W2 as one would write it by hand.
+/// W2 written by hand.
 template <int level = 2>
 class HandWrittenW2 {
  public:

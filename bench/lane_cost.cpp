@@ -28,16 +28,16 @@ double seconds_of(const std::function<void()>& work) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// A diagram in which one value differs from run to run.
+/// A diagram with one value that differs between runs.
 struct Workload {
   std::string name;
   plan::Plan plan;
-  std::string varies;  ///< "spring.gain"
+  std::string varies;  ///< Name of the value: "spring.gain".
   double from;
   std::string unit;
 };
 
-/// Runs of a workload in lanes, or one alone, at time 0.
+/// Runs of a workload, in lanes or a single one, from time 0.
 class Runs {
  public:
   Runs(const Workload& of, int count) {
@@ -91,7 +91,7 @@ std::vector<Result> measure(codegen::GeneratedCode& source, Workload of) {
     return {};
   }
   Runs one(of, 1), all(of, lanes->lanes);
-  double alone = 1e9, together = 1e9;  // the shortest: other work only adds to it
+  double alone = 1e9, together = 1e9;  // minimum: other load only adds time
   for (int i = 0; i < tries; ++i) {
     alone = std::min(alone, seconds_of([&] { one.step_alone(*code); }));
     together = std::min(together, seconds_of([&] { all.step_together(*lanes); }));

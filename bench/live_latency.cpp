@@ -1,4 +1,4 @@
-// How long a live run takes from a hand's sample, or a value that is set, to the frame in which its tick is.
+// Measures the latency of a live run: from an input sample, or from a set value, to the frame with its tick.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -18,7 +18,7 @@ namespace {
 using namespace stepwire;
 using json::Json;
 
-/// So many lags, each with an input of its own kind: a sine, or what the page writes.
+/// Returns a diagram of `signals` signals: lags of one input that the page writes.
 std::string diagram_of(std::size_t signals) {
   std::string text =
       "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 1 h\nsolver: rk4\ninputs: {hand: {default: 0}}\nblocks:\n";
@@ -42,7 +42,7 @@ double processor_seconds() {
 double newest_value(const std::string& bytes) {
   std::uint32_t rows = 0;
   std::memcpy(&rows, bytes.data() + 12, sizeof(rows));
-  double value = 0.0;  // the last of the first column behind the time
+  double value = 0.0;  // last value of the first column after the time
   if (rows > 0) std::memcpy(&value, bytes.data() + 32 + (2 * rows - 1) * sizeof(double), sizeof(value));
   return value;
 }

@@ -1,4 +1,4 @@
-// What samples of a live run cost: on their way into the store, and when they are looked at.
+// Measures the cost of samples of a live run: when they are stored, and when they are viewed.
 #include <fmt/format.h>
 #include <time.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace stepwire::live;
 
-/// Processor time of this thread [s].
+/// Returns the processor time of this thread [s].
 double processor_time() {
   timespec now{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -35,7 +35,7 @@ void row(const char* what, double value, const char* unit) {
   fmt::print("{:<64} {:>12.4g} {}\n", what, value, unit);
 }
 
-/// Rows of a count of signals, as a run hands them over.
+/// Measures the storage of rows of `signals` signals in batches, as a run passes them.
 void measure_store(std::size_t signals) {
   constexpr std::size_t rows_at_once = 256, parts = 2000;
   std::vector<double> rows(rows_at_once * signals);

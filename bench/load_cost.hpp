@@ -6,8 +6,9 @@
 
 namespace stepwire {
 
-/// Processor time from the text of W2 to its first step, several times, and the peak memory of the process
-/// after the first of them. That peak is of all that the process did before, so this comes first.
+/// Measures the processor time from the text of W2 to its first step, several times. The peak memory of the
+/// process is read after the first time. That peak includes all earlier work, so this benchmark must be the
+/// first.
 std::vector<Result> measure_load(int blocks, int times);
 
 }  // namespace stepwire

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int points = 100;
 
-/// A wave of 10 mm over 200 mm.
+/// Returns the height of a wave of 10 mm over 200 mm.
 double height(double x) {
   return 10e-3 * std::sin(x / 15e-3);
 }
@@ -32,7 +32,7 @@ plan::Plan corridor(const Registry& registry, const std::string& kind) {
   return plan::make_plan(diagram::Loader(registry).load_text(text + "]}\n", "corridor.yaml"));
 }
 
-/// Places beside the wave, two coordinates each.
+/// Returns places beside the wave, two coordinates each.
 std::vector<double> places(std::size_t count) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> along(0.0, 0.2), beside(-20e-3, 20e-3);
@@ -44,7 +44,7 @@ std::vector<double> places(std::size_t count) {
   return numbers;
 }
 
-/// Nanoseconds of one call of the block.
+/// Returns the time of one call of the block [ns].
 double cost(const plan::Plan& plan, const std::vector<double>& numbers) {
   AnyBlock block(plan.diagram.blocks.front().block);
   const BlockType& type = block.type();
@@ -65,7 +65,7 @@ double cost(const plan::Plan& plan, const std::vector<double>& numbers) {
 }  // namespace
 
 std::vector<Result> measure_look_up(int times) {
-  const Registry registry = blocks();  // blocks know their types by it
+  const Registry registry = blocks();  // must outlive the plans, whose blocks refer to it
   const std::vector<double> numbers = places(100000);
   std::vector<Result> results;
   for (const char* kind : {"corridor", "spline"}) {

@@ -6,8 +6,8 @@
 
 namespace stepwire {
 
-/// Processor time to find the nearest boundary point of a corridor of 100 points, along straight lines and
-/// along a spline, at random places up to 20 mm beside it; several times.
+/// Measures the processor time to find the nearest boundary point of a corridor of 100 points, along straight
+/// lines and along a spline. The places are random, up to 20 mm beside it. Repeats this several times.
 std::vector<Result> measure_look_up(int times);
 
 }  // namespace stepwire

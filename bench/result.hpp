@@ -6,16 +6,16 @@
 
 namespace stepwire {
 
-/// One number that was measured. A table puts results of one workload and unit side by side.
+/// One measured number. A table shows results of one workload and unit side by side.
 struct Result {
-  std::string workload;  ///< "W2 1000"
-  std::string by;        ///< who did the work: "interpreted", "by hand"
-  std::string unit;      ///< "ns per step"
+  std::string workload;  ///< Name of the workload: "W2 1000".
+  std::string by;        ///< Method: "interpreted", "by hand".
+  std::string unit;      ///< Unit: "ns per step".
   double value = 0.0;
-  std::size_t blocks = 0;  ///< of the workload
+  std::size_t blocks = 0;  ///< Number of blocks of the workload.
 };
 
-/// Writes results as JSON, one to a line. False if the file cannot be written.
+/// Writes results as JSON, one per line. Returns false if the file cannot be written.
 bool write_json_lines(const std::vector<Result>& results, const std::string& path);
 
 }  // namespace stepwire

@@ -12,21 +12,23 @@ namespace schedule {
 
 namespace {
 
-// Within a group, results are sent after so long [s], or so many (a megabyte of rows).
+// Interval [s] at which results of a group are sent, and their largest number per message (a megabyte of
+// rows).
 constexpr double between_results = 1.0, most_results = 6500.0;
 
-/// A message on its way to the process that writes.
+/// A message in transit to the writing process.
 struct Message {
   double time = 0.0;
   std::size_t from = 0;
   std::size_t results = 0;
-  bool requests = true;  ///< more work; else it brings results alone
+  bool requests = true;  ///< True: requests more work; false: contains results only.
   bool operator>(const Message& other) const {
     return time != other.time ? time > other.time : from > other.from;
   }
 };
 
-/// One call, whose processes request work one after the other.
+/// Simulation of one call, whose processes request work. Events are messages in order of time; one process
+/// answers them in sequence.
 class Call {
  public:
   Call(const Case& of, const Costs& costs) : of_(of), costs_(costs), workers_(of.ranks / of.parts - 1) {
@@ -36,7 +38,7 @@ class Call {
     for (std::size_t i = 0; i < workers_; ++i) coming_.push({0.0, i});
   }
 
-  /// When all is done.
+  /// Returns the time at which all runs are done.
   double end() {
     while (!coming_.empty()) {
       const Message message = coming_.top();
@@ -57,7 +59,7 @@ class Call {
     busy_ += seconds;
   }
 
-  /// Takes what a process has done, and gives it more.
+  /// Processes a request: notes the finished group and assigns the next one.
   void answer(const Message& message) {
     std::size_t& given = given_[message.from];
     if (of_.rule == Rule::by_number) work(one_way());  // results have a message of their own
@@ -85,7 +87,7 @@ class Call {
     return std::clamp<std::size_t>(left_ / (4 * (workers_ + 1)), 1, 1000);
   }
 
-  /// Of many runs: their sum is nearly normal.
+  /// Returns the duration of a group of runs. The sum of many is nearly normal.
   double length_of(std::size_t runs) {
     const auto count = static_cast<double>(runs);
     double sum = 0.0;

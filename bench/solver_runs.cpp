@@ -18,7 +18,7 @@ namespace {
 
 constexpr long max_steps = 5'000'000;
 
-/// Processor time of this thread [s].
+/// Returns the processor time of this thread [s].
 double now() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -49,7 +49,7 @@ class EngineSystem : public solve::System {
   double time_ = 0.0;
 };
 
-/// The problem and the count of its calls, as CVODE passes them on.
+/// The problem and its number of calls, as user data of CVODE.
 struct Counted {
   const ivp::Problem& problem;
   long calls = 0;
@@ -64,7 +64,7 @@ int derivative(sunrealtype time, N_Vector x, N_Vector result, void* user) {
 
 void stay_silent(int, const char*, const char*, char*, void*) {}
 
-/// CVODE with its matrices, set up for a problem.
+/// CVODE and its matrices for a problem.
 class Cvode {
  public:
   Cvode(Counted& counted, double relative, double absolute) {

@@ -9,11 +9,11 @@
 
 namespace stepwire::bench {
 
-/// Means and extremes of the rows of each solver and tolerance, over stiff problems and over others.
+/// Means and extremes by solver and tolerance, separately for stiff and other problems.
 class SolverSummary {
  public:
-  /// Adds a run beside CVODE's of the same tolerance and beside its cheapest of the same digits, nullptr for
-  /// none.
+  /// Adds a run with two runs of CVODE for comparison: at the same tolerance, and the cheapest of the same
+  /// digits (nullptr: none).
   void add(const ivp::Problem& problem, double relative, const std::string& solver, const SolverRun& run,
            const SolverRun& same_tolerance, const SolverRun* same_digits);
   void print() const;
@@ -28,7 +28,7 @@ class SolverSummary {
   struct Row {
     int problems = 0;
     Ratios calls, calls_for_digits, time;
-    std::string few_digits;  ///< names of problems that miss the digits by more than 1
+    std::string few_digits;  ///< Names of problems with more than 1 digit too few.
   };
   std::map<std::tuple<bool, double, std::string>, Row> rows_;
 };

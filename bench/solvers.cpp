@@ -1,5 +1,5 @@
-// Work and precision of the solvers with control of the error beside CVODE of SUNDIALS, on the problems of
-// the Bari test set, of DETEST and of stiff DETEST: a table in Markdown.
+// Compares work and precision of the error-controlled solvers with CVODE of SUNDIALS. The problems are those
+// of the Bari test set, of DETEST and of stiff DETEST. Prints a table in Markdown.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 using namespace stepwire;
 using bench::SolverRun;
 
-/// The run, again and again for a hundredth of a second, with its shortest time.
+/// Returns a run with the shortest time of several repetitions, within 0.02 s.
 template <class Run>
 SolverRun shortest(const Run& run) {
   SolverRun best = run();
@@ -33,7 +33,7 @@ SolverRun shortest(const Run& run) {
   return best;
 }
 
-/// CVODE's runs at tolerances from 1e-2 to 1e-13, three a decade.
+/// Returns CVODE's runs at tolerances from 1e-2 to 1e-13, three per decade.
 std::vector<SolverRun> curve_of(const ivp::Problem& problem) {
   std::vector<SolverRun> runs;
   for (int third = 6; third <= 39; ++third) {
@@ -44,7 +44,7 @@ std::vector<SolverRun> curve_of(const ivp::Problem& problem) {
   return runs;
 }
 
-/// The cheapest of CVODE's runs that has as many digits; nullptr where none has.
+/// Returns the cheapest of CVODE's runs with at least these digits; nullptr if there is none.
 const SolverRun* as_good(const std::vector<SolverRun>& curve, double digits) {
   const SolverRun* best = nullptr;
   for (const SolverRun& run : curve)
@@ -85,8 +85,7 @@ void measure(ivp::Problem problem, const std::vector<std::string>& solvers, benc
 
 }  // namespace
 
-/// Names of problems limit the table to these. The ring modulator takes minutes and is left out without its
-/// name.
+/// Arguments are the names of problems to run. The ring modulator takes minutes and runs only by its name.
 int main(int argc, char** argv) {
   fmt::print(
       "| problem | asked | by | digits | steps | rejected | calls | ratio | us | ratio | "

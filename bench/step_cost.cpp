@@ -1,4 +1,5 @@
-// What a diagram costs: from its text to the first step, and per step, against the same loop by hand.
+// Measures the cost of a diagram: from its text to the first step, and per step, compared with a loop written
+// by hand.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -14,7 +15,7 @@
 
 namespace {
 
-/// Takes "--json FILE" out of the arguments; "" where it is not there.
+/// Removes "--json FILE" from the arguments and returns FILE; empty if absent.
 std::string take_json(std::vector<char*>& arguments) {
   for (std::size_t i = 1; i + 1 < arguments.size(); ++i) {
     if (std::string_view(arguments[i]) != "--json") continue;
@@ -26,8 +27,8 @@ std::string take_json(std::vector<char*>& arguments) {
   return "";
 }
 
-/// Hands arguments to Google Benchmark, ours first so that those of the call count. False for one that it
-/// does not know.
+/// Passes arguments to Google Benchmark, after our defaults so that the caller's take precedence. Returns
+/// false for an unknown one.
 bool initialize_benchmark(std::vector<char*> arguments) {
   std::string in_turn = "--benchmark_enable_random_interleaving=true", repeat = "--benchmark_repetitions=7",
               shortly = "--benchmark_min_time=0.05";

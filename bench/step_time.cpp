@@ -18,7 +18,7 @@ namespace stepwire {
 
 namespace {
 
-/// Steps a diagram with its 8 signals recorded and the finite check on; with compiled code if there is any.
+/// Steps a diagram with its 8 signals recorded and the finite check on; with compiled code if given.
 void run_diagram(benchmark::State& bench, const plan::Plan& plan, const plan::CompiledPlan* code = nullptr) {
   run::Executor simulation(plan);
   if (code) simulation.use(*code);
@@ -46,10 +46,10 @@ void run_by_hand(benchmark::State& bench, HandWritten loop) {
   }
 }
 
-/// What is timed, and what came of it.
+/// The benchmarks of steps, and their results.
 class Steps : public benchmark::ConsoleReporter {
  public:
-  /// One workload by all means.
+  /// Adds one workload by all methods.
   template <class HandWritten2, class HandWritten3>
   void add(const std::string& workload, const plan::Plan& plan, const HandWritten2& by_hand,
            const HandWritten3& by_hand_O3) {
@@ -82,12 +82,12 @@ class Steps : public benchmark::ConsoleReporter {
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration) continue;
       results_.push_back(loops_.at(run.run_name.function_name));
-      results_.back().value = run.GetAdjustedCPUTime();  // waiting for a busy processor is no cost
+      results_.back().value = run.GetAdjustedCPUTime();  // excludes waiting
     }
   }
 
   codegen::GeneratedCode source_{run::code_trial()};
-  std::map<std::string, Result> loops_;  ///< by the names of benchmarks
+  std::map<std::string, Result> loops_;  ///< Prototypes of results by the names of benchmarks.
   std::vector<Result> results_;
 };
 
@@ -95,7 +95,7 @@ class Steps : public benchmark::ConsoleReporter {
 
 std::vector<Result> measure_steps() {
   Steps steps;
-  std::deque<plan::Plan> plans{w1_plan()};  // they stay where they are
+  std::deque<plan::Plan> plans{w1_plan()};  // a deque, for stable addresses
   steps.add("W1", plans.back(), HandWrittenW1<2>(), HandWrittenW1<3>());
   for (const int blocks : {10, 100, 1000, 10000})
     steps.add(fmt::format("W2 {}", blocks), plans.emplace_back(w2_plan(blocks, 1000)),

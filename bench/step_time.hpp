@@ -6,8 +6,8 @@
 
 namespace stepwire {
 
-/// Times one step of every workload by every means, all in turn, with the options that Google Benchmark was
-/// given: processor time, one result for each repetition.
+/// Times one step of every workload by every method in random order, with the options of Google Benchmark.
+/// Returns the processor time, one result per repetition.
 std::vector<Result> measure_steps();
 
 }  // namespace stepwire

@@ -1,6 +1,7 @@
-// A table of lines of JSON {workload, by, unit, value, goal, isExtreme} with the machine above it. Exit status 1 for a value beyond `most`
-// times its goal that is no extreme.
-// node studio_table.mjs MOST LOAD < LINES: where more than two processes for each processor waited before (LOAD), nothing is judged.
+// Prints a Markdown table of JSON lines {workload, by, unit, value, goal, isExtreme}, below a line on the machine.
+// Usage: node studio_table.mjs MOST LOAD < LINES.
+// Exit status 1: a value, unless it is an extreme, exceeds its goal MOST times. Values are not judged if LOAD, the load before the
+// measurement, is more than two processes per processor.
 
 import {readFileSync} from "node:fs";
 import {cpus, release} from "node:os";

@@ -35,8 +35,8 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/// What is in memory now, when all that is free has gone back to the system: an earlier peak says nothing of
-/// it.
+/// Returns the resident memory after free memory was returned to the system; the peak would include earlier
+/// work.
 double present_megabytes() {
   malloc_trim(0);
   std::ifstream pages("/proc/self/statm");
@@ -70,14 +70,14 @@ run::RunOptions options_for(codegen::GeneratedCode& code, unsigned threads) {
   return options;
 }
 
-/// One run of as many seconds as the sweep has runs of one.
+/// Returns the plan of one run that is as long as all runs of the sweep.
 plan::Plan long_plan(const Registry& registry, const std::string& file, std::size_t points) {
   const std::string seconds = std::to_string(points) + " s";
   return plan::make_plan(diagram::Loader(registry).load_point(file, {{"stop", seconds}}));
 }
 
-/// What the peak of memory grows by in the sweep, in a process of its own: in this one an earlier peak hides
-/// it.
+/// Returns the increase of peak memory by the sweep, measured in a process of its own; in this one an earlier
+/// peak would hide it.
 double memory_in_own_process(const std::string& file) {
   const subprocess::ProcessResult result = subprocess::run_process(
       {.command = {std::filesystem::read_symlink(program).string(), sweep_memory_option, file}});
@@ -85,7 +85,7 @@ double memory_in_own_process(const std::string& file) {
   return std::stod(result.output);
 }
 
-/// W1 in which the last tick of each second is recorded, with 10,000 values of one of its gains.
+/// Writes W1 with the last tick of each second recorded and 10,000 values of one gain; returns its path.
 std::string w1_of_seconds(const std::string& folder) {
   const std::string path = folder + "/w1-seconds.yaml", record = "record: [";
   std::string text = io::read_file(STEPWIRE_BENCH_DIR "/w1.yaml");
@@ -96,7 +96,7 @@ std::string w1_of_seconds(const std::string& folder) {
   return path;
 }
 
-/// A sweep of runs of a second against one run of all these seconds.
+/// Measures a sweep of runs of one second against one run of the same total time.
 std::vector<Result> against_one_run(const std::string& name, const std::string& file) {
   const Registry registry = blocks();
   codegen::GeneratedCode code{run::code_trial()};
@@ -148,7 +148,7 @@ std::vector<Result> measure_sweeps() {
 
 namespace {
 
-/// W1 with a sweep of one of its gains.
+/// Returns a job of W1 with a sweep of one gain.
 run::Job w1_sweep(diagram::Loader& loader, const std::string& folder, std::size_t points) {
   const std::string path = folder + "/w1-sweep.yaml";
   io::write_file(path, io::read_file(STEPWIRE_BENCH_DIR "/w1.yaml") +
@@ -156,7 +156,7 @@ run::Job w1_sweep(diagram::Loader& loader, const std::string& folder, std::size_
   return run::make_job(loader, path, {}, "10 s");
 }
 
-/// The same steps as all runs make, one behind the other.
+/// Makes the steps of all runs in sequence, without anything else.
 void step_alone(const plan::Plan& plan, const plan::CompiledPlan& code, std::size_t runs) {
   run::Executor run(plan);
   run.use(code);

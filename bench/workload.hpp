@@ -6,14 +6,14 @@
 
 namespace stepwire {
 
-/// W1 as a plan, from its file w1.yaml.
+/// Returns the plan of W1, from its file w1.yaml.
 plan::Plan w1_plan();
 
-/// W2, a graph of `blocks` blocks (and 2 for the source), as the text of a diagram file that records 8 of its
+/// Returns the diagram file of W2: a graph of `blocks` blocks, and 2 for the source. It records 8 of its
 /// signals.
 std::string w2_text(int blocks, int steps);
 
-/// W2 as a plan.
+/// Returns the plan of W2.
 plan::Plan w2_plan(int blocks, int steps);
 
 }  // namespace stepwire

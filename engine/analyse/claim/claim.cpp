@@ -18,7 +18,7 @@ double Comparison::margin(double value) const {
     case Kind::equals:
       break;
   }
-  // Equal infinities differ by nothing.
+  // The difference of equal infinities is nan; it counts as 0.
   return value == low ? within : within - std::abs(value - low);
 }
 

@@ -15,7 +15,7 @@
 
 namespace stepwire::claim {
 
-/// How a claim makes one number of a column.
+/// Function that reduces the selected rows of a column to one number.
 enum class Reduction {
   final,
   max,
@@ -41,92 +41,94 @@ enum class Reduction {
 
 struct RunFormula;
 
-/// Is it a number of several runs, made of one of each?
+/// True for a reduction over several runs, each of which contributes one number.
 inline bool is_of_runs(Reduction reduction) {
   return reduction == Reduction::fraction_of_runs || reduction == Reduction::quantile_of_runs;
 }
 
-/// What the reduced value is held against. A percent sign on `within` makes it relative: |value - equals| <=
-/// 1 % of |equals|; any other `within` is absolute and in the unit of the value.
+/// Condition on the reduced value. A percent sign on `within` makes the tolerance relative: |value - equals|
+/// <= 1 % of |equals|. Any other `within` is absolute and in the unit of the value.
 struct Comparison {
   enum class Kind { equals, at_most, at_least, between };
   Kind kind = Kind::equals;
-  double low = 0.0;     ///< the wanted value, or the lower end of between
-  double high = 0.0;    ///< upper end of between
-  double within = 0.0;  ///< absolute tolerance of equals
-  std::string unit{};   ///< in which the author wrote it, for showing the value; empty: SI
-  std::string text{};   ///< "<= 2 N"
+  double low = 0.0;     ///< Target of equals, bound of at_most and at_least, lower end of between.
+  double high = 0.0;    ///< Upper end of between.
+  double within = 0.0;  ///< Absolute tolerance of equals.
+  std::string unit{};   ///< Unit in which the value is shown, as the author wrote it; empty: SI.
+  std::string text{};   ///< Text such as "<= 2 N".
 
-  /// How far the value is on the right side: negative where the claim fails; nan never holds and gives -inf.
+  /// Returns the distance of a value to the bound: positive where the claim holds, negative where it fails,
+  /// -inf for nan.
   double margin(double value) const;
 };
 
-/// A statement about a run that is checked on what it recorded.
+/// A statement about a run, checked against the recordings.
 struct Claim {
   enum class Kind {
-    statement,  ///< what the source says of this diagram
-    invariant   ///< what must hold throughout any run of the rig: limits, energy, safety
+    statement,  ///< claim of the source (paper, data sheet) about this diagram
+    invariant   ///< condition on every run of the rig: limits, energy, safety
   };
   Kind kind = Kind::statement;
   std::string that;
-  std::string check;  ///< the condition as text: "max abs(limit) <= 0 A where rig.x > -4 mm"
+  std::string check;  ///< Text of the condition: "max abs(limit) <= 0 A where rig.x > -4 mm".
   Reduction reduction = Reduction::final;
-  std::vector<query::Formula> values;  ///< one; two for rising (value, over) and fit (model, measured)
+  std::vector<query::Formula> values;  ///< One formula; two for rising (value, over), fit (model, measured).
   std::optional<query::Formula> where;
-  double time = 0.0;                           ///< for at, in s
-  double share = 0.5;                          ///< for quantile, 0 to 1
-  std::shared_ptr<const RunFormula> of_run{};  ///< what is one number of a run, for those of several runs
-  std::optional<double> confidence{};  ///< with which they satisfy the comparison; none: the estimate does
-  bool each_run = false;  ///< judged for every run of a sweep, the worst is shown; always so for final and at
-  bool free_offset = false;  ///< fit: the mean of measured - model is added to the model first
+  double time = 0.0;                           ///< Time of `at`, in s.
+  double share = 0.5;                          ///< Share of `quantile`, 0 to 1.
+  std::shared_ptr<const RunFormula> of_run{};  ///< Number per run, for reductions over several runs.
+  std::optional<double> confidence{};  ///< Confidence level at which the comparison must hold; std::nullopt:
+                                       ///< the estimate alone decides.
+  bool each_run = false;  ///< True: judged for each run of a sweep, and the worst run is shown. Always so for
+                          ///< final and at.
+  bool free_offset = false;  ///< True: fit adds the mean of measured - model to the model first.
   Comparison comparison;
-  std::string
-      disagrees;  ///< why this statement of the source is known not to hold; empty: it is expected to hold
+  std::string disagrees;  ///< Reason why this statement of the source is known to fail; empty: it is expected
+                          ///< to hold.
   std::size_t recording = 0;
   yaml::Place place;
 };
 
-/// What became of a claim.
+/// Outcome of a claim.
 struct Verdict {
   Claim::Kind kind = Claim::Kind::statement;
   std::string that;
   std::string check;
-  double value = 0.0;  ///< reduced, in SI (percent for fit); nan where there is none
-  std::string shown;   ///< the value with its unit, for people
+  double value = 0.0;  ///< Reduced value in SI (percent for fit); nan if undefined.
+  std::string shown;   ///< The value with its unit, for reports.
   bool holds = false;
-  std::string disagrees;             ///< the reason given in the file, if any
-  std::string note;                  ///< why it could not be judged: no row selected, nothing recorded, nan
-  std::optional<std::size_t> run{};  ///< which of several runs the value is of
-  std::string worst{};               ///< what that run sets: "kp=20"
-  /// Of a number of several runs: between which numbers it lies with this confidence.
+  std::string disagrees;  ///< Reason given in the file; empty if it gives none.
+  std::string note;  ///< Reason why the claim could not be judged: no row selected, nothing recorded, nan.
+  std::optional<std::size_t> run{};  ///< Index of the run that gave the value, of several.
+  std::string worst{};               ///< Parameters of that run: "kp=20".
+  /// Confidence interval of a reduction over several runs.
   std::optional<statistics::ConfidenceInterval> interval{};
   double confidence = 0.0;
 
-  /// A claim that is said to disagree but holds after all: the file is wrong about it.
+  /// True where the file expects a failure (`disagrees`), but the claim holds: the file is out of date.
   bool surprises() const { return holds && !disagrees.empty(); }
-  /// It fails and nobody said that it would.
+  /// True for a failure that the file does not expect.
   bool fails() const { return !holds && disagrees.empty(); }
-  /// "holds", "does not hold", "does not hold (known)", "holds after all".
+  /// Returns "holds", "does not hold", "does not hold (known)" or "holds after all".
   std::string word() const;
 };
 
-/// The keys of a claim.
+/// Returns the schema of a claim: its keys and their forms.
 const yaml::Key& claim_form();
 
-/// Reads the value under the key `claims` or `invariants`: a list of claims. Everything that is wrong goes to
-/// `faults`.
+/// Reads the value under the key `claims` or `invariants`: a list of claims. Adds all faults to `faults`.
 std::vector<Claim> read_claims(const yaml::Node& node, Claim::Kind kind, const query::SymbolTable& names,
                                yaml::Faults& faults);
 
-/// The same under another key, by which messages call it.
+/// Reads the list under another key; messages use that key's name.
 std::vector<Claim> read_claims(const yaml::Node& node, Claim::Kind kind, const query::NamesReading& read);
 
-/// The number that a claim judges, of each run by itself; none of a run of which `where` selects no row. Nan
-/// where there is no such number.
+/// Returns the number that a claim judges, for each run: std::nullopt where `where` selects no row of the
+/// run, nan where the number is undefined.
 std::vector<std::optional<double>> values_of_runs(const Claim& claim,
                                                   std::span<const record::Recording> recordings);
 
-/// Judges a claim on what was recorded.
+/// Judges a claim on the recordings.
 Verdict judge(const Claim& claim, std::span<const record::Recording> recordings);
 
 }  // namespace stepwire::claim

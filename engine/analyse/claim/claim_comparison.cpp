@@ -12,7 +12,7 @@ namespace stepwire::claim {
 
 namespace {
 
-/// Checks that a number can be held against the value: it has the unit of the value, or is SI as that is.
+/// Adds a fault unless a number has the unit of the claim's value, or both are in SI.
 void check_unit(const query::WantedNumber& number, const yaml::Node& node, const Claim& claim,
                 const std::optional<unit::Dimension>& dimension, const query::NamesReading& read) {
   query::check_dimension(number, dimension, "the claim's value", node, read.names, read.subject, read.faults);
@@ -32,7 +32,7 @@ bool has_offset(const std::string& unit) {
   return parsed && parsed->offset != 0.0L;
 }
 
-/// Adds a fault for a bare number beside a value that is shown in a unit that is not of SI.
+/// Adds a fault for a bare number if the value is shown in a unit other than SI.
 void refuse_bare(const query::WantedNumber& number, const yaml::Node& node, const Claim& claim,
                  const query::NamesReading& read) {
   const auto shown = unit::parse_unit(claim.comparison.unit);

@@ -7,14 +7,14 @@
 
 namespace stepwire::claim {
 
-/// The number that a claim's value is held against, in SI; nothing, and a fault, where it does not fit the
-/// value.
+/// Reads the number on the right of a comparison, in SI. Adds a fault and returns std::nullopt if its unit
+/// does not fit the value.
 std::optional<double> read_compared(const yaml::Node& node, Claim& claim, const query::NamesReading& read);
 
-/// A number as it is written, with the SI unit that one without a unit has.
+/// Returns a number as written in the file; the SI unit is appended to one without a unit.
 std::string written_number(const yaml::Node& node, const Claim& claim);
 
-/// Reads the two ends of `between`.
+/// Reads both ends of `between`.
 void read_between(const yaml::Node& node, Claim& claim, const query::NamesReading& read);
 
 /// Reads the tolerance of `equals`.

@@ -11,12 +11,12 @@
 namespace stepwire::claim {
 namespace {
 
-/// The numbers that a reduction can give, whatever it reduces; without an end: infinite.
+/// Range of the numbers that a reduction can return for any input; infinite where unbounded.
 struct ReducedRange {
   double least, most;
 };
 
-/// Does a comparison accept all of these numbers?
+/// True if a comparison accepts every number of a range.
 bool accepts(const Comparison& comparison, const ReducedRange& range) {
   const double low = comparison.low, within = comparison.within;
   switch (comparison.kind) {
@@ -57,8 +57,8 @@ ReducedRange reduced_range(Reduction reduction) {
   }
 }
 
-/// Is it a number alone? Parameters, which may be fitted, and what figures, scenes and blocks have are such
-/// ones, too, but a claim about these fails where they are others.
+/// True for a formula that reads nothing of the run. Parameters count as part of the run, since they may be
+/// fitted. So do the values of figures, scenes and blocks: a claim about them can fail.
 bool names_nothing(const query::Formula& formula, const query::SymbolTable& names) {
   return formula.columns.empty() && formula.text.find('$') == std::string::npos &&
          std::ranges::none_of(names.drawn, [&](const query::NamedFormula& one) {
@@ -72,7 +72,7 @@ std::string range_text(const ReducedRange& range) {
   return fmt::format("lies between {:g} and {:g}", range.least, range.most);
 }
 
-/// What would make a claim one that can fail.
+/// Returns advice on a bound with which the claim can fail.
 std::string failing_limit(Comparison::Kind kind, const ReducedRange& range) {
   switch (kind) {
     case Comparison::Kind::at_least:

@@ -20,7 +20,7 @@ namespace {
 
 using ClaimRow = yaml::KeyRow<Claim, query::NamesReading>;
 
-/// What is one number of a run, as a value of the claim.
+/// Reads a value that is a number per run (a run formula).
 std::optional<query::Formula> read_of_run(const yaml::Node& node, Claim& claim,
                                           const query::NamesReading& read) {
   auto of_run = read_run_formula(node, read);
@@ -31,7 +31,7 @@ std::optional<query::Formula> read_of_run(const yaml::Node& node, Claim& claim,
   return value;
 }
 
-/// A value with the unit behind it, as `x in mm`, in which it is shown.
+/// Reads a value followed by the unit in which it is shown: `x in mm`.
 std::optional<query::Formula> read_with_unit(const yaml::Node& node, Claim& claim,
                                              const query::NamesReading& read) {
   auto series = query::read_series(node, read.names, read.subject, read.faults);
@@ -45,7 +45,7 @@ bool names_unit(const yaml::Node& node) {
   return node.is_scalar() && node.text.find(" in ") != std::string::npos;
 }
 
-/// The same of a number of a run: `max(x) in mm`.
+/// Reads a number per run followed by its unit: `max(x) in mm`.
 std::optional<query::Formula> read_of_run_with_unit(const yaml::Node& node, Claim& claim,
                                                     const query::NamesReading& read) {
   const std::size_t in = node.text.rfind(" in ");
@@ -94,7 +94,7 @@ void read_model_and_measured(const yaml::Node& node, Claim& claim, const query::
                                       unit::si_name(*model), claim.values[1].text, unit::si_name(*measured)));
 }
 
-/// Reads a map of two, of which `time` is a number.
+/// Reads a map of several keys; `time` and `share` are numbers, the other keys are formulas.
 void read_two(const yaml::Node& node, const yaml::Key& form, Claim& claim, const query::NamesReading& read) {
   if (!read.check(node, form)) return;
   for (const yaml::Key& key : form.of) {

@@ -8,7 +8,8 @@
 namespace stepwire::claim {
 namespace {
 
-/// A comparison with a number that is undefined is neither true nor false.
+/// Sets the result to nan where a column of a comparison is nan; the comparison is neither true nor false
+/// there.
 void leave_undefined(const query::Formula& formula, const record::Recording& recording,
                      std::vector<double>& values) {
   for (const std::string& name : formula.columns) {
@@ -18,7 +19,7 @@ void leave_undefined(const query::Formula& formula, const record::Recording& rec
   }
 }
 
-/// Row at which `final` or `at` looks in one run.
+/// Returns the row that `final` or `at` reads in one run.
 std::size_t row_looked_at(const Claim& claim, const Rows& rows, std::size_t run) {
   const std::size_t begin = rows.starts[run], end = rows.run_end(run);
   if (claim.reduction == Reduction::final)

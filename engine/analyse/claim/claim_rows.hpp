@@ -8,19 +8,19 @@
 
 namespace stepwire::claim {
 
-/// Why a claim has no value.
+/// Error: a claim has no value. The text holds the reason.
 struct Unjudged : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a claim looks at in a recording. Throws Unjudged, and std::invalid_argument where a column is not
-/// there.
+/// Evaluates a claim's formulas on a recording. Throws Unjudged, and std::invalid_argument for a missing
+/// column.
 Rows rows_of(const Claim& claim, const record::Recording& recording);
 
-/// Does `where` select a row of a run?
+/// True if `where` selects at least one row of a run.
 bool selects_any(const Rows& rows, std::size_t run);
 
-/// The number of one run, of which a row is selected. Throws Unjudged where it has none.
+/// Returns the number of one run with at least one selected row. Throws Unjudged if it has none.
 double value_of_run(const Claim& claim, const Rows& rows, std::size_t run);
 
 }  // namespace stepwire::claim

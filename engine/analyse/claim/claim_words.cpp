@@ -35,14 +35,15 @@ std::string reduction_text(const Claim& claim, const std::string& time) {
   }
 }
 
-/// The unit of small values where the author gives none.
+/// Returns the milli unit of m, m/s and J for values below 1, else the SI unit.
 std::string handy(const std::string& si, double value) {
   if (std::abs(value) >= 1.0) return si;
   if (si == "m" || si == "m/s" || si == "J") return "m" + si;
   return si;
 }
 
-/// The first unit of this dimension behind a number of a sentence, as "mm" in "it ends at 5 mm"; else empty.
+/// Returns the first unit of this dimension after a number in a sentence: "mm" in "it ends at 5 mm". Empty if
+/// there is none.
 std::string unit_in(const std::string& sentence, const unit::Dimension& dimension) {
   constexpr std::string_view marks = ",;:.!?()";
   for (std::size_t at = sentence.find(' '); at != std::string::npos; at = sentence.find(' ', at + 1)) {
@@ -66,8 +67,8 @@ std::string unit_of(const Claim& claim, double value) {
   return written.empty() ? handy(unit::si_name(*dimension), value) : written;
 }
 
-/// 0 for a value below the rounding of numbers of that magnitude and below 1 % of the bound, if 0 is on the
-/// same side of the comparison.
+/// Replaces a negligible value by 0 if that is on the same side of the bound. Negligible is below the
+/// rounding error of `magnitude` and below 1 % of the bound.
 double resolved(const Comparison& comparison, double value, double magnitude) {
   constexpr double resolution = 1e-12, part_of_bound = 0.01;
   const double bound = std::max({std::abs(comparison.low), std::abs(comparison.high), comparison.within});
@@ -76,8 +77,8 @@ double resolved(const Comparison& comparison, double value, double magnitude) {
   return alike && std::abs(value) <= unseen ? 0.0 : value;
 }
 
-/// The number with four digits that is nearest to a value and on the right side of the comparison, as the
-/// value is; with more digits where there is none.
+/// Returns the nearest number of four digits on the correct side of the comparison; with more digits if there
+/// is none.
 std::string holding_number(const Comparison& comparison, double value, const unit::Unit& unit) {
   const double in_unit = unit.from_si(value);
   const double step = in_unit == 0.0 ? 0.0 : std::pow(10.0, std::floor(std::log10(std::abs(in_unit))) - 3.0);

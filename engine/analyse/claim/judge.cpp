@@ -13,12 +13,12 @@
 namespace stepwire::claim {
 namespace {
 
-/// Is a number of each run by itself looked at?
+/// True if the claim judges a number of each run.
 bool looks_at_runs(const Claim& claim) {
   return claim.each_run || claim.reduction == Reduction::max || claim.reduction == Reduction::min;
 }
 
-/// How large the recorded quantities of the reduced one's kind are.
+/// Returns the largest recorded number of the dimension of the reduced value.
 double magnitude_of(const Claim& claim, const record::Recording& recording) {
   const auto dimension = reduced_dimension(claim);
   double largest = 0.0;
@@ -74,8 +74,7 @@ void Judge::add_rows(const record::Recording& runs) {
   }
 }
 
-/// Finds the run that comes off worst. Runs that `where` leaves out as a whole (by a swept parameter) are not
-/// judged.
+/// Finds the run with the smallest margin. Runs of which `where` selects no row are not judged.
 void Judge::add_runs(const Rows& rows) {
   for (std::size_t run = 0; run < rows.starts.size(); ++run) {
     if (claim_.where && !selects_any(rows, run)) continue;
@@ -108,7 +107,7 @@ std::string Judge::note_of_undefined() const {
   return fmt::format("the value is not a number: undefined in {} of {}", undefined_, selected_);
 }
 
-/// With ", 16 of 20": of how many runs a condition holds that has one row of each.
+/// Returns the value as text. A condition with one row per run gets a suffix such as ", 16 of 20".
 std::string Judge::shown(double value, std::optional<std::size_t> worst) const {
   std::string text = value_text(claim_, value, magnitude_);
   const bool single = runs_ == rows_ && rows_ > 1;

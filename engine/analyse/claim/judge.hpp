@@ -11,13 +11,14 @@
 
 namespace stepwire::claim {
 
-/// Judges a claim on runs that come one behind the other, in pieces, without keeping their rows where it can.
+/// Judges a claim on runs that arrive in pieces. It keeps their rows only for reductions that need all of
+/// them.
 class Judge {
  public:
-  /// The claim must outlive it.
+  /// The claim must outlive the judge.
   explicit Judge(const Claim& claim) : claim_(claim), all_(claim.reduction) {}
 
-  /// Adds the runs of a piece: what they recorded, as all of them have it together.
+  /// Adds the recordings of one piece of the runs, in the order of all runs.
   void add(std::span<const record::Recording> runs);
   Verdict verdict() const;
 
@@ -31,18 +32,18 @@ class Judge {
 
   const Claim& claim_;
   Reducing all_;
-  std::string missing_ = "nothing was recorded";  ///< why no row can be looked at
-  std::string trouble_;                           ///< why the run that is looked at has no value
+  std::string missing_ = "nothing was recorded";  ///< Reason why no row can be read.
+  std::string trouble_;                           ///< Reason why the current run has no value.
   double worst_ = std::numeric_limits<double>::quiet_NaN();
   double margin_ = std::numeric_limits<double>::infinity();
   std::optional<std::size_t> worst_run_;
-  bool differs_ = false;  ///< not all runs give the same value
+  bool differs_ = false;  ///< True if the runs give different values.
   std::size_t runs_ = 0, rows_ = 0, selected_ = 0, undefined_ = 0;
-  double magnitude_ = 0.0;       ///< of the recorded quantities of the reduced one's kind
-  std::vector<double> numbers_;  ///< one of each run that counts, of a claim about several runs
+  double magnitude_ = 0.0;       ///< Largest recorded number of the same dimension as the value.
+  std::vector<double> numbers_;  ///< One number per selected run, for reductions over several runs.
 };
 
-/// Has a claim to see all rows of all runs at once?
+/// True if the claim needs all rows of all runs at once.
 bool keeps_rows(const Claim& claim);
 
 }  // namespace stepwire::claim

@@ -14,16 +14,16 @@
 namespace stepwire::claim {
 namespace {
 
-constexpr double shown_confidence = 0.95;  // where the claim has none
+constexpr double shown_confidence = 0.95;  // default of claims without a confidence level
 
-/// A number of several runs, and between which numbers it lies.
+/// Estimate over several runs with its confidence interval.
 struct Found {
   double value = query::nothing;
   statistics::ConfidenceInterval interval{query::nothing, query::nothing};
-  bool low_is_open = false, high_is_open = false;  ///< that end of the interval needs more runs
+  bool low_is_open = false, high_is_open = false;  ///< True: more runs are needed to bound that end.
 };
 
-/// Is a row of the run selected?
+/// True if `where` selects a row of the run.
 bool is_selected(const std::vector<double>& where, const record::Recording& recording, std::size_t run) {
   const std::size_t end =
       run + 1 < recording.starts.size() ? recording.starts[run + 1] : recording.table.rows();
@@ -49,8 +49,8 @@ Found quantile_of(std::vector<double> numbers, double share, double confidence) 
           !ranks.high};
 }
 
-/// Reason why so few runs do not decide a claim: an end of the interval that counts is open. Empty if they
-/// do.
+/// Returns the reason why the runs are too few for a verdict: the deciding end of the interval is open. Empty
+/// if they suffice.
 std::string undecided(const Claim& claim, const Found& found, double confidence, std::size_t runs) {
   const Comparison& comparison = claim.comparison;
   const bool low = found.low_is_open && comparison.margin(found.interval.low) < 0.0;

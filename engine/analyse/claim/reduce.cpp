@@ -28,7 +28,7 @@ double quantile(std::vector<double> values, double share) {
   return statistics::hazen_quantile(values, share);
 }
 
-/// 100 (1 - |model - measured| / |measured - mean|).
+/// Returns 100 (1 - |model - measured| / |measured - mean|).
 double fit_percent(std::vector<double> model, const std::vector<double>& measured, bool free_offset) {
   const double mean = mean_of(measured);
   if (free_offset) {
@@ -76,7 +76,7 @@ void Reducing::add(const Rows& rows) {
   }
 }
 
-/// A nan among the values is the answer: what cannot be compared must not win or lose.
+/// Adds a value. A nan makes the result nan: without a defined order it must neither win nor lose.
 void Reducing::take(double value) {
   undefined_ = undefined_ || std::isnan(value);
   largest_ = all_ == 0 ? value : std::max(largest_, value);
@@ -93,7 +93,7 @@ void Reducing::add_edges(const Rows& rows) {
   });
 }
 
-/// By the trapezoid rule.
+/// Integrates by the trapezoid rule.
 void Reducing::add_times(const Rows& rows) {
   for_each_interval(rows, [&](std::size_t i, std::size_t j) {
     const double step = rows.time[j] - rows.time[i];
@@ -103,7 +103,7 @@ void Reducing::add_times(const Rows& rows) {
   });
 }
 
-/// Single rows have no duration: each counts the same.
+/// Returns the mean over time. Single rows have no duration and count equally.
 double Reducing::time_mean() const {
   return duration_ > 0.0 ? integral_ / duration_ : sum_ / static_cast<double>(all_);
 }

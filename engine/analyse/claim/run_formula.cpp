@@ -9,7 +9,7 @@ namespace {
 
 using RunValues = std::vector<std::optional<double>>;
 
-/// The number of a parameter in a run: each recording has it in all of the run's rows.
+/// Returns the value of a parameter in a run, from the run's first row: it is the same in all rows.
 double parameter_of(const std::string& name, std::span<const record::Recording> recordings, std::size_t run) {
   const record::Recording& first = recordings.front();
   const table::Column* column = first.table.find(name);
@@ -18,7 +18,7 @@ double parameter_of(const std::string& name, std::span<const record::Recording> 
   return column->values[first.starts[run]];
 }
 
-/// The numbers that the formula takes of one run; none where a reduction leaves the run out.
+/// Returns the arguments of the formula for one run; std::nullopt if a reduction selects no row of it.
 std::optional<std::vector<double>> numbers_of(const RunFormula& formula,
                                               const std::vector<RunValues>& reduced,
                                               std::span<const record::Recording> recordings,

@@ -1,5 +1,5 @@
-// Numbers of a run as text: calls of reductions are found in it, and stand in a formula as names of their
-// length, so that all places stay.
+// Reads run formulas. Each call of a reduction in the text is replaced by a name of the same length, so that
+// the columns of faults remain valid.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,19 +15,19 @@ namespace stepwire::claim {
 
 namespace {
 
-/// A stretch of the text.
+/// Range of characters in the text.
 struct Piece {
   std::size_t begin = 0, end = 0;
 };
 
-/// A call of a reduction.
+/// Call of a reduction in the text.
 struct Call {
   Reduction reduction{};
   Piece whole{};
   std::vector<Piece> arguments{};
 };
 
-/// Calls visit(i) for the characters of a piece that stand in no brackets and no quotes.
+/// Calls visit(i) for the characters of a piece outside of brackets and quotes.
 template <class Visit>
 void for_each_outer(const std::string& text, const Piece& piece, Visit visit) {
   int depth = 0;
@@ -44,7 +44,7 @@ void for_each_outer(const std::string& text, const Piece& piece, Visit visit) {
   }
 }
 
-/// Where the bracket that opens at a place is closed; npos where it never is.
+/// Returns the position of the bracket that closes the one at `open`; npos if it is not closed.
 std::size_t closing(const std::string& text, std::size_t open) {
   std::size_t found = std::string::npos;
   for_each_outer(text, {open, text.size()}, [&](std::size_t i) {
@@ -71,7 +71,8 @@ std::size_t arguments_of(Reduction reduction) {
   return two ? 2 : 1;
 }
 
-/// The call of a reduction that begins at a place. `max` and `min` of several values are functions.
+/// Parses the call of a reduction that begins at `begin`; std::nullopt if there is none. `max` and `min` with
+/// several arguments are ordinary functions.
 std::optional<Call> call_at(const std::string& text, std::size_t begin) {
   if (begin > 0 && (query::is_word(text[begin - 1]) || text[begin - 1] == '.' || text[begin - 1] == '$'))
     return std::nullopt;
@@ -104,6 +105,8 @@ std::vector<Call> calls_in(const std::string& text) {
   return calls;
 }
 
+/// Reads one run formula: first the reductions that it calls, with their arguments and conditions, then the
+/// text in which names replace these calls.
 class RunFormulaReader {
  public:
   RunFormulaReader(const yaml::Node& node, const query::NamesReading& read) : node_(node), read_(read) {}
@@ -137,7 +140,7 @@ class RunFormulaReader {
     return std::nullopt;
   }
 
-  /// As long as the call, and nothing that a diagram has.
+  /// Returns a name as long as the call; no name of a diagram has this form.
   static std::string name_of(const Call& call, std::size_t number) {
     std::string name = fmt::format("_{}", number);
     name.resize(std::max(name.size(), call.whole.end - call.whole.begin), '_');
@@ -174,7 +177,7 @@ class RunFormulaReader {
     return one;
   }
 
-  /// Reads what stands behind "where", and leaves it out of the argument.
+  /// Reads the condition after "where" and cuts it from the argument.
   void read_where(Piece& argument, Claim& one) {
     const std::string word = " where ";
     std::size_t at = std::string::npos;
@@ -212,13 +215,13 @@ class RunFormulaReader {
     one.recording = query::common_recording(all, read_.names, node_, read_.subject, read_.faults);
   }
 
-  /// Adds a fault for a name outside of reductions that has many numbers in a run, or none.
+  /// Adds a fault for a name outside of a reduction that is not a single number per run.
   void refuse_rows(const std::string& text) {
     std::vector<std::string> used;
     try {
       used = expression::Expression(text).variables();
     } catch (const expression::ExpressionError&) {
-      return;  // with its place where it is read
+      return;  // the reader of the formula reports it with its place
     }
     const query::SymbolTable outer = outer_names();
     const auto is_parameter = [&](const std::string& name) {
@@ -233,7 +236,7 @@ class RunFormulaReader {
                     query::unknown_column(name, outer));
   }
 
-  /// What is one number of each run: swept and tuned parameters, and all that does not vary.
+  /// Returns the names with one number per run: swept and tuned parameters, and all constants.
   query::SymbolTable outer_names() const {
     query::SymbolTable names;
     names.file = read_.names.file;

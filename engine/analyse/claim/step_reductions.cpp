@@ -7,11 +7,11 @@ namespace stepwire::claim {
 
 namespace {
 
-constexpr double rise_from = 0.1, rise_to = 0.9;  // of the way
-constexpr double band = 0.02;                     // about the final value, of the way
+constexpr double rise_from = 0.1, rise_to = 0.9;  // shares of the final change
+constexpr double band = 0.02;                     // around the final value, as a share of the final change
 
-/// The selected rows of a run: seconds since the first one, and values as shares of the way from the first to
-/// the last.
+/// Selected rows of a run: seconds since the first one, and values scaled to 0 at the first and 1 at the
+/// last.
 struct Way {
   std::vector<double> time, share;
 };
@@ -29,7 +29,7 @@ Way way_of(const Rows& rows) {
   return way;
 }
 
-/// When a share is first reached.
+/// Returns the time at which a share is first reached.
 double reached(const Way& way, double share) {
   for (std::size_t i = 0; i < way.share.size(); ++i) {
     if (way.share[i] < share) continue;
@@ -40,7 +40,7 @@ double reached(const Way& way, double share) {
   return query::nothing;
 }
 
-/// From when on it stays within the band.
+/// Returns the time from which the signal stays within the band.
 double settled(const Way& way) {
   for (std::size_t i = way.share.size(); i-- > 0;) {
     const double away = std::abs(way.share[i] - 1.0);

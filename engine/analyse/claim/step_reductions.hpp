@@ -5,14 +5,14 @@
 
 namespace stepwire::claim {
 
-/// Is it one of overshoot, rise_time, settling_time, peak_time, iae and steady_error, which belong to one
-/// run?
+/// True for overshoot, rise_time, settling_time, peak_time, iae and steady_error, which are defined for one
+/// run.
 bool is_of_step(Reduction reduction);
 
-/// Such a number of the rows of one run that are selected, of which there is at least one. As stepinfo of
-/// MATLAB has them, with the first of these rows as the initial value and the last one as the final value;
-/// times count from the first one and are linear between rows. nan where the signal ends where it began, or a
-/// value is nan.
+/// Computes such a number from the selected rows of one run; at least one must be selected. Definitions are
+/// those of stepinfo in MATLAB. The first selected row is the initial value, the last one the final value.
+/// Times count from the first row and are interpolated linearly. Returns nan if the signal ends at its
+/// initial value, or if a value is nan.
 double reduce_step(Reduction reduction, const Rows& rows);
 
 }  // namespace stepwire::claim

@@ -10,7 +10,7 @@ namespace stepwire::estimation {
 
 namespace {
 
-/// Gives Ceres the residuals of a problem.
+/// Adapter of a problem to Ceres.
 class Asked : public ceres::CostFunction, public ceres::IterationCallback {
  public:
   Asked(const BoundedSquares& problem, std::size_t size) : problem_(problem), size_(size) {
@@ -51,7 +51,7 @@ ceres::Solver::Options options_of(const BoundedSquares& problem) {
   return options;
 }
 
-/// Ceres logs points that cannot be evaluated; the result reports these.
+/// Suppresses Ceres' log of points that cannot be evaluated; the result reports these.
 void keep_log_inside() {
   FLAGS_minloglevel = google::GLOG_FATAL;
 }

@@ -15,20 +15,20 @@ namespace {
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double part_of_direction = 0.02;  // below, an unknown does not take part
+constexpr double part_of_direction = 0.02;  // least component of an unknown in a direction
 
-/// "a", "a and b", "a, b and c"
+/// Returns "a", "a and b", "a, b and c".
 std::string listed(const std::vector<std::string>& names) {
   if (names.size() < 2) return names.empty() ? "" : names.front();
   return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
-/// Takes part in a free direction.
+/// True if an unknown takes part in a free direction.
 bool open(const Resolution& resolved, Eigen::Index unknown) {
   return resolved.unknown[unknown] > part_of_direction;
 }
 
-/// Standard errors of a covariance of the scaled unknowns; nan where an unknown takes part in a free
+/// Returns the standard errors from a covariance of the scaled unknowns; nan for unknowns in a free
 /// direction.
 Eigen::VectorXd errors_of(const Resolution& resolved, const Eigen::MatrixXd& known) {
   Eigen::VectorXd errors = known.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseQuotient(resolved.lengths);
@@ -37,7 +37,7 @@ Eigen::VectorXd errors_of(const Resolution& resolved, const Eigen::MatrixXd& kno
   return errors;
 }
 
-/// Sets all that follows from the chosen covariance of the scaled unknowns.
+/// Sets the results that depend on the chosen covariance of the scaled unknowns.
 void choose(const Resolution& resolved, const Eigen::MatrixXd& known, Certainty& result) {
   const Eigen::VectorXd parts = resolved.lengths.cwiseInverse();
   const Eigen::Index count = parts.size();
@@ -52,7 +52,7 @@ void choose(const Resolution& resolved, const Eigen::MatrixXd& known, Certainty&
   result.half_widths = result.quantile * result.standard_errors;
 }
 
-/// The free directions as relative changes of the unknowns, the largest of which is 1.
+/// Returns the free directions as relative changes of the unknowns, scaled to a maximum of 1.
 std::vector<Eigen::VectorXd> relative_directions(const Resolution& resolved, const Eigen::VectorXd& sizes) {
   std::vector<Eigen::VectorXd> directions;
   for (const Eigen::VectorXd& direction : resolved.free) {
@@ -62,13 +62,13 @@ std::vector<Eigen::VectorXd> relative_directions(const Resolution& resolved, con
   return directions;
 }
 
-/// Student's t for 95 %. `inflation` rows count as one.
+/// Returns the quantile of Student's t for 95 %; `inflation` rows count as one.
 double quantile_of(double freedom, Eigen::Index rows, double inflation) {
   const auto count = static_cast<double>(rows);
   return statistics::student_quantile(0.975, std::max(1.0, freedom - count + count / inflation));
 }
 
-/// (J' J)^-1 S (J' J)^-1 of the scaled unknowns.
+/// Returns (J' J)^-1 S (J' J)^-1 of the scaled unknowns.
 Eigen::MatrixXd serial_covariance(const Resolution& resolved, const Eigen::VectorXd& residuals,
                                   double freedom, const SerialCorrelation& serial,
                                   const std::vector<Eigen::Index>& starts) {
@@ -100,7 +100,8 @@ Certainty certainty_of(const Eigen::VectorXd& residuals, const RowMajorMatrix& j
 
 namespace {
 
-/// Of parameters whose joint change has no effect. Without `changes` all change by equal parts.
+/// Describes parameters whose joint change has no effect. Without `changes` all change by the same
+/// percentage.
 std::string combination_text(const std::vector<std::string>& up, const std::vector<std::string>& down,
                              const std::vector<std::string>& all, const std::vector<std::string>& changes) {
   const bool even = changes.empty();
@@ -121,7 +122,7 @@ std::string combination_text(const std::vector<std::string>& up, const std::vect
 std::string in_words(const Eigen::VectorXd& direction, const std::vector<std::string>& names,
                      bool known_before) {
   std::vector<std::string> up, down, changes, all;
-  bool even = true;  // all by the same part
+  bool even = true;  // all by the same percentage
   for (Eigen::Index i = 0; i < direction.size(); ++i) {
     if (std::abs(direction[i]) < part_of_direction) continue;
     const std::string& name = names[static_cast<std::size_t>(i)];

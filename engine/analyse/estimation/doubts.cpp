@@ -11,7 +11,7 @@ namespace stepwire::estimation {
 namespace {
 
 constexpr double most_errors = 100.0;      // standard errors of a value
-constexpr double least_agreement = 0.005;  // percent: what is printed as 0.00
+constexpr double least_agreement = 0.005;  // percent: printed as 0.00
 
 void doubt_number(const FittedNumber& one, std::vector<std::string>& doubts) {
   if (one.at_bound || !(one.standard_error > most_errors * std::abs(one.value))) return;

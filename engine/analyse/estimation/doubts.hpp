@@ -7,8 +7,9 @@
 
 namespace stepwire::estimation {
 
-/// Sentences on doubtful results. A standard error is more than a hundred times its value. A record is
-/// described no better than by its mean. Rows go together under standard errors that count each.
+/// Returns sentences on doubtful results. A standard error is more than a hundred times its value. A record
+/// is described no better than by its mean. Residuals are correlated, but the standard errors assume
+/// independent rows.
 std::vector<std::string> doubts_of(const FitResult& result);
 
 }  // namespace stepwire::estimation

@@ -20,6 +20,10 @@ namespace stepwire::estimation {
 
 namespace {
 
+/// The steps of a fit. Parameters without effect at the start are faults. Differential evolution, if
+/// requested, adds a start. Searches begin from all starts; the best minimum is refined with central
+/// differences, which also give the standard errors. Then each record is predicted by a run with a new plan,
+/// and the numbers are described.
 class Fit {
  public:
   Fit(const ModelSource& source, const run::Job& job, const FitRequest& request, const FitOptions& options)
@@ -54,7 +58,7 @@ class Fit {
     search();
   }
 
-  /// Where the call sets all parameters, records are only predicted.
+  /// Sets the result without a search, as the call sets all parameters: records are only predicted.
   void take_as_it_is() {
     Eigen::VectorXd r;
     if (residuals_.evaluate(best_.x, r)) best_.cost = cost_of(r, request_);
@@ -67,7 +71,7 @@ class Fit {
     if (options_.progress) options_.progress(fraction, what);
   }
 
-  /// A parameter that moves nothing at the start will move nothing later.
+  /// Throws Error for parameters without any effect at the start; they would have none later.
   void refuse_idle_parameters() {
     KnownPoint start{residuals_.start(), {}, {}};
     if (!residuals_.evaluate(start.x, start.residuals, start.slopes, Residuals::Differences::forward)) return;
@@ -88,7 +92,7 @@ class Fit {
   Minimum descend(const SearchStart& start, double done, double share, const std::string& what) const {
     LeastSquaresOptions options{start.iterations, source_.interrupt, {}, start_};
     options.watch = [&](std::size_t step, double cost) {
-      const double part = 1.0 - std::exp(-static_cast<double>(step) / 8.0);  // nobody knows how many steps
+      const double part = 1.0 - std::exp(-static_cast<double>(step) / 8.0);  // the number of steps is unknown
       tell(done + share * part, fmt::format("{}, step {}: cost {:.5g}", what, step, cost));
     };
     return minimise(residuals_, request_, start.from, options);
@@ -123,9 +127,10 @@ class Fit {
     result_.findings.push_back("the records want what the diagram refuses: " + refusal);
   }
 
-  /// What is refused has no cost, but the slopes show whether the cost still falls that way.
+  /// Sets `limited` if the derivatives show that the cost falls towards refused values, which have no cost
+  /// themselves.
   void tell_slope(const Eigen::VectorXd& r, const Jacobian& slopes) {
-    constexpr double flat = 1e-3;  // cosine between the residuals and what a parameter does to them
+    constexpr double flat = 1e-3;  // cosine between the residuals and a parameter's column
     if (result_.limited || best_.refusal.empty()) return;
     for (Eigen::Index i = 0; i < slopes.cols(); ++i) {
       const bool held = result_.numbers[static_cast<std::size_t>(i)].at_bound;
@@ -174,19 +179,19 @@ class Fit {
                                     {residuals_.stretches(), result_.in_time, result_.standard_errors}));
   }
 
-  /// Derivatives at the end by central differences, where refine() has left none.
+  /// Computes the derivatives at the end by central differences, unless refine() has done so.
   bool differentiate() {
     return (end_.slopes.size() > 0 && end_.x == best_.x) ||
            residuals_.evaluate(best_.x, end_.residuals, end_.slopes, Residuals::Differences::central);
   }
 
-  /// True where the start has fewer directions that change nothing than the end.
+  /// True if the start has fewer free directions than the end.
   bool known_at_start(const Certainty& certainty) const {
     return start_.slopes.size() > 0 &&
            Resolution::of(start_.slopes).free.size() < certainty.free_directions.size();
   }
 
-  /// What relative changes of the unknowns are relative to.
+  /// Returns the references of relative changes of the unknowns.
   Eigen::VectorXd sizes() const {
     Eigen::VectorXd sizes = best_.x;
     for (Eigen::Index i = 0; i < sizes.size(); ++i)
@@ -259,7 +264,7 @@ class Fit {
   Residuals residuals_;
   KnownPoint start_;
   Minimum best_;
-  KnownPoint end_;  ///< the best point with central differences
+  KnownPoint end_;  ///< The best point with central differences.
   FitResult result_;
 };
 
@@ -273,7 +278,7 @@ FitResult fit(const ModelSource& source, const run::Job& job, const FitRequest& 
               const FitOptions& options) {
   try {
     return Fit(source, job, request, options).result();
-  } catch (const yaml::Error&) {  // a run that was cut short gives no rows to compare
+  } catch (const yaml::Error&) {  // an interrupted run has no rows to compare
     if (!source.interrupt || !*source.interrupt) throw;
     FitResult nothing;
     nothing.interrupted = true;

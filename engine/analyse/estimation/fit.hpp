@@ -13,71 +13,72 @@
 
 namespace stepwire::estimation {
 
-/// What a call may change about a fit.
+/// Options of a call that are not part of the file.
 struct FitOptions {
-  unsigned threads = 0;  ///< 0: all cores; the result is the same to the last bit
+  unsigned threads = 0;  ///< 0: all cores. The result is the same to the last bit.
   std::function<void(double fraction, const std::string& what)> progress{};
-  messages::ItemWorkers* workers = nullptr;  ///< that search from the starts; null: this process does
+  messages::ItemWorkers* workers =
+      nullptr;  ///< Processes that search from the starts; nullptr: this process does.
 };
 
-/// A number that was found, in SI.
+/// A fitted number, in SI.
 struct FittedNumber {
-  std::string name;    ///< of the parameter
-  std::string record;  ///< whose own it is; empty where all records share it
+  std::string name;    ///< Name of the parameter.
+  std::string record;  ///< Record with this value; empty if shared by all records.
   double value = 0.0, start = 0.0;
-  double standard_error = 0.0;   ///< that of the interval; nan where it is not known.
+  double standard_error = 0.0;   ///< Error used for the interval; nan if undetermined.
   double classical_error = 0.0;  ///< Error of independent rows.
-  double serial_error = 0.0;     ///< Of a time series whose residuals go together; nan of others.
-  double low = 0.0, high = 0.0;  ///< of the 95 % interval
+  double serial_error = 0.0;     ///< Error of a time series with correlated residuals; else nan.
+  double low = 0.0, high = 0.0;  ///< 95 % interval.
   bool at_bound = false;
   std::optional<unit::Dimension> dimension{};
-  std::string unit{};  ///< for showing it; empty: SI
+  std::string unit{};  ///< Unit in which it is shown; empty: SI.
 
-  /// The parameter and whose it is: "bias of 10mm2Hz_0A".
+  /// Returns the parameter and its record: "bias of 10mm2Hz_0A".
   std::string title() const;
 };
 
-/// How well a record is described.
+/// Agreement of the model with a record.
 struct FittedRecord {
   std::string label;
   bool held_out = false;
   std::size_t rows = 0;
-  std::vector<ComparedRows> comparisons{};  ///< none where it could not be predicted
+  std::vector<ComparedRows> comparisons{};  ///< Empty if it could not be predicted.
 };
 
-/// How a search from one start went.
+/// Result of the search from one start.
 struct FittedStart {
-  double cost = 0.0;      ///< where it ended; infinite where nothing could be evaluated
-  bool finished = false;  ///< false: given up early, since others were ahead
+  double cost = 0.0;      ///< Final cost; infinite if nothing could be evaluated.
+  bool finished = false;  ///< False: given up early, since others were ahead.
   std::size_t iterations = 0;
 };
 
 struct FitResult {
   std::vector<FittedNumber> numbers;
-  Eigen::MatrixXd correlation;  ///< of the numbers
+  Eigen::MatrixXd correlation;  ///< Correlation of the numbers.
   std::vector<FittedRecord> records;
   std::vector<FittedCurve> curves;
   std::vector<FittedStart> starts;
-  std::vector<std::string> findings;  ///< what cannot be known, is at a bound or is refused
-  double cost = 0.0;                  ///< half of the sum of what the weighted residuals count
-  double deviation = 0.0;             ///< of a weighted residual
-  double freedom = 0.0;               ///< rows less numbers found
-  Eigen::Index together = 0;          ///< rows over which residuals go together, one behind the other
-  bool in_time = false;               ///< the rows are a time series
-  StandardErrors standard_errors = StandardErrors::classical;  ///< those of the intervals
+  std::vector<std::string> findings;  ///< Messages on undetermined parameters, bounds, refused values.
+  double cost = 0.0;                  ///< Half of the sum of squares of the residuals after the loss.
+  double deviation = 0.0;             ///< Standard deviation of a weighted residual.
+  double freedom = 0.0;               ///< Rows minus fitted numbers.
+  Eigen::Index together = 0;          ///< Number of consecutive rows over which residuals are correlated.
+  bool in_time = false;               ///< True: the rows are a time series.
+  StandardErrors standard_errors = StandardErrors::classical;  ///< Kind used for the intervals.
   bool converged = false, interrupted = false;
-  bool limited = false;   ///< the diagram refuses what the records want
-  bool compiled = false;  ///< one compilation served all runs
-  bool in_part = false;   ///< only what the parameters move was run, the rest played back
-  bool refused = false;   ///< the diagram does not take what was found
+  bool limited = false;   ///< True: the cost would fall further, but the diagram refuses those values.
+  bool compiled = false;  ///< True: one compilation served all runs.
+  bool in_part = false;   ///< True: only the blocks that the parameters affect ran; the rest was replayed.
+  bool refused = false;   ///< True: the diagram refuses the fitted values.
   double seconds = 0.0;
 
-  std::vector<diagram::Setting> shared;                   ///< what sets the parameters that all records share
-  std::vector<std::vector<diagram::Setting>> of_records;  ///< beside them, what sets each record's own
+  std::vector<diagram::Setting> shared;  ///< Settings of the parameters that all records share.
+  std::vector<std::vector<diagram::Setting>> of_records;  ///< Additional settings of each record.
 };
 
-/// Finds the parameters that a file asks for. Throws Error for what is wrong with the request, the records or
-/// the start. What was interrupted before the first run was done has no records.
+/// Fits the parameters of a file to its records. Throws Error for faults of the request, the records or the
+/// start. Without a finished run (interrupted) the result has no records.
 FitResult fit(const ModelSource& source, const run::Job& job, const FitRequest& request,
               const FitOptions& options = {});
 

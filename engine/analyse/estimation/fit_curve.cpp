@@ -15,7 +15,7 @@ namespace {
 const char* const subject = "fit.curves";
 const char* const over_form = "'over' names the variable and its range in bare numbers: {i: [0, 1]}";
 
-/// What its expression may name: the fitted parameters that all records share, and the variable.
+/// Returns the names for a curve's expression: the parameters that all records share, and the variable.
 query::SymbolTable names_in_curve(const query::SymbolTable& names,
                                   const std::vector<FitParameter>& parameters, const std::string& variable) {
   query::SymbolTable known{names.file,
@@ -28,7 +28,7 @@ query::SymbolTable names_in_curve(const query::SymbolTable& names,
   return known;
 }
 
-/// Where these parameters start; 0 for the variable.
+/// Returns the start values of these parameters; 0 for the variable.
 std::vector<double> starts_of(const std::vector<std::string>& columns,
                               const std::vector<FitParameter>& parameters) {
   std::vector<double> starts(columns.size(), 0.0);

@@ -6,10 +6,10 @@
 
 namespace stepwire::estimation {
 
-/// What the section `fit` is read with.
+/// Context for reading the section `fit`.
 struct FitReading : query::NamesReading {
   const diagram::Diagram& diagram;
-  std::vector<FitParameter>& parameters;  ///< all of the file, also those that the call sets
+  std::vector<FitParameter>& parameters;  ///< All parameters of the file, including those that the call sets.
 
   FitReading(const query::SymbolTable& names, const diagram::Diagram& diagram,
              std::vector<FitParameter>& parameters, yaml::Faults& faults)
@@ -18,7 +18,7 @@ struct FitReading : query::NamesReading {
   bool is_swept(const std::string& name) const;
 };
 
-/// Reads the value of `parameters`, what one of them has, and that of one of `curves`.
+/// Read the value of `parameters`, and the schemas of a parameter and of a curve.
 void read_fit_parameters(FitRequest& request, const yaml::Node& node, const FitReading& read);
 const yaml::Key& fit_parameter_form();
 const yaml::Key& fit_curve_form();

@@ -53,7 +53,7 @@ const ParameterTable& parameter_table() {
   return table;
 }
 
-/// What the file leaves open of a parameter, and whether it starts within its bounds.
+/// Sets the defaults of a parameter and checks that its start is within its bounds.
 void complete(FitParameter& parameter, const yaml::Node& node, const std::string& start,
               const FitReading& read) {
   const bool ordered = parameter.lower < parameter.upper;
@@ -92,7 +92,7 @@ void read_parameter(FitRequest& request, const yaml::Entry& entry, const FitRead
   const yaml::Node* start = entry.value.find("start");
   complete(parameter, entry.value, start ? start->text : of->text, read);
   read.parameters.push_back(parameter);
-  if (!of->set) request.parameters.push_back(std::move(parameter));  // what the call sets is given
+  if (!of->set) request.parameters.push_back(std::move(parameter));  // the call sets a fixed value
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 using FitTable = yaml::KeyTable<FitRequest, FitReading>;
 
-/// A comparison whose expressions may not be there.
+/// A comparison as read from the file; its expressions may be missing.
 struct ComparisonDraft {
   std::optional<query::Series> model{};
   std::optional<query::Formula> measured{}, weight{}, where{};

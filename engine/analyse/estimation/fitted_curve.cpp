@@ -8,7 +8,7 @@ namespace stepwire::estimation {
 namespace {
 
 constexpr int intervals = 120;
-constexpr double difference = 1e-6;  // of a parameter's size
+constexpr double difference = 1e-6;  // as a share of a parameter's size
 
 class Evaluation {
  public:

@@ -1,13 +1,13 @@
 // Least squares within bounds by a trust region.
 //
-// A step s makes the linear model |r + J s| least with |D s| <= radius, where D has the largest norms of the
-// columns of J so far (J. J. More 1978). The first radius is |D x|: a step moves the residuals at first by no
-// more than the unknowns' own parts do. A radius in place of a damping factor holds such a search that begins
-// far away (NIST's BoxBOD, MGH10 and MGH17, start 1) back from leaving the region where the unknowns matter.
-// In a narrow bent valley a straight step leaves the valley, and a search creeps. The geodesic acceleration
-// answers the second derivative of the residuals along the step (M. K. Transtrum, J. P. Sethna 2012). It
-// costs a run beside the step and one at its end, and is taken where it lowers the cost further. An unknown
-// at a bound to which the cost falls is held; a step that crosses a bound is cut there.
+// A step s minimises the linear model |r + J s| subject to |D s| <= radius. D has the largest norms of the
+// columns of J so far (J. J. More 1978). The first radius is |D x|, so that the first step changes no unknown
+// by much more than its value. A radius holds searches that begin far away (NIST's BoxBOD, MGH10 and MGH17,
+// start 1) in the region where the unknowns have an effect. A damping factor does not. In a narrow bent
+// valley a straight step leaves the valley, and the search becomes slow. The geodesic acceleration corrects
+// for the second derivative of the residuals along the step (M. K. Transtrum, J. P. Sethna 2012). It costs
+// two additional runs, beside the step and at its end, and is accepted if it lowers the cost further. An
+// unknown at a bound towards which the cost falls is held; a step that crosses a bound is cut there.
 #include "engine/analyse/estimation/least_squares.hpp"
 
 #include <algorithm>
@@ -21,21 +21,22 @@ namespace stepwire::estimation {
 
 namespace {
 
-constexpr double poor = 0.25, good = 0.75;  // share of the expected gain that a step has
-constexpr double probe = 0.1;               // of a step, for the second derivative along it
-constexpr double most_bend = 0.15;          // acceleration over the step
-constexpr double shortest = 1e-10;          // step over the size of the unknowns
+constexpr double poor = 0.25, good = 0.75;  // Actual over predicted decrease of a step.
+constexpr double probe = 0.1;               // Share of a step, for the second derivative along it.
+constexpr double most_bend = 0.15;          // Limit of the acceleration over the step.
+constexpr double shortest = 1e-10;          // Limit of the step over the size of the unknowns.
 
-/// Residuals after the loss, their slopes, and half the sum of their squares.
+/// Residuals after the loss, their derivatives, and half the sum of their squares.
 struct Counts {
   Eigen::VectorXd r;
   Jacobian slopes;
   double cost = std::numeric_limits<double>::infinity();
 };
 
-/// Smallest gain of a step, in parts of the cost, after which another step follows. No unknown moves by more
-/// than some hundredth of its standard error then: the cost of `freedom` rows is half of freedom s^2. One
-/// standard error costs s^2 / 2. A tolerance above that allows more, as the cost changes by its square.
+/// Returns the least relative decrease of the cost after which another step follows. The cost of `freedom`
+/// rows is half of freedom s^2, and one standard error costs s^2 / 2. Below this decrease, no unknown moves
+/// by more than about a hundredth of its standard error. A larger tolerance allows more, as the cost changes
+/// by its square.
 double smallest_gain(const Residuals& residuals, Eigen::Index unknowns, double tolerance) {
   constexpr double part = 1e-4;
   const double freedom = static_cast<double>(residuals.count() - unknowns);
@@ -80,7 +81,7 @@ class Descent {
 
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r) {
     if (residuals_.evaluate(x, r)) return true;
-    if (found_.refusal.empty()) found_.refusal = residuals_.refusal(x);  // else it blew up
+    if (found_.refusal.empty()) found_.refusal = residuals_.refusal(x);  // otherwise the run failed
     return false;
   }
 
@@ -99,7 +100,8 @@ class Descent {
       if (!(metric_[i] > 0.0)) metric_[i] = 1.0 / parameter(i).scale;
   }
 
-  /// The slopes after the unknowns in units of the metric; none of those that are held at a bound.
+  /// Returns the derivatives by the unknowns in units of the metric; columns of unknowns held at a bound are
+  /// 0.
   Eigen::MatrixXd free_slopes() const {
     const Eigen::VectorXd gradient = here_.slopes.transpose() * here_.r;
     Eigen::MatrixXd slopes = here_.slopes * metric_.cwiseInverse().asDiagonal();
@@ -110,7 +112,7 @@ class Descent {
     return slopes;
   }
 
-  /// The point a step leads to, cut at the bounds.
+  /// Returns the end point of a step, cut at the bounds.
   Eigen::VectorXd end_of(const Eigen::VectorXd& step) const {
     Eigen::VectorXd x = found_.x + step.cwiseQuotient(metric_);
     for (Eigen::Index i = 0; i < x.size(); ++i)
@@ -129,7 +131,7 @@ class Descent {
                                        : cost_of(point.residuals, request_);
   }
 
-  /// One step, which may be refused.
+  /// Tries one step; it may be rejected.
   void advance(double gain) {
     LinearModel model(free_slopes(), here_.r);
     const Eigen::VectorXd whole = model.step(radius_);
@@ -153,7 +155,8 @@ class Descent {
       radius_ *= 2.0;
   }
 
-  /// The end of a step with the acceleration, where that is small and lowers the cost further.
+  /// Returns the end of a step with acceleration if that is small and lowers the cost further; else the
+  /// straight end.
   KnownPoint bent(KnownPoint straight, const LinearModel& model, const Eigen::VectorXd& step) {
     Eigen::VectorXd beside;
     if (!residuals_.evaluate(end_of(probe * step), beside)) return straight;

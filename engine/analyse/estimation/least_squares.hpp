@@ -10,34 +10,35 @@
 
 namespace stepwire::estimation {
 
-/// Told after each step: its number and the cost so far.
+/// Callback after each step, with its number and the cost so far.
 using StepWatcher = std::function<void(std::size_t step, double cost)>;
 
-/// What the residuals are at a point, by runs with forward differences.
+/// Residuals at a point, and their derivatives by forward differences of runs.
 struct KnownPoint {
   Eigen::VectorXd x, residuals;
-  Jacobian slopes;  ///< empty: not asked for
+  Jacobian slopes;  ///< Derivatives; empty if not computed.
 };
 
 struct LeastSquaresOptions {
   std::size_t iterations = 100;
-  const std::atomic<bool>* interrupt = nullptr;  ///< once true, it ends with the best so far
+  const std::atomic<bool>* interrupt = nullptr;  ///< Once true, the search ends with its best point.
   StepWatcher watch{};
-  KnownPoint known{};  ///< needs no runs where the search begins there
+  KnownPoint known{};  ///< Evaluated point; a search that begins there needs no run for it.
 };
 
-/// Where a search came to.
+/// End of a search.
 struct Minimum {
   Eigen::VectorXd x;
-  double cost = std::numeric_limits<double>::infinity();  ///< half of the sum of what the residuals count
+  double cost = std::numeric_limits<double>::infinity();  ///< Half of the sum of squares of the residuals
+                                                          ///< after the loss.
   bool converged = false;
   std::size_t iterations = 0;
   std::string
-      refusal{};  ///< why the diagram refused the first point that it refused; empty where it took all
+      refusal{};  ///< Reason why the diagram refused a point, the first one refused; empty if none was.
 };
 
-/// Minimises the cost within the bounds, and within what the diagram takes, by Levenberg-Marquardt from a
-/// start; the cost stays infinite where nothing could be evaluated at the start. See least_squares.cpp.
+/// Minimises the cost from a start by the Levenberg-Marquardt method, within the bounds and the values that
+/// the diagram accepts. The cost is infinite if the start cannot be evaluated. See least_squares.cpp.
 Minimum minimise(const Residuals& residuals, const FitRequest& request, const Eigen::VectorXd& start,
                  const LeastSquaresOptions& options);
 

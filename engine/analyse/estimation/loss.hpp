@@ -6,17 +6,17 @@
 
 namespace stepwire::estimation {
 
-/// A number whose square is what a residual r counts, and its derivative after r: r itself without a loss,
-/// else 2 rho(r)'s root, with rho of Huber or Cauchy.
+/// A residual r after the loss: the signed root of 2 rho(r), with rho of Huber or Cauchy, and its derivative
+/// by r. Without a loss it is r itself.
 struct Counted {
   double value, slope;
 };
 Counted counted(double r, const FitRequest& request);
 
-/// Puts what they count in the place of the residuals, and its derivatives in that of theirs.
+/// Replaces the residuals and their derivatives by those after the loss.
 void count(const FitRequest& request, Eigen::VectorXd& residuals, Jacobian& jacobian);
 
-/// Half of the sum of what the residuals count.
+/// Returns half of the sum of squares of the residuals after the loss.
 double cost_of(const Eigen::VectorXd& residuals, const FitRequest& request);
 
 }  // namespace stepwire::estimation

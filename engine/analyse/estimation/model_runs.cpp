@@ -14,7 +14,7 @@ namespace stepwire::estimation {
 
 namespace {
 
-/// A swept value to be read: its number with up to five digits, and its unit.
+/// Formats a swept value: its number with up to five digits, and its unit.
 std::string brief(const std::string& value) {
   const char* end = value.data() + value.size();
   double number = 0.0;
@@ -22,7 +22,7 @@ std::string brief(const std::string& value) {
   return problem == std::errc{} ? fmt::format("{:.5g}{}", number, std::string_view(rest, end)) : value;
 }
 
-/// What a record is called: by the first swept parameter where they go together, else by all.
+/// Returns the label of a record: its first swept parameter if they vary together, else all.
 std::string label_of(const run::Job& job, std::size_t point) {
   if (job.points.empty()) return "";
   const bool together = job.plan.diagram.sweep->together;
@@ -34,7 +34,7 @@ std::string label_of(const run::Job& job, std::size_t point) {
   return text;
 }
 
-/// All columns that comparisons name.
+/// Returns all columns that comparisons read.
 std::vector<std::string> columns_of(const FitRequest& request) {
   std::vector<std::string> columns;
   const auto add = [&](const query::Formula& formula) {
@@ -49,7 +49,7 @@ std::vector<std::string> columns_of(const FitRequest& request) {
   return columns;
 }
 
-/// May the records' plans share code that reads these blocks from a table?
+/// True if the plans of two records can share code that reads these blocks from a table.
 bool are_alike(const std::vector<plan::VariableBlock>& variable, const plan::Plan& one,
                const plan::Plan& other) {
   if (one.blocks.size() != other.blocks.size()) return false;
@@ -90,7 +90,7 @@ std::vector<std::string> ModelRuns::names() const {
   return names;
 }
 
-/// Runs all records at the start, where the parameters move only a part.
+/// Finds the part of the diagram that the parameters affect, and records its inputs in a run of each record.
 void ModelRuns::find_part() {
   const Values start = start_of(request_.parameters);
   for (std::size_t record = 0; record < records(); ++record) {
@@ -103,7 +103,7 @@ void ModelRuns::find_part() {
   }
 }
 
-/// Keeps what the part reads and what does not move; false where the run ends early.
+/// Records the inputs of the part and the constant columns; false if the run ends early.
 bool ModelRuns::play_in(std::size_t record, const plan::Plan& whole) {
   run::Executor simulation(whole);
   std::vector<double>& tape = tapes_.emplace_back();
@@ -131,7 +131,7 @@ void ModelRuns::make_records() {
   }
   run::TogetherRuns::Members plans;
   if (source_.code) plans = compile_all();
-  const bool together = compiled_ && !part_;  // what is played back goes into one run
+  const bool together = compiled_ && !part_;  // a tape is replayed into a single run
   meeting_ = std::make_unique<run::RunMeeting>(std::move(plans),
                                                together ? run::LaneUse::automatic : run::LaneUse::never,
                                                source_.code, source_.interrupt);
@@ -149,8 +149,8 @@ std::vector<plan::VariableBlock> ModelRuns::variable(const Record& record) const
   return plan::variable_blocks(record.plan, variation(record));
 }
 
-/// The text of records that differ in numbers is the same, since what their sweep varies is read from the
-/// run as well.
+/// Compiles the records. Those that differ in numbers only share one text, since swept numbers are variable,
+/// too.
 run::TogetherRuns::Members ModelRuns::compile_all() {
   const plan::Plan& first = records_.front()->plan;
   std::vector<plan::VariableBlock> shared = variable(*records_.front());
@@ -220,7 +220,7 @@ std::vector<record::Recording> ModelRuns::run(std::size_t record, const Values& 
     std::vector<record::Recording> taken = take(record, *run, fault, player ? &*player : nullptr);
     give_back(of, std::move(run));
     return part_ ? complete(record, std::move(taken)) : taken;
-  } catch (const yaml::Error& error) {  // refused values are as bad as a run that blows up
+  } catch (const yaml::Error& error) {  // refused values count as a failed run
     if (fault) *fault = error.what();
     return {};
   }
@@ -255,7 +255,7 @@ std::string ModelRuns::refusal(std::size_t record, const Values& values) const {
   }
 }
 
-/// Goes with others, where some are there and its plan is the record's.
+/// Joins a lane batch with other runs of the record's plan; false if there is none.
 bool ModelRuns::meet(run::PendingRun& run) const {
   const bool own = meeting_ && &run.simulation->plan() == &records_[run.index]->plan;
   const auto* code = own && records_[run.index]->code ? &*records_[run.index]->code : nullptr;
@@ -266,7 +266,7 @@ void ModelRuns::go_alone(run::PendingRun& run, run::RunObserver* observer) const
   run::Drive drive(*run.simulation, *run.recorders);
   drive.interrupt = source_.interrupt;
   if (observer) drive.observers = {&observer, 1};
-  drive.shows_rows = false;  // what is recorded is read at the end
+  drive.shows_rows = false;  // rows are read at the end
   run.end.interrupted = drive.run() == run::Drive::End::interrupted;
   if (meeting_) meeting_->done(run.simulation->tick());
 }

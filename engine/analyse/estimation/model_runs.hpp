@@ -15,52 +15,52 @@
 
 namespace stepwire::estimation {
 
-/// What a fit's runs need beside the request.
+/// Inputs of the runs of a fit besides the request.
 struct ModelSource {
   diagram::Loader& loader;
   std::string file;
-  std::vector<diagram::Setting> settings{};      ///< of the call
-  plan::CodeSource* code = nullptr;              ///< null: interpreted
-  const std::atomic<bool>* interrupt = nullptr;  ///< once true, runs end and give nothing
+  std::vector<diagram::Setting> settings{};      ///< Settings of the call.
+  plan::CodeSource* code = nullptr;              ///< Compiler of the plans; nullptr: interpreted.
+  const std::atomic<bool>* interrupt = nullptr;  ///< Once true, runs end without a recording.
 };
 
-/// The runs of a file's records with any values of the fitted parameters, which are set in the runs of one
-/// plan for each record. Where that is possible, only the part of the diagram that the parameters move is
-/// run, and what it reads of the rest is played back.
+/// The runs of a file's records at any values of the fitted parameters. Each record has one plan, whose
+/// executors are reused. Where possible, only the blocks that the parameters affect run, and the signals that
+/// these read are replayed from a tape.
 class ModelRuns {
  public:
-  /// Throws Error where the diagram refuses the start values.
+  /// Throws Error if the diagram refuses the start values.
   ModelRuns(ModelSource source, const run::Job& job, const FitRequest& request);
 
   std::size_t records() const { return labels_.size(); }
-  /// What tells a record from the others: "10mm2Hz_0A"; empty for the only one.
+  /// Returns the label of a record, from its swept parameters: "10mm2Hz_0A"; empty for a single one.
   const std::string& label(std::size_t record) const { return labels_[record]; }
-  /// Its swept parameters, one row.
+  /// Returns the swept parameters of a record, as columns of one row.
   const std::vector<table::Column>& swept(std::size_t record) const { return swept_[record]; }
-  /// Are the runs compiled?
+  /// True if the runs are compiled.
   bool compiled() const { return compiled_; }
-  /// Is only a part of the diagram run, and the rest played back?
+  /// True if only a part of the diagram runs and the rest is replayed.
   bool in_part() const { return part_.has_value(); }
-  /// Does task(0) to task(count - 1), which call run(), on so many cores (0: all).
+  /// Calls task(0) to task(count - 1), which may call run(), on `cores` threads (0: all).
   void in_parallel(std::size_t count, unsigned cores, const std::function<void(std::size_t)>& task) const {
     meeting_->in_parallel(count, meeting_->threads(cores), task);
   }
-  /// All that a run records, with the swept parameters; nothing where it ends with a fault, which `fault`
-  /// then says. From any thread.
+  /// Returns the recordings of a run, with the swept parameters. On failure the list is empty and `fault`
+  /// holds the reason. May be called from any thread.
   std::vector<record::Recording> run(std::size_t record, const Values& values,
                                      std::string* fault = nullptr) const;
-  /// The same from a plan of its own. Throws Error where the diagram refuses the values.
+  /// Makes the run with a plan of its own. Throws Error for refused values.
   std::vector<record::Recording> run_anew(std::size_t record, const Values& values, std::string* fault) const;
-  /// Why the diagram refuses the values; empty where it takes them.
+  /// Returns the reason why the diagram refuses the values; empty if it accepts them.
   std::string refusal(std::size_t record, const Values& values) const;
 
  private:
-  /// What is run of one record: the part, or all of it.
+  /// The plan of one record: the part, or the whole diagram.
   struct Record {
     Record(plan::Plan of, const std::vector<std::string>& names)
         : plan(std::move(of)), varied(plan.diagram, names) {}
     plan::Plan plan;
-    diagram::Variation varied;  ///< the fitted parameters
+    diagram::Variation varied;  ///< Variation of the fitted parameters.
     std::optional<plan::CompiledPlan> code;
     std::mutex mutex;
     std::vector<std::unique_ptr<run::Executor>> idle;
@@ -78,10 +78,11 @@ class ModelRuns {
   run::TogetherRuns::Members compile_all();
   diagram::Variation variation(const Record& record) const;
   std::vector<plan::VariableBlock> variable(const Record& record) const;
-  /// A run at time 0 with these values; null where they need another plan. Throws Error for refused ones.
+  /// Returns an executor at time 0 with these values; nullptr if they need another plan. Throws Error for
+  /// refused values.
   std::unique_ptr<run::Executor> begin(Record& record, const Values& values) const;
   void give_back(Record& record, std::unique_ptr<run::Executor> run) const;
-  /// Runs to the end and takes all that is recorded; nothing after a fault.
+  /// Runs to the end and returns the recordings; an empty list after a fault.
   std::vector<record::Recording> take(std::size_t record, run::Executor& simulation, std::string* fault,
                                       run::RunObserver* observer = nullptr) const;
   bool meet(run::PendingRun& run) const;
@@ -95,14 +96,14 @@ class ModelRuns {
   std::vector<std::vector<table::Column>> swept_;
   std::vector<std::unique_ptr<Record>> records_;
   bool compiled_ = false;
-  std::unique_ptr<run::RunMeeting> meeting_;  ///< null until the records have plans
+  std::unique_ptr<run::RunMeeting> meeting_;  ///< nullptr until the records have plans.
   std::optional<SensitiveSubdiagram> part_;
-  std::vector<std::vector<double>> tapes_;             ///< [record]: what the part reads, tick by tick
-  std::vector<std::vector<record::Recording>> still_;  ///< [record]: what is compared and does not move
+  std::vector<std::vector<double>> tapes_;  ///< [record]: signals that the part reads, tick by tick.
+  std::vector<std::vector<record::Recording>> still_;  ///< [record]: compared columns that do not change.
   mutable std::mutex loading_;
 };
 
-/// What sets these parameters to these values.
+/// Returns the settings that give the parameters these values.
 std::vector<diagram::Setting> settings_of(const std::vector<FitParameter>& parameters, const Values& values);
 
 }  // namespace stepwire::estimation

@@ -1,4 +1,4 @@
-// How single records are predicted, for people and pictures.
+// Predictions of single records, for reports and pictures.
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -10,7 +10,7 @@ namespace stepwire::estimation {
 
 namespace {
 
-constexpr double rounding = 1e-13;  // of a mean, beside the values
+constexpr double rounding = 1e-13;  // relative rounding error of a mean
 
 double norm(const std::vector<double>& values) {
   return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0));

@@ -11,12 +11,12 @@ namespace stepwire::estimation {
 namespace {
 
 constexpr int most_steps = 20;
-constexpr double cost_rounding = 1e-12;  // of the cost, from one run to the next
+constexpr double cost_rounding = 1e-12;  // relative, from one run to the next
 
 /// A Gauss-Newton step within the bounds, and its size.
 struct Step {
   Eigen::VectorXd to;
-  double change = 0.0;  ///< the largest part of a value or of its standard error
+  double change = 0.0;  ///< Largest change relative to a value or its standard error.
 };
 
 class Refinement {
@@ -37,7 +37,7 @@ class Refinement {
   }
 
  private:
-  /// False where a run beside the point fails; the last point with derivatives is kept.
+  /// Computes derivatives at the minimum. On failure returns false and keeps the last point with derivatives.
   bool differentiate() {
     KnownPoint at{result_.minimum.x, {}, {}};
     if (!residuals_.evaluate(at.x, at.residuals, at.slopes, Residuals::Differences::central)) return false;
@@ -45,7 +45,7 @@ class Refinement {
     return true;
   }
 
-  /// Clears the columns of unknowns at a bound to which the cost falls.
+  /// Clears the columns of unknowns at a bound towards which the cost falls.
   void hold(const Eigen::VectorXd& r, Jacobian& slopes) const {
     const Eigen::VectorXd gradient = slopes.transpose() * r;
     for (Eigen::Index i = 0; i < gradient.size(); ++i) {
@@ -77,8 +77,8 @@ class Refinement {
     return step;
   }
 
-  /// Goes the step or the first half of it that lowers the cost. Near the minimum rounding hides what a step
-  /// gains; it is taken there while steps become smaller.
+  /// Takes the step, or the first half, quarter, ... of it that lowers the cost. Near the minimum rounding
+  /// error hides the gain; a full step is accepted there while steps become smaller.
   bool take(const Step& step, double before) {
     Eigen::VectorXd r;
     Minimum& best = result_.minimum;

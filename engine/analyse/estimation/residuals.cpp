@@ -12,15 +12,16 @@ namespace stepwire::estimation {
 
 namespace {
 
-// Of a parameter's size. The derivative's error is of this order forward, of its square central; rounding of
-// a run (1e-12 or so) over it is smaller. Waves of many periods bend within a thousandth of a parameter.
+// Shares of a parameter's size. The error of a derivative is of this order for forward differences, of its
+// square for central ones. The rounding error of a run (about 1e-12) over the share is smaller. Larger shares
+// would be too inaccurate for waves of many periods, which bend within a thousandth of a parameter.
 constexpr double forward_step = 1e-6, central_step = 2e-5;
 
 bool is_true(double value) {
   return value != 0.0 && !std::isnan(value);
 }
 
-/// The value of a formula of swept parameters.
+/// Returns the value of a formula of swept parameters.
 double value_of(const query::Formula& formula, const std::vector<table::Column>& swept) {
   std::vector<double> values;
   for (const std::string& name : formula.columns)
@@ -42,7 +43,7 @@ std::string no_number(const std::string& text, double value, double time) {
 
 Residuals::Residuals(const ModelRuns& runs, const FitRequest& request, unsigned threads)
     : runs_(runs), request_(request), threads_(threads) {
-  const bool sought = !request.parameters.empty();  // else nothing is held out of anything
+  const bool sought = !request.parameters.empty();  // else no record is held out
   for (std::size_t record = 0; record < runs.records(); ++record) {
     const bool held = sought && request.hold_out && is_true(value_of(*request.hold_out, runs.swept(record)));
     held_out_.push_back(held);
@@ -240,7 +241,7 @@ bool Residuals::column(std::size_t record, std::size_t parameter, const Eigen::V
   const double size = std::max(std::abs(at[parameter]), 0.1 * of.scale);
   if (differences == Differences::central && central_column(record, parameter, at, central_step * size, out))
     return true;
-  double step = forward_step * size;  // also at a bound, or where one side is refused
+  double step = forward_step * size;  // also at a bound, or if one side is refused
   if (at[parameter] + step > of.upper) step = -step;
   if (!run_beside(record, parameter, at, step, out)) {
     step = -step;

@@ -7,7 +7,7 @@ namespace stepwire::estimation {
 
 namespace {
 
-// Differences of runs leave some 1e-8 of a column; what is known at all is larger than that.
+// Differences of runs have an error of about 1e-8 of a column; determined directions are larger.
 constexpr double negligible = 1e-6;
 
 }  // namespace

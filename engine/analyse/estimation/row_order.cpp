@@ -6,7 +6,7 @@ namespace stepwire::estimation {
 
 namespace {
 
-/// Sources (blocks without inputs) may have a state as well, e.g. that of a random number.
+/// True for a block with a state and an input. A source may have a state, too, e.g. that of a random number.
 bool has_memory(const plan::PlannedBlock& block) {
   return std::ranges::any_of(block.states, [](const plan::SignalSlot& state) { return state.size > 0; }) &&
          std::ranges::any_of(block.inputs, [](const auto& port) { return !port.empty(); });

@@ -5,12 +5,13 @@
 
 namespace stepwire::estimation {
 
-/// True where the rows that a fit compares are a time series. They are one by the key of the request, else where
-/// the diagram has memory: a block that has a state and an input. Rows of a diagram without memory are points
-/// of a function, in any order.
+/// True if the compared rows are a time series: by the key of the request, or if the diagram has memory.
+/// Memory is a block with a state and an input. Rows of a diagram without memory are points of a function, in
+/// any order.
 bool in_time(const plan::Plan& plan, const FitRequest& request);
 
-/// The standard errors of the intervals: those that the request names, else those of the rows' order.
+/// Returns the kind of standard errors of the intervals: that of the request, or the default for the rows'
+/// order.
 StandardErrors used_errors(const FitRequest& request, bool in_time);
 
 }  // namespace stepwire::estimation

@@ -6,7 +6,7 @@
 
 namespace stepwire::estimation {
 
-/// Value of a formula in each row of a recording, without evaluating where it is a column.
+/// Returns the value of a formula in each row of a recording; a formula that is a column is not evaluated.
 std::vector<double> values_of(const query::Formula& formula, const record::Recording& recording);
 
 }  // namespace stepwire::estimation

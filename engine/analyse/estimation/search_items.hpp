@@ -8,17 +8,17 @@
 
 namespace stepwire::estimation {
 
-/// A search of a fit: where it begins, and how many steps it takes at most.
+/// A search of a fit: its start and its limit of steps.
 struct SearchStart {
-  std::size_t number = 0;  ///< by which a fit knows the search again
+  std::size_t number = 0;  ///< Index of the search within the fit.
   Eigen::VectorXd from;
   std::size_t iterations = 0;
 };
 
-/// Has other processes search from these starts.
+/// Distributes the searches from these starts to other processes.
 std::vector<Minimum> search_by(messages::ItemWorkers& workers, const std::vector<SearchStart>& starts);
 
-/// Searches of the search_by() of another process, to the bits of its own.
+/// Worker for the search_by() of another process; its results have the same bits.
 class SearchWork {
  public:
   /// Job and request must outlive it. Throws Error.

@@ -53,7 +53,7 @@ void Searches::follow(std::vector<Minimum>& minima) const {
   }
 }
 
-/// All of these, or those that were begun before an interruption, but the first in any case.
+/// Makes all searches, or after an interruption those begun so far, at least the first.
 template <class NameOf>
 std::vector<Minimum> Searches::search(const std::vector<SearchStart>& starts, double done, double share,
                                       const NameOf& name_of) const {

@@ -4,19 +4,19 @@
 
 namespace stepwire::estimation {
 
-/// Searches from many starts: a few steps of each, and on from those that are best by then.
+/// Multi-start search: a few steps from each start, then full searches from the best ones.
 class Searches {
  public:
-  /// Searches from a start, as the part `done` to `done + share` of all.
+  /// Function that searches from a start and reports its progress from `done` to `done + share`.
   using Descend =
       std::function<Minimum(const SearchStart& start, double done, double share, const std::string& what)>;
 
-  /// `workers` search in place of `descend` where they are not null.
+  /// With `workers`, unless nullptr, other processes search instead of `descend`.
   Searches(const FitRequest& request, const std::atomic<bool>* interrupt, messages::ItemWorkers* workers,
            Descend descend)
       : request_(request), interrupt_(interrupt), workers_(workers), descend_(std::move(descend)) {}
 
-  /// Where each of them came to; of an interrupted call one at least.
+  /// Returns the end of each search; at least one after an interruption.
   std::vector<Minimum> from(const std::vector<Eigen::VectorXd>& starts) const;
 
  private:
@@ -32,7 +32,7 @@ class Searches {
   Descend descend_;
 };
 
-/// The minima by rising cost, as their indices; equal ones in their order.
+/// Returns the indices of the minima by rising cost; equal ones remain in order.
 std::vector<std::size_t> ranking(const std::vector<Minimum>& minima);
 
 }  // namespace stepwire::estimation

@@ -12,7 +12,7 @@ namespace stepwire::estimation {
 
 namespace {
 
-/// "rig.x" of the columns "rig.x" and "rig.x.2".
+/// True for the columns "rig.x" and "rig.x.2" of a signal "rig.x".
 bool is_column_of(const std::string& column, const std::string& signal) {
   return column == signal || column.starts_with(signal + ".");
 }
@@ -24,7 +24,7 @@ void each_source(const diagram::DiagramBlock& block, const Visit& visit) {
       if (source.block >= 0) visit(source);
 }
 
-/// Blocks of which values change, and all that they feed.
+/// Marks the blocks whose values change, and all blocks that depend on them.
 std::vector<char> moved_blocks(const diagram::Diagram& diagram, const diagram::Variation& variation) {
   const std::size_t count = diagram.blocks.size();
   std::vector<char> moved(count, 0);
@@ -55,7 +55,7 @@ std::shared_ptr<const diagram::Bindings> moved_bindings(const diagram::Bindings&
 
 diagram::Diagram without_blocks(diagram::Diagram diagram) {
   diagram.blocks.clear();
-  diagram.unit_demands.clear();  // they hold, as the whole has shown
+  diagram.unit_demands.clear();  // already checked for the whole diagram
   diagram.outputs.clear();
   diagram.output_dimensions.clear();
   diagram.state_dimensions.clear();

@@ -9,30 +9,32 @@
 
 namespace stepwire::estimation {
 
-/// The part of a diagram that fitted parameters move and that what is compared depends on. All else gives the
-/// same in every run of a record: it is run once, and what the part reads of it is played back.
+/// The blocks of a diagram that fitted parameters affect and that the compared columns depend on. All other
+/// signals are the same in every run of a record. They are computed once, and those that the part reads are
+/// replayed from a tape. A run then costs the part only.
 class SensitiveSubdiagram {
  public:
-  /// Of a plan and what changes in it; `columns` are those that are compared. Nothing where the part reads a
-  /// signal that changes between ticks and the solver looks there, or where a condition ends the run.
+  /// Finds the part for a plan, the variation of the fitted parameters and the compared columns. Returns
+  /// std::nullopt if the part reads a signal that changes between ticks and the solver evaluates it there.
+  /// Likewise if a condition ends the run, or if the part is empty or the whole.
   static std::optional<SensitiveSubdiagram> find(const plan::Plan& plan, const diagram::Variation& moved,
                                                  const std::vector<std::string>& columns);
 
-  /// The part of the same diagram with other numbers, its inputs being those of `tape`, in their order.
+  /// Returns the part of the same diagram with other numbers; its inputs are those of `tape`, in order.
   diagram::Diagram of(const diagram::Diagram& diagram) const;
-  /// How many numbers the inputs are at a tick.
+  /// Returns the number of inputs per tick.
   std::size_t width() const { return offsets_.size(); }
-  /// Appends what the part reads at this tick of a run of the whole diagram.
+  /// Appends the signals that the part reads at this tick, in a run of the whole diagram.
   void append(const double* values, std::vector<double>& tape) const {
     for (const std::size_t offset : offsets_) tape.push_back(values[offset]);
   }
-  /// Writes what was read at the present tick into a run of the part.
+  /// Writes the recorded signals of the present tick into a run of the part.
   void play(const std::vector<double>& tape, run::Executor& simulation) const;
-  /// Does the part give this recorded column?
+  /// True if the part computes this recorded column.
   bool gives(const std::string& column) const;
 
  private:
-  /// An output that the part reads, and how it changes.
+  /// An output that the part reads, and its rate.
   struct Read {
     diagram::SignalRef signal;
     Eigen::Index size;
@@ -43,14 +45,14 @@ class SensitiveSubdiagram {
   void keep_ancestors(const diagram::Diagram& diagram, const std::vector<std::string>& columns);
   bool find_reads(const plan::Plan& plan);
   diagram::DiagramBlock input(const diagram::Diagram& diagram, const Read& read) const;
-  /// Copies the blocks that are kept; where each is then, -1 for the others.
+  /// Copies the kept blocks. Returns the new index of each block, -1 for the others.
   std::vector<int> keep_blocks(const diagram::Diagram& diagram, diagram::Diagram& part) const;
-  /// What feeds an input of the part; `first_read` is the block of the first output that it reads.
+  /// Returns the source of an input within the part; `first_read` is the block of its first read output.
   diagram::Source moved(diagram::Source source, const std::vector<int>& place, int first_read) const;
 
-  std::vector<char> kept_;  ///< blocks
+  std::vector<char> kept_;  ///< Marks of kept blocks.
   std::vector<Read> reads_;
-  std::vector<std::size_t> offsets_;  ///< of all that is read, in the workspace of the whole
+  std::vector<std::size_t> offsets_;  ///< Offsets of all read numbers in the workspace of the whole diagram.
   std::vector<std::string> recorded_;
 };
 

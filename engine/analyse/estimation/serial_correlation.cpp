@@ -7,9 +7,9 @@ namespace stepwire::estimation {
 
 namespace {
 
-constexpr Eigen::Index longest = 2000;  // rows; what lasts longer is a wrong model
+constexpr Eigen::Index longest = 2000;  // rows; a longer correlation means a wrong model
 
-/// Calls visit(first, count) for each stretch.
+/// Calls visit(first, count) for each segment.
 template <class Visit>
 void each_stretch(Eigen::Index rows, const std::vector<Eigen::Index>& starts, const Visit& visit) {
   for (std::size_t i = 0; i < starts.size(); ++i)
@@ -48,8 +48,8 @@ SerialCorrelation SerialCorrelation::of(const Eigen::VectorXd& residuals,
 
 Eigen::MatrixXd SerialCorrelation::covariance_of_sum(const Eigen::MatrixXd& terms,
                                                      const std::vector<Eigen::Index>& starts) const {
-  // Bartlett's weights 1 - lag/width are those of all windows of that width, also such as reach beyond an
-  // end.
+  // Bartlett's weights 1 - lag/width result from summing all windows of that width, including those that
+  // extend beyond an end.
   const Eigen::Index width = 3 * rows + 1;
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(terms.cols(), terms.cols());
   each_stretch(terms.rows(), starts, [&](Eigen::Index first, Eigen::Index count) {

@@ -11,7 +11,7 @@ namespace stepwire::estimation {
 
 namespace {
 
-/// Random numbers that are the same on any machine, which those of std::uniform_real_distribution are not.
+/// Random numbers that are the same on any machine, unlike those of std::uniform_real_distribution.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -35,7 +35,7 @@ double draw(const FitParameter& parameter, Random& random) {
   return wide ? low * std::pow(high / low, share) : low + (high - low) * share;
 }
 
-/// A point that the diagram takes, if one is found soon.
+/// Draws a point that the diagram accepts; after 50 refused points the last one is returned.
 Eigen::VectorXd draw(const Residuals& residuals, Random& random) {
   constexpr int tries = 50;
   Eigen::VectorXd x = residuals.start();
@@ -52,7 +52,7 @@ double cost_at(const Residuals& residuals, const FitRequest& request, const Eige
   return residuals.evaluate(x, r) ? cost_of(r, request) : std::numeric_limits<double>::infinity();
 }
 
-/// A member of a population and what it costs.
+/// A member of a population and its cost.
 struct Member {
   Eigen::VectorXd x;
   double cost;
@@ -70,7 +70,7 @@ Eigen::VectorXd child_of(const std::vector<Member>& population, std::size_t pare
   for (Eigen::Index i = 0; i < child.size(); ++i) {
     if (i != always && random.between_0_and_1() > crossover) continue;
     const FitParameter& parameter = residuals.parameter(static_cast<std::size_t>(i));
-    // Beyond a bound it goes half of the way to it.
+    // A value beyond a bound is replaced by the middle between parent and bound.
     child[i] = mutant[i] < parameter.lower   ? 0.5 * (child[i] + parameter.lower)
                : mutant[i] > parameter.upper ? 0.5 * (child[i] + parameter.upper)
                                              : mutant[i];

@@ -7,7 +7,7 @@
 
 namespace stepwire::estimation {
 
-/// Keeps what a part reads of a run of the whole.
+/// Records the signals that a part reads, in a run of the whole diagram.
 class TapeWriter : public run::RunObserver {
  public:
   TapeWriter(const SensitiveSubdiagram& part, std::vector<double>& tape) : part_(part), tape_(tape) {}
@@ -18,7 +18,7 @@ class TapeWriter : public run::RunObserver {
   std::vector<double>& tape_;
 };
 
-/// Plays it back into a run of the part.
+/// Replays these signals into a run of the part.
 class TapePlayer : public run::RunObserver {
  public:
   TapePlayer(const SensitiveSubdiagram& part, const std::vector<double>& tape) : part_(part), tape_(tape) {}

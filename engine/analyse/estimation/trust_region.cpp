@@ -30,8 +30,8 @@ Eigen::VectorXd LinearModel::damped(const Eigen::VectorXd& along, double damping
   return right_ * parts;
 }
 
-/// Newton's method on 1/|s| = 1/radius within bounds (J. J. More 1978); ten per cent of the radius are left
-/// open there, one per cent here.
+/// Finds the damping by Newton's method on 1/|s| = 1/radius within bounds (J. J. More 1978). The radius is
+/// met to one per cent, where More allows ten.
 double LinearModel::damping_for(double radius) const {
   const Eigen::ArrayXd s = values_.array(), force = s * along_.array();
   double low = 0.0, high = force.matrix().norm() / radius, damping = 1e-3 * high;

@@ -4,17 +4,18 @@
 
 namespace stepwire::estimation {
 
-/// The linear model r + A s of residuals around a point, ready for steps of several lengths.
+/// Linear model r + A s of residuals around a point, factorised for steps of several lengths.
 class LinearModel {
  public:
-  /// More rows than columns.
+  /// Factorises the model. A has more rows than columns.
   LinearModel(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& residuals);
 
-  /// The step s that makes |r + A s| least with |s| <= radius. Keeps the damping for accelerated().
+  /// Returns the step s that minimises |r + A s| subject to |s| <= radius. Its damping is kept for answer().
   Eigen::VectorXd step(double radius);
-  /// The step that answers a second-order change of the residuals, with the damping of the last step.
+  /// Returns the step that compensates a second-order change of the residuals, with the damping of the last
+  /// step.
   Eigen::VectorXd answer(const Eigen::VectorXd& change) const;
-  /// The part of half the squared residuals that the model loses by a step.
+  /// Returns the decrease of half the squared residuals by a step, as the model predicts it.
   double gain(const Eigen::VectorXd& step) const;
 
  private:
@@ -23,8 +24,8 @@ class LinearModel {
 
   Eigen::MatrixXd slopes_;
   Eigen::VectorXd residuals_;
-  Eigen::MatrixXd left_, right_;  ///< singular vectors: A = left S right'
-  Eigen::VectorXd values_;        ///< singular values; those within rounding of zero are zero
+  Eigen::MatrixXd left_, right_;  ///< Singular vectors: A = left S right'.
+  Eigen::VectorXd values_;        ///< Singular values; those within rounding error of zero are set to zero.
   Eigen::VectorXd along_;         ///< left' r
   double damping_ = 0.0;
 };

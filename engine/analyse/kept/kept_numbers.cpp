@@ -11,14 +11,14 @@ namespace stepwire::kept {
 
 namespace {
 
-/// A reduction by its name.
+/// A named reduction.
 struct Kept {
   std::string name;
   claim::RunFormula formula;
-  bool read_later = false;  ///< does a number behind it name it?
+  bool read_later = false;  ///< True if a later kept number refers to it.
 };
 
-/// The number stands in all rows, as a swept parameter does.
+/// Adds a kept number as a constant column, in the form of a swept parameter.
 void add_column(const std::string& name, double number, std::vector<record::Recording>& run) {
   for (record::Recording& one : run)
     one.table.columns.push_back({name, "", std::vector<double>(one.table.rows(), number)});
@@ -42,7 +42,7 @@ void note_names(const claim::RunFormula& formula, std::vector<Kept>& before) {
     for (Kept& one : before) one.read_later = one.read_later || one.name == name;
 }
 
-/// Each may name those before it, but where a signal has the same name.
+/// Reads all kept numbers. A formula may refer to earlier ones, unless a signal has the same name.
 std::vector<Kept> read_all(const yaml::Node& section, const query::NamesReading& outer) {
   query::SymbolTable names = outer.names;
   const query::NamesReading read(outer.subject, names, outer.faults);
@@ -60,7 +60,7 @@ std::vector<Kept> read_all(const yaml::Node& section, const query::NamesReading&
   return all;
 }
 
-/// Each is one number of a run, as swept parameters are.
+/// Replaces the recorded signals by the kept numbers, which are one number per run.
 void rename(const std::vector<Kept>& all, query::SymbolTable& names) {
   std::erase_if(names.columns,
                 [](const query::RecordedName& column) { return column.recording.has_value(); });
@@ -94,8 +94,8 @@ std::string text_of(const yaml::Node& node, const char* key) {
   return value ? value->text : "";
 }
 
-/// The parameters of the diagram as run.json has them, whose place is that of their numbers in the flattened
-/// one.
+/// Takes the parameters of the unflattened diagram from run.json; their places are those of the numbers in
+/// the flattened one.
 void take_parameters(const yaml::Node& note, diagram::Diagram& diagram) {
   const yaml::Node* parameters = note.find("parameters");
   if (!parameters) return;

@@ -11,12 +11,13 @@
 
 namespace stepwire::kept {
 
-/// Reads the reductions that a sweep keeps of each run, and leaves names of these in the place of those of
-/// signals. Null where the sweep keeps rows, or a reduction has a fault.
+/// Reads the reductions that a sweep keeps of each run, and replaces the signals in `names` by their names.
+/// Returns nullptr if the sweep keeps rows, or if a reduction has a fault.
 std::shared_ptr<const run::RunNumbers> read_kept_numbers(const diagram::Diagram& diagram,
                                                          query::SymbolTable& names, yaml::Faults& faults);
 
-/// The same of the folder of a run, for the plan of its flattened diagram, as replay::verify() reads it.
+/// Reads the same reductions for the folder of a run, from the plan of its flattened diagram; used by
+/// replay::verify().
 std::shared_ptr<const run::RunNumbers> numbers_of_folder(const plan::Plan& plan, const yaml::Node& note,
                                                          const table::Table& swept,
                                                          const table::ColumnWords& words);

@@ -19,7 +19,7 @@ namespace stepwire::kept {
 
 namespace {
 
-/// Returns the numbers of an axis, ascending; an empty list where there are many or one is a formula.
+/// Returns the numbers of an axis, ascending; an empty list for many numbers or for a formula.
 std::vector<double> few_values(const diagram::Sweep::Axis& axis) {
   constexpr std::size_t few = 100;
   const diagram::SweptValues& all = axis.values;
@@ -34,7 +34,7 @@ std::vector<double> few_values(const diagram::Sweep::Axis& axis) {
   return {values.begin(), values.end()};
 }
 
-/// The unit behind the first number that has one in the text; empty without one.
+/// Returns the unit after the first number in the text; empty without one.
 std::string written_unit(const diagram::SweptValues& values) {
   if (values.empty()) return "";
   const std::string text = values.text(0);
@@ -79,7 +79,7 @@ void add_outlines(const diagram::Diagram& diagram, query::SymbolTable& names) {
   }
 }
 
-/// A number of a block as an expression has it; empty where the unit is that of what is wired to it.
+/// Returns a number of a block as expression text; empty if its unit depends on the wired signal.
 std::string number_text(const ParameterSpec& spec, double value) {
   const auto unit = unit::parse_unit(spec.unit);
   if (!unit) return {};
@@ -88,10 +88,10 @@ std::string number_text(const ParameterSpec& spec, double value) {
   return fmt::format("{}{}", value, name);
 }
 
-/// What has a name already, recorded or not: a set, since a large diagram has very many.
+/// Set of names in use, recorded or not. It is a hash set because large diagrams have very many names.
 using Taken = std::unordered_set<std::string_view>;
 
-/// Adds a number of a block where its name is free.
+/// Adds a number of a block unless its name is in use.
 void add_number(const std::string& name, const ParameterSpec& spec, double value, const Taken& taken,
                 query::SymbolTable& names) {
   if (!std::isfinite(value) || taken.contains(name)) return;
@@ -99,7 +99,7 @@ void add_number(const std::string& name, const ParameterSpec& spec, double value
     names.drawn.push_back({name, std::move(text)});
 }
 
-/// Numbers that blocks were given, by their file, a preset or as defaults: "rig.damper.beta"; of a list
+/// Adds the numbers of blocks, from the file, a preset or defaults: "rig.damper.beta"; elements of a list as
 /// "rig.damper.alpha.2".
 void add_numbers_of_blocks(const diagram::Diagram& diagram, query::SymbolTable& names) {
   Taken taken(names.signals.begin(), names.signals.end());
@@ -117,7 +117,7 @@ void add_numbers_of_blocks(const diagram::Diagram& diagram, query::SymbolTable& 
     }
 }
 
-/// Adds the words of recorded signals whose numbers mean states.
+/// Adds the words of recorded signals with enumerated values.
 void add_words(const diagram::Diagram& diagram, query::SymbolTable& names) {
   std::unordered_map<std::string_view, std::vector<std::string>> words;
   for (const diagram::RecordRequest& record : diagram.records)

@@ -7,10 +7,10 @@
 
 namespace stepwire::kept {
 
-/// What figures and claims of a job may name, but for what its analyses and its scene add.
+/// Returns the names that figures and claims of a job may use, except those of its analyses and its scene.
 query::SymbolTable names_of(const run::Job& job);
 
-/// A swept word as it is meant, without the quotes of its file.
+/// Returns a swept word without the quotes of the file.
 std::string without_quotes(const std::string& word);
 
 }  // namespace stepwire::kept

@@ -9,25 +9,25 @@
 
 namespace stepwire::linear {
 
-/// One input to one output of an analysis, by the states that lie between them.
+/// Analysis of one channel: one input, one output, and the states between them.
 struct ChannelAnalysis {
   std::string input, output;
   std::vector<Complex> zeros;
   double gain_at_rest = 0.0;
-  double bandwidth = 0.0;  ///< [rad/s]
-  Margins margins;         ///< of the loop that Linearization::feedback closes
+  double bandwidth = 0.0;  ///< In rad/s.
+  Margins margins;         ///< Margins of the loop closed by Linearization::feedback.
 };
 
-/// All that follows from a linear system.
+/// Poles, zeros, ranks and margins of a linear system.
 struct Analysis : Linearization {
-  std::vector<Mode> modes;     ///< with the poles
-  std::vector<Complex> zeros;  ///< transmission zeros of the whole system
-  bool stable = false;         ///< as it is, without closing anything
+  std::vector<Mode> modes;     ///< Poles with frequency and damping.
+  std::vector<Complex> zeros;  ///< Transmission zeros of the whole system.
+  bool stable = false;         ///< Stability of the system itself, without closing the loop.
   Rank controllable, observable;
-  std::vector<ChannelAnalysis> channels;  ///< inputs first: all outputs of the first input, ...
+  std::vector<ChannelAnalysis> channels;  ///< Outputs of the first input, then of the second, ...
 };
 
-/// `feedback`, +1 or -1, in the place of the linearization's own.
+/// Analyses a linear system. A `feedback`, +1 or -1, replaces that of the linearization.
 Analysis analyse(Linearization linearization, std::optional<double> feedback = {});
 
 }  // namespace stepwire::linear

@@ -6,12 +6,12 @@ namespace stepwire::linear {
 
 namespace {
 
-/// The power of two nearest to the root of row / column.
+/// Returns the power of two nearest to the root of row / column.
 double factor_of(double row, double column) {
   return std::exp2(std::round(0.5 * std::log2(row / column)));
 }
 
-/// Scales one state; was that worth it?
+/// Scales one state. Returns false, without scaling, if the norms would fall by less than 5 %.
 bool scale_one(Eigen::MatrixXd& A, Eigen::Index i, Eigen::VectorXd& scale) {
   const double own = std::abs(A(i, i));
   const double row = A.row(i).cwiseAbs().sum() - own, column = A.col(i).cwiseAbs().sum() - own;

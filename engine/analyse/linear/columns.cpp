@@ -16,9 +16,9 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// An analysis with its curves.
 struct Found {
   const Analysis& analysis;
-  const StateSpace& system;  ///< of its one channel
+  const StateSpace& system;  ///< System of its single channel.
   std::vector<double> frequencies;
-  std::vector<Complex> loop;  ///< L, whose margins count, at these
+  std::vector<Complex> loop;  ///< L, whose margins are given, at these frequencies.
   ResponseCurve step;
   RootLocus locus;
 
@@ -26,7 +26,7 @@ struct Found {
   const Margins& margins() const { return channel().margins; }
 };
 
-/// A column of an analysis: its name behind that of the analysis, its unit, and its numbers.
+/// A column of an analysis: suffix of its name, unit, and function of its numbers.
 struct Column {
   enum class Unit { none, per_second, second, own };
   const char* name;
@@ -34,7 +34,7 @@ struct Column {
   std::vector<double> (*numbers)(const Found& found);
 };
 
-/// The numbers of a list of poles, zeros or modes.
+/// Returns a number of each element of a list of poles, zeros or modes.
 template <class List, class Number>
 std::vector<double> each(const List& list, Number number) {
   std::vector<double> numbers;
@@ -50,7 +50,7 @@ double imaginary(const Complex& number) {
 }
 
 Found found_of(const Analysis& analysis, const StateSpace& system) {
-  constexpr std::size_t most_of_locus = 40;  // states
+  constexpr std::size_t most_of_locus = 40;  // limit of the number of states
   const FrequencyResponse response(system);
   Found found{analysis, system, response.frequencies(60), {}, step_response(system), {}};
   for (const double w : found.frequencies) found.loop.push_back(-analysis.feedback * response.at(w));
@@ -58,7 +58,7 @@ Found found_of(const Analysis& analysis, const StateSpace& system) {
   return found;
 }
 
-/// Without jumps, and at the lowest frequency between -270 and 90 degrees.
+/// Returns the phase without jumps; it begins between -270 and 90 degrees.
 std::vector<double> phase_of(const std::vector<Complex>& loop) {
   std::vector<double> phase;
   for (const Complex& value : loop) {
@@ -69,7 +69,7 @@ std::vector<double> phase_of(const std::vector<Complex>& loop) {
   return phase;
 }
 
-/// Without a crossing infinite of a stable loop; of another there is none.
+/// Returns a margin. Without a crossing it is infinite for a stable loop and nan for an unstable one.
 double margin_of(const std::optional<Crossing>& crossing, const Margins& margins) {
   if (crossing) return crossing->margin;
   return margins.stable ? std::numeric_limits<double>::infinity() : none;

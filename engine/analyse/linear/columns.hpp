@@ -8,12 +8,12 @@
 
 namespace stepwire::linear {
 
-/// What figures and claims may name of an analysis called `loop`: loop.margin.gain, loop.pole.real, ...; all
+/// Returns the names of an analysis `loop` for figures and claims: loop.margin.gain, loop.pole.real, ...; all
 /// in one recording.
 std::vector<query::RecordedName> analysis_names(const NamedAnalysis& analysis, std::size_t recording);
 
-/// The analysis of one run as such a recording. Lists that are shorter than others (poles, zeros) go on with
-/// their last number; numbers of the whole analysis stand in each row. What there is none of is nan.
+/// Returns the analysis of one run as such a recording. Shorter lists (poles, zeros) are padded with their
+/// last number. Numbers of the whole analysis are repeated in each row. Missing numbers are nan.
 record::Recording analysis_recording(const NamedAnalysis& named, const Analysis& analysis);
 
 }  // namespace stepwire::linear

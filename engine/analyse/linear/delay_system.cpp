@@ -13,8 +13,8 @@ namespace stepwire::linear {
 
 namespace {
 
-/// Differences at the Chebyshev points of a line from 0 to -time (L. N. Trefethen, Spectral Methods in
-/// MATLAB, program cheb): values at all of them to slopes.
+/// Returns the differentiation matrix at the Chebyshev points of a line from 0 to -time (L. N. Trefethen,
+/// Spectral Methods in MATLAB, program cheb).
 Eigen::MatrixXd differences(Eigen::Index nodes, double time) {
   const Eigen::Index n = nodes;
   Eigen::VectorXd x(n + 1), c(n + 1);
@@ -30,7 +30,7 @@ Eigen::MatrixXd differences(Eigen::Index nodes, double time) {
   return D * (2.0 / time);
 }
 
-/// The characteristic equation det T(s) = 0 of a system with delays.
+/// Characteristic equation det T(s) = 0 of a system with delays.
 class Characteristic {
  public:
   explicit Characteristic(const StateSpace& system)
@@ -42,7 +42,7 @@ class Characteristic {
     constant_.bottomRightCorner(d_, d_) = -system.D.bottomRightCorner(d_, d_);
   }
 
-  /// The root that Newton's method reaches from here; empty if it does not converge.
+  /// Returns the root that Newton's method reaches from `s`; std::nullopt if it does not converge.
   std::optional<Complex> root_from(Complex s) const {
     for (int k = 0; k < 50; ++k) {
       const Complex step = newton_step(s);
@@ -54,14 +54,14 @@ class Characteristic {
     return std::nullopt;
   }
 
-  double rate() const {  ///< [1/s], of the shortest delay
+  double rate() const {  ///< Rate of the shortest delay [1/s].
     double shortest = std::numeric_limits<double>::infinity();
     for (const InnerDelay& delay : system_.delays) shortest = std::min(shortest, delay.time);
     return 1.0 / shortest;
   }
 
  private:
-  /// -det T / (det T)' = -1 / trace(T^-1 T'); 0 at a root.
+  /// Returns -det T / (det T)' = -1 / trace(T^-1 T'); 0 at a root.
   Complex newton_step(const Complex& s) const {
     Eigen::MatrixXcd T = constant_.cast<Complex>();
     Eigen::VectorXcd slopes(n_ + d_);
@@ -82,7 +82,7 @@ class Characteristic {
   Eigen::MatrixXd constant_;
 };
 
-/// A system whose delays become lines of states behind its own.
+/// System whose delays are lines of states that follow its own states.
 class Lines {
  public:
   Lines(const StateSpace& system, Eigen::Index nodes)
@@ -121,7 +121,7 @@ class Lines {
 
   const StateSpace& system_;
   Eigen::Index n_, d_, nodes_;
-  Eigen::MatrixXd ends_, starts_;  ///< of lines: what comes out, and what goes in, over all states
+  Eigen::MatrixXd ends_, starts_;  ///< Output and input of each line, as combinations of all states.
 };
 
 }  // namespace
@@ -149,12 +149,13 @@ std::vector<Complex> delay_poles(const StateSpace& system) {
 
 namespace {
 
-/// Follows the angle of a determinant along a line beside the imaginary axis.
+/// Follows the angle of the determinant along a line near the imaginary axis. Intervals are halved until the
+/// angle between their ends is below 0.5 rad and unambiguous.
 class Turns {
  public:
   Turns(const PointResponse& response, double beside) : response_(response), beside_(beside) {}
 
-  /// The angle by which it turns between two frequencies [rad]; empty if it passes 0.
+  /// Returns the change of the angle between two frequencies [rad]; std::nullopt if the determinant passes 0.
   std::optional<double> between(double low, double high) { return between(low, at(low), high, at(high), 0); }
   Complex at(double frequency) const { return response_.return_difference({beside_, frequency}); }
 
@@ -179,7 +180,8 @@ class Turns {
   double beside_;
 };
 
-/// det(1 - X) of a small X comes from 1 without turning about 0.
+/// Returns the angle of det(1 - X); std::nullopt if the norm of X is not below 1, as then the angle is
+/// ambiguous.
 std::optional<double> angle_from_one(const Eigen::MatrixXcd& X) {
   if (!(X.operatorNorm() < 0.999)) return std::nullopt;
   double angle = 0.0;

@@ -7,20 +7,20 @@
 
 namespace stepwire::linear {
 
-/// The same system with each delay as a line of `nodes` states. They are the values along the line at
-/// Chebyshev points (D. Breda, S. Maset, R. Vermiglio, "Pseudospectral differencing methods for
+/// Returns the system with each delay replaced by a line of `nodes` states. The states are the values along
+/// the line at Chebyshev points (D. Breda, S. Maset, R. Vermiglio, "Pseudospectral differencing methods for
 /// characteristic roots of delay differential equations", SIAM J. Sci. Comput. 27, 2005).
 StateSpace with_lines(const StateSpace& system, Eigen::Index nodes);
 
-/// Of the poles of a system with delays, whose number has no end, those nearest to 0. Each is found by
-/// with_lines() and moved to a root of the characteristic equation by Newton's method; those that move far
-/// are left out.
+/// Returns the poles nearest to 0 of a system with delays, which has infinitely many. Eigenvalues of
+/// with_lines() are the starts of Newton's method on the characteristic equation. A root far from its start
+/// is left out.
 std::vector<Complex> delay_poles(const StateSpace& system);
 
-/// The number of poles to the right of the imaginary axis, or on it. Counts how often the determinant
-/// det(1 - exp(-s T) G(s)) turns about 0 along the axis, with G the system between its delays. All poles
-/// count, however far from 0. Empty if the determinant passes 0, or if a loop of
-/// delays alone has a gain of 1 or more.
+/// Returns the number of poles to the right of the imaginary axis, or on it. By the argument principle it is
+/// the number of turns of the determinant det(1 - exp(-s T) G(s)) about 0 along the axis. G is the system
+/// between its delays. All poles count, however far from 0. Returns std::nullopt if the determinant passes 0,
+/// or if a loop of delays alone has a gain of 1 or more.
 std::optional<int> count_unstable(const StateSpace& system);
 
 }  // namespace stepwire::linear

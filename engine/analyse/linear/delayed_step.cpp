@@ -8,11 +8,11 @@ namespace stepwire::linear {
 
 namespace {
 
-/// A signal on a grid in time, with its values before and after each point; 0 before the first one.
+/// A signal on a time grid, with its left and right limit at each point; 0 before the first one.
 struct Past {
   std::vector<double> left, right;
 
-  /// At `points` grid steps behind the first one, just before or just after.
+  /// Returns the value `points` grid steps after the first point, as the right (`after`) or left limit.
   double at(double points, bool after) const {
     constexpr double rounding = 1e-6;
     const double nearest = std::round(points);
@@ -27,12 +27,15 @@ struct Past {
   }
 };
 
+/// Integrates a system with delays and an input of 1, step by step. Within a step the delayed signals are
+/// linear, so that one matrix exponential, computed once, gives the next state exactly. Past inputs of the
+/// delays are stored with left and right limits, since a jump must not be interpolated.
 class DelayedStep {
  public:
   DelayedStep(const StateSpace& system, double step)
       : system_(system), step_(step), past_(system.delays.size()) {
     const Eigen::Index n = system.A.rows(), all = system.B.cols(), d = all - 1;
-    // States, the input, and what comes out of the delays with its slopes [1/step].
+    // State vector of the exponential: states, input, delayed signals, and their derivatives [1/step].
     Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n + 1 + 2 * d, n + 1 + 2 * d);
     whole.topLeftCorner(n, n) = system.A * step;
     whole.block(0, n, n, all) = system.B * step;
@@ -63,7 +66,7 @@ class DelayedStep {
     return w;
   }
 
-  /// Keeps what goes into the delays at a point of the grid, just before or just after it.
+  /// Stores the inputs of the delays at a grid point, as left or right limit.
   void look(std::size_t point, bool after) {
     Eigen::VectorXd all(system_.B.cols());
     all << Eigen::VectorXd::Constant(1, point > 0 || after ? 1.0 : 0.0), delayed(point, after);
@@ -82,8 +85,8 @@ class DelayedStep {
   double y_ = 0.0;
 };
 
-/// At most an eighth of an interval and a quarter of the shortest delay; the first delay is a whole number of
-/// it.
+/// Returns the step: at most 1/8 of the interval and 1/4 of the shortest delay, and a divisor of the first
+/// delay.
 double grid_step(const StateSpace& system, double interval) {
   double most = 0.125 * interval;
   for (const InnerDelay& delay : system.delays) most = std::min(most, 0.25 * delay.time);

@@ -7,10 +7,9 @@
 
 namespace stepwire::linear {
 
-/// Computes the output of a continuous system with delays after a step of 1 at its one input, at `rows`
-/// multiples of `interval` [s] from 0 on. Steps of equal length, of which the first delay is a whole number,
-/// are exact for inputs of delays that are straight within a step. A jump that comes back at its multiples is
-/// not smeared.
+/// Computes the unit step response of a continuous system with delays and one input, at `rows` multiples of
+/// `interval` [s] from 0 on. The step size divides the first delay, so that jumps that return through that
+/// delay are exactly on the grid. A step is exact if the delayed signals are linear within it.
 std::vector<double> delayed_step(const StateSpace& system, double interval, std::size_t rows);
 
 }  // namespace stepwire::linear

@@ -36,13 +36,14 @@ std::array<double, 2> FrequencyResponse::range() const {
   if (high == 0.0) low = high = half > 0.0 ? half : 1.0;
   const double first = std::pow(10.0, std::floor(std::log10(low)) - 2.0);
   if (half > 0.0) return {first, half};
-  constexpr double turns = 12.0;  // of all delays together, that are shown [rad]
+  constexpr double turns = 12.0;  // phase of all delays together that is shown [rad]
   if (delay_ > 0.0) return {first, std::min(last_followed(), std::max(10.0 * high, turns / delay_))};
   return {first, std::pow(10.0, std::ceil(std::log10(high)) + 2.0)};
 }
 
-/// Beyond all corners the gain is a power of the frequency, and the phase is constant. Up to there, and where
-/// the gain is near to 1 or comes nearer over the next decade, there is more to see.
+/// True if the gain may still cross 1 beyond a frequency. Beyond all corners the gain is a power of the
+/// frequency and the phase is constant. Until then, or while the gain is near 1 or approaches it over the
+/// next decade, the search must continue.
 bool FrequencyResponse::may_cross_beyond(double frequency, double decade) const {
   constexpr double bend = 0.02, clear = 2.3;  // [rad], of a logarithm
   const Complex here = at(frequency), there = at(frequency * decade);
@@ -53,7 +54,7 @@ bool FrequencyResponse::may_cross_beyond(double frequency, double decade) const 
   return std::abs(gain) < clear || gain * change < 0.0;
 }
 
-/// Steps in which the phase of all delays together turns by 0.1 rad.
+/// Adds frequencies at which the phase of all delays together advances by 0.1 rad.
 void FrequencyResponse::add_turns(double first, double last, std::vector<double>& frequencies) const {
   if (delay_ == 0.0) return;
   const double step = 0.1 / delay_;
@@ -76,7 +77,7 @@ std::vector<double> FrequencyResponse::frequencies_across_one(std::size_t per_de
   return all;
 }
 
-/// Near to rest the gain is constant, or grows with the order of the pole there.
+/// Extrapolates to rest: near it the gain is constant, or grows with the order of the pole.
 double FrequencyResponse::at_rest() const {
   const auto near = [&](double s) {
     return response_.at(sample_time_ > 0.0 ? std::exp(s * sample_time_) : s).real();

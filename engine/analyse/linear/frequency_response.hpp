@@ -9,25 +9,25 @@
 
 namespace stepwire::linear {
 
-/// One input to one output at single frequencies: s = j w, or z = exp(j w T).
+/// Response of one output to one input at single frequencies: s = j w, or z = exp(j w T).
 class FrequencyResponse {
  public:
   explicit FrequencyResponse(const StateSpace& system);
 
-  Complex at(double frequency) const;  ///< [rad/s]
+  Complex at(double frequency) const;  ///< Returns the response at a frequency [rad/s].
 
-  /// Frequencies [rad/s] that show all there is: two decades beyond poles and zeros, closer about each of
-  /// them, and up to half of the sample frequency. With delays, which turn the phase without end, one decade
-  /// beyond, or for 12 rad, in steps that show each turn.
+  /// Returns the frequencies [rad/s] of a plot. They reach two decades beyond poles and zeros, are denser
+  /// near each, and end at half the sample frequency. With delays, whose phase has no limit, they reach one
+  /// decade beyond, or up to 12 rad of phase. Their step then resolves each turn.
   std::vector<double> frequencies(std::size_t per_decade = 200) const;
-  /// The first and the last of them.
+  /// Returns the first and the last of them.
   std::array<double, 2> range() const;
-  /// Up to there turns of all delays are followed [rad/s]; infinite without delays.
+  /// Returns the frequency [rad/s] up to which the phase of all delays is resolved; infinite without delays.
   double last_followed() const;
-  /// The same as frequencies(), and so far beyond both ends that the gain has left 1 for good: no crossing of
-  /// 1 is outside.
+  /// Returns frequencies() extended at both ends until the gain has left 1 for good, so that no crossing of 1
+  /// is missed.
   std::vector<double> frequencies_across_one(std::size_t per_decade = 200) const;
-  /// The output at rest for an input of 1; infinite with a pole there.
+  /// Returns the gain at rest; infinite for a pole there.
   double at_rest() const;
 
  private:
@@ -35,8 +35,8 @@ class FrequencyResponse {
   bool may_cross_beyond(double frequency, double decade) const;
 
   PointResponse response_;
-  double sample_time_ = 0.0, delay_ = 0.0;  ///< [s]; the second one is the sum of all delays
-  std::vector<Mode> corners_;               ///< poles and zeros
+  double sample_time_ = 0.0, delay_ = 0.0;  ///< In s; `delay_` is the sum of all delays.
+  std::vector<Mode> corners_;               ///< Poles and zeros.
 };
 
 }  // namespace stepwire::linear

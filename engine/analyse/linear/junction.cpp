@@ -18,7 +18,7 @@ const BlockType& junction_type() {
     Declare<Junction> is;
     Junction::declare(is);
     BlockType made = is.take();
-    made.timing = Timing::inherited;  // it follows its signal, also between ticks
+    made.timing = Timing::inherited;  // also evaluated between ticks, with its signal
     return made;
   }();
   return type;

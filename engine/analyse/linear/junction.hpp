@@ -7,13 +7,13 @@
 
 namespace stepwire::linear {
 
-/// A place in a wire at which something is added to a signal, or at which it is cut and held.
+/// Block in a wire that adds a number to the signal, or cuts the wire and holds a value.
 struct Junction {
   Input<> u{};
   Output<> y{};
   DiscreteState<> added{};
-  DiscreteState<> held{};  ///< in the place of the signal, once it is cut
-  DiscreteState<1> cut{};  ///< 1: cut, 0: the signal passes
+  DiscreteState<> held{};  ///< Output instead of the signal, once the wire is cut.
+  DiscreteState<1> cut{};  ///< 1: cut, 0: the signal passes.
 
   void outputs() {
     const bool is_cut = cut > 0.0;
@@ -22,15 +22,15 @@ struct Junction {
 
   static void declare(Declare<Junction>& is);
 
-  /// The places of its states in the type.
+  /// Indices of its states in the type.
   static constexpr int added_state = 0, held_state = 1, cut_state = 2;
 };
 
-/// The type of such blocks; no diagram file can name it.
+/// Returns the type of these blocks; no diagram file can name it.
 const BlockType& junction_type();
 
-/// Puts a junction behind an output of a block, before all that reads it, and returns its index among the
-/// blocks. A run with junctions at which nothing is added or cut has the bits of one without.
+/// Inserts a junction between an output of a block and all its readers. Returns the index of the new block. A
+/// run with idle junctions has the same bits as one without.
 int add_junction(diagram::Diagram& diagram, const diagram::SignalRef& output);
 
 }  // namespace stepwire::linear

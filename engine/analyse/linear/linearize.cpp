@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_notes = 12;
 
-/// Takes the columns of a working point one by one.
+/// Differentiates the columns of a working point one by one.
 class Columns {
  public:
   Columns(WorkingPoint& point, const Request& request)
@@ -35,8 +35,9 @@ class Columns {
                      {request_.size, point_.most_change(column), stride_});
   }
 
-  /// A counter or a mark, with which numbers jump, is no state of a linear system, and neither is what a
-  /// block keeps for itself and no other number depends on, as its value after a reset.
+  /// Removes one state that cannot be a state of a linear system. A counter or flag makes other numbers jump.
+  /// A private state that nothing depends on, such as the value after a reset, has no effect. Returns false
+  /// if there is none.
   bool remove_one(std::vector<Slopes>& all) {
     for (std::size_t s = 0; s < point_.states().size(); ++s) {
       const StatePlace& state = point_.states()[s];
@@ -61,12 +62,12 @@ class Columns {
     return others.isZero(0.0);
   }
 
-  /// Calls of blocks in each of the sizes.
+  /// Returns the number of block calls for one size of differences.
   double work() const {
     return static_cast<double>(point_.columns()) * static_cast<double>(point_.base_ticks()) *
            static_cast<double>(point_.paths().samples.size());
   }
-  static constexpr double much = 1e6;  ///< some seconds for all sizes
+  static constexpr double much = 1e6;  ///< Limit, some seconds for all sizes.
 
   WorkingPoint& point_;
   const Request& request_;
@@ -85,7 +86,7 @@ std::string column_name(const WorkingPoint& point, std::size_t column) {
   return column < states ? point.states()[column].channel.name : point.inputs()[column - states].channel.name;
 }
 
-/// What is to be known of one number; empty where nothing is.
+/// Returns the remark on a number that is not smooth; empty for a smooth one.
 std::string roughness(const std::string& of, const Slopes& slopes, Eigen::Index row) {
   if (slopes.jumps[static_cast<std::size_t>(row)])
     return fmt::format("not smooth: {} jumps at this point", of);
@@ -122,7 +123,7 @@ void note_roughness(const WorkingPoint& point, const std::vector<Slopes>& all,
   notes.push_back(fmt::format("and {} more of this kind", more));
 }
 
-/// What acts at ticks, and is not on the way, is as it was.
+/// Adds a note on sampled blocks near the paths, but not on them; they keep their state.
 void note_held(const WorkingPoint& point, const plan::Plan& plan, std::vector<std::string>& notes) {
   std::vector<std::string> held;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b)
@@ -148,7 +149,7 @@ std::string method_text(const WorkingPoint& point, const plan::Plan& plan, const
                              : "");
 }
 
-/// Rows are states and outputs, columns states and inputs.
+/// Returns the matrices: rows are states and outputs, columns are states and inputs.
 StateSpace parted(const WorkingPoint& point, const std::vector<Slopes>& all,
                   Eigen::VectorXd Slopes::*numbers) {
   const auto n = static_cast<Eigen::Index>(point.states().size());

@@ -8,29 +8,29 @@
 
 namespace stepwire::linear {
 
-/// A number at the point of an analysis.
+/// A number at the operating point.
 struct PointValue {
   Channel channel;
   double value = 0.0;
 };
 
-/// A diagram near a point of its run, as a linear system.
+/// A diagram linearised at a point of its run.
 struct Linearization {
   StateSpace system;
-  StateSpace error;   ///< in the places of its matrices how far they may be off, as estimated
-  double time = 0.0;  ///< of the point [s]
-  std::vector<PointValue> states, inputs, outputs;  ///< at the point
-  std::vector<double> rates;       ///< of the states there: d/dt, or the change in a sample time
-  double feedback = -1.0;          ///< by which the loop is closed: u = feedback y
-  std::string method;              ///< how it was found, a sentence
-  std::vector<std::string> notes;  ///< what to know of it: kinks, what is held, that the point moves
+  StateSpace error;                                 ///< Estimated errors of the matrices, in the same places.
+  double time = 0.0;                                ///< Time of the point [s].
+  std::vector<PointValue> states, inputs, outputs;  ///< Values at the point.
+  std::vector<double> rates;       ///< Derivatives of the states there, or their change in a sample time.
+  double feedback = -1.0;          ///< Sign of the closed loop: u = feedback y.
+  std::string method;              ///< Sentence on the method of linearisation.
+  std::vector<std::string> notes;  ///< Warnings: kinks, held values, a point that is no equilibrium.
 };
 
-/// Runs the diagram to the point and takes differences there. A diagram in which nothing on the ways from
-/// inputs to outputs acts at ticks gives dx/dt; any other the map of one base period (the least common
-/// multiple of their periods), over which what is added is held, and continuous states are stepped by the
-/// diagram's own solver. Throws Error for names that are not there, a time beyond the run, and a run that
-/// ends before it.
+/// Runs the diagram to the point and differentiates it there by differences. If no block between inputs and
+/// outputs acts at ticks, the result is dx/dt. Otherwise it is the map of one base period, the least common
+/// multiple of the blocks' periods. Perturbed inputs are then held for the period, and the diagram's own
+/// solver steps the continuous states. Throws Error for unknown names, for a time beyond the run, and for a
+/// run that ends before it.
 Linearization linearize(diagram::Diagram diagram, const Request& request);
 
 }  // namespace stepwire::linear

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Where a function between two frequencies of different signs is zero.
+/// Finds the zero of a function between two frequencies with different signs, by bisection.
 double root(const std::function<double(double)>& function, double low, double high) {
   const bool rises = function(low) < 0.0;
   for (int k = 0; k < 200 && high - low > 4e-16 * high; ++k) {
@@ -27,6 +27,10 @@ double wrapped(double angle) {
   return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
+/// The frequency response of a loop on a grid, and its crossings. The grid resolves every pole, zero and turn
+/// of a delay, and reaches as far as the gain may cross 1. A change of sign between two rows of the imaginary
+/// part, or of |L| - 1, brackets a crossing. Bisection refines it. Limits at 0, at half the sample frequency
+/// and at infinity are added separately.
 class Loop {
  public:
   Loop(const StateSpace& system, double feedback) : response_(system), sign_(-feedback) {
@@ -44,7 +48,7 @@ class Loop {
       const double w =
           root([&](double f) { return at(f).imag(); }, rows_[k].frequency, rows_[k + 1].frequency);
       const Complex value = at(w);
-      // At a pole on the axis the sign changes, too.
+      // The sign also changes at a pole on the axis.
       if (is_real(value, 1e-6)) add_real(w, value, found);
     }
     if (system.is_sampled()) {
@@ -70,7 +74,7 @@ class Loop {
     return found;
   }
 
-  /// Least |1 + L|, refined by thirds about the least row.
+  /// Finds the least |1 + L| by ternary search about the least row.
   void find_modulus(Margins& margins) const {
     const auto distance = [&](double f) { return std::abs(1.0 + at(f)); };
     std::size_t least = 0;
@@ -92,7 +96,8 @@ class Loop {
     Complex value;
   };
 
-  /// Where turns of delays are no longer followed, the loop is taken to be real and negative at its largest.
+  /// Adds a worst case beyond the last resolved turn of the delays: the loop is taken as real and negative at
+  /// its largest value.
   void add_not_followed(std::vector<Crossing>& found) const {
     const Row* largest = nullptr;
     for (const Row& row : rows_)
@@ -101,7 +106,7 @@ class Loop {
         largest = &row;
     if (largest != nullptr) found.push_back({largest->frequency, 1.0 / std::abs(largest->value)});
   }
-  /// A bound of the gain at frequencies without end, which passes at once or by delays.
+  /// Returns a bound of the gain at infinite frequency, by direct paths and paths through delays.
   static double direct_gain(const StateSpace& system) {
     const Eigen::MatrixXd D = system.D.cwiseAbs();
     const Eigen::Index d = D.rows() - 1;
@@ -113,7 +118,7 @@ class Loop {
   static bool is_real(const Complex& value, double share) {
     return std::abs(value.imag()) <= share * std::abs(value.real());
   }
-  /// Far from all corners the loop may be so nearly real that its sign there is one of rounding.
+  /// True far from all corners if the loop is so nearly real that its imaginary part is rounding error.
   bool is_rounding(const Row& row) const {
     const auto [first, last] = response_.range();
     return (row.frequency < first || row.frequency > last) && is_real(row.value, 1e-7);
@@ -128,7 +133,7 @@ class Loop {
   std::vector<Row> rows_;
 };
 
-/// Of a loop that is not stable those alone that are used up.
+/// Returns the crossing nearest to 0 in `size`; for an unstable loop only negative ones count.
 template <class Size>
 std::optional<Crossing> nearest(const std::vector<Crossing>& all, bool stable, Size size) {
   std::optional<Crossing> found;
@@ -160,7 +165,7 @@ double Margins::delay() const {
 
 namespace {
 
-/// The mode of all states that grows fastest, beyond rounding. Empty if every mode dies out or stays.
+/// Returns the fastest growing mode of all states, beyond rounding; std::nullopt if no mode grows.
 std::optional<Complex> growing(const StateSpace& closed) {
   constexpr double rounding = 1e-8;
   std::optional<Complex> found;

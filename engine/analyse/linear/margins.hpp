@@ -7,39 +7,38 @@
 
 namespace stepwire::linear {
 
-/// Where the loop's gain may change by a factor, or its phase by an angle, until the closed loop is on the
-/// border of stability.
+/// Change of gain or phase that puts the closed loop on the border of stability.
 struct Crossing {
-  double frequency = 0.0;  ///< [rad/s]; infinite where the loop passes its signal at once
-  double margin = 0.0;     ///< factor, or angle [rad] from -pi to pi
+  double frequency = 0.0;  ///< In rad/s; infinite for a direct path.
+  double margin = 0.0;     ///< Factor, or angle [rad] from -pi to pi.
 };
 
-/// The margins of a loop L that is closed by negative feedback: 1 + L = 0 is the border.
+/// Margins of a loop L under negative feedback; the border is 1 + L = 0.
 struct Margins {
-  std::vector<Crossing> gain;   ///< of all frequencies at which L is real and negative
-  std::vector<Crossing> phase;  ///< of all frequencies at which |L| = 1
-  double modulus = 0.0;         ///< least distance of L from -1
+  std::vector<Crossing> gain;   ///< At all frequencies at which L is real and negative.
+  std::vector<Crossing> phase;  ///< At all frequencies at which |L| = 1.
+  double modulus = 0.0;         ///< Least distance of L from -1.
   double modulus_frequency = 0.0;
-  std::vector<Complex> closed_poles;  ///< of the states between input and output
-  bool stable = false;                ///< of the closed loop, with all states
-  std::optional<Complex> hidden{};    ///< a mode that grows, and that input or output have no part in
+  std::vector<Complex> closed_poles;  ///< Closed-loop poles of the states between input and output.
+  bool stable = false;                ///< Stability of the closed loop, with all states.
+  std::optional<Complex> hidden{};    ///< Unstable mode, uncontrollable or unobservable here.
 
-  /// The crossing whose factor is nearest to 1, or whose angle is nearest to 0. Of a closed loop that is not
-  /// stable only factors below 1 and angles below 0 count: how far it is from stable.
+  /// Return the crossing with the factor nearest to 1, and with the angle nearest to 0. For an unstable
+  /// closed loop only factors below 1 and angles below 0 count: they measure the distance from stability.
   std::optional<Crossing> worst_gain() const, worst_phase() const;
-  /// The least delay by which the phase margins are used up [s]; infinite without any, NaN where the closed
-  /// loop is not stable.
+  /// Returns the least delay that uses up the phase margin [s]; infinite without a phase crossing, NaN for an
+  /// unstable closed loop.
   double delay() const;
 };
 
-/// Of one input and one output, closed by u = feedback y, so that L = -feedback * (what is put out). States
-/// outside of the loop count for stability where they grow; an integrator there does not.
+/// Computes the margins of one input and one output under u = feedback y, so that L = -feedback * (output /
+/// input). Growing states outside of the loop make it unstable; an integrator there does not.
 Margins margins_of(const StateSpace& all, double feedback);
 
-/// The frequency [rad/s] at which the gain first falls below 1/sqrt(2) of what it is at rest; infinite where
-/// it never does, 0 where it is 0 or infinite at rest.
+/// Returns the frequency [rad/s] at which the gain first falls below 1/sqrt(2) of its value at rest. Infinite
+/// if it never does, 0 if the gain at rest is 0 or infinite.
 double bandwidth(const StateSpace& system);
-/// The output at rest for an input of 1; infinite with a pole there.
+/// Returns the gain at rest; infinite for a pole there.
 double gain_at_rest(const StateSpace& system);
 
 }  // namespace stepwire::linear

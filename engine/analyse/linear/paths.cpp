@@ -21,7 +21,7 @@ std::vector<char> reached(const Neighbours& neighbours, const std::vector<int>& 
   return found;
 }
 
-/// A block that follows its inputs at their rate does not sample by itself.
+/// True for a block with a rate of its own. A block that follows its inputs' rate does not sample by itself.
 bool samples(const diagram::DiagramBlock& block) {
   return !block.inputs.empty() && (block.every || block.type().timing == Timing::discrete);
 }

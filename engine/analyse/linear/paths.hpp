@@ -6,22 +6,22 @@
 
 namespace stepwire::linear {
 
-/// What leads from inputs to outputs of an analysis.
+/// Blocks between the inputs and the outputs of an analysis.
 struct Paths {
-  std::vector<char> from_inputs, to_outputs;  ///< for each block: is it reached, does it reach
-  std::vector<char> samples;                  ///< for each block: does it act at ticks alone?
+  std::vector<char> from_inputs, to_outputs;  ///< Per block: reachable from an input, and reaching an output.
+  std::vector<char> samples;                  ///< Per block: acts at ticks only.
 
   bool on_way(std::size_t block) const { return from_inputs[block] && to_outputs[block]; }
   bool near_way(std::size_t block) const { return from_inputs[block] || to_outputs[block]; }
-  /// Does something on the way act at ticks alone?
+  /// True if a block between inputs and outputs acts at ticks only.
   bool sampled() const;
 };
 
-/// `inputs` and `outputs` are blocks at which ways begin and end; nothing goes through those that are cut.
+/// Finds the blocks on the paths from `inputs` to `outputs`. Blocks in `cut` interrupt a path.
 Paths find_paths(const plan::Plan& plan, const std::vector<int>& inputs, const std::vector<int>& outputs,
                  const std::vector<int>& cut);
 
-/// The least common multiple of the periods of what samples on the way [ticks].
+/// Returns the least common multiple of the periods of the sampled blocks on the paths [ticks].
 std::int64_t base_period(const plan::Plan& plan, const Paths& paths);
 
 }  // namespace stepwire::linear

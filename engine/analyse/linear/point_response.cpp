@@ -51,7 +51,7 @@ Eigen::MatrixXcd PointResponse::between(const Complex& point) const {
   return C_.cast<Complex>() * solve(point, hessenberg_, B_.cast<Complex>()) + D_;
 }
 
-/// The factor of each delay, exp(-s T).
+/// Returns the factor exp(-s T) of each delay.
 Eigen::VectorXcd PointResponse::turned(const Complex& point) const {
   Eigen::VectorXcd factors(static_cast<Eigen::Index>(delays_.size()));
   for (std::size_t i = 0; i < delays_.size(); ++i)

@@ -12,7 +12,7 @@ namespace stepwire::linear {
 
 namespace {
 
-/// Groups of states that depend on each other, each way, directly or through others.
+/// Returns the groups of states that depend on each other in both directions, directly or through others.
 std::vector<std::vector<Eigen::Index>> groups_of(const Eigen::MatrixXd& A) {
   const Eigen::Index n = A.rows();
   Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> reaches = (A.array() != 0.0).matrix();
@@ -69,7 +69,7 @@ std::vector<Mode> modes_of(const StateSpace& system) {
   for (const Complex& pole : poles_of(system)) {
     const Complex s = system.is_sampled() ? std::log(pole) / system.sample_time : pole;
     const double frequency = std::abs(s);
-    if (!std::isfinite(frequency))  // gone within a sample
+    if (!std::isfinite(frequency))  // z = 0: decays within a sample
       modes.push_back({pole, std::numeric_limits<double>::infinity(), 1.0});
     else
       modes.push_back({pole, frequency, frequency > 0.0 ? -s.real() / frequency : 0.0});

@@ -11,7 +11,7 @@ namespace stepwire::linear {
 
 namespace {
 
-/// Puts junctions into wires, one into each.
+/// Inserts junctions into wires, at most one into each.
 class Junctions {
  public:
   explicit Junctions(diagram::Diagram& diagram) : diagram_(diagram) {}
@@ -22,7 +22,7 @@ class Junctions {
     return made_.back().second;
   }
 
-  /// -1 where there is none.
+  /// Returns the index of a wire's junction; -1 if it has none.
   int find(const diagram::SignalRef& wire) const {
     const auto found = std::ranges::find(made_, wire, &std::pair<diagram::SignalRef, int>::first);
     return found == made_.end() ? -1 : found->second;
@@ -39,7 +39,7 @@ class Junctions {
   std::vector<std::pair<diagram::SignalRef, int>> made_;
 };
 
-/// A signal and the block of the plan at which it is met.
+/// A signal, and the block of the plan at which it is read or perturbed.
 struct Met {
   Signal signal;
   int block = -1;
@@ -68,7 +68,7 @@ bool same_place(const std::vector<Met>& a, const std::vector<Met>& b) {
   return a.size() == 1 && b.size() == 1 && a[0].signal.signal == b[0].signal.signal;
 }
 
-/// The signals of a request.
+/// Signals of a request.
 struct Touched {
   std::vector<Met> from, to;
   std::vector<diagram::SignalRef> cut;
@@ -83,7 +83,7 @@ Touched find_touched(const diagram::Diagram& diagram, const Request& request) {
     if (const auto found = find_wire(diagram, name, faults)) touched.cut.push_back(found->signal);
   for (const WrittenName& name : request.to)
     if (auto found = find_signal(diagram, name, faults)) {
-      // A state that a wire carries is that wire.
+      // A state that is an output is read as the wire.
       yaml::Faults none;
       if (const auto wire = find_wire(diagram, name, none)) found = wire;
       touched.to.push_back({*found});
@@ -138,7 +138,7 @@ bool delays_time(const diagram::DiagramBlock& block) {
   return block.type().name == "TransportDelay";
 }
 
-/// The delays of a diagram, where nothing else on the way from inputs to outputs acts at ticks alone: blocks.
+/// Returns the delay blocks to remove. Empty if another block between inputs and outputs acts at ticks only.
 std::vector<int> delays_to_take(const diagram::Diagram& diagram, const Touched& touched,
                                 const PreparedDiagram& prepared, const Request& request) {
   if (request.whole || std::ranges::none_of(diagram.blocks, delays_time)) return {};
@@ -160,7 +160,7 @@ int source_of(const diagram::DiagramBlock& block, const std::string& input) {
   return sources.empty() ? -1 : sources.front().block;
 }
 
-/// Adds the places of a delay: behind its output, and at what it is fed by.
+/// Adds the places of a delay: an input after its output, and an output at its source.
 void take_delay(int block, int junction, PreparedDiagram& prepared) {
   const plan::Plan& plan = prepared.plan;
   const auto index = static_cast<std::size_t>(block), cut = static_cast<std::size_t>(junction);
@@ -197,7 +197,7 @@ PreparedDiagram prepare(diagram::Diagram diagram, const Request& request) {
   }
   diagram::Diagram stepped = diagram;
   if (!stepped.solver.empty()) stepped.solver = "euler";
-  stepped.events.locate = false;  // a step that is split leaves the derivatives of its last part
+  stepped.events.locate = false;  // a split step leaves the derivatives of its last part
   prepared.plan = plan::make_plan(std::move(diagram));
   prepared.slopes = plan::make_plan(std::move(stepped));
   yaml::Faults faults;

@@ -12,36 +12,36 @@ namespace stepwire::linear {
 struct Place {
   std::size_t offset = 0;
   Channel channel;
-  std::size_t wire = 0;  ///< of an input the offset of the signal to which it is added
+  std::size_t wire = 0;  ///< For an input: offset of the signal to which it is added.
 };
 
-/// A delay of a continuous signal that an analysis takes out of its diagram: what comes out of it is cut and
-/// becomes an input, and what goes into it an output.
+/// A delay of a continuous signal that an analysis removes from the diagram. Its output is cut and becomes an
+/// input of the system, and its input becomes an output.
 struct TakenDelay {
-  std::size_t length = 0;  ///< offset of the time by which it delays [s]
-  double shortest = 0.0;   ///< that it can be [s]
-  int source = -1;         ///< the block that gives the time; -1: a constant
+  std::size_t length = 0;  ///< Offset of the delay time [s].
+  double shortest = 0.0;   ///< Least possible delay time [s].
+  int source = -1;         ///< Index of the block that computes the delay time; -1: a constant.
 };
 
-/// A diagram with a junction in each wire that an analysis touches, and where its numbers lie. Both plans
-/// have one layout.
+/// A diagram with a junction in each wire that an analysis uses, and the places of its numbers. Both plans
+/// have the same memory layout.
 struct PreparedDiagram {
-  plan::Plan plan;                     ///< with the diagram's own solver
-  plan::Plan slopes;                   ///< with one that leaves the derivatives of a tick behind
-  std::vector<int> junctions;          ///< blocks
-  std::vector<int> cut;                ///< those of them that are cut
-  std::vector<Place> inputs, outputs;  ///< what is added at junctions; signals
+  plan::Plan plan;             ///< Plan with the diagram's own solver.
+  plan::Plan slopes;           ///< Plan with a solver that leaves the derivatives of a tick in the workspace.
+  std::vector<int> junctions;  ///< Indices of the junctions.
+  std::vector<int> cut;        ///< Junctions that are cut.
+  std::vector<Place> inputs, outputs;  ///< Numbers added at junctions; signals.
   std::vector<int> input_blocks, output_blocks;
-  std::vector<TakenDelay> delays;  ///< with the last places of inputs and outputs
+  std::vector<TakenDelay> delays;  ///< Removed delays; their places are the last inputs and outputs.
 
-  /// The factor from output to input of the closed loop: 1 at a cut wire, else -1.
+  /// Factor from output to input of the closed loop: 1 at a cut wire, else -1.
   double feedback = -1.0;
 };
 
-/// Throws Error for names that are not there.
+/// Inserts the junctions and plans the diagram. Throws Error for unknown names.
 PreparedDiagram prepare(diagram::Diagram diagram, const Request& request);
 
-/// The unit of a signal in SI; empty where none is known or it has none.
+/// Returns the SI unit of a signal; empty for an unknown or dimensionless one.
 std::string unit_of(const plan::Plan& plan, const diagram::SignalRef& signal);
 
 }  // namespace stepwire::linear

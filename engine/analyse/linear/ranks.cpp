@@ -9,11 +9,12 @@ namespace stepwire::linear {
 
 namespace {
 
-constexpr double tolerance = 1e-10;  // of numbers whose largest is 1
+constexpr double tolerance = 1e-10;  // for numbers with a largest of 1
 
 using Svd = Eigen::JacobiSVD<Eigen::MatrixXd>;
 
-/// The states that are reached turn by turn: those of B first, then what these move of the others.
+/// Returns the dimension of the controllable subspace: the range of B, then step by step the states that it
+/// drives.
 Eigen::Index staircase(Eigen::MatrixXd A, Eigen::MatrixXd B) {
   Eigen::Index reached = 0;
   while (A.rows() > 0 && B.cols() > 0) {

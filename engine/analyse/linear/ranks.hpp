@@ -6,15 +6,15 @@
 
 namespace stepwire::linear {
 
-/// How many directions of the state inputs reach, or outputs show.
+/// Number of state directions that inputs control, or that outputs observe.
 struct Rank {
   Eigen::Index rank = 0;
-  /// Of [B, A B, ..., A^(n-1) B], or of its dual, largest first; of the system with balanced states, time and
-  /// channels scaled so that the largest numbers are 1.
+  /// Singular values of [B, A B, ..., A^(n-1) B], or of its dual, the largest first. States are balanced;
+  /// time and channels are scaled to a largest number of 1.
   std::vector<double> singular_values;
 };
 
-/// By the staircase form, whose rank decisions see no powers of A.
+/// Compute the rank by the staircase form, whose rank decisions do not depend on powers of A.
 Rank controllability(const StateSpace& system);
 Rank observability(const StateSpace& system);
 

@@ -18,7 +18,7 @@ std::map<std::string, diagram::SignalRef> all_signals(const diagram::Diagram& di
   return all;
 }
 
-/// "v" and 1 of "v.2".
+/// Splits "v.2" into "v" and 1.
 std::optional<std::pair<std::string, Eigen::Index>> element_of(const std::string& name) {
   const std::size_t dot = name.rfind('.');
   if (dot == std::string::npos || dot + 1 == name.size()) return std::nullopt;

@@ -9,36 +9,36 @@
 
 namespace stepwire::linear {
 
-/// A name as somebody has written it, and where.
+/// A name as written by the user, and its place.
 struct WrittenName {
   std::string name;
   yaml::Place place{};
-  std::string subject{};  ///< "--from", "linear.loop.from"
+  std::string subject{};  ///< Option or key of the name: "--from", "linear.loop.from".
 };
 
-/// What is to be linearized, where and how.
+/// Options of a linearisation.
 struct Request {
-  std::vector<WrittenName> from;  ///< to these signals something is added
-  std::vector<WrittenName> to;    ///< these are looked at
-  std::vector<WrittenName> open;  ///< here wires are cut, and hold what they carry
-  double time = 0.0;              ///< when [s]
-  std::optional<double> size;     ///< of differences, a share of the number or of 1; none: see slopes_of
-  bool whole = false;             ///< all states of the diagram, whatever lies between inputs and outputs
+  std::vector<WrittenName> from;  ///< Signals to which an input is added.
+  std::vector<WrittenName> to;    ///< Signals that are outputs.
+  std::vector<WrittenName> open;  ///< Wires that are cut and hold their value.
+  double time = 0.0;              ///< Time of the operating point [s].
+  std::optional<double> size;     ///< Size of the differences (see DifferenceSizes::only).
+  bool whole = false;  ///< True: use all states of the diagram, not only those between inputs and outputs.
 };
 
 /// A signal, or one element of it.
 struct Signal {
-  std::string name;  ///< as it is written
+  std::string name;  ///< Name as written.
   diagram::SignalRef signal;
-  std::optional<Eigen::Index> element{};  ///< from 0; none: all
+  std::optional<Eigen::Index> element{};  ///< Index from 0; std::nullopt: all elements.
 };
 
-/// Finds an output or a state by the names that `record` takes, or an input of the diagram; ".2" behind it is
-/// an element. Faults have the nearest name.
+/// Finds an output or a state by the names that `record` accepts, or an input of the diagram. A suffix ".2"
+/// selects an element. Faults suggest the nearest name.
 std::optional<Signal> find_signal(const diagram::Diagram& diagram, const WrittenName& written,
                                   yaml::Faults& faults);
 
-/// The same of a signal that blocks read: an output, or a state that is one.
+/// Finds a signal that blocks can read: an output, or a state that is an output.
 std::optional<Signal> find_wire(const diagram::Diagram& diagram, const WrittenName& written,
                                 yaml::Faults& faults);
 

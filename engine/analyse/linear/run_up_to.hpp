@@ -6,12 +6,12 @@
 
 namespace stepwire::linear {
 
-/// A run, taken to the first multiple of `base_ticks` from a time [s] on. Throws Error with `place`
-/// where the run does not last so long, and where it fails.
+/// Runs up to the first multiple of `base_ticks` at or after a time [s]. Throws Error with `place` if the run
+/// is shorter or fails.
 std::unique_ptr<run::Executor> run_up_to(const plan::Plan& plan, double time, std::int64_t base_ticks,
                                          const yaml::Place& place);
 
-/// Refuses blocks that no analysis of states describes. Throws Error with all of them.
+/// Throws Error with all blocks that a state-space analysis cannot describe.
 void require_linear(const plan::Plan& plan);
 
 }  // namespace stepwire::linear

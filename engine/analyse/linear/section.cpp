@@ -8,7 +8,7 @@ using yaml::form;
 
 namespace {
 
-/// An analysis as it stands in the file.
+/// An analysis as read from the file.
 struct Draft {
   std::vector<WrittenName> from, to, open;
   double time = 0.0;

@@ -10,19 +10,19 @@
 
 namespace stepwire::linear {
 
-/// An analysis with a name, by which figures and claims read what it found.
+/// A named analysis; figures and claims read its results by this name.
 struct NamedAnalysis {
   std::string name;
   Request request;
-  std::optional<double> feedback{};            ///< in the place of the request's own
-  std::optional<unit::Dimension> dimension{};  ///< of output over input
+  std::optional<double> feedback{};            ///< Replaces the feedback of the request.
+  std::optional<unit::Dimension> dimension{};  ///< Dimension of output over input.
 };
 
-/// The form of the section `linear`.
+/// Returns the schema of the section `linear`.
 const yaml::Key& linear_form();
 
-/// Reads the value under the key `linear`: {NAME: {from: .., to: ..}}. The signals must be there, each with
-/// one element. Everything that is wrong goes to `faults`.
+/// Reads the value under the key `linear`: {NAME: {from: .., to: ..}}. The signals must exist and have one
+/// element each. Adds all faults to `faults`.
 std::vector<NamedAnalysis> read_linear(const yaml::Node& node, const query::SymbolTable& names,
                                        const plan::Plan& plan, yaml::Faults& faults);
 

@@ -13,13 +13,13 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double none_yet = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Differences of one size.
+/// Difference quotients of one size.
 struct Difference {
   Eigen::VectorXd central, left, right;
-  Eigen::ArrayXd rounding;  ///< how much of them rounding may be
+  Eigen::ArrayXd rounding;  ///< Bound of their rounding error.
 };
 
-/// A power of two, so that adding it to numbers of its size rounds little.
+/// Returns a power of two not below |at| and 1; sums with it have little rounding error.
 double scale_of(double at) {
   return std::exp2(std::ceil(std::log2(std::max(1.0, std::abs(at)))));
 }
@@ -31,7 +31,7 @@ class Differences {
 
   Eigen::Index size() const { return here_.size(); }
 
-  /// Numbers that are not finite stay in it.
+  /// Returns the quotients of a size; they may be non-finite.
   Difference of(double size) const {
     const volatile double above = at_ + size, below = at_ - size;
     const Eigen::VectorXd up = function_(above), down = function_(below);
@@ -57,7 +57,7 @@ Slopes no_slopes(Eigen::Index size) {
           none};
 }
 
-/// One element of the tableau: the extrapolation of least error.
+/// Extrapolates one element; the entry of the tableau with the least error is the result.
 void extrapolate(const std::vector<Difference>& sizes, double ratio, Eigen::Index i, Slopes& slopes) {
   std::vector<double> before, row;
   for (const Difference& size : sizes) {
@@ -86,7 +86,7 @@ double gap_of(const Difference& sizes, Eigen::Index i) {
   return std::abs(sizes.right[i] - sizes.left[i]);
 }
 
-/// Both sides differ, and no less where the difference is a sixteenth: a kink or a jump.
+/// True at a kink or jump: both sides differ, and the gap does not shrink with a 16-fold smaller difference.
 bool is_rough(const Difference& larger, const Difference& smaller, Eigen::Index i) {
   const double gap = gap_of(smaller, i), before = gap_of(larger, i);
   const double size = std::max(std::abs(smaller.right[i]), std::abs(smaller.left[i]));
@@ -98,13 +98,13 @@ bool disagrees(const Difference& small, const Slopes& slopes, Eigen::Index i) {
   return std::abs(small.central[i] - slopes.value[i]) > 1e-3 * size + 1000.0 * small.rounding[i];
 }
 
-/// Large differences agree with each other on a slope that small ones do not have: steps, or play.
+/// True if large differences agree on a derivative where small ones give 0: a staircase, or backlash.
 bool is_flat_here(const std::vector<Difference>& sizes, const Slopes& slopes, Eigen::Index i) {
   const double first = sizes[0].central[i], second = sizes[1].central[i];
   return slopes.value[i] == 0.0 && first != 0.0 && std::abs(first - second) <= 0.05 * std::abs(first);
 }
 
-/// Notes where the function is not smooth.
+/// Sets the numbers on non-smooth behaviour.
 void judge(const std::vector<Difference>& sizes, const Difference& large, const Difference& small,
            Eigen::Index i, Slopes& slopes) {
   if (is_rough(large, small, i)) {

@@ -8,32 +8,33 @@
 
 namespace stepwire::linear {
 
-/// How the outcome of a function changes with one of its arguments.
+/// Derivatives of the elements of a function by one of its arguments.
 struct Slopes {
   Eigen::VectorXd value;
-  Eigen::VectorXd error;        ///< estimated
-  Eigen::VectorXd left, right;  ///< from one side alone, where the function has a kink or jumps; else nan
-  std::vector<bool> jumps;      ///< where one of them grows as the difference shrinks
-  Eigen::VectorXd farther;  ///< from large differences, where it is flat here and rises as a whole; else nan
-  Eigen::VectorXd nearer;   ///< from small differences, where these disagree with the value; else nan
+  Eigen::VectorXd error;        ///< Estimated errors.
+  Eigen::VectorXd left, right;  ///< One-sided derivatives at a kink or jump; else nan.
+  std::vector<bool> jumps;      ///< True at a jump: a quotient grows as the difference shrinks.
+  Eigen::VectorXd farther;  ///< Derivative from large differences, if the function is locally flat but rises
+                            ///< on the whole; else nan.
+  Eigen::VectorXd nearer;   ///< Derivative from small differences, if they disagree with the value; else nan.
 
-  /// Leaves out one outcome.
+  /// Removes one element.
   void erase(Eigen::Index row);
 };
 
-/// Of which sizes differences are.
+/// Sizes of the differences.
 struct DifferenceSizes {
   std::optional<double>
-      only;  ///< one size, a share of the argument or of 1; none: from a sixteenth downwards
-  double largest = std::numeric_limits<double>::infinity();  ///< of all sizes
-  int stride = 1;  ///< by how many halvings the next one is smaller, 1, 2 or 4
+      only;  ///< Single size, as a share of the argument or of 1; std::nullopt: from 1/16 downwards.
+  double largest = std::numeric_limits<double>::infinity();  ///< Upper limit of all sizes.
+  int stride = 1;  ///< Number of halvings from one size to the next: 1, 2 or 4.
 };
 
-/// Central differences at `at`. They begin at a sixteenth of the argument (of 1 where that is smaller) and
-/// are halved down to 1e-9; of their extrapolations (Ridders, "Accurate computation of F'(x) and F'(x)
-/// F''(x)", 1982) the one counts, element by element, whose estimated error is least. Of one size alone its
-/// difference counts, and its error is that to half of it. The function may give numbers that are not finite;
-/// such differences are passed over.
+/// Computes derivatives at `at` by central differences with Ridders' extrapolation ("Accurate computation of
+/// F'(x) and F'(x) F''(x)", 1982). Differences begin at 1/16 of the argument (at least of 1) and are halved
+/// down to 1e-9. Each element takes the extrapolation with the least estimated error. With a single size
+/// there is no extrapolation, and the error is the change at half the size. Differences with non-finite
+/// values are skipped. The cost is two calls per size.
 Slopes slopes_of(const std::function<Eigen::VectorXd(double)>& function, double at,
                  const DifferenceSizes& sizes = {});
 

@@ -6,7 +6,7 @@ namespace stepwire::linear {
 
 namespace {
 
-/// Places from `first` on, one for each delay, behind one of the system's own.
+/// Returns the indices of one own channel and of all delays, which begin at `first`.
 std::vector<Eigen::Index> places(std::size_t own, std::size_t first, std::size_t delays) {
   std::vector<Eigen::Index> all{static_cast<Eigen::Index>(own)};
   for (std::size_t i = 0; i < delays; ++i) all.push_back(static_cast<Eigen::Index>(first + i));
@@ -37,7 +37,7 @@ StateSpace StateSpace::channel(std::size_t input, std::size_t output) const {
 
 namespace {
 
-/// Which states follow from those that are marked, by the numbers of A that are not 0.
+/// Marks the states that depend on marked ones, by the non-zero elements of A.
 std::vector<char> spread(const Eigen::MatrixXd& A, std::vector<char> marked) {
   std::vector<Eigen::Index> queue;
   for (Eigen::Index i = 0; i < A.rows(); ++i)
@@ -57,7 +57,7 @@ std::vector<char> rows_in_use(const Eigen::MatrixXd& matrix) {
   return used;
 }
 
-/// The nodes, states and delays, that inputs reach and that reach outputs.
+/// Returns the nodes (states and delays) that inputs reach and that reach outputs.
 std::vector<char> nodes_between(const StateSpace& system) {
   const auto n = system.A.rows(), d = static_cast<Eigen::Index>(system.delays.size()),
              own_in = static_cast<Eigen::Index>(system.inputs.size()),

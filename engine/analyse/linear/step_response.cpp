@@ -15,7 +15,7 @@ namespace {
 
 constexpr int most_steps = 2000, steps = 800;
 
-/// How long to look [s].
+/// Returns the duration of the response [s].
 double duration_of(const StateSpace& system) {
   double slowest = 0.0, fastest = 0.0;
   for (const Mode& mode : modes_of(system)) {
@@ -27,7 +27,7 @@ double duration_of(const StateSpace& system) {
   return fastest > 0.0 ? 40.0 / fastest : 1.0;
 }
 
-/// The system over one step of time with its input held, as [A B; 0 I].
+/// Returns the transition matrix [A B; 0 I] of one step with the input held.
 Eigen::MatrixXd held(const StateSpace& system, double step) {
   const Eigen::Index n = system.A.rows();
   Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n + 1, n + 1);
@@ -38,7 +38,7 @@ Eigen::MatrixXd held(const StateSpace& system, double step) {
   return whole;
 }
 
-/// In the order of those that came before, each with its nearest.
+/// Sorts poles by their nearest predecessors, so that they continue the same branches.
 void sort_like(const std::vector<Complex>& before, std::vector<Complex>& poles) {
   for (std::size_t i = 0; i < before.size() && i < poles.size(); ++i) {
     const auto nearest = std::min_element(poles.begin() + static_cast<std::ptrdiff_t>(i), poles.end(),
@@ -49,7 +49,7 @@ void sort_like(const std::vector<Complex>& before, std::vector<Complex>& poles) 
   }
 }
 
-/// Gains from 0 on: a thousandth to a thousand times the one as it is, 1 among them.
+/// Returns the factors of the gain: 0, then a thousandth to a thousand, with 1.
 std::vector<double> locus_gains() {
   std::vector<double> gains{0.0};
   for (int k = -150; k <= 150; ++k) gains.push_back(std::pow(10.0, k / 50.0));
@@ -62,8 +62,8 @@ ResponseCurve delayed_response(const StateSpace& system, double step) {
   return curve;
 }
 
-/// Poles of a loop, as many for each gain. Those of delays that lines of this many nodes do not show are not
-/// numbers.
+/// Returns the poles of a loop, the same number for each gain. Poles of delays beyond the resolution of the
+/// lines are nan.
 std::vector<Complex> locus_poles(const StateSpace& loop) {
   if (loop.delays.empty()) return eigenvalues(loop.A);
   constexpr Eigen::Index nodes = 20;

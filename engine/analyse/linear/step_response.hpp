@@ -6,17 +6,17 @@
 
 namespace stepwire::linear {
 
-/// A curve over another number.
+/// A curve y(x).
 struct ResponseCurve {
   std::vector<double> x, y;
 };
 
-/// What comes out after a step of 1 at the first of one input and one output: over 8 times the slowest time
-/// constant of what dies out, or 40 of the fastest where nothing does. Of a sampled system at its samples,
-/// at most 2000.
+/// Returns the unit step response of one input and one output. It lasts 8 times the slowest time constant of
+/// the decaying modes, or 40 times the fastest one if no mode decays. A sampled system has at most 2000
+/// samples.
 ResponseCurve step_response(const StateSpace& system);
 
-/// Closed-loop poles for a gain from 0 upwards by which the loop is multiplied, branch by branch.
+/// Closed-loop poles by branch, for a factor of the loop gain from 0 upwards.
 struct RootLocus {
   std::vector<double> gain, real, imaginary, branch;
 };

@@ -16,20 +16,24 @@ namespace {
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double close_enough = 1e-9;  // residual, as a share of 1 or of its number
 
-/// The number that is looked for in a column of the working point.
+/// An unknown: a column of the working point.
 struct Unknown {
   std::size_t column = 0;
   double lower = -unbounded, upper = unbounded;
 };
 
-/// A row of the working point that shall be a number.
+/// An equation: a row of the working point equals a number.
 struct Equation {
   std::size_t row = 0;
   double wanted = 0.0;
-  bool rate = false;  ///< of a sampled state: its next value less its own
+  bool rate = false;  ///< For a sampled state: next value minus value.
 };
 
-/// The equations of a point and what solves them.
+/// Finds the free numbers of an operating point. Unknowns are the columns of the working point without a
+/// fixed value. Equations are that steady states do not change and that outputs have their fixed values.
+/// There can be fewer unknowns than equations, or more, so the squared residuals are minimised by the
+/// Levenberg-Marquardt method. Steps are cut at the bounds. Each iteration costs a Jacobian by differences,
+/// two responses per unknown, and a trial step.
 class Search {
  public:
   Search(WorkingPoint& point, const TrimRequest& request, const plan::Plan& plan)
@@ -119,7 +123,7 @@ class Search {
     return slopes;
   }
 
-  /// Takes a step where that makes the residuals smaller.
+  /// Tries one Levenberg-Marquardt step; false, with the values restored, if the residuals do not fall.
   bool step(const Eigen::MatrixXd& slopes, Eigen::VectorXd& residual, double& damping) {
     if (!slopes.allFinite() || !residual.allFinite()) return false;
     const Eigen::VectorXd sizes = slopes.colwise().norm().transpose().cwiseMax(1e-12);
@@ -180,7 +184,7 @@ std::vector<WrittenName> names_of(const std::vector<TrimEntry>& entries) {
   return names;
 }
 
-/// The name under which --set sets a state's initial value.
+/// Returns the name by which --set sets a state's initial value.
 std::string state_setting(const plan::Plan& plan, const StatePlace& place) {
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
     const BlockType& type = plan.diagram.blocks[b].type();
@@ -192,7 +196,7 @@ std::string state_setting(const plan::Plan& plan, const StatePlace& place) {
   return {};
 }
 
-/// Of an input: the value of a constant or of an input of the diagram.
+/// Returns the name by which --set sets an input: the value of a constant or of a diagram input.
 std::string input_setting(const plan::Plan& plan, const WrittenName& written) {
   yaml::Faults none;
   const auto signal = find_wire(plan.diagram, written, none);

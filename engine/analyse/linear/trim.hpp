@@ -11,46 +11,46 @@
 
 namespace stepwire::linear {
 
-/// What the section `trim` says of a state, an input or an output.
+/// Entry of the section `trim` for a state, an input or an output.
 struct TrimEntry {
   WrittenName name;
-  std::optional<double> fixed;  ///< it is this; else it is found
-  std::optional<double> start;  ///< from where it is looked for; without it the file's own value
+  std::optional<double> fixed;  ///< Given value; std::nullopt: the value is a result.
+  std::optional<double> start;  ///< Start of the search; std::nullopt: the file's own value.
   std::optional<double> lower, upper;
-  bool steady = true;  ///< of a state: its rate is 0
+  bool steady = true;  ///< For a state: its derivative must be 0.
 };
 
-/// The section `trim`: an operating point that is looked for. States that it does not name are free and
-/// steady, inputs as the file has them, outputs anything.
+/// The section `trim`: a search for an operating point. States without an entry are free and steady, inputs
+/// have the file's value, outputs are unconstrained.
 struct TrimRequest {
   std::vector<TrimEntry> states, inputs, outputs;
-  double time = 0.0;  ///< for which sources count [s]
+  double time = 0.0;  ///< Time at which sources are evaluated [s].
 };
 
-/// A number of the point that was found.
+/// A number of the operating point.
 struct TrimmedValue {
   Channel channel;
   double value = 0.0;
   bool free = false, at_bound = false;
-  std::string setting;  ///< the name by which --set sets it; empty where no file can
+  std::string setting;  ///< Name for --set; empty if no file can set it.
 };
 
 struct TrimResult {
   std::vector<TrimmedValue> states, inputs, outputs;
-  std::vector<std::pair<Channel, double>> residuals;  ///< rates, and outputs less what is wanted
-  double largest = 0.0;                               ///< of them, each as a share of 1 or of its number
+  std::vector<std::pair<Channel, double>> residuals;  ///< Derivatives, and outputs minus their targets.
+  double largest = 0.0;  ///< Largest residual, each as a share of 1 or of its number.
   bool converged = false;
   std::size_t iterations = 0;
 };
 
 const yaml::Key& trim_form();
 
-/// Reads the value under the key `trim`. Everything that is wrong goes to `faults`.
+/// Reads the value under the key `trim`. Adds all faults to `faults`.
 TrimRequest read_trim(const yaml::Node& node, const query::SymbolTable& names, const plan::Plan& plan,
                       yaml::Faults& faults);
 
-/// Looks for the point by Levenberg-Marquardt within the bounds: of a diagram in which something acts at
-/// ticks, one that is the same a base period later. Throws Error.
+/// Finds the operating point by the Levenberg-Marquardt method within the bounds. If blocks act at ticks, the
+/// point must repeat after a base period. Throws Error.
 TrimResult trim(const diagram::Diagram& diagram, const TrimRequest& request);
 
 }  // namespace stepwire::linear

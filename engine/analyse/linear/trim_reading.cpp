@@ -10,7 +10,7 @@ namespace {
 
 using EntryTable = yaml::KeyTable<TrimEntry, query::NamesReading>;
 
-/// The rows of an entry whose numbers are in a unit.
+/// Returns the table of an entry whose numbers have a unit.
 EntryTable entry_table(const std::string& unit) {
   const yaml::Key number = form::computed(unit);
   return {
@@ -35,7 +35,7 @@ std::string unit_of_number(const plan::Plan& plan, const diagram::SignalRef& sig
 
 enum class Part { state, input, output };
 
-/// The name of a state as the point has it: by itself, or by the output that it is.
+/// Sets the name of a state: its own, or that of the output that equals it.
 void name_state(const plan::Plan& plan, const Signal& signal, TrimEntry& entry, yaml::Faults& faults) {
   const diagram::DiagramBlock& block = plan.diagram.blocks[static_cast<std::size_t>(signal.signal.block)];
   const std::string state = signal.signal.output < 0
@@ -51,7 +51,7 @@ void name_state(const plan::Plan& plan, const Signal& signal, TrimEntry& entry, 
     entry.name.name += fmt::format(".{}", *signal.element + 1);
 }
 
-/// An input follows from nothing else in the diagram.
+/// Adds a fault for an input that depends on other signals.
 void require_given(const plan::Plan& plan, const Signal& signal, const TrimEntry& entry,
                    yaml::Faults& faults) {
   if (plan.diagram.blocks[static_cast<std::size_t>(signal.signal.block)].type().inputs.empty()) return;

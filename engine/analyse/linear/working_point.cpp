@@ -14,7 +14,7 @@ namespace stepwire::linear {
 
 namespace {
 
-/// Is it a whole number below another?
+/// True for a whole number from 0 to rows - 1.
 bool is_index(double value, std::size_t rows) {
   return value >= 0.0 && value < static_cast<double>(rows) && value == std::floor(value);
 }
@@ -57,7 +57,7 @@ void WorkingPoint::run_to(double time, const Request& request) {
   run_->restore(point_);
 }
 
-/// At the first instant a derivative is 0 whatever its input is. A linear analysis is of what follows.
+/// Sets the states that mark the first instant of a run, when derivatives are 0 for any input.
 void WorkingPoint::leave_start() {
   const auto& blocks = diagram_.plan.diagram.blocks;
   for (std::size_t b = 0; b < blocks.size(); ++b)
@@ -68,7 +68,7 @@ void WorkingPoint::leave_start() {
     }
 }
 
-/// Each wire is held at what it carries before any of them is cut.
+/// Cuts the wires; each holds its value of the uncut diagram.
 void WorkingPoint::cut() {
   run_->evaluate();
   const plan::Plan& plan = diagram_.plan;
@@ -96,8 +96,8 @@ void WorkingPoint::find_states() {
     }
 }
 
-/// Rows of samples with an index that goes round are the same system at every turn once they are counted from
-/// the index.
+/// Finds ring buffers: rows of samples with an index that advances with every update. Counted from the index,
+/// they are the same linear system at every turn.
 void WorkingPoint::find_circles(std::size_t block) {
   const BlockType& type = diagram_.plan.diagram.blocks[block].type();
   const plan::PlannedBlock& planned = diagram_.plan.blocks[block];
@@ -144,7 +144,7 @@ void WorkingPoint::add_state(std::size_t block, std::size_t state) {
   }
 }
 
-/// Another number might be no place of a list: a state that no file sets, without a unit, of whole numbers.
+/// True for a possible index: a state of whole numbers without a unit that no file sets.
 bool WorkingPoint::is_count(const StateSpec& spec, const plan::SignalSlot& slot) const {
   if (spec.continuous || spec.settable || spec.unit != "1") return false;
   for (std::size_t k = 0; k < static_cast<std::size_t>(slot.size); ++k)

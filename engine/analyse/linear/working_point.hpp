@@ -11,26 +11,26 @@
 
 namespace stepwire::linear {
 
-/// A state of a sampled block whose rows lie in a circle: row `age` behind the one to which an index points.
+/// Ring buffer in the states of a sampled block: row `age` is counted from the row at the index.
 struct Circle {
-  std::size_t index = 0;  ///< offset of the index
-  std::size_t first = 0;  ///< offset of the rows
+  std::size_t index = 0;  ///< Offset of the index.
+  std::size_t first = 0;  ///< Offset of the rows.
   std::size_t rows = 1, width = 1;
 };
 
-/// A state as a column: where it lies, in a circle perhaps, by its age.
+/// A state as a column of the system: its place, or its age in a ring buffer.
 struct StatePlace : Place {
   bool continuous = true;
-  bool may_count = false;  ///< it may be a counter or a mark, as states without a unit are
-  bool own = false;        ///< no file sets it
-  int circle = -1;         ///< index of the circle
+  bool may_count = false;  ///< True for a possible counter or flag: a discrete state without a unit.
+  bool own = false;        ///< True if no file can set it.
+  int circle = -1;         ///< Index of the ring buffer; -1: none.
   std::size_t age = 0, element = 0;
 };
 
-/// A moment of a run, with the columns and rows of its linear system as numbers that may be changed and read.
+/// An instant of a run whose numbers can be perturbed, to get the columns of its linear system.
 class WorkingPoint {
  public:
-  /// Runs to the time, and cuts. Throws Error where the run ends before.
+  /// Runs to the time and cuts the wires. Throws Error if the run ends before.
   WorkingPoint(const PreparedDiagram& diagram, const Request& request);
 
   const std::vector<StatePlace>& states() const { return states_; }
@@ -40,19 +40,18 @@ class WorkingPoint {
   std::int64_t base_ticks() const { return base_ticks_; }
   double time() const { return diagram_.plan.time_of(point_.tick); }
   const std::vector<TakenDelay>& delays() const { return diagram_.delays; }
-  /// A number of the workspace at the point.
+  /// Returns a number of the workspace at the point.
   double number(std::size_t offset);
   const Paths& paths() const { return paths_; }
-  /// Counters and marks of sampled blocks on the way, which stay as the run has them.
+  /// Returns the counters and flags of sampled blocks on the paths, which keep their values.
   const std::vector<std::string>& counts() const { return counts_; }
 
-  /// What a state or, behind them, an input is at the point.
+  /// Returns the value of a column: the states, then the inputs.
   double value(std::size_t column) const;
   void set(std::size_t column, double value);
-  /// By how much it may be changed at most: what counts discrete states by whole numbers must find one there.
+  /// Returns the largest change of a column; 1/16 for possible counters, so that they round to the count.
   double most_change(std::size_t column) const;
-  /// Where the states go (their derivatives, or their next values), and below them the outputs, with another
-  /// number in a column.
+  /// Returns the derivatives or next values of the states, then the outputs, for a number in one column.
   Eigen::VectorXd respond(std::size_t column, double value);
   Eigen::VectorXd respond();
   std::size_t columns() const { return states_.size() + inputs().size(); }
@@ -61,7 +60,7 @@ class WorkingPoint {
   }
 
  private:
-  /// Offset of a column, and what lies there where the column is this.
+  /// Returns the offset of a column, and the number to write there for this value.
   std::pair<std::size_t, double> written(std::size_t column, double value) const;
   void run_to(double time, const Request& request);
   void leave_start();
@@ -76,10 +75,10 @@ class WorkingPoint {
   Paths paths_;
   bool sampled_ = false;
   std::int64_t base_ticks_ = 1;
-  std::unique_ptr<run::Executor> run_;  ///< with which it is stepped from the point
+  std::unique_ptr<run::Executor> run_;  ///< Executor that steps from the point.
   run::Workspace point_;
-  std::vector<double> carried_;  ///< by the wires of the inputs, before anything is added
-  std::vector<double> later_;    ///< the numbers of the point a base period later
+  std::vector<double> carried_;  ///< Signals in the wires of the inputs, without perturbation.
+  std::vector<double> later_;    ///< Numbers of the point a base period later.
   std::vector<StatePlace> states_;
   std::vector<std::string> counts_;
   std::vector<Circle> circles_;

@@ -9,7 +9,7 @@ namespace stepwire::linear {
 
 namespace {
 
-constexpr double rank_tolerance = 1e-13;  // of matrices whose rows and columns are near 1
+constexpr double rank_tolerance = 1e-13;  // for matrices with rows and columns near 1
 
 struct Matrices {
   Eigen::MatrixXd A, B, C, D;
@@ -29,7 +29,7 @@ Eigen::MatrixXd stacked(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& low
   return both;
 }
 
-/// The power of two nearest to a size; 1 where there is none.
+/// Returns the power of two nearest to a size; 1 for 0 and non-finite sizes.
 double power_of_two(double size) {
   return size > 0.0 && std::isfinite(size) ? std::exp2(std::round(std::log2(size))) : 1.0;
 }
@@ -38,7 +38,7 @@ double largest(const Eigen::MatrixXd& matrix) {
   return matrix.size() > 0 ? matrix.cwiseAbs().maxCoeff() : 0.0;
 }
 
-/// A rate near those of the system: of its states, or of an integrator beside a direct path.
+/// Returns a rate near those of the system: of its states, or of an integrator with a direct path.
 double rate_of(const Matrices& m) {
   const double states = largest(m.A), beside = largest(m.D);
   if (states > 0.0) return power_of_two(states);
@@ -52,7 +52,7 @@ void scale_states(Matrices& m, const Eigen::VectorXd& by) {
   m.C = m.C * by.asDiagonal();
 }
 
-/// Scales inputs and outputs so that the largest number of each is near 1.
+/// Scales inputs and outputs to a largest number near 1.
 void scale_channels(Matrices& m) {
   for (Eigen::Index i = 0; i < m.B.cols(); ++i) {
     const double size = power_of_two(std::max(largest(m.B.col(i)), largest(m.D.col(i))));
@@ -66,8 +66,8 @@ void scale_channels(Matrices& m) {
   }
 }
 
-/// Powers of two by which states are scaled so that what changes each one, inputs among it, and what each one
-/// changes, outputs among it, are alike.
+/// Returns powers of two that balance the states with the channels. For each state, the norms of its row with
+/// inputs and of its column with outputs become similar.
 Eigen::VectorXd balancing_with_channels(const Matrices& m) {
   const Eigen::Index n = m.A.rows();
   Eigen::VectorXd by = Eigen::VectorXd::Ones(n);
@@ -80,7 +80,7 @@ Eigen::VectorXd balancing_with_channels(const Matrices& m) {
   return by;
 }
 
-/// Scales states, time, inputs and outputs so that the numbers are near 1; returns the scale of time.
+/// Scales states, time, inputs and outputs to numbers near 1; returns the scale of time.
 double scale(Matrices& m) {
   scale_states(m, balancing(m.A));
   const double rate = rate_of(m);
@@ -94,7 +94,7 @@ double scale(Matrices& m) {
   return rate;
 }
 
-/// By what a matrix is turned so that its rows beyond its rank are 0.
+/// Orthogonal transform after which the rows beyond the rank are 0.
 struct Turned {
   Eigen::MatrixXd turn;
   Eigen::Index rank = 0;
@@ -106,8 +106,8 @@ Turned turned_rows(const Eigen::MatrixXd& matrix) {
   return {svd.matrixU().transpose(), rank_of(svd)};
 }
 
-/// Takes outputs away that are no combination of others at once, with the states that they fix, until D has
-/// full row rank.
+/// Reduces a system until D has full row rank. Each pass removes the outputs that do not depend directly on
+/// an input, with the states that they determine (Emami-Naeini and Van Dooren).
 Matrices with_full_rows(Matrices m) {
   while (m.C.rows() > 0) {
     const Turned rows = turned_rows(m.D);
@@ -121,7 +121,7 @@ Matrices with_full_rows(Matrices m) {
     const Svd columns(C.bottomRows(lower), Eigen::ComputeFullV);
     const Eigen::Index fixed = rank_of(columns);
     if (fixed == 0) break;
-    // The first of these states are fixed by the outputs, the others stay free.
+    // The outputs determine the first of these states; the others remain free.
     const Eigen::MatrixXd& V = columns.matrixV();
     const Eigen::MatrixXd A = V.transpose() * m.A * V, B = V.transpose() * m.B, C1 = m.C * V;
     m.C = stacked(C1.rightCols(n - fixed), A.topRightCorner(fixed, n - fixed));

@@ -12,7 +12,7 @@
 namespace stepwire::query {
 namespace {
 
-/// Where a name that is in a text stands first, not as a part of another.
+/// Returns the position of the first whole occurrence of a name in a text, i.e. not inside another name.
 std::size_t place_of(const std::string& name, std::string_view text) {
   std::size_t at = text.find(name);
   while (name_at(text, at) != name || (at > 0 && (is_word(text[at - 1]) || text[at - 1] == '.')))
@@ -23,7 +23,7 @@ std::size_t place_of(const std::string& name, std::string_view text) {
 expression::Expression parse(std::string_view text, const SymbolTable& names) {
   const Substituted substituted = with_parameters(substitute(text, names), names);
   try {
-    // A signal called "e" that is not recorded is no constant either.
+    // A signal "e" or "pi" that is not recorded must not be read as the constant.
     expression::Expression expression(substituted.text, [&](std::string_view name) {
       return names.find(name) != nullptr || ((name == "e" || name == "pi") && names.lacks(name));
     });
@@ -43,7 +43,8 @@ expression::Expression parse(std::string_view text, const SymbolTable& names) {
   }
 }
 
-/// Throws ExpressionError where units do not fit each other, with the place in the text as it was written.
+/// Returns the dimension of an expression. Throws ExpressionError for mismatched units, with the position in
+/// the original text.
 std::optional<unit::Dimension> find_dimension(const expression::Expression& expression, std::string_view text,
                                               const SymbolTable& names) {
   std::vector<expression::Measure> measures;
@@ -65,7 +66,8 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
 }
 
-/// The recording of all names, or nothing with the names that are recorded apart in `apart`.
+/// Returns the recording that has all variables. Returns std::nullopt if they are in different recordings,
+/// whose names are added to `apart`.
 std::optional<std::size_t> recording_of(const std::vector<std::string>& variables, const SymbolTable& names,
                                         std::vector<std::string>& apart) {
   std::optional<std::size_t> recording;

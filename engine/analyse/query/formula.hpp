@@ -15,39 +15,39 @@
 
 namespace stepwire::query {
 
-/// Where there is no value.
+/// Value of a missing number: NaN.
 inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// An expression over recorded columns, its names found.
+/// An expression over recorded columns with resolved names.
 struct Formula {
-  std::string text;  ///< as written
+  std::string text;  ///< Text as written.
   expression::Expression expression;
-  std::vector<std::string> columns;          ///< column for each variable of the expression
-  std::optional<std::size_t> recording;      ///< which recording has them; none: any
-  std::optional<unit::Dimension> dimension;  ///< none where it is not known
+  std::vector<std::string> columns;      ///< Column of each variable of the expression.
+  std::optional<std::size_t> recording;  ///< Index of the recording with these columns; std::nullopt: any.
+  std::optional<unit::Dimension> dimension;  ///< Dimension of the value; std::nullopt if unknown.
   yaml::Mark mark;
 };
 
-/// Reads an expression; `$name` is the number of a parameter, and a word in quotes behind `NAME ==` or
-/// `NAME !=` that which stands for it in a column of words. What is wrong goes to `faults` with the place
-/// inside the scalar, and nothing is returned.
+/// Reads an expression. `$name` is replaced by the value of a parameter. A quoted word after `NAME ==` or
+/// `NAME !=` is replaced by its number in a column of words. Adds faults to `faults`, placed inside the
+/// scalar, and returns std::nullopt.
 std::optional<Formula> read_formula(const yaml::Node& node, const SymbolTable& names,
                                     const std::string& subject, yaml::Faults& faults);
 
-/// The same for the text that starts `offset` characters into a scalar.
+/// Reads an expression that starts `offset` characters into a scalar.
 std::optional<Formula> read_formula(const yaml::Node& node, std::string_view text, std::size_t offset,
                                     const SymbolTable& names, const std::string& subject,
                                     yaml::Faults& faults);
 
-/// The one recording that all of these formulas read, or a fault that says which names are recorded apart.
-/// Null formulas are passed over; 0 where any recording does.
+/// Returns the index of the recording that all formulas read; 0 if any recording has their columns. Skips
+/// null formulas. Adds a fault that names the columns if they are in different recordings.
 std::size_t common_recording(const std::vector<const Formula*>& formulas, const SymbolTable& names,
                              const yaml::Node& at, const std::string& subject, yaml::Faults& faults);
 
-/// Its value in each row. Throws std::invalid_argument if a column is not there.
+/// Evaluates a formula in each row. Throws std::invalid_argument for a missing column.
 std::vector<double> evaluate(const Formula& formula, const record::Recording& recording);
 
-/// Place of the character `offset` of a scalar's text.
+/// Returns the place of the character `offset` of a scalar's text.
 yaml::Place place_in(const yaml::Node& node, std::size_t offset, const SymbolTable& names);
 
 }  // namespace stepwire::query

@@ -9,14 +9,14 @@
 
 namespace stepwire::query {
 
-/// An ExpressionError that may carry the word that was probably meant.
+/// ExpressionError whose message may suggest a correct word.
 struct FormulaError : expression::ExpressionError {
   FormulaError(yaml::Message message, std::size_t position)
       : expression::ExpressionError(message.text(), position), message(std::move(message)) {}
   yaml::Message message;
 };
 
-/// What is wrong with a name behind '$', and with one of a signal, that mean nothing.
+/// Return the message for an unknown name: after '$', and of a signal.
 yaml::Message unknown_parameter(const std::string& name, const SymbolTable& names);
 yaml::Message unknown_column(const std::string& name, const SymbolTable& names);
 

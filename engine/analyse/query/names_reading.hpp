@@ -7,7 +7,7 @@ namespace stepwire::query {
 
 struct Series;
 
-/// What sections about recorded signals are read with: figures, claims, scenes, fits.
+/// Context for reading sections about recorded signals: figures, claims, scenes, fits.
 struct NamesReading : yaml::SectionReading {
   const SymbolTable& names;
   yaml::Faults& faults;
@@ -24,20 +24,20 @@ struct NamesReading : yaml::SectionReading {
   using yaml::SectionReading::take;
   void take(const yaml::Node& node, const yaml::Key& key, std::optional<Formula>& formula) const;
   void take(const yaml::Node& node, const yaml::Key& key, std::optional<Series>& series) const;
-  /// One expression in a unit, or a list of them.
+  /// Reads one expression with a unit, or a list of them.
   void take(const yaml::Node& node, const yaml::Key& key, std::vector<Series>& series) const;
-  /// Two numbers in the unit of the key, the smaller one first.
+  /// Reads two numbers in the unit of the key, the smaller one first.
   void take(const yaml::Node& node, const yaml::Key& key, std::array<double, 2>& range) const;
 
   std::optional<Formula> formula(const yaml::Node& node) const;
   std::optional<Series> series(const yaml::Node& node) const;
 
  protected:
-  /// A number with the unit of the key, an expression of numbers and `$name`.
+  /// Reads a number in the unit of the key: an expression of numbers and `$name`.
   std::optional<double> read_number(const yaml::Node& node, const yaml::Key& key) const override;
 };
 
-/// What stands where a series does: an expression, or a map of it and its label.
+/// Returns the schema of a series: an expression, or a map with it and its label.
 const yaml::Key& series_form();
 
 }  // namespace stepwire::query

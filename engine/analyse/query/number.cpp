@@ -25,7 +25,7 @@ std::string unit_phrase(const unit::Dimension& dimension) {
   return dimension == unit::Dimension{} ? "has no unit" : "is in " + unit::si_name(dimension);
 }
 
-/// The fault of a number with a unit that cannot be compared with `what`; an empty text where it can.
+/// Returns the message for a number whose unit cannot be compared with `what`; empty if it can.
 std::string number_fault(const WantedNumber& number, const unit::Dimension& dimension,
                          const std::string& what) {
   if (*number.dimension != dimension)
@@ -91,7 +91,7 @@ double rounded(double value, int digits) {
 }
 
 std::string short_number(double value, int digits) {
-  // A zero that carries a sign would only puzzle a reader.
+  // Prints -0 as 0.
   return fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, digits);
 }
 

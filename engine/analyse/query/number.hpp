@@ -10,37 +10,38 @@
 
 namespace stepwire::query {
 
-/// A number as a figure or claim gives it: "2 N", "2/3", "0.9*$limit".
+/// A number in a figure or claim: "2 N", "2/3", "0.9*$limit".
 struct WantedNumber {
-  double value = 0.0;                          ///< SI
-  std::optional<unit::Dimension> dimension{};  ///< none for a bare number or an expression
-  std::string unit{};                          ///< as written, empty if none
-  std::string text{};                          ///< as written
+  double value = 0.0;                          ///< Value in SI.
+  std::optional<unit::Dimension> dimension{};  ///< Dimension of the unit; std::nullopt without one.
+  std::string unit{};                          ///< Unit as written; empty without one.
+  std::string text{};                          ///< Text as written.
 };
 
 /// Reads a number with an optional unit, or an expression of numbers and parameters. Faults are placed inside
-/// it.
+/// the text.
 std::optional<WantedNumber> read_number(const yaml::Node& node, const SymbolTable& names,
                                         const std::string& subject, yaml::Faults& faults);
 
-/// Adds a fault where the number has a unit of another kind than the `what` that it is held against.
+/// Adds a fault if the dimension of the number differs from that of `what`, the value it is compared with.
 void check_dimension(const WantedNumber& number, const std::optional<unit::Dimension>& dimension,
                      const std::string& what, const yaml::Node& node, const SymbolTable& names,
                      const std::string& subject, yaml::Faults& faults);
 
-/// A fault for a key that nobody knows; a key that looks like the rest of a broken expression is told so.
+/// Adds a fault for an unknown key. The message differs if the key looks like the rest of a broken
+/// expression.
 void add_unknown_key(const yaml::Entry& entry, const std::vector<std::string>& known,
                      const std::string& owner, const SymbolTable& names, const std::string& subject,
                      yaml::Faults& faults);
 
-/// The text of a scalar, or a fault.
+/// Returns the text of a scalar; adds a fault for any other node.
 std::string read_text(const yaml::Node& node, const SymbolTable& names, const std::string& subject,
                       yaml::Faults& faults);
 
-/// The number that is written with so many significant digits; what is no finite number is itself.
+/// Rounds to `digits` significant decimal digits. Returns a non-finite number unchanged.
 double rounded(double value, int digits);
 
-/// A number for people: `digits` significant digits, no trailing zeros.
+/// Formats a number for reports: `digits` significant digits, no trailing zeros.
 std::string short_number(double value, int digits = 4);
 
 }  // namespace stepwire::query

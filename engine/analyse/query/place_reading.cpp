@@ -35,7 +35,7 @@ std::vector<Formula> read_coordinates(const yaml::Node& node, const SymbolTable&
   return place.size() == node.items.size() ? place : std::vector<Formula>{};
 }
 
-/// Names of what was recorded as several columns: v for v.1, v.2.
+/// Returns the names of vectors recorded as several columns: v for v.1, v.2.
 std::vector<std::string> vectors_of(const SymbolTable& names) {
   std::vector<std::string> vectors;
   for (const RecordedName& column : names.columns)
@@ -43,7 +43,7 @@ std::vector<std::string> vectors_of(const SymbolTable& names) {
   return vectors;
 }
 
-/// A word that is no column, no signal and no number.
+/// True for a name that is neither a column, a signal nor a number.
 bool is_unknown_name(const std::string& text, const SymbolTable& names) {
   const auto of_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '.'; };
   return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) == 0 &&

@@ -13,14 +13,14 @@
 namespace stepwire::query {
 namespace {
 
-/// The fault of a value that cannot be drawn in a unit of its dimension; an empty text where it can.
+/// Returns the message for a value that cannot be drawn in a unit of its dimension; empty if it can.
 std::string drawn_fault(const unit::Dimension& given, const unit::Dimension& wanted) {
   const std::string other = unit::other_meaning(given, wanted);
   if (other.empty()) return "";
   return other + "; " + (unit::is_temperature(wanted) ? "draw it in K" : unit::cure_of_rate(wanted));
 }
 
-/// Reads the unit behind " in " and checks that the formula can be drawn in it.
+/// Reads the unit after " in " and checks that the formula can be drawn in it.
 bool read_unit(const yaml::Node& node, std::string_view text, std::size_t offset, Series& series,
                const SymbolTable& names, const std::string& subject, yaml::Faults& faults) {
   const auto unit = unit::parse_unit(text);
@@ -43,12 +43,12 @@ bool read_unit(const yaml::Node& node, std::string_view text, std::size_t offset
   return true;
 }
 
-/// "force of left damper" for the bare name left_damper.force; other formulas as they are.
+/// Returns "force of left damper" for the bare name left_damper.force; other formulas unchanged.
 std::string words_of(const Formula& formula) {
   const std::string& text = formula.text;
   const bool bare = formula.columns.size() == 1 && formula.columns.front() == text;
   if (!bare) return text;
-  // A number at the end tells which of several it is.
+  // A trailing number is an index and stays with the name before it.
   std::size_t last = text.find_last_of('.');
   while (last != std::string::npos && last > 0 && std::isdigit(static_cast<unsigned char>(text[last + 1])))
     last = text.find_last_of('.', last - 1);

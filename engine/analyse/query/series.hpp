@@ -9,22 +9,21 @@
 
 namespace stepwire::query {
 
-/// A unit as people print it: mm, N m, m/s², °; "–" where there is none.
+/// Returns a unit as printed: mm, N m, m/s², °; "–" for a number without unit.
 std::string printed_unit(const std::string& unit);
 
-/// What is drawn along an axis or as a colour: a formula, the unit it is drawn in, and its label without
-/// unit.
+/// A quantity drawn along an axis or as a colour: formula, unit of the drawing, label without unit.
 struct Series {
   Formula formula;
   unit::Unit unit;
-  std::string unit_text;  ///< empty where the unit is not known
-  std::string label;      ///< the expression unless the file says otherwise
+  std::string unit_text;  ///< Unit as written; empty if unknown.
+  std::string label;      ///< The expression, or the label that the file gives.
 
-  /// "rig.x [mm]".
+  /// Returns the label of an axis: "rig.x [mm]".
   std::string axis_label() const;
 };
 
-/// How to give a formula a unit of a dimension: "name its SI unit behind it, as 'x in m', or in the head
+/// Returns advice on how to give a formula a unit: "name its SI unit behind it, as 'x in m', or in the head
 /// units: {..}".
 std::string unit_cure(const Formula& formula, const unit::Dimension& wanted);
 

@@ -10,7 +10,8 @@
 namespace stepwire::query {
 namespace {
 
-/// The column of words before a comparison, whose sign ends at `end`; null where it is none.
+/// Returns the column of words on the left of a comparison operator that ends at `end`; nullptr if there is
+/// none.
 const RecordedName* compared_column(std::string_view text, std::size_t end, const SymbolTable& names) {
   const auto last_of = [&](std::size_t behind) {
     while (behind > 0 && text[behind - 1] == ' ') --behind;
@@ -25,7 +26,7 @@ const RecordedName* compared_column(std::string_view text, std::size_t end, cons
   return found && !found->words.empty() ? found : nullptr;
 }
 
-/// Replaces the quoted word that starts at `begin` by its number; returns the position behind it.
+/// Replaces the quoted word that starts at `begin` by its number. Returns the position after it.
 std::size_t append_word(std::string_view text, std::size_t begin, const SymbolTable& names,
                         Substituted& result) {
   const std::size_t end = text.find(text[begin], begin + 1);
@@ -48,9 +49,9 @@ std::size_t append_word(std::string_view text, std::size_t begin, const SymbolTa
   return end + 1;
 }
 
-/// Replaces the name of something drawn, or of a number of a block, that starts at `begin` by its expression;
-/// returns the position behind it, or `begin` where there is none. What is recorded under that name comes
-/// first.
+/// Replaces the name of a drawn formula or of a block's number that starts at `begin` by its expression.
+/// Returns the position after it, or `begin` if there is no such name. Recorded columns of that name take
+/// precedence.
 std::size_t append_drawn(std::string_view text, std::size_t begin, const SymbolTable& names,
                          Substituted& result) {
   if (names.drawn.empty() || (begin > 0 && (is_word(text[begin - 1]) || text[begin - 1] == '.')))
@@ -67,8 +68,8 @@ const KnownParameter* parameter_of(const std::string& name, const SymbolTable& n
   return found == names.parameters.end() ? nullptr : &*found;
 }
 
-/// Replaces the $name that starts at `begin` by its number, or by its column where it varies, as a tuned
-/// parameter does; returns the position behind it.
+/// Replaces the $name that starts at `begin` by its number, or by its column if it varies (tuned parameters).
+/// Returns the position after it.
 std::size_t append_parameter(std::string_view text, std::size_t begin, const SymbolTable& names,
                              Substituted& result) {
   std::size_t end = begin + 1;
@@ -133,7 +134,7 @@ Substituted with_parameters(const Substituted& text, const SymbolTable& names) {
                                                                                             : name);
     marked = expression.renamed(others);
   } catch (const expression::ExpressionError&) {
-    return text;  // what is wrong is found where it is parsed
+    return text;  // the parser reports the error
   }
   Substituted result;
   for (std::size_t i = 0, at = 0; at < marked.size();) {

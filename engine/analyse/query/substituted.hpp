@@ -14,15 +14,15 @@ inline bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// The name that starts at a position, dots included.
+/// Returns the name that starts at a position, with its dots.
 std::string name_at(std::string_view text, std::size_t position);
 
-/// Returns a number in SI, with its unit where an expression can have that.
+/// Returns a number in SI, with its unit if expressions support that unit.
 std::string number_text(double value, const std::optional<unit::Dimension>& dimension,
                         const SymbolTable& names);
 
-/// A text in which each $name and each "word" is replaced by its number and each name of something drawn by
-/// its expression, and for each character where it came from.
+/// Text after substitution, and the original position of each character. Each $name and each "word" is
+/// replaced by its number, each name of a drawn formula by its expression.
 struct Substituted {
   std::string text;
   std::vector<std::size_t> origin;
@@ -39,7 +39,7 @@ struct Substituted {
 
 Substituted substitute(std::string_view text, const SymbolTable& names);
 
-/// The same with the number of each name that is no signal, but a parameter.
+/// Replaces each name that is a parameter, not a signal, by its number.
 Substituted with_parameters(const Substituted& text, const SymbolTable& names);
 
 }  // namespace stepwire::query

@@ -16,7 +16,7 @@ namespace {
 
 using statistics::Estimate;
 
-/// Which parameter each step of the ways changes.
+/// Returns the parameter that each step of the trajectories changes, and by how much.
 std::vector<statistics::MorrisStep> steps_of(const sampling::Points& points, std::size_t of_way) {
   std::vector<statistics::MorrisStep> steps;
   for (std::size_t point = 0; point < points.front().size(); ++point)
@@ -26,7 +26,7 @@ std::vector<statistics::MorrisStep> steps_of(const sampling::Points& points, std
   return steps;
 }
 
-/// The parameters and the outcome of each run, as a row.
+/// Returns one row per run: the parameters, then the outcome.
 std::vector<double> rows_of(const std::vector<double>& outcomes,
                             const std::vector<std::vector<double>>& parameters) {
   std::vector<double> rows;
@@ -37,7 +37,7 @@ std::vector<double> rows_of(const std::vector<double>& outcomes,
   return rows;
 }
 
-/// [measure][parameter].
+/// Returns the estimates as [measure][parameter].
 std::vector<std::vector<Estimate>> estimates_of(const Request& request, const std::vector<double>& outcomes,
                                                 const std::vector<std::vector<double>>& of_runs) {
   const std::size_t parameters = request.parameters.size();
@@ -59,7 +59,7 @@ std::string column_name(const Outcome& outcome, const std::string& measure, cons
   return outcome.name + "." + measure + "." + parameter;
 }
 
-/// Reason why an outcome has no measures; empty if its numbers are complete and differ.
+/// Returns the reason why an outcome has no measures; empty if its numbers are complete and differ.
 std::string note_on(const Outcome& outcome, const std::vector<double>& numbers) {
   const auto missing = std::ranges::count_if(numbers, [](double number) { return std::isnan(number); });
   if (missing > 0)
@@ -70,7 +70,7 @@ std::string note_on(const Outcome& outcome, const std::vector<double>& numbers) 
                      outcome.name, query::short_number(numbers.front()), numbers.size());
 }
 
-/// A number of the results for readers; "-" where it is none.
+/// Formats a number of the results; "-" for nan.
 std::string number_text(const record::Recording& results, const std::string& name) {
   const double value = results.table.find(name)->values.front();
   return std::isnan(value) ? "-" : query::short_number(value, 3);

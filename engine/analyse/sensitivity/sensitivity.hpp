@@ -12,51 +12,51 @@
 
 namespace stepwire::sensitivity {
 
-/// An outcome of a run, by its name.
+/// A named outcome of a run.
 struct Outcome {
   std::string name;
   claim::RunFormula of_run;
 };
 
-/// The section `sensitivity` of a diagram file: of which outcomes it is found out how much which drawn
-/// parameter matters. By the design of the sweep these are indices of Sobol, effects of Morris, or rank
-/// correlations.
+/// The section `sensitivity` of a diagram file: outcomes, and the design of the sweep. The design determines
+/// the measures: Sobol indices, Morris effects or rank correlations.
 struct Request {
   std::vector<Outcome> outcomes;
   statistics::Bootstrap bootstrap;
   sampling::Design design;
-  std::vector<std::string> parameters;  ///< that the design draws, in its order; for ranks those of numbers
+  std::vector<std::string> parameters;  ///< Parameters, in the order of the design; numeric ones for ranks.
 
   bool screens() const { return design.layout == sampling::Layout::morris; }
   bool ranks() const { return !screens() && design.layout != sampling::Layout::saltelli; }
-  /// What is found of each parameter, as names have it: first, total.
+  /// Returns the names of the measures of each parameter: first, total.
   std::vector<std::string> measures() const;
 };
 
-/// The keys of the section.
+/// Returns the schema of the section.
 const yaml::Key& sensitivity_form();
 
-/// Reads the section. Everything that is wrong goes to `faults`.
+/// Reads the section. Adds all faults to `faults`.
 Request read_sensitivity(const yaml::Node& node, const diagram::Diagram& diagram,
                          const query::SymbolTable& names, yaml::Faults& faults);
 
-/// What figures and claims may name, all in one recording: peak.total.k, peak.total.k.low, peak.total.k.high.
+/// Returns the names of the results for figures and claims, all in one recording: peak.total.k,
+/// peak.total.k.low, peak.total.k.high.
 std::vector<query::RecordedName> result_names(const Request& request, std::size_t recording);
 
-/// What an analysis needs of all runs.
+/// Numbers of all runs that an analysis needs.
 struct RunOutcomes {
   std::vector<std::vector<double>> outcomes;    ///< [outcome][run]
-  std::vector<std::vector<double>> parameters;  ///< [parameter][run]; none where the design says them
+  std::vector<std::vector<double>> parameters;  ///< [parameter][run]; empty if the design determines them.
 };
 
-/// Adds the numbers of runs that come behind those that are there.
+/// Appends the numbers of further runs.
 void add_outcomes(const Request& request, std::span<const record::Recording> runs, RunOutcomes& numbers);
 
-/// What is found of the numbers of all runs, as a recording of one row with these columns.
+/// Computes the measures from the numbers of all runs, as a recording of one row with these columns.
 record::Recording results(const Request& request, const RunOutcomes& numbers);
 
-/// The same for readers: a line for each outcome and parameter, and notes on outcomes that have no such
-/// numbers.
+/// Returns the measures as a table for reports: one line per outcome and parameter, and a note on each
+/// outcome without measures.
 text::TextTable results_table(const Request& request, const RunOutcomes& numbers,
                               const record::Recording& results);
 

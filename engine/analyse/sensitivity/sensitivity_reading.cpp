@@ -44,12 +44,12 @@ const Table& table() {
   return rows;
 }
 
-/// Cases whose kept numbers stand in one row.
+/// True for a case axis whose kept numbers are in one row.
 bool is_in_a_row(const diagram::Sweep::Axis& axis, const diagram::Sweep& sweep) {
   return axis.of_cases() && sweep.keep == diagram::Sweep::Keep::numbers;
 }
 
-/// Takes over what the sweep draws, and checks that nothing else varies but cases.
+/// Copies the design of the sweep. Adds a fault if anything but cases varies besides it.
 void take_design(const yaml::Node& node, const diagram::Diagram& diagram, const query::NamesReading& read,
                  Request& request) {
   const auto& sweep = diagram.sweep;

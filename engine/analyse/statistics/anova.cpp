@@ -23,7 +23,7 @@ bool contains(const Term& term, const Term& part) {
   });
 }
 
-/// The terms beyond which a term is judged.
+/// Returns the terms for which a term's sum of squares is adjusted.
 std::vector<const TermColumns*> others(const std::vector<TermColumns>& model, std::size_t index,
                                        SumsOfSquares sums) {
   std::vector<const TermColumns*> result;
@@ -43,7 +43,7 @@ double sum_of_squares(const Eigen::VectorXd& response, const std::vector<TermCol
   return (explained(response, terms) - without).squaredNorm();
 }
 
-/// The sums of squares of all terms, of what they leave and of both; `squares` is that of the scores.
+/// Adds the sums of squares of all terms, of the residual and of the total; `squares` is that of the scores.
 void add_rows(Anova& result, const Eigen::VectorXd& response, double squares,
               const std::vector<TermColumns>& model) {
   const auto freedom_of_all = static_cast<double>(response.size() - 1);
@@ -94,7 +94,7 @@ void warn_of_lost_terms(Anova& result, const std::vector<TermColumns>& model) {
   }
 }
 
-/// Factors of the model that are treatments.
+/// Returns the factors of the model that are treatments.
 std::vector<std::string> treatments(const Observations& observations, const std::vector<Term>& terms) {
   std::vector<std::string> names;
   for (const Factor& factor : observations.factors) {
@@ -106,7 +106,7 @@ std::vector<std::string> treatments(const Observations& observations, const std:
   return names;
 }
 
-/// The interactions of the treatments that are no term of the model.
+/// Returns the interactions of the treatments that the model does not contain.
 std::vector<Term> pooled_terms(const std::vector<std::string>& treatments, const std::vector<Term>& terms) {
   std::vector<Term> pooled;
   for (const Term& term : crossed_terms(treatments))
@@ -116,7 +116,7 @@ std::vector<Term> pooled_terms(const std::vector<std::string>& treatments, const
   return pooled;
 }
 
-/// Names interactions that the model leaves in the residual, and their F as terms beside the others.
+/// Adds a warning on interactions that the model pools in the residual, with the F they would have as terms.
 void warn_of_pooled_terms(Anova& result, const Observations& observations, const Eigen::VectorXd& response,
                           double squares, std::vector<Term> terms,
                           const std::vector<std::string>& treatments) {
@@ -164,7 +164,7 @@ std::string words_of(SumsOfSquares sums) {
 Anova anova(const Observations& observations, const std::vector<Term>& terms, SumsOfSquares sums) {
   observations.check();
   const auto count = static_cast<Eigen::Index>(observations.values.size());
-  // Squares of the differences from one of the values keep the digits that a large mean would take.
+  // Differences from the first value keep the digits that a large mean would cost.
   const Eigen::Map<const Eigen::VectorXd> scores(observations.values.data(), count);
   const Eigen::VectorXd response = scores.array() - observations.values[0];
   const auto model = model_columns(observations, terms);

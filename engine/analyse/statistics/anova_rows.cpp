@@ -23,7 +23,7 @@ AnovaRow anova_row(const std::string& name, double freedom, double sum) {
 void judge(AnovaRow& row, const AnovaRow& error) {
   row.against = error.name;
   if (row.freedom <= 0.0 || error.freedom <= 0.0) return;
-  if (error.sum_of_squares <= 0.0) return;  // nothing to compare with, as a t test of equal differences
+  if (error.sum_of_squares <= 0.0) return;  // no error variance: F is undefined
   row.f = row.mean_square / error.mean_square;
   row.p = fisher_tail(row.f, row.freedom, error.freedom);
   row.partial_eta_squared = row.sum_of_squares / (row.sum_of_squares + error.sum_of_squares);

@@ -10,21 +10,20 @@
 
 namespace stepwire::statistics {
 
-/// An estimate, and between which numbers it lies when its samples are drawn again (percentiles of a
-/// bootstrap).
+/// An estimate with its confidence interval (percentiles of a bootstrap).
 struct Estimate {
   double value = 0.0;
   ConfidenceInterval interval;
 };
 
-/// How an interval of an estimate is found.
+/// Parameters of a bootstrap.
 struct Bootstrap {
   double confidence = 0.95;
   std::size_t replicates = 500;
   std::int64_t seed = 1;
 };
 
-/// Samples, each as a row of as many numbers; those with one that is not finite are left out.
+/// Samples of `width` numbers each. Samples with a non-finite number are left out.
 struct Samples {
   std::vector<double> numbers;
   std::size_t width, count = 0;
@@ -33,14 +32,15 @@ struct Samples {
   const double* operator[](std::size_t sample) const { return numbers.data() + sample * width; }
 };
 
-/// Some of the samples, by their numbers, some several times.
+/// Indices of drawn samples, with repetitions.
 using Choice = std::vector<std::size_t>;
 
-/// Numbers that are made of samples, with their intervals; none with fewer than two samples.
+/// Computes numbers from samples, with their bootstrap intervals. Intervals are nan for fewer than two
+/// samples.
 std::vector<Estimate> estimate(const Samples& samples, const Bootstrap& bootstrap,
                                const std::function<std::vector<double>(const Choice&)>& numbers_of);
 
-/// So many estimates from the list of all, the part-th of such parts.
+/// Returns the part-th group of `size` consecutive estimates.
 std::vector<Estimate> part_of(const std::vector<Estimate>& all, std::size_t part, std::size_t size);
 
 }  // namespace stepwire::statistics

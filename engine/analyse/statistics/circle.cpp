@@ -13,12 +13,12 @@ namespace stepwire::statistics {
 namespace {
 
 constexpr double negligible = 1e-11;    // of the largest singular value
-constexpr double largest_radius = 1e5;  // of the points' spread: beyond it an arc is a line
+constexpr double largest_radius = 1e5;  // times the points' spread; beyond it an arc counts as a line
 constexpr const char* on_a_line =
     "the points lie on a line, or so near to one that their circle would be 100000 times as large as their "
     "spread";
 
-/// A circle as a (x^2 + y^2) + b x + c y + d = 0.
+/// Returns the circle a (x^2 + y^2) + b x + c y + d = 0.
 Circle from_coefficients(const Eigen::Vector4d& k) {
   if (std::abs(k[0]) * largest_radius < k.segment<2>(1).norm()) throw StatisticsError(on_a_line);
   const Eigen::Vector2d centre = -0.5 * k.segment<2>(1) / k[0];
@@ -36,8 +36,9 @@ Circle kasa(const PlanePoints& points) {
   return from_coefficients({1.0, solution[0], solution[1], solution[2]});
 }
 
-/// Smallest |M k| with b^2 + c^2 - 4 a d = 1, M the rows (x^2 + y^2, x, y, 1): the constraint in the axes of
-/// M's singular values has one negative eigenvalue, and the one after it belongs to the solution.
+/// Pratt's fit: minimises |M k| subject to b^2 + c^2 - 4 a d = 1. M has the rows (x^2 + y^2, x, y, 1). In the
+/// axes of M's singular vectors the constraint has one negative eigenvalue; the next larger one belongs to
+/// the solution.
 Circle pratt(const PlanePoints& points) {
   Eigen::MatrixXd columns(points.cols(), 4);
   columns << squares(points), points.transpose(), Eigen::VectorXd::Ones(points.cols());
@@ -46,7 +47,7 @@ Circle pratt(const PlanePoints& points) {
   sizes.head(svd.singularValues().size()) = svd.singularValues();
   const Eigen::Matrix4d axes = svd.matrixV();
   if (sizes[3] < negligible * sizes[0]) return from_coefficients(axes.col(3));
-  Eigen::Matrix4d inverse = Eigen::Matrix4d::Zero();  // of the constraint
+  Eigen::Matrix4d inverse = Eigen::Matrix4d::Zero();  // inverse of the constraint matrix
   inverse(0, 3) = inverse(3, 0) = -0.5;
   inverse(1, 1) = inverse(2, 2) = 1.0;
   const Eigen::Matrix4d scaled = axes * sizes.asDiagonal();
@@ -54,7 +55,7 @@ Circle pratt(const PlanePoints& points) {
   return from_coefficients(axes * solver.eigenvectors().col(1).cwiseQuotient(sizes));
 }
 
-/// The same with the mean of |grad|^2 as the constraint, which leaves three columns.
+/// Taubin's fit: Pratt's with the mean of |grad|^2 as the constraint, which leaves three columns.
 Circle taubin(const PlanePoints& points) {
   const Eigen::VectorXd z = squares(points);
   const double mean = z.mean(), scale = 2.0 * std::sqrt(mean);
@@ -65,7 +66,7 @@ Circle taubin(const PlanePoints& points) {
   return from_coefficients({k[0] / scale, k[1], k[2], -mean * k[0] / scale});
 }
 
-/// Residuals r_i - R and their derivatives by (centre, R), as the normal equations of one step.
+/// Normal equations of one step, from the residuals r_i - R and their derivatives by (centre, R).
 struct Normal {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -76,7 +77,7 @@ Normal normal_equations(const PlanePoints& points, const Circle& circle) {
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Eigen::Vector2d from = points.col(i) - circle.centre;
     const double r = from.norm();
-    if (r == 0.0) continue;  // at the centre no direction leads outwards
+    if (r == 0.0) continue;  // undefined at the centre
     const Eigen::Vector3d slope(-from.x() / r, -from.y() / r, -1.0);
     normal.matrix += slope * slope.transpose();
     normal.right -= slope * (r - circle.radius);
@@ -102,7 +103,7 @@ Circle geometric(const PlanePoints& points) {
     const bool better = next_error < error;
     damping *= better ? 0.1 : 10.0;
     if (better) circle = next, error = next_error;
-    if (!better && damping > 1e10) return circle;  // no step helps any more: rounding is reached
+    if (!better && damping > 1e10) return circle;  // no step reduces the error: rounding limit
     if (circle.radius > largest_radius) throw StatisticsError(on_a_line);
   }
   throw StatisticsError(fmt::format("the circle does not settle in {} steps", max_steps));
@@ -114,7 +115,8 @@ void check(const PlanePoints& points) {
   if (!points.allFinite()) throw StatisticsError("a coordinate is no finite number");
 }
 
-/// Spread of the points about their mean; a line has none across.
+/// Returns the spread of the points about their mean. Throws StatisticsError for collinear points, whose
+/// second singular value vanishes.
 double spread(const PlanePoints& centred) {
   const Eigen::Vector2d sizes = Eigen::JacobiSVD<Eigen::MatrixXd>(centred).singularValues();
   if (!(sizes[1] > negligible * sizes[0])) throw StatisticsError(on_a_line);
@@ -139,7 +141,7 @@ Circle fitted(const PlanePoints& points, CircleFit fit) {
 
 Circle fit_circle(const PlanePoints& points, CircleFit fit) {
   check(points);
-  // About their mean and in units of their spread, numbers of any origin and size are fitted alike.
+  // Centring and scaling make the fit independent of the origin and the size of the points.
   const Eigen::Vector2d mean = points.rowwise().mean();
   const PlanePoints centred = points.colwise() - mean;
   const double scale = spread(centred);

@@ -11,7 +11,7 @@
 namespace stepwire::statistics {
 namespace {
 
-/// The observations at some levels of a factor, which has only these then, in this order.
+/// Returns the observations at some levels of a factor; the factor keeps these levels only, in this order.
 Observations kept(const Observations& observations, const std::string& name,
                   const std::vector<std::string>& levels) {
   const Factor& by = observations.factor(name);
@@ -47,7 +47,7 @@ std::vector<std::string> met_conditions(const Factor& factor, const std::vector<
   return met;
 }
 
-/// The subjects with a value in every cell.
+/// Returns the subjects with a value in every cell.
 std::vector<std::string> complete_subjects(const Observations& observations, const std::string& subject,
                                            const std::string& condition, std::vector<std::string>& left_out) {
   std::vector<std::string> complete = observations.factor(subject).levels;

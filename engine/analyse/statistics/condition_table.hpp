@@ -8,20 +8,21 @@
 
 namespace stepwire::statistics {
 
-/// The observations of those subjects who have a value under every condition, and the same as a table.
+/// Observations of the subjects with a value under every condition, also as a table.
 struct ConditionTable {
   std::vector<std::string> subjects, conditions;
-  Eigen::MatrixXd values;  ///< [subject][condition]; several values of a subject count as their mean
+  Eigen::MatrixXd values;  ///< [subject][condition]; several values of a subject are averaged.
   Observations observations;
-  std::vector<std::string> left_out;  ///< "subject 10 has no value under HV", "nobody has a value under H"
+  std::vector<std::string> left_out;  ///< Messages such as "subject 10 has no value under HV".
 
   std::vector<double> column(std::size_t condition) const;
-  std::vector<double> differences(std::size_t first, std::size_t second) const;  ///< without rounding
+  std::vector<double> differences(
+      std::size_t first, std::size_t second) const;  ///< Differences, with those below rounding set to 0.
 };
 
-/// The conditions are levels of a factor, in an order of names; one that nobody has met is left out, and then
-/// subjects who lack one. Throws StatisticsError where fewer than two conditions or two subjects are left,
-/// and for what Observations::check refuses.
+/// Builds the table. The conditions are the levels of a factor, in the given order of names. Conditions
+/// without any value are left out first, then subjects with a missing condition. Throws StatisticsError if
+/// fewer than two conditions or two subjects remain, and for the faults of Observations::check.
 ConditionTable condition_table(const Observations& observations, const std::string& condition,
                                const std::string& subject, const std::vector<std::string>& order);
 

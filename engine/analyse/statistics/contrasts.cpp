@@ -11,7 +11,7 @@
 namespace stepwire::statistics {
 namespace {
 
-/// Helmert's contrasts: orthonormal columns that sum to zero.
+/// Returns Helmert contrasts: orthonormal columns that sum to zero.
 Eigen::MatrixXd contrasts(Eigen::Index levels) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(levels, levels - 1);
   for (Eigen::Index k = 0; k + 1 < levels; ++k) {

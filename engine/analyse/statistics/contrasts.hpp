@@ -8,12 +8,12 @@
 
 namespace stepwire::statistics {
 
-/// Means of the cells: a row for each subject, a column for each combination of the factors, the last one
-/// running fastest. Throws StatisticsError where a subject has no value in a cell.
+/// Returns the cell means: a row per subject, a column per combination of the factors, the last factor
+/// varying fastest. Throws StatisticsError if a subject has no value in a cell.
 Eigen::MatrixXd cell_means(const Observations& observations, std::vector<std::string> factors,
                            const std::string& subject);
 
-/// The orthonormal contrasts between these columns of which a term is made, a column for each.
+/// Returns the orthonormal contrasts of a term between these columns, one per column.
 Eigen::MatrixXd contrasts_of(const std::vector<std::string>& term, const Observations& observations,
                              const std::vector<std::string>& factors);
 

@@ -10,7 +10,7 @@
 namespace stepwire::statistics {
 namespace {
 
-/// Nan where there is nothing to divide by.
+/// Returns the quotient; nan for a divisor that is not positive.
 double ratio(double above, double below) {
   return below > 0.0 ? above / below : no_number;
 }
@@ -37,13 +37,13 @@ PairedEffect paired_effect(const std::vector<double>& first, const std::vector<d
 }
 
 std::vector<TermEffect> term_effects(const Anova& repeated) {
-  double between_subjects = 0.0;  // the subject and its interactions, which no term stands below
+  double between_subjects = 0.0;  // the subject and its interactions that are no term's error
   for (const AnovaRow& row : repeated.terms)
     if (repeated.find(row.against) == nullptr && row.freedom > 0.0) between_subjects += row.sum_of_squares;
   std::vector<TermEffect> effects;
   for (const AnovaRow& row : repeated.terms) {
     const AnovaRow* error = repeated.find(row.against);
-    if (error == nullptr || row.freedom <= 0.0) continue;  // such as a factor of one level
+    if (error == nullptr || row.freedom <= 0.0) continue;  // e.g. a factor of one level
     effects.push_back({row.name, row.partial_eta_squared, interval_of(row, error->freedom),
                        ratio(row.sum_of_squares, row.sum_of_squares + between_subjects)});
   }

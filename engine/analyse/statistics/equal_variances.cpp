@@ -27,7 +27,7 @@ std::vector<double> distances(const std::vector<double>& group, Middle middle) {
   return result;
 }
 
-/// Root of the sum of all squares.
+/// Returns the root of the sum of all squares.
 double size_of(const std::vector<std::vector<double>>& groups) {
   double squares = 0.0;
   for (const auto& group : groups) squares += squares_about(group, 0.0);

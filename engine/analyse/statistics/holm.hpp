@@ -4,8 +4,9 @@
 
 namespace stepwire::statistics {
 
-/// Probabilities corrected for their number after Holm 1979 (the i-th smallest of m times m - i + 1, never
-/// below the one before, at most 1), in the order given. Nan stays nan and does not count.
+/// Returns probabilities corrected for their number m, in the given order (Holm 1979). The i-th smallest is
+/// multiplied by m - i + 1; the results are made monotonic and limited to 1. Nan remains nan and is not
+/// counted.
 std::vector<double> holm_corrected(const std::vector<double>& probabilities);
 
 }  // namespace stepwire::statistics

@@ -15,7 +15,7 @@ namespace {
 
 struct Group {
   std::string name;
-  double mean = 0.0, square = 0.0, count = 0.0;  ///< square: of the standard error of the mean
+  double mean = 0.0, square = 0.0, count = 0.0;  ///< square: squared standard error of the mean
 };
 
 Group group_of(const Observations& observations, const std::vector<std::string>& factors, const Cell& cell) {

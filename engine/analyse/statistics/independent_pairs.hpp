@@ -8,17 +8,17 @@
 
 namespace stepwire::statistics {
 
-/// Two groups of independent values, compared by the t test of Welch (1947), whose variances may differ.
+/// Comparison of two independent groups by Welch's t test (1947), which allows unequal variances.
 struct IndependentPair {
-  std::string first, second;      ///< names of the groups
-  double difference = 0.0;        ///< mean of the first minus that of the second
-  ConfidenceInterval interval{};  ///< of the difference, 95 %
-  double t = 0.0, freedom = 0.0;  ///< degrees of freedom after Welch and Satterthwaite
-  double p = 0.0, holm = 0.0;     ///< as it is, and corrected for all pairs
+  std::string first, second;      ///< Names of the groups.
+  double difference = 0.0;        ///< Mean of the first minus mean of the second.
+  ConfidenceInterval interval{};  ///< 95 % interval of the difference.
+  double t = 0.0, freedom = 0.0;  ///< Degrees of freedom after Welch and Satterthwaite.
+  double p = 0.0, holm = 0.0;     ///< P uncorrected, and corrected for all pairs.
 };
 
-/// Compares all pairs of groups; a group is a combination of levels of some factors that has a value. Numbers
-/// of a pair are nan where a group has one value alone, or both have no spread.
+/// Compares all pairs of groups. A group is a combination of levels of the factors with at least one value.
+/// The numbers of a pair are nan if a group has only one value, or if neither has any spread.
 std::vector<IndependentPair> independent_pairs(const Observations& observations,
                                                const std::vector<std::string>& factors);
 

@@ -6,9 +6,9 @@
 namespace stepwire::statistics {
 namespace {
 
-constexpr double independent = 1e-9;  // of a column's length must be new
+constexpr double independent = 1e-9;  // least new part of a column, as a share of its length
 
-/// One column for every level but the last: 1 there, -1 at the last level, 0 else.
+/// Returns one column per level but the last: 1 there, -1 at the last level, 0 else.
 Eigen::MatrixXd coded(const Factor& factor) {
   const auto rows = static_cast<Eigen::Index>(factor.level.size());
   const auto last = static_cast<Eigen::Index>(factor.levels.size()) - 1;
@@ -37,7 +37,7 @@ Eigen::MatrixXd all_columns(const Observations& observations, const Term& term) 
   return columns;
 }
 
-/// Directions that are spanned so far, each of length 1, and the term from which each came.
+/// Orthonormal basis of the columns so far, and the term of each (Gram-Schmidt, applied twice for accuracy).
 class Basis {
  public:
   explicit Basis(Eigen::Index rows) : directions_(rows, 1), columns_(rows, 1), owners_(1, -1) {
@@ -45,7 +45,7 @@ class Basis {
     columns_.col(0).setOnes();
   }
 
-  /// Takes a column in where it is new.
+  /// Adds a column if it is linearly independent of the basis; false if it is not.
   bool takes(const Eigen::VectorXd& column, int owner) {
     Eigen::VectorXd rest = column;
     for (int twice = 0; twice < 2; ++twice) rest -= directions_ * (directions_.transpose() * rest);
@@ -58,7 +58,7 @@ class Basis {
     return true;
   }
 
-  /// The terms that a column is made of which is not new; the constant (-1) is none.
+  /// Returns the terms that a dependent column is a combination of, without the constant (-1).
   std::vector<int> makers(const Eigen::VectorXd& column) const {
     const Eigen::VectorXd shares = columns_.colPivHouseholderQr().solve(column);
     std::vector<int> result;

@@ -8,19 +8,19 @@
 
 namespace stepwire::statistics {
 
-/// The columns of a term in a linear model: factors coded so that their levels sum to zero, interactions by
-/// products. Columns that those before them determine are left out.
+/// Columns of a term in a linear model. Factors are coded so that their levels sum to zero; interactions are
+/// products. Columns that are linear combinations of earlier ones are left out.
 struct TermColumns {
   Term term;
-  Eigen::MatrixXd columns;           ///< [observation][column], independent of each other and of those before
-  Eigen::Index wanted = 0;           ///< number of columns that the term should have
-  std::vector<std::string> same_as;  ///< names of the terms that determine what was left out
+  Eigen::MatrixXd columns;           ///< [observation][column], linearly independent of earlier ones.
+  Eigen::Index wanted = 0;           ///< Number of columns without collinearity.
+  std::vector<std::string> same_as;  ///< Names of the terms that determine the omitted columns.
 };
 
-/// The terms of a model behind its constant.
+/// Returns the columns of the terms of a model; the constant comes before them.
 std::vector<TermColumns> model_columns(const Observations& observations, const std::vector<Term>& terms);
 
-/// The part of a response that the constant and some terms explain.
+/// Returns the part of a response that the constant and some terms explain.
 Eigen::VectorXd explained(const Eigen::VectorXd& response, const std::vector<const TermColumns*>& terms);
 
 }  // namespace stepwire::statistics

@@ -7,16 +7,17 @@
 
 namespace stepwire::statistics {
 
-/// Between which values the mean of a condition lies, 95 %.
+/// 95 % confidence intervals of the mean of a condition.
 struct MeanInterval {
   double mean = 0.0;
-  ConfidenceInterval plain;  ///< Student's, of the values as they are
-  /// Without what tells subjects apart as a whole (Cousineau 2005, widened for the number of conditions after
-  /// Morey 2008): where these of two conditions lie apart tells of their difference. Nan for one condition.
+  ConfidenceInterval plain;  ///< Student's interval of the raw values.
+  /// Within-subject interval: between-subject variance removed (Cousineau 2005), with Morey's (2008)
+  /// correction for the number of conditions. Intervals of two conditions that do not overlap indicate a
+  /// difference. Nan for a single condition.
   ConfidenceInterval within_subject;
 };
 
-/// Of each column of values[subject][condition]; two subjects or more.
+/// Computes the intervals of each column of values[subject][condition]; needs two subjects or more.
 std::vector<MeanInterval> mean_intervals(const Eigen::MatrixXd& values);
 
 }  // namespace stepwire::statistics

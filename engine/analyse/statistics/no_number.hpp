@@ -4,7 +4,7 @@
 
 namespace stepwire::statistics {
 
-/// What stands in the place of a number that does not exist.
+/// Missing value: NaN.
 inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace stepwire::statistics

@@ -15,20 +15,20 @@ namespace {
 constexpr double far_out = 40.0;
 constexpr double largest_t = 1e4;  // beyond it Boost's series have too many terms
 
-// Where a series ends before its last digit, what it has is exact enough; other faults give nan.
+// Policy: a truncated series is exact enough; other errors give nan.
 using Quietly = boost::math::policies::policy<
     boost::math::policies::domain_error<boost::math::policies::ignore_error>,
     boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
     boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>;
 
 double below_f(double f, double above, double below, double noncentrality) {
-  if (noncentrality <= 0.0)  // the noncentral one of Boost is slow there
+  if (noncentrality <= 0.0)  // Boost's noncentral F is slow at 0
     return boost::math::cdf(boost::math::fisher_f_distribution<double, Quietly>(above, below), f);
   return boost::math::cdf(
       boost::math::non_central_f_distribution<double, Quietly>(above, below, noncentrality), f);
 }
 
-/// Where a function that falls crosses zero, from a start where it is above zero; nan where it stays above.
+/// Finds the root of a falling function that is positive at `low`; nan if it has none.
 template <class Function>
 double falling_root(Function function, double low, double step) {
   double high = low + step;
@@ -45,7 +45,7 @@ double falling_root(Function function, double low, double step) {
 }  // namespace
 
 double noncentral_student_tail(double value, double freedom, double noncentrality) {
-  // So far out the tail is 1 or 0 to the last digit, and Boost counts beyond an int.
+  // This far out the tail is 1 or 0 to the last digit, and Boost's term count would overflow an int.
   if (std::abs(noncentrality) > far_out * std::max(1.0, std::abs(value)))
     return noncentrality > 0.0 ? 1.0 : 0.0;
   const boost::math::non_central_t_distribution<double, Quietly> distribution(freedom, noncentrality);

@@ -11,7 +11,7 @@
 namespace stepwire::statistics {
 namespace {
 
-/// Standard deviation; 0 where only rounding tells the values apart.
+/// Returns the standard deviation; 0 if the values differ by rounding only.
 double deviation_of(const std::vector<double>& values, double mean) {
   double squares = 0.0;
   for (const double value : values) squares += (value - mean) * (value - mean);

@@ -5,14 +5,14 @@
 
 namespace stepwire::statistics {
 
-/// The power that a study is to have, as laboratories plan it (Cohen 1988).
+/// Usual target of the power of a study (Cohen 1988).
 inline constexpr double wanted_power = 0.8;
 
-/// Probability that the paired t test of so many subjects (2 or more) is significant at 0.05, two-sided,
-/// where the effect is d_z: both tails of the noncentral t. Nan for a d_z of nan.
+/// Returns the power of the two-sided paired t test at 0.05 with this number of subjects (2 or more) for the
+/// effect d_z. It is the probability of both tails of the noncentral t. Nan for a d_z of nan.
 double paired_power(double d_z, std::size_t subjects);
 
-/// The fewest subjects with the power that is wanted; nothing where `most` do not have it.
+/// Returns the fewest subjects with the given power; std::nullopt if `most` are not enough.
 std::optional<std::size_t> subjects_needed(double d_z, double power = wanted_power, std::size_t most = 10000);
 
 }  // namespace stepwire::statistics

@@ -26,7 +26,7 @@ PowerRow power_of(const std::string& name, const Eigen::MatrixXd& scores, const 
   return row;
 }
 
-/// Factors of a term by its name, "haptic:visual".
+/// Returns the factors in the name of a term: "haptic:visual".
 std::vector<std::string> factors_in(const std::string& term) {
   std::vector<std::string> factors;
   for (std::size_t from = 0, to = 0; to != std::string::npos; from = to + 1) {

@@ -12,16 +12,15 @@ double beta_quantile(double a, double b, double share) {
   return boost::math::quantile(boost::math::beta_distribution<double>(a, b), share);
 }
 
-/// The probability that fewer than `rank` of the values lie below the quantile of a share: of a binomial
-/// distribution, by the incomplete beta function.
+/// Returns the probability that fewer than `rank` of the values are below the quantile of a share. It is that
+/// of a binomial distribution, computed by the incomplete beta function.
 double probability_of_fewer(std::size_t rank, std::size_t count, double share) {
   if (rank == 0) return 0.0;
   if (rank > count) return 1.0;
   return boost::math::ibetac(static_cast<double>(rank), static_cast<double>(count - rank + 1), share);
 }
 
-/// The number of values below the quantile of which fewer are seen with at most this probability: the
-/// largest.
+/// Returns the largest rank whose probability_of_fewer() is at most `probability`, by bisection.
 std::size_t largest_rank(std::size_t count, double share, double probability) {
   std::size_t low = 0, high = count + 1;  // the probability grows with the rank
   while (high - low > 1) {
@@ -45,12 +44,12 @@ RankInterval quantile_ranks(std::size_t count, double share, double confidence) 
   const double tail = 0.5 * (1.0 - confidence);
   RankInterval ranks;
   if (const std::size_t low = largest_rank(count, share, tail); low > 0) ranks.low = low - 1;
-  // Seen from the other end the same.
+  // The upper rank follows by symmetry.
   if (const std::size_t high = largest_rank(count, 1.0 - share, tail); high > 0) ranks.high = count - high;
   return ranks;
 }
 
-// The probability that all n values are on one side of the quantile is share^n, or (1 - share)^n.
+// All n values are on one side of the quantile with the probability share^n or (1 - share)^n.
 std::size_t values_for_both_ranks(double share, double confidence) {
   const auto both = [&](std::size_t count) {
     const RankInterval ranks = quantile_ranks(count, share, confidence);

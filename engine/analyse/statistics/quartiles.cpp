@@ -17,7 +17,8 @@ double hazen_quantile(const std::vector<double>& sorted, double p) {
 
 namespace {
 
-/// The box itself lies within the reach, so that each whisker has a value to end at, or ends at the box.
+/// Shortens the whiskers to the last value within reach, or to the edge of the box if there is none outside
+/// it.
 void shorten_whiskers(BoxSummary& box, const std::vector<double>& sorted) {
   const double reach = 1.5 * (box.upper - box.lower);
   box.low_whisker = box.lower;

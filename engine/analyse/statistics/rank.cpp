@@ -13,7 +13,7 @@ bool has_nan(const std::vector<double>& values) {
 }
 
 double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  // Ranks of n values have this mean with ties and without.
+  // The mean of n ranks, with or without ties.
   const double mean = 0.5 * (static_cast<double>(a.size()) + 1.0);
   double ab = 0.0, aa = 0.0, bb = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -12,7 +12,7 @@ namespace stepwire::statistics {
 
 namespace {
 
-/// The ranks of each column, about their mean and of length 1; nan where all are equal.
+/// Returns the ranks of each column, centred and of length 1; nan for a constant column.
 Eigen::MatrixXd unit_ranks(const Samples& samples, const Choice& choice) {
   Eigen::MatrixXd columns(choice.size(), samples.width);
   std::vector<double> values(choice.size());
@@ -28,7 +28,7 @@ Eigen::MatrixXd unit_ranks(const Samples& samples, const Choice& choice) {
   return columns;
 }
 
-/// The correlation of each parameter with the outcome, the last one, when the others are held.
+/// Returns the partial correlation of each parameter with the outcome (the last column), given the others.
 Eigen::VectorXd partial_correlations(const Eigen::MatrixXd& correlations) {
   constexpr double singular = 1e-10;
   const Eigen::Index last = correlations.rows() - 1;
@@ -38,11 +38,11 @@ Eigen::VectorXd partial_correlations(const Eigen::MatrixXd& correlations) {
   const Eigen::MatrixXd inverse = correlations.topLeftCorner(last, last).inverse();
   const Eigen::VectorXd weights = inverse * together;
   const double unexplained = std::max(0.0, 1.0 - together.dot(weights));
-  // Of the inverse of all, by its blocks: -P_iy / sqrt(P_ii P_yy).
+  // From the block inverse P of the whole correlation matrix: -P_iy / sqrt(P_ii P_yy).
   return weights.array() / (inverse.diagonal().array() * unexplained + weights.array().square()).sqrt();
 }
 
-/// Rank correlations of all parameters, behind them partial ones.
+/// Returns the rank correlations of all parameters, then the partial ones.
 std::vector<double> correlations_of(const Samples& samples, const Choice& choice) {
   const auto parameters = static_cast<Eigen::Index>(samples.width) - 1;
   if (choice.size() < 2) return std::vector<double>(2 * (samples.width - 1), no_number);

@@ -8,17 +8,17 @@
 
 namespace stepwire::statistics {
 
-/// How an outcome goes up or down with each parameter: between -1 and 1, 0 where it does neither.
+/// Monotonic dependence of an outcome on each parameter: -1 to 1, 0 for none.
 struct RankSensitivity {
-  std::vector<Estimate> rank;     ///< Spearman's rank correlation
-  std::vector<Estimate> partial;  ///< that of what the ranks of the other parameters do not explain
-  std::size_t samples = 0;        ///< that count
+  std::vector<Estimate> rank;     ///< Spearman's rank correlation.
+  std::vector<Estimate> partial;  ///< Rank correlation with the other parameters regressed out.
+  std::size_t samples = 0;        ///< Number of complete samples.
 };
 
-/// Rank correlations (Spearman 1904) and partial ones (Iman and Conover 1979) from samples of any design:
-/// the values of all parameters, and the outcome behind them, a row for each sample. One with a number that
-/// is none does not count. nan with fewer than two, and where a column has one value; partial ones also where
-/// a parameter follows from others.
+/// Computes rank correlations (Spearman 1904) and partial ones (Iman and Conover 1979) for samples of any
+/// design. A row of `rows` is one sample: the parameters, then the outcome. Samples with a non-finite number
+/// are left out. The result is nan for fewer than two samples and for a constant column. Partial correlations
+/// are also nan if a parameter is a function of others.
 RankSensitivity rank_sensitivity(std::span<const double> rows, std::size_t parameters,
                                  const Bootstrap& bootstrap);
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double doubtful_epsilon = 0.75, significant = 0.05;
 
-/// The means as observations again: one value of every subject in every cell.
+/// Returns the cell means as observations: one value per subject and cell.
 Observations averaged(const Observations& subjects, const Eigen::MatrixXd& means, const Observations& scores,
                       const std::vector<std::string>& within) {
   Observations result{scores.response, {}, subjects.factors};
@@ -44,8 +44,8 @@ Observations averaged(const Observations& subjects, const Eigen::MatrixXd& means
   return result;
 }
 
-/// The subjects as observations without values, with the factors between them. Throws StatisticsError where
-/// one subject has two levels of such a factor.
+/// Returns the subjects as observations without values, with the between-subject factors. Throws
+/// StatisticsError if a subject has two levels of such a factor.
 Observations subjects_of(const Observations& scores, const std::vector<std::string>& between,
                          const std::string& subject) {
   const Factor& who = scores.factor(subject);
@@ -69,7 +69,7 @@ Observations subjects_of(const Observations& scores, const std::vector<std::stri
   return subjects;
 }
 
-/// The linear model of the subjects: a constant and the terms between them.
+/// Linear model of the subjects: a constant and the between-subject terms.
 class BetweenModel {
  public:
   BetweenModel(const Observations& subjects, const std::vector<std::string>& between)
@@ -79,7 +79,7 @@ class BetweenModel {
   const std::vector<TermColumns>& terms() const { return terms_; }
   double freedom() const { return static_cast<double>(subjects_ - columns_without(-2).cols()); }
   Eigen::MatrixXd residuals(const Eigen::MatrixXd& scores) const { return scores - fitted(scores, -2); }
-  /// The sum of squares of a term beyond all others (-1: the constant), over all columns of scores.
+  /// Returns the sum of squares of a term beyond all others (-1: the constant), over all columns of scores.
   double sum(const Eigen::MatrixXd& scores, int term) const {
     return (fitted(scores, -2) - fitted(scores, term)).squaredNorm();
   }
@@ -110,7 +110,7 @@ class BetweenModel {
   Eigen::Index subjects_;
 };
 
-/// Mauchly's W and its probability after Box's expansion to the second order (Anderson 1958, section 10.7).
+/// Sets Mauchly's W and its P by Box's expansion to the second order (Anderson 1958, section 10.7).
 void judge_sphericity(Sphericity& result, const Eigen::MatrixXd& covariance, double freedom) {
   const auto p = static_cast<double>(covariance.rows());
   result.mauchly = covariance.determinant() / std::pow(covariance.trace() / p, p);
@@ -122,7 +122,7 @@ void judge_sphericity(Sphericity& result, const Eigen::MatrixXd& covariance, dou
   result.p_mauchly = first + second * (chi_squared_tail(z, f + 4.0) - first);
 }
 
-/// Huynh and Feldt 1976, at most 1; nan where there are too few subjects.
+/// Returns the epsilon of Huynh and Feldt 1976, at most 1; nan for too few subjects.
 double huynh_feldt(double greenhouse_geisser, double terms, double freedom) {
   const double below = terms * (freedom - terms * greenhouse_geisser);
   if (below < 1e-9 * terms * freedom) return no_number;
@@ -134,8 +134,9 @@ double corrected_probability(const AnovaRow& row, double error_freedom, double e
   return fisher_tail(row.f, row.freedom * epsilon, error_freedom * epsilon);
 }
 
-/// Nothing where the subjects differ in none of the contrasts of scores that have a size (their norm).
-/// `rest`: what the model between subjects leaves of the contrasts, with so many degrees of freedom.
+/// Returns the sphericity of a term; std::nullopt if the subjects differ in none of its contrasts. Here
+/// `rest` are the contrasts minus the between-subject model, with `freedom` degrees of freedom; `size` is the
+/// norm of the scores.
 std::optional<Sphericity> sphericity(const Eigen::MatrixXd& rest, double freedom, double size,
                                      const AnovaRow& row) {
   if (is_rounding(rest.norm(), size)) return std::nullopt;
@@ -160,7 +161,10 @@ void warn(Anova& result, const AnovaRow& row) {
                   row.name, s.epsilon, mauchly, s.p_corrected));
 }
 
-/// All lines of one design.
+/// All lines of one design. Each within-subject term is reduced to orthonormal contrasts of the cell means,
+/// one row per subject. The between-subject model is fitted to these contrasts. Its constant gives the line
+/// of the term, its other terms give the interactions, and its residual is the error of both. This needs no
+/// design matrix over all cells, and yields the covariances for the sphericity.
 class Design {
  public:
   Design(const Observations& scores, std::vector<std::string> within, std::vector<std::string> between,
@@ -172,7 +176,7 @@ class Design {
         subject_(subject),
         between_(std::move(between)) {
     const double first =
-        scores.values[0];  // differences from it keep the digits that a large mean would take
+        scores.values[0];  // differences from it keep the digits that a large mean would cost
     Observations centred = scores;
     for (double& value : centred.values) value -= first;
     means_ = cell_means(centred, within_, subject);
@@ -196,8 +200,8 @@ class Design {
   }
 
  private:
-  /// The lines of a term within subjects, of its interactions with those between, and of their error; without
-  /// factors those of the means of the subjects.
+  /// Adds the lines of a within-subject term, of its interactions with the between-subject terms, and of
+  /// their error. Without factors these are the lines of the subjects' means.
   void add(const Term& within) {
     const Eigen::MatrixXd scores = means_ * contrasts_of(within.factors, scores_, within_);
     const Eigen::MatrixXd rest = model_.residuals(scores);
@@ -241,7 +245,7 @@ class Design {
   const std::string& subject_;
   std::vector<std::string> between_;
   Eigen::MatrixXd means_;  ///< [subject][cell]
-  double size_ = 0.0;      ///< of all scores
+  double size_ = 0.0;      ///< Norm of all scores.
   std::vector<AnovaRow> errors_;
   Anova result_;
 };

@@ -46,7 +46,8 @@ PlanePoints by_arc_length(const PlanePoints& path, double spacing) {
   return points;
 }
 
-/// Where the stretch from `a`, nearer to `last` than the spacing, to `b`, farther from it, is just as far.
+/// Returns the point between `a` and `b` at the distance `spacing` from `last`; `a` is nearer, `b` is
+/// farther.
 Eigen::Vector2d crossing(const Eigen::Vector2d& last, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                          double spacing) {
   const Eigen::Vector2d along = b - a, from = a - last;
@@ -72,7 +73,7 @@ PlanePoints by_chord(const PlanePoints& path, double spacing) {
 }
 
 double angle_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  // The arc cosine of equation 24 loses half of the digits near 0; this is the same angle.
+  // Equals the arc cosine of equation 24, which loses half of the digits near 0.
   return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
 }
 
@@ -80,7 +81,7 @@ bool is_inside(const Eigen::Vector2d& point, const WayBack& way_back) {
   return way_back(point).isZero(0.0);
 }
 
-/// The path up to its first point inside.
+/// Returns the path up to its first point inside.
 PlanePoints history(const PlanePoints& path, const WayBack& way_back) {
   if (is_inside(path.col(0), way_back)) throw StatisticsError("the path starts inside the region");
   for (Eigen::Index i = 1; i < path.cols(); ++i)

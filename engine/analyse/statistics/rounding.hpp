@@ -5,21 +5,21 @@
 
 namespace stepwire::statistics {
 
-/// What rounding leaves of numbers that do not vary, as a share of their size: some hundred times the
-/// distance of neighbouring doubles. Variation that thirteen decimal digits still show is beyond it.
+/// Relative rounding error of numbers that should be equal: about a hundred times the distance of
+/// neighbouring doubles. Variation visible in thirteen decimal digits is larger.
 inline constexpr double rounding_share = 100.0 * std::numeric_limits<double>::epsilon();
 
-/// Is a variation no more than what rounding leaves of scores of this size? Both are of one kind: the largest
-/// of them, or the root of a sum of squares.
+/// True if a variation is within the rounding error of scores of this size. Both are maxima, or both are
+/// roots of sums of squares.
 inline bool is_rounding(double variation, double size) {
   return variation <= rounding_share * size;
 }
 
-/// The largest of the absolute values; 0 of none.
+/// Returns the largest absolute value; 0 for an empty list.
 double largest_of(const std::vector<double>& values);
 
-/// Differences of scores of this size. What is rounding alone becomes 0; differences that only rounding tells
-/// apart become equal, so that no test takes rounding for an effect.
+/// Removes rounding error from differences of scores of this size. Differences within it become 0; if all
+/// agree within it, they become equal. Otherwise a test could report rounding as an effect.
 std::vector<double> without_rounding(std::vector<double> differences, double size);
 
 }  // namespace stepwire::statistics

@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::size_t fewest_values = 3, most_values = 5000;
 
-/// Lowest power first.
+/// Evaluates a polynomial; coefficients are in ascending order.
 double polynomial_at(const std::vector<double>& coefficients, double x) {
   double sum = 0.0;
   for (std::size_t i = coefficients.size(); i-- > 0;) sum = sum * x + coefficients[i];
   return sum;
 }
 
-/// Expected values of the upper half of n sorted normal values, the largest first (Blom's approximation).
+/// Returns the expected upper half of n sorted normal values, the largest first (Blom's approximation).
 std::vector<double> upper_scores(std::size_t n) {
   const boost::math::normal standard;
   std::vector<double> scores;
@@ -32,8 +32,9 @@ std::vector<double> upper_scores(std::size_t n) {
   return scores;
 }
 
-/// The weights of the upper half of the sorted values, the largest first; those of the lower half are their
-/// negatives. The outermost one, beyond five values two, follow from a fit, the others from the scores.
+/// Returns the weights of the upper half of the sorted values, the largest first; the lower half has their
+/// negatives. The outermost weight (two for more than five values) is from a fit, the others are from the
+/// scores.
 std::vector<double> weights(std::size_t n) {
   if (n == fewest_values) return {std::sqrt(0.5)};
   std::vector<double> scores = upper_scores(n);
@@ -53,7 +54,7 @@ std::vector<double> weights(std::size_t n) {
   return scores;
 }
 
-/// 1 - W of sorted values.
+/// Returns 1 - W of sorted values.
 double lack(const std::vector<double>& sorted) {
   const std::size_t n = sorted.size();
   const auto a = weights(n);
@@ -68,7 +69,8 @@ double lack(const std::vector<double>& sorted) {
   return (most_possible - both) * (most_possible + both) / (aa * xx);
 }
 
-/// Of three values the distribution is known; else a power or the logarithm of 1 - W is nearly normal.
+/// Returns P of 1 - W. For three values the distribution is known; else a power or the logarithm of 1 - W is
+/// nearly normal.
 double probability(double lack, std::size_t n) {
   constexpr double smallest = 1e-99;
   if (n == fewest_values)
@@ -97,7 +99,7 @@ std::optional<Normality> shapiro_wilk(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const double range = values.back() - values.front();
   if (is_rounding(range, largest_of(values))) return std::nullopt;
-  for (double& value : values) value /= range;  // squares neither vanish nor overflow
+  for (double& value : values) value /= range;  // avoids underflow and overflow of squares
   const double beyond = std::max(0.0, lack(values));
   return Normality{1.0 - beyond, probability(beyond, values.size())};
 }

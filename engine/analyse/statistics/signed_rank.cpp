@@ -9,10 +9,10 @@
 namespace stepwire::statistics {
 namespace {
 
-/// Share of all signs for which the sum of the positive ranks is `sum` or less. Ranks shared by ties are
-/// halves, so twice a rank is a whole number.
+/// Returns the share of all sign combinations whose positive ranks sum to `sum` or less. Tied ranks are
+/// multiples of 1/2, so twice a rank is an integer.
 double lower_tail(const std::vector<double>& ranks, double sum) {
-  std::vector<double> ways{1.0};  // of getting twice the index' rank sum, over all signs so far
+  std::vector<double> ways{1.0};  // share of the signs so far by twice the rank sum
   for (const double rank : ranks) {
     const auto step = static_cast<std::size_t>(std::lround(2.0 * rank));
     ways.resize(ways.size() + step, 0.0);

@@ -9,18 +9,18 @@ namespace stepwire::statistics {
 namespace {
 
 constexpr std::size_t fewest_subjects = 3;
-constexpr double alike = 1e-12;  // of the squares: what rounding leaves where all subjects are the same
+constexpr double alike = 1e-12;  // rounding error of the squares of identical subjects
 
 using Scores = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor>;
 
-/// One column for each subject: the scores about their mean with the variance that is estimated.
+/// Returns one column per subject: the scores about their mean, scaled to the estimated variance.
 Scores population(const Eigen::MatrixXd& scores) {
   const auto count = static_cast<double>(scores.rows());
   const Eigen::RowVectorXd mean = scores.colwise().mean();
   return (((scores.rowwise() - mean) * std::sqrt(count / (count - 1.0))).rowwise() + mean).transpose();
 }
 
-/// By the number of subjects n: above which ratio of n |mean|^2 to the squares about it F is significant.
+/// Returns for each number n of subjects the critical ratio of n |mean|^2 to the squares about the mean.
 std::vector<double> critical_ratios(const PowerSimulation& simulation, double contrasts) {
   std::vector<double> ratios(simulation.most_subjects + 1, 0.0);
   for (std::size_t n = 2; n < ratios.size(); ++n) {
@@ -31,7 +31,8 @@ std::vector<double> critical_ratios(const PowerSimulation& simulation, double co
   return ratios;
 }
 
-/// Draws one experiment after another, subject by subject.
+/// Simulates experiments by adding one subject after another. The sums are updated with each subject, so one
+/// draw of the largest experiment tests all smaller ones, too. The cost is one vector addition per subject.
 class Experimenter {
  public:
   Experimenter(const Scores& subjects, std::vector<double> critical)

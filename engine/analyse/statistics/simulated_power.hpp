@@ -10,24 +10,24 @@
 
 namespace stepwire::statistics {
 
-/// How power is simulated.
+/// Parameters of the simulation of power.
 struct PowerSimulation {
   std::uint64_t seed = 1;
   std::size_t experiments = 2000;
   std::size_t most_subjects = 200;
-  double epsilon = 1.0;  ///< by which the degrees of freedom of F are corrected, above 0
+  double epsilon = 1.0;  ///< Correction factor of the degrees of freedom of F, above 0.
 };
 
-/// The share of simulated experiments in which F of a term within subjects is significant at 0.05, by the
-/// number of subjects (of none and one: 0). Each simulated subject is one of those seen, drawn with
-/// replacement: the mean of scores[subject][contrast] stays the effect, what a subject deviates from it is
-/// made larger by sqrt(n / (n - 1)), so that its variance is the one estimated. An experiment whose subjects
-/// are all alike counts as not significant. One seed draws the same subjects for all terms. Empty for fewer
-/// than three subjects and for scores that do not vary.
+/// Returns the simulated power of a within-subject term by the number of subjects (0 for none and one). Power
+/// is the share of experiments in which F is significant at 0.05. Simulated subjects are drawn with
+/// replacement from the rows of scores[subject][contrast]. The mean of the scores remains the effect.
+/// Deviations from it are scaled by sqrt(n / (n - 1)), so that the population has the estimated variance. An
+/// experiment with identical subjects is not significant. A seed draws the same subjects for all terms. Empty
+/// for fewer than three subjects and for constant scores.
 std::vector<double> simulated_power(const Eigen::MatrixXd& scores, const PowerSimulation& simulation = {});
 
-/// The fewest subjects from which on the simulated power is what is wanted; nothing where that is beyond the
-/// last one.
+/// Returns the fewest subjects from which on the simulated power is at least `power`; std::nullopt if the
+/// last entry is below it.
 std::optional<std::size_t> subjects_needed(const std::vector<double>& by_subjects,
                                            double power = wanted_power);
 

@@ -8,7 +8,7 @@ namespace stepwire::statistics {
 
 namespace {
 
-/// First indices of all parameters, behind them total ones.
+/// Returns the first indices of all parameters, then the total ones.
 std::vector<double> indices_of(const Samples& samples, const Choice& choice, std::size_t parameters) {
   std::vector<double> sums(2 * parameters);
   double sum = 0.0, squares = 0.0;
@@ -29,7 +29,7 @@ std::vector<double> indices_of(const Samples& samples, const Choice& choice, std
   return sums;
 }
 
-/// Means of sizes of effects, of effects, and their deviations.
+/// Returns the means of absolute effects, the means of effects, and their deviations.
 std::vector<double> effects_of(const Samples& effects, const Choice& choice) {
   const std::size_t parameters = effects.width;
   std::vector<double> numbers(3 * parameters);

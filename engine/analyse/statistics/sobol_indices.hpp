@@ -8,29 +8,31 @@
 
 namespace stepwire::statistics {
 
-/// What part of the variance of an outcome goes with each parameter.
+/// Shares of the variance of an outcome by parameter.
 struct SobolIndices {
-  std::vector<Estimate> first;  ///< what is gone if the parameter were known
-  std::vector<Estimate> total;  ///< what is left if all others were known
-  std::size_t samples = 0;      ///< that count
+  std::vector<Estimate> first;  ///< Share that vanishes if the parameter is fixed.
+  std::vector<Estimate> total;  ///< Share that remains if all other parameters are fixed.
+  std::size_t samples = 0;      ///< Number of complete samples.
 };
 
-/// Indices from the outcomes of a design of Saltelli (sampling::saltelli_points): first ones as Saltelli and
-/// others 2010, total ones as Jansen (Analysis of variance designs for model output, 1999). A sample with an
-/// outcome that is no number does not count; nan with fewer than two, or where all outcomes are equal.
+/// Computes Sobol indices from the outcomes of a Saltelli design (sampling::saltelli_points). First indices
+/// are those of Saltelli and others 2010, total ones those of Jansen (Analysis of variance designs for model
+/// output, 1999). A sample with a non-finite outcome is left out. Nan for fewer than two samples, or if all
+/// outcomes are equal.
 SobolIndices sobol_indices(std::span<const double> outcomes, std::size_t parameters,
                            const Bootstrap& bootstrap);
 
-/// What a step of each parameter does to an outcome, as a slope over its share of all samples.
+/// Elementary effects of each parameter: the change of the outcome over the change of the parameter's
+/// quantile.
 struct MorrisEffects {
-  std::vector<Estimate> size;       ///< mean of the absolute values: how much it matters
-  std::vector<Estimate> mean;       ///< with their signs
-  std::vector<Estimate> deviation;  ///< how much it hangs on the others, or is not linear
-  std::size_t samples = 0;          ///< ways that count
+  std::vector<Estimate> size;       ///< Mean of the absolute effects: importance.
+  std::vector<Estimate> mean;       ///< Mean of the signed effects.
+  std::vector<Estimate> deviation;  ///< Standard deviation of the effects: interaction or nonlinearity.
+  std::size_t samples = 0;          ///< Number of complete trajectories.
 };
 
-/// Effects from the outcomes of a design of Morris. `steps` has for each point but the first of its way which
-/// parameter was changed, and how far.
+/// Computes the effects from the outcomes of a Morris design. `steps` has one entry per point of a trajectory
+/// but the first: the changed parameter and the size of the change.
 struct MorrisStep {
   std::size_t parameter = 0;
   double size = 0.0;

@@ -4,7 +4,8 @@
 
 namespace stepwire::statistics {
 
-/// Numbers that a method cannot work on, and what it would need: "a circle needs three points, there are 2".
+/// Error: numbers that a method cannot process; the text names its requirement: "a circle needs three points,
+/// there are 2".
 class StatisticsError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

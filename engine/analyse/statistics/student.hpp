@@ -2,8 +2,7 @@
 
 namespace stepwire::statistics {
 
-/// The value below which Student's t stays with a probability (0 to 1, both exclusive); `freedom` above 0 are
-/// its degrees of freedom.
+/// Returns the quantile of Student's t; 0 < probability < 1, `freedom` above 0.
 double student_quantile(double probability, double freedom);
 
 }  // namespace stepwire::statistics

@@ -7,7 +7,7 @@
 namespace stepwire::statistics {
 namespace {
 
-/// Rounding may leave a sum of squares a little below zero.
+/// Returns the upper tail. A value slightly below zero (rounding of a sum of squares) counts as 0.
 template <class Distribution>
 double tail(const Distribution& distribution, double value) {
   if (std::isnan(value)) return value;

@@ -2,14 +2,14 @@
 
 namespace stepwire::statistics {
 
-/// Probability that Fisher's F with so many degrees of freedom (above 0, fractions allowed) is `value` or
-/// more; 0 for an infinite value, nan for nan.
+/// Returns the probability that Fisher's F is `value` or more. Degrees of freedom are above 0 and may be
+/// fractions. 0 for an infinite value, nan for nan.
 double fisher_tail(double value, double above, double below);
 
-/// The value that Fisher's F reaches or exceeds with a probability (0 to 1, both exclusive).
+/// Returns the value that Fisher's F reaches with a probability between 0 and 1, both exclusive.
 double fisher_critical(double probability, double above, double below);
 
-/// Probability that chi-squared is `value` or more, as fisher_tail.
+/// Returns the probability that chi-squared is `value` or more, with the conventions of fisher_tail.
 double chi_squared_tail(double value, double freedom);
 
 }  // namespace stepwire::statistics

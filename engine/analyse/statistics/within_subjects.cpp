@@ -26,7 +26,7 @@ void correct(std::vector<PairComparison>& comparisons) {
     comparisons[i].holm = p[i], comparisons[i].ranks_holm = of_ranks[i];
 }
 
-/// What subject and condition leave of the values.
+/// Returns the residuals of the model subject + condition; empty if they are rounding error.
 std::vector<double> residuals_of(const Eigen::MatrixXd& values) {
   const Eigen::MatrixXd by_subject = values.colwise() - values.rowwise().mean();
   const Eigen::MatrixXd rest = by_subject.rowwise() - by_subject.colwise().mean();

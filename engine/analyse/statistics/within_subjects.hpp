@@ -16,46 +16,48 @@
 
 namespace stepwire::statistics {
 
-/// Two conditions that the same subjects have met, first minus second.
+/// Comparison of two conditions of the same subjects, first minus second.
 struct PairComparison {
   std::string first, second;
   PairedTest test;
   SignedRank ranks;
-  double holm = 1.0;        ///< P of the t test corrected for the number of comparisons
-  double ranks_holm = 1.0;  ///< the same of the signed ranks
+  double holm = 1.0;        ///< P of the t test corrected for the number of comparisons.
+  double ranks_holm = 1.0;  ///< The same for the signed ranks.
   PairedEffect effect;
-  std::optional<Normality> normality;  ///< of the differences
+  std::optional<Normality> normality;  ///< Normality of the differences.
 };
 
-/// What a laboratory reports of conditions within subjects beside the analysis of variance.
+/// Statistics of within-subject conditions besides the analysis of variance.
 struct WithinSubjects {
   ConditionTable table;
-  std::vector<std::string> factors;         ///< of the analysis of variance
-  std::vector<MeanInterval> means;          ///< of the conditions, in their order
-  std::vector<PairComparison> comparisons;  ///< of every pair, in the order of the conditions
-  Anova repeated;                           ///< of the subjects in the table
-  std::vector<TermEffect> effects;          ///< of its terms
-  std::optional<Normality> residuals;       ///< of the model subject + condition
+  std::vector<std::string> factors;         ///< Factors of the analysis of variance.
+  std::vector<MeanInterval> means;          ///< Means of the conditions, in their order.
+  std::vector<PairComparison> comparisons;  ///< Comparisons of all pairs, in the order of the conditions.
+  Anova repeated;                           ///< Analysis of the subjects in the table.
+  std::vector<TermEffect> effects;          ///< Effects of its terms.
+  std::optional<Normality> residuals;       ///< Normality of the residuals of the model subject + condition.
   std::optional<VarianceTest> variances;
 };
 
-/// Compares the levels of the factor `condition`, in an order of names; the terms of the analysis of variance
-/// are those of `factors`. Throws StatisticsError for what condition_table and repeated_measures refuse.
+/// Compares the levels of the factor `condition`, in the given order of names. The terms of the analysis of
+/// variance are those of `factors`. Throws StatisticsError for the faults of condition_table and
+/// repeated_measures.
 WithinSubjects within_subjects(const Observations& observations, const std::vector<std::string>& factors,
                                const std::vector<std::string>& order, const std::string& condition,
                                const std::string& subject);
 
-/// What power a comparison or a term has, and how many subjects it needs for `wanted_power`; nan and nothing
-/// where that does not exist.
+/// Power of a comparison or a term, and the subjects needed for `wanted_power`. Missing values are nan and
+/// std::nullopt.
 struct PowerRow {
-  std::string of;                       ///< "NO - H", "haptic:visual"
-  double d_z = 0.0;                     ///< of a comparison or a term of one degree of freedom
-  double power = 0.0, simulated = 0.0;  ///< of as many subjects: by the noncentral t, by simulation
+  std::string of;    ///< Name of the comparison or term: "NO - H", "haptic:visual".
+  double d_z = 0.0;  ///< Effect size of a comparison or of a term with one degree of freedom.
+  double power = 0.0,
+         simulated = 0.0;  ///< Power at the present number of subjects: by the noncentral t, by simulation.
   std::optional<std::size_t> needed, needed_simulated;
-  bool simulation_possible = false;  ///< three subjects or more whose scores vary
+  bool simulation_possible = false;  ///< True for three or more subjects with varying scores.
 };
 
-/// Of every comparison, then of every term.
+/// Returns the power of every comparison, then of every term.
 std::vector<PowerRow> power_rows(const WithinSubjects& within, const PowerSimulation& simulation = {});
 
 }  // namespace stepwire::statistics

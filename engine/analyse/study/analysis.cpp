@@ -17,7 +17,7 @@ using json::Json;
 
 namespace {
 
-/// The feedbacks among the factors.
+/// Returns the feedbacks among the factors.
 std::vector<std::string> feedbacks(const statistics::Observations& observations) {
   std::vector<std::string> names;
   for (const statistics::Factor& factor : observations.factors)
@@ -41,7 +41,7 @@ std::vector<std::vector<double>> by_condition(const PathErrors& errors) {
   return samples;
 }
 
-/// 1 for each of these conditions that gives a feedback, 0 for each other.
+/// Returns 1 for each condition with the feedback, else 0.
 Eigen::VectorXd presence(const std::vector<NamedValue>& means,
                          const std::vector<FeedbackCondition>& conditions, bool FeedbackCondition::*member) {
   Eigen::VectorXd present = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(means.size()));
@@ -112,7 +112,7 @@ std::vector<NamedValue> feedback_effects(const std::vector<NamedValue>& means,
   std::vector<NamedValue> effects;
   for (const auto& [name, member] : kinds) {
     const Eigen::VectorXd present = presence(means, conditions, member);
-    if (present.minCoeff() == present.maxCoeff()) continue;  // it is there always or never
+    if (present.minCoeff() == present.maxCoeff()) continue;  // present in all conditions or in none
     terms.conservativeResize(Eigen::NoChange, terms.cols() + 1);
     terms.rightCols(1) = present;
     effects.push_back({name, std::numeric_limits<double>::quiet_NaN()});
@@ -126,7 +126,7 @@ std::vector<NamedValue> feedback_effects(const std::vector<NamedValue>& means,
 
 namespace {
 
-/// The analyses within subjects, or why there are none.
+/// Adds the analyses within subjects, or the reason why there are none.
 void add_within_subjects(const statistics::Observations& all, const std::vector<std::string>& factors,
                          const std::vector<std::string>& order, TaskAnalysis& result) {
   try {

@@ -1,4 +1,4 @@
-// Assumptions of the analyses within subjects, in words.
+// The table of assumptions of the analyses within subjects.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,10 +9,9 @@ namespace stepwire::study {
 namespace {
 
 constexpr double level = 0.05;
-constexpr double mild_epsilon =
-    0.75;  // above it Huynh and Feldt's correction is the better one (Girden 1992)
+constexpr double mild_epsilon = 0.75;  // above it Huynh and Feldt's correction is better (Girden 1992)
 
-/// One assumption: a line of the table, and a sentence where it is rejected or cannot be judged.
+/// Writer of assumptions: a line of the table, and a sentence for each rejected or undecided one.
 class AssumptionLines {
  public:
   explicit AssumptionLines(text::TextTable& table) : table_(table) {}

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* quantities[]{"difference", "low",         "high", "p_pair",
                                    "holm",       "signed_rank", "d",    "needed"};
 
-/// The values of one pair, in the order of the quantities.
+/// Returns the values of one pair, in the order of the quantities.
 std::vector<double> values_of(const statistics::PairComparison& one, const statistics::PowerRow& power) {
   return {one.test.mean,
           one.test.interval.low,

@@ -20,7 +20,7 @@ void note_left_out(const statistics::WithinSubjects& within, text::TextTable& ta
     table.notes.push_back("Left out: " + sentence + ".");
 }
 
-/// What a comparison lacks, in words.
+/// Adds a note for each comparison whose differences are all equal.
 void note_equal_differences(const statistics::WithinSubjects& within, text::TextTable& table) {
   for (const statistics::PairComparison& one : within.comparisons)
     if (std::isnan(one.test.t))
@@ -50,7 +50,7 @@ text::TextTable intervals_table(const statistics::WithinSubjects& within, const 
   return table;
 }
 
-/// For how many comparisons P is corrected: those that have one.
+/// Returns the note on the correction of P: the number of comparisons with a P.
 std::string corrected_for(const statistics::WithinSubjects& within) {
   std::size_t of_t = 0, of_ranks = 0;
   for (const statistics::PairComparison& one : within.comparisons) {

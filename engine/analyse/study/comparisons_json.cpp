@@ -1,4 +1,4 @@
-// What is found of conditions within subjects, for programs.
+// Comparisons of conditions within subjects as JSON.
 #include <fmt/format.h>
 
 #include "engine/analyse/study/comparison_tables.hpp"

@@ -21,7 +21,7 @@ std::string name_of(const char* start, std::string factor) {
   return start + factor;
 }
 
-/// The finite ones of what each experiment gives.
+/// Returns the finite values of a quantity over the experiments.
 template <class Value>
 std::vector<double> values_in(const Outcomes& experiments, Value value) {
   std::vector<double> values;
@@ -35,7 +35,7 @@ void add(std::string name, double published, std::vector<double> values, std::ve
   if (!known && !values.empty()) all.push_back({std::move(name), published, std::move(values)});
 }
 
-/// What is published, then what the experiments have besides, under names that begin so.
+/// Adds the published values, then other values of the experiments whose names begin with `start`.
 void add_values(const std::string& start, const std::vector<NamedValue>& published,
                 const Outcomes& experiments, std::vector<Distribution>& all) {
   const auto add_value = [&](const std::string& name, double value) {
@@ -57,7 +57,7 @@ void add_ratio(const std::string& of, const std::string& over, const Outcomes& e
       all);
 }
 
-/// "0.114", "0.0972", "0.0469", "0.194", "70.0 %".
+/// Returns the cells of a line: "0.114", "0.0972", "0.0469", "0.194", "70.0 %".
 std::vector<std::string> line_of(const Distribution& one) {
   std::vector<double> values = one.values;
   std::ranges::sort(values);
@@ -82,7 +82,8 @@ text::TextTable table_of(const char* of, const std::vector<Distribution>& all, c
   return table;
 }
 
-/// In how many experiments a factor is significant and moves the error that way: 1 up, -1 down.
+/// Returns the number of experiments in which a factor is significant and its effect has this sign: 1 raises
+/// the error, -1 lowers it.
 std::string significant_in(const Outcomes& experiments, const std::string& factor, double sign) {
   const auto count = std::ranges::count_if(experiments, [&](const ExperimentOutcome& one) {
     return value_of(one.values, name_of("p.", factor)) < significant &&

@@ -16,7 +16,7 @@ namespace {
   throw yaml::Error(yaml::Fault{request.place, "study", message, {}});
 }
 
-/// Tells what had to be repeated; of each reason the first words are enough.
+/// Adds a remark on a repeated or failed trial, with the first of its reasons.
 void remark(const TrialRun& run, const StudyRequest& request, Experiment& experiment) {
   if (run.failures.empty()) return;
   experiment.remarks.push_back(
@@ -25,7 +25,7 @@ void remark(const TrialRun& run, const StudyRequest& request, Experiment& experi
                            : fmt::format("nor in any other of {} attempts; left out", run.attempts)));
 }
 
-/// Takes the runs of a person that were done and count.
+/// Moves the scored runs of a person into the experiment.
 void take(std::vector<TrialRun> runs, const StudyRequest& request, Experiment& experiment) {
   for (TrialRun& run : runs) {
     remark(run, request, experiment);
@@ -66,7 +66,7 @@ void score(const StudyRequest& request, const diagram::Diagram& diagram, Experim
   }
 }
 
-/// The experiment of one study, whose runs are there.
+/// Completes the experiment of one study, whose runs are done.
 void finish(const StudyRequest& request, const run::Job& job, std::size_t study, Experiment& experiment) {
   if (!job.points.empty()) experiment.sets = job.settings_of(study);
   std::ranges::stable_sort(experiment.runs, {},
@@ -78,14 +78,14 @@ void finish(const StudyRequest& request, const run::Job& job, std::size_t study,
   score(request, diagram_of(job, study), experiment);
 }
 
-/// One experiment whose persons are at work, at all points of the sweep.
+/// An unfinished experiment at all points of the sweep.
 struct OpenExperiment {
-  std::vector<std::vector<TrialRun>> people;  ///< of each study all subjects
+  std::vector<std::vector<TrialRun>> people;  ///< Runs of all subjects of each study.
   std::atomic<std::size_t> left = 0;
   std::atomic<bool> interrupted = false;
 };
 
-/// Experiments whose persons work side by side, without waiting for each other.
+/// Experiments whose persons run in parallel, independently of each other.
 class OpenExperiments {
  public:
   OpenExperiments(TrialRuns& runs, const StudyRequest& request, const run::Job& job,

@@ -14,13 +14,13 @@ const std::vector<std::pair<const char*, bool FeedbackCondition::*>> factors{
     {"visual", &FeedbackCondition::visual},
     {"guiding path", &FeedbackCondition::guiding_path}};
 
-/// "p.guiding_path" of "guiding path".
+/// Returns "p.guiding_path" for "guiding path".
 std::string column_of(const std::string& start, std::string factor) {
   std::replace(factor.begin(), factor.end(), ' ', '_');
   return start + factor;
 }
 
-/// The feedbacks in which the conditions differ.
+/// Returns the feedbacks in which the conditions differ.
 std::vector<std::string> factors_of(const StudyRequest& request) {
   std::vector<std::string> result;
   for (const auto& [name, member] : factors) {
@@ -34,7 +34,7 @@ std::vector<std::string> factors_of(const StudyRequest& request) {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-/// Means over the trials of each condition, by names such as "deviation.HV".
+/// Returns the mean deviations of the conditions, named "deviation.HV".
 std::vector<NamedValue> mean_deviations(const Experiment& experiment, const StudyRequest& request) {
   std::vector<NamedValue> values;
   for (const std::string& condition : request.condition_names()) {

@@ -7,18 +7,18 @@
 
 namespace stepwire::study {
 
-/// A column of what comes out of an experiment.
+/// A column of the results of an experiment.
 struct OutcomeColumn {
   std::string name;
   std::string unit{};
 };
 
-/// mean.CONDITION, p.FACTOR, p_subject.FACTOR, effect.FACTOR and deviation.CONDITION.
+/// Returns the columns mean.CONDITION, p.FACTOR, p_subject.FACTOR, effect.FACTOR and deviation.CONDITION.
 std::vector<OutcomeColumn> outcome_columns(const StudyRequest& request);
 
-/// What came out of an experiment, by the names of these columns.
+/// Returns the results of an experiment under these names.
 std::vector<NamedValue> outcome(const Experiment& experiment, const StudyRequest& request);
-/// That of an experiment and of those with other people behind it.
+/// Returns the results of an experiment and of its `others`.
 std::vector<ExperimentOutcome> outcomes(const Experiment& experiment, const StudyRequest& request);
 
 }  // namespace stepwire::study

@@ -14,7 +14,7 @@ std::string name_of(const Trial& trial) {
   return fmt::format("subject {}, task {}, condition {}", trial.subject, trial.task, trial.condition);
 }
 
-/// Runs what scores a trial, and says which trial it was where that fails.
+/// Calls `score`; an exception gets the name of the trial.
 template <class Score>
 auto scored(const Trial& trial, const Score& score) {
   try {
@@ -33,7 +33,7 @@ std::vector<const Trial*> of_task(const std::vector<Trial>& trials, const std::s
   return result;
 }
 
-/// Of the first `points` of a trial, which are those that are scored.
+/// Begins the row of a trial whose first `points` points are scored.
 PathError started(const Trial& trial, std::size_t points, double time_limit, PathErrors& errors) {
   PathError row{trial.subject, trial.condition};
   row.duration = trial.time[points - 1] - trial.time.front();

@@ -13,80 +13,80 @@
 
 namespace stepwire::study {
 
-/// How well one trial followed its path.
+/// Error of the path of one trial.
 struct PathError {
   std::string subject, condition;
-  double error = 0.0;       ///< as the thesis scores it, in the unit of the table
-  double normalised = 0.0;  ///< over the largest of the table
-  double raw = 0.0;         ///< before resampling, in the same unit
-  /// What sampling and length do not change: task 1, root mean square of the radial deviations [m]; task 2,
-  /// mean angle, which is the error over the length of the resampled path [rad].
+  double error = 0.0;       ///< Error of the thesis, in the unit of the table.
+  double normalised = 0.0;  ///< Error over the largest one of the table.
+  double raw = 0.0;         ///< Error before resampling, in the same unit.
+  /// Error that does not depend on sampling and length. Task 1: root mean square of the radial deviations
+  /// [m]. Task 2: mean angle, the error over the length of the resampled path [rad].
   double deviation = 0.0;
-  double length = 0.0;     ///< of the path that is scored, as it was recorded [m]
-  double duration = 0.0;   ///< of the path that is scored: in task 2 up to its first point inside [s]
-  std::size_t points = 0;  ///< that are scored
+  double length = 0.0;     ///< Length of the scored path, as recorded [m].
+  double duration = 0.0;   ///< Duration of the scored path; in task 2 up to its first point inside [s].
+  std::size_t points = 0;  ///< Number of scored points.
 };
 
-/// The path errors of one task, with how they were made.
+/// Path errors of one task, with the method of scoring.
 struct PathErrors {
   std::string task;
-  std::string unit;            ///< of error and raw: "m^2", "m"
-  std::string deviation_unit;  ///< "m", "rad"
-  std::string rule;            ///< in words
+  std::string unit;            ///< Unit of error and raw: "m^2", "m".
+  std::string deviation_unit;  ///< Unit of the deviation: "m", "rad".
+  std::string rule;            ///< Description of the scoring.
   std::vector<PathError> rows;
-  std::map<std::string, statistics::Circle> circles;  ///< of task 1, by subject [m]
-  std::vector<std::string> warnings;                  ///< trials that lasted longer than the thesis allows
+  std::map<std::string, statistics::Circle> circles;  ///< Task 1: circle by subject [m].
+  std::vector<std::string> warnings;                  ///< Trials that lasted longer than the thesis allows.
 
-  std::vector<std::string> conditions() const;  ///< in the order in which they come up
+  std::vector<std::string> conditions() const;  ///< Returns the conditions in order of first occurrence.
 };
 
-/// Task 1 of section 4.3.1: every drawing against the circle fitted to the same subject's drawing without
-/// feedback.
+/// Task 1 of section 4.3.1: each drawing is compared with the circle fitted to the same subject's drawing
+/// without feedback.
 struct CircleTask {
   std::string task = "1";
-  std::string without_feedback = "NO";  ///< the condition that the circle is fitted to
+  std::string without_feedback = "NO";  ///< Condition of the drawing to which the circle is fitted.
   statistics::CircleFit fit = statistics::CircleFit::geometric;
-  double time_limit = 75.0;  ///< [s]; a longer trial was to be repeated: it is scored, with a warning
+  double time_limit = 75.0;  ///< In s; a longer trial is scored with a warning. The thesis repeats it.
 };
 
-/// Throws StatisticsError, with the trial in front, for a subject without that drawing, for what fit_circle
-/// refuses, and where there are no trials of the task.
+/// Scores task 1. Throws StatisticsError, with the trial's name, for a subject without that drawing and for
+/// the faults of fit_circle. It also throws without any trial of the task.
 PathErrors circle_errors(const std::vector<Trial>& trials, const CircleTask& task = {});
 
 /// Task 2 of section 4.3.2: equations 17 to 25.
 struct ReturnTask {
   std::string task = "2";
   statistics::Resampling resampling{};
-  double time_limit = 20.0;  ///< [s], as in task 1
+  double time_limit = 20.0;  ///< In s, as in task 1.
 };
 
-/// Throws StatisticsError, with the trial in front, for what return_error refuses, and where there are no
-/// trials of the task.
+/// Scores task 2. Throws StatisticsError, with the trial's name, for the faults of return_error, and if there
+/// are no trials of the task.
 PathErrors return_errors(const std::vector<Trial>& trials, const statistics::WayBack& way_back,
                          const ReturnTask& task = {});
 
-/// The table that is written: subject, condition, error, normalised, raw, deviation, length [mm],
-/// duration [s], points. `words` takes the names of subjects and conditions.
+/// Returns the errors as a table: subject, condition, error, normalised, raw, deviation, length [mm],
+/// duration [s], points. Adds the names of subjects and conditions to `words`.
 table::Table error_table(const PathErrors& errors, table::ColumnWords& words);
 
-/// Of task 1: the circle that a trial is held against.
+/// Columns of task 1: the circle of the trial.
 inline constexpr std::array circle_columns{"circle.x", "circle.y", "circle.radius"};
 
-/// The same in SI as figures and claims read it: one row for each trial, `time` counting the trials; in task
-/// 1 with the circle.
+/// Returns the errors in SI for figures and claims: one row per trial, `time` is the trial's number. Task 1
+/// also has the circle.
 record::Recording error_recording(const PathErrors& errors);
 
-/// What feedback a condition gives.
+/// A condition and its feedbacks.
 struct FeedbackCondition {
   std::string name;
   bool haptic = false, visual = false, guiding_path = false;
 };
 
-/// NO, H, V, HV, V_gp and HV_gp.
+/// Returns NO, H, V, HV, V_gp and HV_gp.
 const std::vector<FeedbackCondition>& thesis_conditions();
 
-/// The normalised errors with the factors haptic, visual, guiding path (where it varies; all "absent" or
-/// "present"), condition and subject. Throws StatisticsError for a condition that is not among these.
+/// Returns the normalised errors with the factors haptic, visual, guiding path (if it varies; levels "absent"
+/// and "present"), condition and subject. Throws StatisticsError for an unknown condition.
 statistics::Observations observations(const PathErrors& errors,
                                       const std::vector<FeedbackCondition>& conditions = thesis_conditions());
 

@@ -11,13 +11,13 @@ namespace stepwire::study {
 
 namespace {
 
-constexpr std::uint64_t order = 3;  // another purpose of drawn numbers than those of trials
+constexpr std::uint64_t order = 3;  // distinguishes these drawn numbers from those of trials
 
 bool is_first_of_circle(std::size_t condition, const StudyRequest& request) {
   return request.circle && request.conditions[condition].feedback.name == request.circle->of;
 }
 
-/// One person at work.
+/// The trials of one person in sequence.
 class PersonAtWork {
  public:
   PersonAtWork(TrialRuns& runs, const StudyRequest& request, const Person& person,
@@ -38,7 +38,7 @@ class PersonAtWork {
     return {.seed = person_.seed, .study = person_.study, .subject = person_.subject, .condition = condition};
   }
 
-  /// Says whether the person goes on.
+  /// Runs a trial; false if it was interrupted.
   bool run(TrialRun trial) {
     runs_.run(trial, handed_);
     if (trial.done) handed_.carried = runs_.carried(trial);

@@ -5,10 +5,10 @@
 
 namespace stepwire::study {
 
-/// The keys of `published` in the section `study`.
+/// Returns the schema of `published` in the section `study`.
 const yaml::Key& published_form();
 
-/// Reads them. Conditions that the study does not have are faults.
+/// Reads these keys. Unknown conditions are faults.
 void read_published(PublishedStudy& published, const std::vector<std::string>& conditions,
                     const yaml::Node& node, const StudyReading& read);
 

@@ -13,12 +13,12 @@ namespace stepwire::study {
 
 namespace {
 
-/// A line with what tells whether it is as it was written.
+/// Returns a line with its hash appended.
 std::string checked(const std::string& line) {
   return line + "," + hash::hash_of(line);
 }
 
-/// The numbers of such a line; nothing where it is not as it was written.
+/// Returns the numbers of such a line; std::nullopt if the hash does not match.
 std::optional<std::vector<double>> numbers_of(const std::string& text) {
   const std::string line = text.substr(0, text.rfind(','));
   if (checked(line) != text) return std::nullopt;
@@ -32,7 +32,7 @@ std::optional<std::vector<double>> numbers_of(const std::string& text) {
   return numbers;
 }
 
-/// The lines of a file but for one that was cut, which has no end.
+/// Returns the complete lines of a file; a last line without a newline is left out.
 std::istringstream whole_lines(const std::string& path) {
   const std::string text = io::read_file(path);
   return std::istringstream(text.substr(0, text.rfind('\n') + 1));

@@ -1,4 +1,4 @@
-// The analysis of a table of scores, for people and for programs.
+// The analysis of a table of scores, as tables and as JSON.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ double mean_of(const statistics::Cell& cell) {
          static_cast<double>(cell.values.size());
 }
 
-/// Of the sample; nan of a single value.
+/// Returns the standard deviation of the sample; nan for a single value.
 double deviation_of(const statistics::Cell& cell) {
   double sum = 0.0;
   const double mean = mean_of(cell);

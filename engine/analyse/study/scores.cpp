@@ -52,7 +52,7 @@ class ScoreReader {
     throw table::TableError(fmt::format("{}:1: {}", path_, message));
   }
 
-  /// Takes the columns that the request leaves open, and checks those that it names.
+  /// Sets the columns that the request leaves open, and checks those that it names.
   void complete() {
     if (names_.size() < 2) fail("scores need a column of numbers and one of a factor");
     if (request_.score.empty()) request_.score = names_.back();
@@ -92,7 +92,7 @@ class ScoreReader {
   std::vector<std::string> names_;
 };
 
-/// True where each subject has one level of a factor.
+/// True if each subject has one level of a factor only.
 bool is_between(const Factor& factor, const Factor& subject) {
   std::vector<std::size_t> own(subject.levels.size(), factor.levels.size());
   for (std::size_t row = 0; row < factor.level.size(); ++row) {
@@ -103,7 +103,7 @@ bool is_between(const Factor& factor, const Factor& subject) {
   return true;
 }
 
-/// Leaves out the rows of some levels of a factor, and these levels.
+/// Removes some levels of a factor, and their rows.
 Observations without(const Observations& all, const std::string& name,
                      const std::vector<std::size_t>& dropped) {
   Observations result{all.response, {}, all.factors};
@@ -125,7 +125,7 @@ Observations without(const Observations& all, const std::string& name,
   return result;
 }
 
-/// Leaves out subjects who have no score in one of the cells within subjects.
+/// Removes subjects without a score in one of the cells within subjects.
 void leave_out(ScoresAnalysis& analysis) {
   std::vector<std::string> by{analysis.request.subject};
   by.insert(by.end(), analysis.within.begin(), analysis.within.end());
@@ -140,7 +140,7 @@ void leave_out(ScoresAnalysis& analysis) {
     analysis.observations = without(analysis.observations, analysis.request.subject, dropped);
 }
 
-/// The factor whose levels are the cells within subjects.
+/// Returns the factor whose levels are the cells within subjects; adds it if there are several factors.
 std::string add_condition(Observations& observations, const std::vector<std::string>& within) {
   if (within.size() == 1) return within.front();
   std::vector<std::string> words(observations.values.size());
@@ -158,7 +158,7 @@ std::string add_condition(Observations& observations, const std::vector<std::str
   return name;
 }
 
-constexpr std::size_t most_conditions = 20;  // whose pairs a reader can take in
+constexpr std::size_t most_conditions = 20;  // limit of conditions, for readable tables of pairs
 
 void analyse_subjects(ScoresAnalysis& analysis) {
   const std::string& subject = analysis.request.subject;

@@ -9,7 +9,7 @@
 
 namespace stepwire::study {
 
-/// The keys of a section that may be like that of another file, each with the file in which it stands.
+/// Keys of a section that can inherit from another file (`like`), each with its own file.
 class SectionKeys {
  public:
   struct Given {
@@ -18,9 +18,8 @@ class SectionKeys {
     const yaml::Node* node;
   };
 
-  /// Takes the keys of `node`, the section `section` of `file`, then those of the file that its key `like`
-  /// names which are not yet there, and so on. What is no key of `form`, or wrong otherwise, goes to
-  /// `faults`.
+  /// Collects the keys of `node`, the section `section` of `file`. Then it adds the missing ones from the
+  /// file that its key `like` names, and so on. Adds faults for keys that are not in `form`.
   SectionKeys(const std::string& section, const yaml::Node& node, const std::string& file,
               const yaml::Key& form, diagram::Loader& loader, yaml::Faults& faults);
 

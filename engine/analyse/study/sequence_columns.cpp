@@ -9,7 +9,8 @@ namespace stepwire::study {
 
 namespace {
 
-/// A swept parameter has a column for the value that the first trial begins with.
+/// Returns the column of a carried parameter. A swept one already has a column for its value in the first
+/// trial.
 std::string column_of(const std::string& parameter, const diagram::Diagram& diagram) {
   const bool swept =
       diagram.sweep && std::ranges::find(diagram.sweep->axes, parameter, &diagram::Sweep::Axis::parameter) !=
@@ -17,7 +18,7 @@ std::string column_of(const std::string& parameter, const diagram::Diagram& diag
   return swept ? "carried." + parameter : parameter;
 }
 
-/// One for each element of a parameter: "memory", or "memory.1", "memory.2".
+/// Adds one column per element of a parameter: "memory", or "memory.1", "memory.2".
 void add_carried_columns(const std::string& name, const diagram::Diagram& diagram,
                          std::vector<table::Column>& columns) {
   const auto& parameter = *std::ranges::find(diagram.parameters, name, &diagram::DiagramParameter::name);

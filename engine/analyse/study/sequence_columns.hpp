@@ -7,8 +7,8 @@
 
 namespace stepwire::study {
 
-/// Of each trial which of its person's it was, and the values that it began with of what is carried; nan
-/// where trials were recorded.
+/// Returns, by trial, its number among the person's trials and the values that it received from the trial
+/// before. Nan for recorded trials.
 std::vector<table::Column> sequence_columns(const Experiment& experiment, const StudyRequest& request,
                                             const diagram::Diagram& diagram);
 

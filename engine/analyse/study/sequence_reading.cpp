@@ -1,4 +1,4 @@
-// How the trials of a person follow each other: order, practice, and what is carried from one to the next.
+// Reads the keys on the sequence of a person's trials: order, practice, carried values.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// The conditions that a list names, by their indices.
+/// Returns the indices of the conditions in a list.
 std::vector<std::size_t> conditions_of(const yaml::Node& node, const StudyRequest& request,
                                        const StudyReading& read) {
   const Texts all = request.condition_names();
@@ -94,7 +94,7 @@ std::size_t size_of(const diagram::DiagramParameter& parameter) {
   return list ? static_cast<std::size_t>(list->size()) : 1;
 }
 
-/// "is in N", "has no unit".
+/// Returns "is in N" or "has no unit".
 std::string unit_words(const unit::Dimension& dimension) {
   return dimension == unit::Dimension{} ? "has no unit" : "is in " + unit::si_name(dimension);
 }

@@ -20,7 +20,7 @@ std::string title_of(const std::string& what, const PublishedValues& published) 
   return published.values.empty() ? what : what + ": published (" + published.source + ") and ours";
 }
 
-/// Names by falling value, those of one value in the order in which they came.
+/// Returns the names by falling value; equal values remain in order.
 std::string order_of(std::vector<NamedValue> values) {
   std::stable_sort(values.begin(), values.end(),
                    [](const NamedValue& a, const NamedValue& b) { return a.value > b.value; });
@@ -30,7 +30,7 @@ std::string order_of(std::vector<NamedValue> values) {
   return text;
 }
 
-/// The conditions of a list that we have; a list of fewer than two says nothing.
+/// Returns the values of those conditions of a list that we have.
 std::vector<NamedValue> present(const std::vector<std::string>& names, const std::vector<NamedValue>& ours) {
   std::vector<NamedValue> result;
   for (const std::string& name : names)
@@ -48,7 +48,8 @@ Agreement judge_order(const std::vector<NamedValue>& listed) {
   return {fmt::format("order {}", fmt::join(names, " > ")), falls, order_of(listed)};
 }
 
-/// Ratios to the condition with the largest published error do not depend on how errors are normalised.
+/// Compares ratios to the condition with the largest published error; they do not depend on the
+/// normalisation.
 void judge_ratios(SideBySide& both) {
   const auto largest = std::max_element(
       both.values.begin(), both.values.end(),
@@ -68,14 +69,14 @@ std::string word(double p) {
   return std::isnan(p) ? "cannot be estimated" : p < significant ? "significant" : "not significant";
 }
 
-/// "lowers the error by 0.12"; nothing where that is not known.
+/// Returns "lowers the error by 0.12"; empty for nan.
 std::string direction(double effect) {
   if (std::isnan(effect)) return "";
   if (effect == 0.0) return "leaves the error as it is";
   return fmt::format("{} the error by {:.2g}", effect < 0.0 ? "lowers" : "raises", std::abs(effect));
 }
 
-/// What is significant has a direction; what is not has none that counts.
+/// Compares a factor. Significant effects must agree in sign; the sign of others is not compared.
 Agreement judge_factor(const ComparedValue& p, const ComparedValue& effect) {
   const auto stated = [](double probability, double size) {
     const std::string which = direction(size);
@@ -141,7 +142,7 @@ SideBySide compare_significance(const PublishedStudy& published, const TaskAnaly
 
 namespace {
 
-/// What each factor adds to the error, with its sign.
+/// Adds the columns of the signed effects.
 void add_effects(const std::vector<ComparedValue>& effects, text::TextTable& table) {
   table.columns.insert(table.columns.end(), {"effect, published", "effect, ours"});
   const auto shown = [](double effect) { return std::isnan(effect) ? "–" : fmt::format("{:+.3f}", effect); };

@@ -14,7 +14,7 @@ bool is(const diagram::Source& source, const diagram::SignalRef& signal) {
   return source.block == signal.block && source.output == signal.output;
 }
 
-/// Blocks on which `to` depends, but for those behind `from`.
+/// Marks the blocks on which `to` depends, without those before `from`.
 std::vector<char> blocks_between(const diagram::Diagram& diagram, const diagram::SignalRef& from,
                                  const diagram::SignalRef& to) {
   std::vector<char> between(diagram.blocks.size(), 0);
@@ -30,7 +30,7 @@ std::vector<char> blocks_between(const diagram::Diagram& diagram, const diagram:
   return between;
 }
 
-/// Does a block give the same for the same inputs at any time?
+/// True for a block whose outputs depend on its inputs only.
 bool is_function(const BlockType& type) {
   return type.states.empty() && type.clocks.empty() && !type.run_update;
 }
@@ -45,7 +45,7 @@ diagram::DiagramBlock point_source(const diagram::Diagram& diagram, const diagra
   return block;
 }
 
-/// What else a diagram has than blocks, for one that runs a step.
+/// Returns a diagram without blocks that runs a single step.
 diagram::Diagram empty_part(const diagram::Diagram& diagram) {
   diagram::Diagram part;
   part.file = diagram.file;
@@ -56,7 +56,7 @@ diagram::Diagram empty_part(const diagram::Diagram& diagram) {
   return part;
 }
 
-/// Wires blocks to where the others are now, and to block `input` what `from` fed.
+/// Rewires blocks to their new indices; readers of `from` are connected to the block `input`.
 void rewire(std::vector<diagram::DiagramBlock>& blocks, const std::vector<int>& place,
             const diagram::SignalRef& from, int input) {
   for (diagram::DiagramBlock& block : blocks)
@@ -69,7 +69,7 @@ void rewire(std::vector<diagram::DiagramBlock>& blocks, const std::vector<int>& 
       }
 }
 
-/// The diagram of these blocks alone, fed by one input; `to` is then where the signal is in it.
+/// Returns the diagram of these blocks with one input; `to` is updated to the signal in it.
 diagram::Diagram cut_out(const diagram::Diagram& diagram, const std::vector<char>& between,
                          const diagram::SignalRef& from, diagram::SignalRef& to) {
   diagram::Diagram part = empty_part(diagram);
@@ -78,7 +78,7 @@ diagram::Diagram cut_out(const diagram::Diagram& diagram, const std::vector<char
     if (!between[b]) continue;
     place[b] = static_cast<int>(part.blocks.size());
     part.blocks.push_back(diagram.blocks[b]);
-    part.blocks.back().every.reset();  // what is a function needs no rate
+    part.blocks.back().every.reset();  // a function needs no rate
   }
   const int input = static_cast<int>(part.blocks.size());
   rewire(part.blocks, place, from, input);

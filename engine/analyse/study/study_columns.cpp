@@ -26,7 +26,7 @@ void fill(table::Column column, std::size_t rows, double value, record::Recordin
                                  std::move(column));
 }
 
-/// What a recorded trial has of the columns that a run would record.
+/// Returns the recording of a recorded trial, with those columns that a run would record.
 record::Recording recording_of(const Trial& trial, const StudyRequest& request, const plan::Plan& plan,
                                std::size_t r) {
   record::Recording recording;
@@ -47,7 +47,7 @@ std::size_t place_in(const std::vector<std::string>& all, const std::string& nam
   return static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
 }
 
-/// Words of the request's own order, in place of those in the order of the rows.
+/// Renumbers words in the order of the request instead of the order of the rows.
 void number_words(const StudyRequest& request, const Experiment& experiment, record::Recording& recording) {
   const std::vector<std::string> subjects = request.subject_names(), conditions = request.condition_names();
   recording.categories = {{"subject", subjects}, {"condition", conditions}};
@@ -78,8 +78,8 @@ record::Recording pooled(const Experiment& experiment, const StudyRequest& reque
   return all;
 }
 
-/// The errors, with the words of the request; each trial is a run of one row, whose mean is no mean over
-/// time.
+/// Returns the errors with the words of the request. Each trial is a run of one row, so that means are not
+/// taken over time.
 record::Recording errors_of(const Experiment& experiment, const StudyRequest& request,
                             const diagram::Diagram& diagram) {
   record::Recording recording = error_recording(experiment.errors);
@@ -91,14 +91,14 @@ record::Recording errors_of(const Experiment& experiment, const StudyRequest& re
   return recording;
 }
 
-/// "thesis.HV" for each condition whose mean is published.
+/// Returns "thesis.HV" for each condition with a published mean.
 std::vector<NamedValue> published_means(const StudyRequest& request) {
   std::vector<NamedValue> means = request.published.means.values;
   for (NamedValue& mean : means) mean.name = "thesis." + mean.name;
   return means;
 }
 
-/// A row for each experiment.
+/// Returns a recording with one row per experiment.
 record::Recording outcome_recording(const Experiment& experiment, const StudyRequest& request) {
   const std::vector<ExperimentOutcome> rows = outcomes(experiment, request);
   record::Recording recording;
@@ -121,7 +121,7 @@ record::Recording outcome_recording(const Experiment& experiment, const StudyReq
   return recording;
 }
 
-/// Adds the columns of a study to the names that figures and claims know.
+/// Adds the columns of a study to the names of figures and claims.
 class StudyNames {
  public:
   StudyNames(const StudyRequest& request, query::SymbolTable& names) : request_(request), names_(names) {
@@ -129,7 +129,7 @@ class StudyNames {
       if (name.recording) records_ = std::max(records_, *name.recording + 1);
   }
 
-  /// Those that each recording has besides.
+  /// Adds the columns of all recordings.
   void add_trials() {
     add("subject", "1", {});
     names_.columns.back().words = request_.subject_names();
@@ -137,7 +137,7 @@ class StudyNames {
     names_.columns.back().words = request_.condition_names();
   }
 
-  /// Of the recording of errors, a row for each trial.
+  /// Adds the columns of the recording of errors, one row per trial.
   void add_errors() {
     add("error", circle_ ? "m^2" : "m", records_);
     add("normalised", "1", records_);
@@ -149,13 +149,13 @@ class StudyNames {
     for (const char* column : circle_columns) add(column, "m", records_);
   }
 
-  /// Of the same one, how the trials of a person follow each other.
+  /// Adds to it the columns on the sequence of a person's trials.
   void add_sequence(const diagram::Diagram& diagram) {
     for (const table::Column& column : sequence_columns({}, request_, diagram))
       add(column.name, column.unit.empty() ? "1" : column.unit, records_);
   }
 
-  /// Of the recording of one row for the whole study.
+  /// Adds the columns of the recording of results, one row per experiment.
   void add_outcome() {
     const std::size_t outcome = records_ + 1;
     add("experiment", "1", outcome);
@@ -180,7 +180,7 @@ class StudyNames {
   const StudyRequest& request_;
   query::SymbolTable& names_;
   const bool circle_ = request_.task == "1";
-  std::size_t records_ = 0;  ///< recordings of the diagram itself
+  std::size_t records_ = 0;  ///< Number of recordings of the diagram itself.
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ using messages::ByteWriter;
 using messages::list;
 using messages::plain_list;
 
-/// All of a trial but what it recorded.
+/// Serialises a trial without its recordings.
 template <class Stream, class Trial>
 void trial(Stream& stream, Trial& of) {
   all(stream, of.seed, of.study, of.subject, of.condition, of.practice, of.order, of.attempts, of.done);
@@ -50,7 +50,7 @@ std::string StudyItems::person(std::size_t number) const {
   return writer.take();
 }
 
-/// Whose trials are those of a plan that this process finds, too.
+/// Reads a person's trials. Their plans are found again in this process.
 std::vector<TrialRun> StudyItems::person_of_bytes(std::string_view bytes) const {
   ByteReader reader(bytes);
   std::vector<TrialRun> runs;

@@ -5,19 +5,20 @@
 
 namespace stepwire::study {
 
-/// The experiments of a request as items, which hang on no other: each person of the first one with all
-/// trials, of which tables are drawn, and each other experiment as the numbers that came out of it.
+/// The experiments of a request as independent work items. A person of the first experiment is one item with
+/// all trials, since tables and figures show them. Each further experiment is one item that returns its
+/// results only.
 class StudyItems {
  public:
-  /// All must outlive it.
+  /// All arguments must outlive it.
   StudyItems(TrialRuns& runs, const StudyRequest& request, const run::Job& job)
       : runs_(runs), request_(request), job_(job), people_(people_of(request, job)) {}
 
-  /// Does an item for another process. Throws Error.
+  /// Processes an item for another process. Throws Error.
   std::string work(const messages::Item& item) const;
 
-  /// Has other processes perform the experiments of these seeds, of which the first is the request's. `done`
-  /// is given what came out of each other one at all points of the sweep. Throws Error.
+  /// Distributes the experiments of these seeds to other processes; the first seed is the request's. The
+  /// callback receives the results of each further experiment at all points of the sweep. Throws Error.
   using Done = std::function<void(std::uint64_t seed, const std::vector<std::vector<NamedValue>>& outcomes)>;
   Experiments perform_by(messages::ItemWorkers& workers, const std::vector<std::uint64_t>& seeds,
                          const Done& done) const;

@@ -7,12 +7,12 @@
 
 namespace stepwire::study {
 
-/// What a key of the section is read with: it may stand in another file, which the section is like.
+/// Context for reading a key of the section, which may be in the file that the key `like` names.
 struct StudyReading : yaml::SectionReading {
   std::string file;
   const query::SymbolTable& names;
   const diagram::Diagram& diagram;
-  bool runs;  ///< trials are runs of the file, not recorded ones
+  bool runs;  ///< True: trials are runs of the file, not recorded ones.
 
   StudyReading(std::string file, const query::SymbolTable& names, const diagram::Diagram& diagram, bool runs,
                yaml::Faults& faults)
@@ -29,14 +29,14 @@ struct StudyReading : yaml::SectionReading {
 
 using StudyRow = yaml::KeyRow<StudyRequest, StudyReading>;
 
-/// 1 to count.
+/// Returns 1 to count.
 std::vector<std::size_t> first_numbers(std::size_t count);
 
-/// The key that says who takes part.
+/// Returns the row of the key `subjects`.
 StudyRow subjects_row();
 
-/// The keys about how often trials are made, and how those of a person follow each other. They are read
-/// behind the conditions, the circle and the parameters that the study sets.
+/// Returns the rows on repetitions and on the sequence of a person's trials. They are read after the
+/// conditions, the circle and the parameters that the study sets.
 std::vector<StudyRow> sequence_rows();
 
 }  // namespace stepwire::study

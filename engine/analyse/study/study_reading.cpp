@@ -16,7 +16,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// The name of a parameter that is one number.
+/// Returns the name of a parameter that is a single number; other parameters are faults.
 std::string parameter_name(const yaml::Mark& mark, const std::string& name, const StudyReading& read) {
   Texts numbers;
   for (const diagram::DiagramParameter& one : read.diagram.parameters) {
@@ -30,7 +30,7 @@ std::string parameter_name(const yaml::Mark& mark, const std::string& name, cons
   return name;
 }
 
-/// Which parameter takes what.
+/// Returns the schema of a map from values to parameters.
 yaml::Key targets_form(const Texts& names) {
   std::vector<yaml::Key> keys;
   for (const std::string& name : names)
@@ -38,7 +38,7 @@ yaml::Key targets_form(const Texts& names) {
   return form::keys("it", fmt::format("{{{0}: PARAMETER, ..}}", names.front()), std::move(keys));
 }
 
-/// The parameters that a map hands its named values to, in the order of the keys.
+/// Returns the parameters of such a map, in the order of the keys.
 Texts targets(const yaml::Node& map, const yaml::Key& form, const StudyReading& read) {
   Texts result;
   const bool is_map = read.check(map, form);
@@ -67,7 +67,7 @@ const std::vector<std::pair<std::string, bool FeedbackCondition::*>>& feedbacks(
   return all;
 }
 
-/// The feedback that a parameter such as task.haptic switches.
+/// Returns the feedback that a parameter such as task.haptic switches.
 bool FeedbackCondition::*feedback_of(const yaml::Entry& set, const StudyReading& read) {
   const std::string last = set.key.substr(set.key.rfind('.') + 1);
   Texts names;
@@ -107,7 +107,7 @@ void read_conditions(StudyRequest& request, const yaml::Node& node, const StudyR
   for (const yaml::Entry& entry : node.entries) read_condition(request, entry, yaml::below(read, entry.key));
 }
 
-/// A recorded signal of the plane; a fault and nullptr where it is none.
+/// Returns a recorded signal of two elements; adds a fault and returns nullptr for any other.
 const diagram::RecordedSignal* recorded(const yaml::Node& node, const StudyReading& read,
                                         std::size_t* recording = nullptr) {
   Texts all;
@@ -148,7 +148,7 @@ void read_circle(StudyRequest& request, const yaml::Node& node, const StudyReadi
   request.circle = CircleHandover{of->text, found[0], found[1], found[2]};
 }
 
-/// Finds where the end-effector is, which the way back follows from.
+/// Reads the signal of the end-effector's position, the argument of the way back.
 void read_position(StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
   const diagram::RecordedSignal* signal = recorded(node, read, &request.recording);
   if (!signal) return;
@@ -219,7 +219,7 @@ const std::vector<StudyRow>& study_rows() {
   return rows;
 }
 
-/// What must be there, here or in a file that the section is like; runs need more than recorded trials.
+/// Returns the required keys, of this file or of the one in `like`. Runs need more keys than recorded trials.
 Texts needed_keys(const StudyRequest& request, bool runs) {
   Texts names{"task", "conditions", "position"};
   if (runs) names.insert(names.end(), {"subjects", "sets"});

@@ -16,7 +16,7 @@ std::string shown(double value) {
   return std::isnan(value) ? "–" : fmt::format("{:.4f}", value);
 }
 
-/// The thesis' tables 3 and 5: a line for each condition, a column for each subject, and what is published.
+/// Returns the thesis' tables 3 and 5: a line per condition, a column per subject, and the published values.
 text::TextTable subjects_table(const Experiment& experiment, const StudyRequest& request) {
   text::TextTable table{"Normalised errors of task " + request.task, {"condition"}, {}, {}};
   for (const std::string& subject : request.subject_names()) table.columns.push_back(subject);

@@ -1,4 +1,4 @@
-// Tables of a swept study: a line for each point, or the rows of all points below each other.
+// Tables of a swept study: a line per point, or the rows of all points.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace stepwire::study {
 
 namespace {
 
-/// Columns for what differs between the points of a sweep: as few axes as are needed, one with `together`.
-/// Notes have the other values of each point.
+/// Columns for the swept values that distinguish the points: as few axes as possible, one with `together`.
+/// The other values of each point are in notes.
 class PointColumns {
  public:
   explicit PointColumns(const Experiments& experiments) : experiments_(experiments) {
@@ -26,7 +26,7 @@ class PointColumns {
     return texts(experiment, &diagram::Setting::value);
   }
 
-  /// "D1: offset=8 N, spread=0.5" for each point. Empty if the columns have all values.
+  /// Returns "D1: offset=8 N, spread=0.5" for each point; empty if the columns have all values.
   std::vector<std::string> notes() const {
     std::vector<std::string> notes;
     if (count_ == experiments_.front().sets.size()) return notes;
@@ -49,7 +49,7 @@ class PointColumns {
   std::size_t count_ = 0;
 };
 
-/// What a table of the sweep shows of one experiment: the thesis' values and ours, and what it states.
+/// Contents of a line for one experiment: values of the thesis and ours, and statements.
 struct Shown {
   std::vector<ComparedValue> values;
   std::vector<Agreement> statements;
@@ -74,8 +74,8 @@ Shown shown_significance(const StudyRequest& request, const TaskAnalysis& analys
   return {std::move(both.values), std::move(both.agreements)};
 }
 
-/// "(1) order NO > H > V > HV" needs more room than a column has: the statements are numbered, and told
-/// below.
+/// Adds the head of a table. Statements such as "order NO > H > V > HV" are too long for a column. They are
+/// numbered, and the notes list them.
 void add_head(const Shown& shown, text::TextTable& table) {
   for (const ComparedValue& value : shown.values) table.columns.push_back(value.name);
   for (std::size_t i = 0; i < shown.statements.size(); ++i) {
@@ -115,7 +115,7 @@ text::TextTable table_of(const std::string& title,
   return table;
 }
 
-/// The tables of all points below each other, of which each row begins with its point.
+/// Concatenates the tables of all points; each row begins with its point.
 text::TextTable stacked(std::size_t which, const std::vector<std::vector<query::NamedTable>>& of_points,
                         const Experiments& experiments) {
   const PointColumns points(experiments);

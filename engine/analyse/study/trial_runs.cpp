@@ -21,7 +21,7 @@ const diagram::DiagramParameter& parameter_of(const diagram::Diagram& diagram, c
   return *std::ranges::find(diagram.parameters, name, &diagram::DiagramParameter::name);
 }
 
-/// Numbers in SI as a setting of a parameter.
+/// Returns numbers in SI as the text of a parameter's setting.
 std::string text_of(const diagram::DiagramParameter& parameter, const std::vector<double>& values) {
   const bool has_unit = parameter.dimension && *parameter.dimension != unit::Dimension{};
   const std::string unit = has_unit ? " " + unit::si_name(*parameter.dimension) : "";
@@ -84,8 +84,9 @@ std::shared_ptr<run::PlanFamily> TrialRuns::new_family() const {
   return std::make_shared<run::PlanFamily>(source_.loader, source_.file, source_.settings, job_.plan);
 }
 
-/// One member or more for each study and condition, so that code that is compiled for the first trials serves
-/// all. What is handed over is not known yet: it is tried about the file's values, on both sides of zero.
+/// Finds the plans of all studies and conditions in advance, so that code compiled for the first trials
+/// serves all. Values that trials will pass on are not known yet. They are tried near the file's values, with
+/// both signs.
 void TrialRuns::find_members() {
   for (std::size_t study = 0; study < study_count(job_); ++study)
     for (std::size_t condition = 0; condition < request_.conditions.size(); ++condition) {
@@ -96,7 +97,7 @@ void TrialRuns::find_members() {
     }
 }
 
-/// With and without what is carried, which the first trial has not.
+/// Finds the plan of a trial with carried values, and without them, as in the first trial.
 void TrialRuns::find_member(TrialRun trial, HandedOver handed, double share) {
   try {
     plan(trial, handed);
@@ -106,7 +107,7 @@ void TrialRuns::find_member(TrialRun trial, HandedOver handed, double share) {
     handed = {.circle = {}, .carried = file_values(trial, share).carried};  // as in practice
     plan(trial, handed);
   } catch (const yaml::Error&) {
-    if (share == 0.0) throw;  // a value beside the file's may be refused
+    if (share == 0.0) throw;  // a value near the file's may be refused
   }
 }
 
@@ -124,18 +125,18 @@ run::TogetherRuns::Members TrialRuns::plans() const {
   return plans;
 }
 
-/// Compiles beside the first trials what they need. They find it by its text.
+/// Starts the compilation of these plans in a thread. Trials find the code by its text.
 void TrialRuns::compile_ahead() {
   try {
     ahead_ = std::jthread([this, wanted = members()](const std::stop_token& stop) {
       for (const run::TieredExecution::Member& one : wanted)
         source_.code->compile(*one.plan, one.variable, {.stop = stop});
     });
-  } catch (const std::system_error&) {  // without a thread for it nothing is compiled ahead
+  } catch (const std::system_error&) {  // without a thread nothing is compiled ahead
   }
 }
 
-/// What a trial will be given, as the file has it, moved by a share.
+/// Returns the values that a trial will receive, moved by a share from those of the file.
 HandedOver TrialRuns::file_values(const TrialRun& trial, double share) const {
   HandedOver handed;
   for (const CarriedValue& carried : request_.carry) {
@@ -154,7 +155,7 @@ HandedOver TrialRuns::file_values(const TrialRun& trial, double share) const {
   return handed;
 }
 
-/// Trials of practice have noises of their own.
+/// Returns the seed of a trial's noise; practice trials have seeds of their own.
 std::uint64_t TrialRuns::noise_of(const TrialRun& trial) const {
   if (trial.practice == 0)
     return drawn_number({noise, trial.seed, trial.subject, trial.condition, trial.attempts});
@@ -166,7 +167,7 @@ std::vector<diagram::Setting> TrialRuns::settings_of(const TrialRun& trial, cons
   std::vector<diagram::Setting> settings;
   if (!job_.points.empty()) settings = job_.settings_of(trial.study);
   settings.insert(settings.end(), condition.settings.begin(), condition.settings.end());
-  const auto put = [&](const diagram::Setting& setting) {  // in the place of a swept one
+  const auto put = [&](const diagram::Setting& setting) {  // replaces a swept setting
     std::erase_if(settings, [&](const diagram::Setting& one) { return one.name == setting.name; });
     settings.push_back(setting);
   };
@@ -248,7 +249,7 @@ std::size_t TrialRuns::number_of(const TrialRun& trial) const {
   return counting + person * request_.practice.size() + trial.practice - 1;
 }
 
-/// Makes a run, with others where it meets some.
+/// Makes a run, in a lane batch with others if possible.
 run::RunEnd TrialRuns::end_of(std::size_t member, run::PendingRun run) {
   if (meeting_->run(member, changeover_->code(member), run)) return std::move(run.end);
   run::RunOptions options;

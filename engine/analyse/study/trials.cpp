@@ -14,7 +14,7 @@ namespace {
 
 const std::array<const char*, 3> word_columns{"subject", "task", "condition"};
 
-/// Cuts the rows of a table into trials.
+/// Splits the rows of a table into trials.
 class TrialReader {
  public:
   explicit TrialReader(const std::string& path) : path_(path) {
@@ -105,11 +105,11 @@ class TrialReader {
   const std::string& path_;
   table::ColumnWords words_;
   table::Table table_;
-  std::map<std::string, std::size_t> lines_;  ///< where each trial starts
+  std::map<std::string, std::size_t> lines_;  ///< Line at which each trial starts.
   std::vector<Trial> trials_;
 };
 
-/// Its columns without rows.
+/// Returns the table of such a file without rows.
 table::Table table_of_trials(const std::vector<table::Column>& of_trials) {
   table::Table table;
   for (const char* name : word_columns) table.columns.push_back({name, "", {}});

@@ -13,7 +13,7 @@ using claim::Reduction;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Is its value true or false, whatever is made of it?
+/// True for a formula whose value is true or false, by its operators or as the `stable` of an analysis.
 bool is_truth(const query::Formula& formula, const std::vector<linear::NamedAnalysis>& linear) {
   if (formula.expression.cpp() == formula.expression.cpp_condition()) return true;
   return std::ranges::any_of(linear, [&](const linear::NamedAnalysis& analysis) {

@@ -7,20 +7,20 @@
 
 namespace stepwire::tuning {
 
-/// Reads the claims that a tuning is subject to. A claim whose value is true or false, or whose bound leaves
-/// no room, gives no margin and is a fault.
+/// Reads the claims that constrain an optimisation. Adds a fault for a claim without a margin: its value is
+/// true or false, or its two bounds are equal.
 std::vector<claim::Claim> read_constraints(const yaml::Node& node,
                                            const std::vector<linear::NamedAnalysis>& linear,
                                            const query::NamesReading& read);
 
-/// The sides of a claim, from a value: each is at least 0 where the claim holds, and infinitely negative
-/// where there is no value. Two of what lies between two bounds, else one.
+/// Returns the margins of a claim at a value, one per bound: two for `between`, else one. A margin is at
+/// least 0 if the claim holds, and -inf without a value.
 std::vector<double> sides_of(const claim::Comparison& comparison, double value);
 
-/// What a margin of a claim is measured by: its bound, or its value at the start where the bound is 0.
+/// Returns the scale of a claim's margin: its bound, or the value at the start if the bound is 0.
 double scale_of(const claim::Comparison& comparison, double value);
 
-/// How far apart the ends of a claim's bounds are; infinite of one bound.
+/// Returns the width of the interval between a claim's bounds; infinite for a single bound.
 double room_of(const claim::Comparison& comparison);
 
 }  // namespace stepwire::tuning

@@ -30,7 +30,7 @@ void judge_objective(const TuneRequest& request, std::span<const record::Recordi
     of.objective = request.over == TuneOver::worst ? worst : sum / count;
 }
 
-/// The sum of the squares of what the targets are off.
+/// Sets the objective to the sum of the squared errors of the targets.
 void judge_targets(const TuneRequest& request, std::span<const record::Recording> recordings,
                    Evaluation& of) {
   double sum = 0.0;

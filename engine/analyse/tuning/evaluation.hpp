@@ -8,22 +8,23 @@
 
 namespace stepwire::tuning {
 
-/// What the runs with some values of the parameters gave.
+/// Result of the runs at one point of the search.
 struct Evaluation {
-  Values values;                                                ///< of the parameters, SI
-  double objective = std::numeric_limits<double>::quiet_NaN();  ///< over all runs
-  std::vector<double> offs{};     ///< of the targets: what each is off, in its deviations
-  std::vector<double> claims{};   ///< the value of each claim; nan where there is none
-  std::vector<double> margins{};  ///< how far each is on the right side: negative where it fails
-  std::string fault{};            ///< why there is no objective; empty where there is one
-  std::size_t worst = 0;          ///< the run whose objective is the largest
-  std::size_t start = 0;          ///< of which search, from 0
+  Values values;                                                ///< Parameter values, SI.
+  double objective = std::numeric_limits<double>::quiet_NaN();  ///< Objective over all runs.
+  std::vector<double> offs{};     ///< Error of each target, in units of its deviation.
+  std::vector<double> claims{};   ///< Value of each claim; nan if undefined.
+  std::vector<double> margins{};  ///< Margin of each claim: negative if it fails.
+  std::string fault{};            ///< Reason why there is no objective; empty if there is one.
+  std::size_t worst = 0;          ///< Index of the run with the largest objective.
+  std::size_t start = 0;          ///< Index of the search, from 0.
 
   bool is_bad() const { return !fault.empty(); }
   bool is_feasible() const;
 };
 
-/// Makes the runs with these values, and all numbers of them. The same bits at any number of threads.
+/// Makes the runs at these values and evaluates objective, targets and claims. The result has the same bits
+/// for any number of threads.
 Evaluation evaluate(const TuneRuns& runs, const TuneRequest& request, Values values, unsigned threads);
 
 }  // namespace stepwire::tuning

@@ -6,7 +6,8 @@
 
 namespace stepwire::tuning {
 
-/// Shares of the bounds, 0 to 1, drawn evenly: the same on any machine, and of each number by itself.
+/// Returns uniform random shares of the bounds, 0 to 1. They depend on the arguments only and are the same on
+/// any machine.
 inline std::vector<double> random_shares(std::uint64_t seed, std::size_t number, std::size_t count,
                                          std::size_t attempt) {
   std::seed_seq words{seed, static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(attempt)};

@@ -12,11 +12,11 @@ namespace stepwire::tuning {
 
 namespace {
 
-constexpr double seen = 1.0;        // singular value from which a direction moves the targets
-constexpr double least_part = 0.1;  // below, a parameter does not take part in a direction
-constexpr double of_normal = 1.96;  // half a 95 % interval in standard deviations
+constexpr double seen = 1.0;        // Least singular value of a direction that moves the targets.
+constexpr double least_part = 0.1;  // Least component of a parameter that takes part in a direction.
+constexpr double of_normal = 1.96;  // Half a 95 % interval in standard deviations.
 
-/// The interval of a share of which the variance is known.
+/// Returns the 95 % interval of a parameter from the variance of its share, limited to the bounds.
 std::array<double, 2> interval_of(const TuneParameter& parameter, double value, double variance) {
   const double share = parameter.share_of(value), half = of_normal * std::sqrt(variance);
   std::array<double, 2> ends{parameter.at(std::max(0.0, share - half)),
@@ -25,7 +25,7 @@ std::array<double, 2> interval_of(const TuneParameter& parameter, double value, 
   return ends;
 }
 
-/// Names the parameters that take part in a direction.
+/// Returns the names of the parameters that take part in a direction.
 std::string free_direction(const Eigen::VectorXd& direction, const TuneRequest& request) {
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);

@@ -9,19 +9,20 @@
 
 namespace stepwire::tuning {
 
-/// Singular values and intervals of a tuning with targets. A parameter counts by its share of the way between
-/// its bounds, on its scale; a target by its deviations.
+/// Singular values and confidence intervals of an optimisation with targets. Parameters are scaled by the way
+/// between their bounds, targets by their deviations.
 struct Resolution {
-  std::vector<std::vector<double>> jacobian{};  ///< a row for each target
-  /// Of the Jacobian, the largest first. Along a direction of less than 1 the whole way from bound to bound
-  /// moves the targets by less than a deviation: it is free.
+  std::vector<std::vector<double>> jacobian{};  ///< Jacobian: one row per target.
+  /// Singular values of the Jacobian, the largest first. A direction with a value below 1 is free: the whole
+  /// way from bound to bound changes the targets by less than one deviation.
   std::vector<double> singular_values{};
-  /// 95 % of each parameter within its bounds, SI; empty of one in a free direction.
+  /// 95 % interval of each parameter within its bounds, SI; std::nullopt if it takes part in a free
+  /// direction.
   std::vector<std::optional<std::array<double, 2>>> intervals{};
-  std::vector<std::string> findings{};  ///< the parameters of each free direction
+  std::vector<std::string> findings{};  ///< Parameters of each free direction, as text.
 };
 
-/// From differences over a tenth of the bounds on each side of the values, or as far as they reach.
+/// Computes these from central differences over a tenth of the bounds on each side, or up to the bounds.
 Resolution resolution_of(const TuneRuns& runs, const TuneRequest& request, const Values& values,
                          unsigned threads);
 

@@ -13,15 +13,21 @@ namespace stepwire::tuning {
 
 namespace {
 
-constexpr double first_step = 0.1;     // of the range of a parameter
-constexpr double global_share = 0.8;   // of the evaluations, for isres; the others go on from its best point
-constexpr std::size_t attempts = 20;   // at a random start that runs
-constexpr std::size_t max_rounds = 4;  // of cobyla, whose steps only shrink
-constexpr double below_the_claims =
-    0.01;  // how far beyond its bound a claim is sought that has to hold at all
+constexpr double first_step = 0.1;    // Share of the range of a parameter.
+constexpr double global_share = 0.8;  // Share of the evaluations for isres; the rest start at its best point.
+constexpr std::size_t attempts = 20;  // Random starts to try until one runs.
+constexpr std::size_t max_rounds = 4;      // Rounds of cobyla, whose steps only shrink.
+constexpr double below_the_claims = 0.01;  // Reserve by which restore() satisfies a claim.
 constexpr double highest_violation = 2.0;
 
-/// One search: its evaluations, and what NLopt gets of them.
+/// One search: its log of evaluations and the callbacks of NLopt.
+/// NLopt minimises over the shares of the parameters between their bounds. Objective and claims are divided
+/// by their scales at the start, so that one tolerance fits all. A point is evaluated once, although NLopt
+/// reads its objective and its claims in separate calls. A failed run has a finite, bad objective, so that
+/// the search continues. COBYLA (Powell 1994) handles the claims as inequalities without derivatives. Its
+/// steps only shrink, so it is restarted at its best point until a round gains less than the tolerance. ISRES
+/// uses the first 80 % of the evaluations for a global search, and COBYLA refines its best point. The cost is
+/// the number of evaluations; limit_ ends the search by nlopt::forced_stop.
 class Search {
  public:
   Search(const SearchProblem& problem, std::size_t number)
@@ -34,7 +40,7 @@ class Search {
     return {log_.take(), best, converged_};
   }
 
-  /// From the given start, or from random ones until one can be run.
+  /// Searches from the given start, or from the first of several random ones that can be run.
   void go() {
     std::optional<Shares> start = begin();
     if (request().chosen_method() == TuneMethod::isres) {
@@ -46,7 +52,8 @@ class Search {
     if (start) descend(*start);
   }
 
-  /// Minimises how far the claims are from holding: one more variable, below which each of them stays.
+  /// Minimises the largest violation of the claims. It is an additional variable t, and each violation is
+  /// constrained to at most t.
   void restore(const Values& from) {
     Shares x = shares_of(from);
     const std::vector<double> sides = log_.sides_of(look(x));
@@ -80,7 +87,7 @@ class Search {
     return values;
   }
 
-  /// None where it cannot be run.
+  /// Returns the start of the search; std::nullopt if it cannot be run.
   std::optional<Shares> begin() {
     if (number_ == 0)
       return log_.size() == 0 || log_[0].is_bad() ? std::nullopt : std::optional(shares_of(log_[0].values));
@@ -116,7 +123,7 @@ class Search {
     try {
       converged_ = search_targets([this](const Shares& at) -> const Evaluation& { return looked_at(at); },
                                   request(), from);
-    } catch (const nlopt::forced_stop&) {  // no more evaluations, or interrupted
+    } catch (const nlopt::forced_stop&) {  // evaluations used up, or interrupted
     }
     if (thrown_) std::rethrow_exception(thrown_);
   }
@@ -149,13 +156,13 @@ class Search {
     method.set_initial_step(step);
     method.set_xtol_abs(request().tolerance);
     method.set_maxeval(static_cast<int>(std::min<std::size_t>(10 * most, 2'000'000'000)));
-    nlopt::srand(static_cast<unsigned long>(request().seed + number_));  // of this thread
+    nlopt::srand(static_cast<unsigned long>(request().seed + number_));  // per thread
     double value = 0.0;
     converged_ = false;
     try {
       const nlopt::result why = method.optimize(x, value);
       converged_ = why == nlopt::XTOL_REACHED || why == nlopt::FTOL_REACHED || why == nlopt::SUCCESS;
-    } catch (const nlopt::forced_stop&) {  // no more evaluations, or interrupted
+    } catch (const nlopt::forced_stop&) {  // evaluations used up, or interrupted
     } catch (const nlopt::roundoff_limited&) {
       converged_ = true;
     }
@@ -171,7 +178,8 @@ class Search {
     return log_.add(shares, std::move(one));
   }
 
-  /// The same within a call of NLopt, which ends the search by an exception of its own alone.
+  /// Evaluates a point within a call of NLopt, where only nlopt::forced_stop may be thrown; others are
+  /// stored in thrown_.
   const Evaluation& looked_at(const Shares& shares) {
     try {
       if (!log_.find(shares) && log_.size() >= limit_) throw nlopt::forced_stop();

@@ -20,7 +20,7 @@ void evaluation(Stream& stream, One& of) {
   all(stream, of.fault, of.worst, of.start);
 }
 
-/// How a search begins: what its numbers are measured by, and what is known of its start, if anything.
+/// Serialises the input of a search: the scales, and the evaluation of its start if there is one.
 template <class Stream, class Scale, class Scales, class Known>
 void beginning(Stream& stream, Scale& objective, Scales& claims, Known& known) {
   all(stream, objective);

@@ -5,11 +5,11 @@
 
 namespace stepwire::tuning {
 
-/// Has other processes search from all starts of a problem; `start` is what is known of the given one.
+/// Distributes the searches of a problem to other processes; `start` is the evaluation of the given start.
 std::vector<SearchResult> search_by(messages::ItemWorkers& workers, const SearchProblem& problem,
                                     const std::optional<Evaluation>& start);
 
-/// Searches of the search_by() of another process, to the bits of its own.
+/// Worker for the search_by() of another process; its results have the same bits.
 class SearchWork {
  public:
   /// Job and request must outlive it. Throws Error.

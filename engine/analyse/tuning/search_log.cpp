@@ -9,9 +9,10 @@ namespace stepwire::tuning {
 
 namespace {
 
-constexpr double farthest = 2.0;  // a claim that has no value fails by this
+constexpr double farthest = 2.0;  // violation of a claim without a value
 
-/// As it is below 1, and never beyond 2, so that no infinite margin gets into a linear model.
+/// Limits a violation to the range from -2 to 2: identity below 1, then 2 - 1 / size. An infinite margin
+/// would break the linear models of COBYLA.
 double bounded(double violation) {
   if (std::isnan(violation)) return farthest;
   const double size = std::abs(violation);

@@ -11,7 +11,7 @@ namespace stepwire::tuning {
 /// A point of a search: for each parameter its share of the way between its bounds.
 using Shares = std::vector<double>;
 
-/// What a search has looked at, and the numbers that a method of NLopt takes of it.
+/// Evaluations of a search, and their numbers in the form that NLopt takes.
 class SearchLog {
  public:
   explicit SearchLog(const SearchProblem& problem) : problem_(problem) {}
@@ -19,20 +19,21 @@ class SearchLog {
   std::size_t size() const { return evaluations_.size(); }
   const Evaluation& operator[](std::size_t i) const { return evaluations_[i]; }
   const Evaluation& add(const Shares& shares, Evaluation evaluation);
-  /// One of the last points, since objective and claims are read apart.
+  /// Returns the index of a point among the last 16. NLopt reads objective and claims of a point in separate
+  /// calls.
   std::optional<std::size_t> find(const Shares& shares) const;
 
-  /// The least objective with all claims, the first of equal ones.
+  /// Returns the index of the least objective with all claims satisfied, the first of equal ones.
   std::optional<std::size_t> best() const;
-  /// That point, or the one whose claims are nearest to holding.
+  /// Returns the best point, or the one with the smallest violation.
   std::optional<Shares> best_known() const;
-  /// Its objective in shares of the objective's scale; infinite where the claims hold nowhere.
+  /// Returns the best objective over the objective's scale; infinite if no point satisfies all claims.
   double merit() const;
 
-  /// In shares of the objective's scale; what cannot be run is worse than all others so far.
+  /// Returns the objective over its scale. A point that cannot be run is worse than all points so far.
   double objective_of(const Evaluation& evaluation) const;
-  /// How far each side of each claim fails, in shares of its scale; each with a little to spare, so that what
-  /// is found holds as it is judged.
+  /// Returns the violation of each bound of each claim over its scale, plus a small reserve. The reserve
+  /// ensures that a solution on the bound passes the claim's own check.
   std::vector<double> sides_of(const Evaluation& evaluation) const;
 
   std::vector<Evaluation> take() { return std::move(evaluations_); }

@@ -8,7 +8,7 @@ namespace stepwire::tuning {
 
 namespace {
 
-constexpr double step = 0.1;  // of the way between the bounds, on each side
+constexpr double step = 0.1;  // share of the way between the bounds, on each side
 
 }  // namespace
 
@@ -20,7 +20,7 @@ std::optional<std::vector<std::vector<double>>> target_jacobian(const LookAt& lo
     Shares low = at, high = at;
     low[without] = std::max(0.0, at[without] - step);
     high[without] = std::min(1.0, at[without] + step);
-    const Evaluation below = look(low), above = look(high);  // a look may move what another one gave
+    const Evaluation below = look(low), above = look(high);  // copies: look() may move the first one
     if (below.is_bad() || above.is_bad()) return std::nullopt;
     for (std::size_t i = 0; i < rows.size(); ++i)
       rows[i].push_back((above.offs[i] - below.offs[i]) / (high[without] - low[without]));

@@ -7,19 +7,19 @@
 
 namespace stepwire::tuning {
 
-/// The evaluation at a point of a search. An exception ends the search.
+/// Function that evaluates a point of a search. An exception ends the search.
 using LookAt = std::function<const Evaluation&(const Shares&)>;
 
-/// Derivatives of the targets by the share of each parameter, a row for each target. They are differences
-/// over a tenth of the bounds on each side, or as far as these reach. Empty after a point without a value,
-/// beside the parameter `without`.
+/// Computes the Jacobian of the targets by the share of each parameter, a row per target. It uses central
+/// differences over a tenth of the bounds on each side, or up to the bounds. Returns std::nullopt at a point
+/// without a value; `without` is the parameter that was moved.
 std::optional<std::vector<std::vector<double>>> target_jacobian(const LookAt& look,
                                                                 const TuneRequest& request, const Shares& at,
                                                                 std::size_t& without);
 
-/// Least squares of what the targets are off, by the Levenberg-Marquardt method within the bounds,
-/// with these derivatives: differences so wide see past the scatter of experiments. Gives whether it
-/// converged.
+/// Minimises the squared errors of the targets by the Levenberg-Marquardt method within the bounds. Its
+/// derivatives are those of target_jacobian(): wide differences average out the scatter of experiments.
+/// Returns true if converged.
 bool search_targets(const LookAt& look, const TuneRequest& request, const Shares& from);
 
 }  // namespace stepwire::tuning

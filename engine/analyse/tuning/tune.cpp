@@ -19,7 +19,7 @@ const char* name_of(TuneMethod method) {
   return names[static_cast<std::size_t>(method)];
 }
 
-/// Shows how far all searches together are.
+/// Reports the progress of all searches together.
 class Watch {
  public:
   Watch(const TuneOptions& options, const TuneRequest& request) : options_(options), request_(request) {}
@@ -43,6 +43,10 @@ class Watch {
   double best_ = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// The steps of an optimisation. The given start is evaluated first; its values are the scales of objective
+/// and claims. Searches from all starts then run in parallel, here or in other processes. If none satisfies
+/// all claims, restore() minimises the largest violation from the best point, and a further search follows
+/// from a point that it finds. The best evaluation of all searches is the result.
 class Tuning {
  public:
   Tuning(const TuneSource& source, const run::Job& job, const TuneRequest& request,
@@ -68,7 +72,7 @@ class Tuning {
  private:
   unsigned threads() const { return runs_.meeting().threads(options_.threads); }
 
-  /// Its numbers are what objective and claims are measured by.
+  /// Evaluates the start; its values are the scales of objective and claims.
   void look_at_start() {
     Values values;
     for (const TuneParameter& parameter : request_.parameters) values.push_back(parameter.start);
@@ -118,7 +122,7 @@ class Tuning {
         {}});
   }
 
-  /// Where claims never hold together, the point that comes nearest to them is looked for.
+  /// Searches for the point with the smallest violation if no search satisfied all claims.
   void restore_claims() {
     if (runs_.interrupted() || !nearest()) return;
     problem_.threads = threads();
@@ -127,7 +131,7 @@ class Tuning {
     if (const auto best = choose()) take(search(problem_, 0, Evaluation(result_.history[*best])));
   }
 
-  /// The best point with all claims, the first of equal ones.
+  /// Selects the best point that satisfies all claims, the first of equal ones; else the nearest().
   std::optional<std::size_t> choose() {
     if (result_.history.empty() && start_) result_.history.push_back(*start_);
     std::optional<std::size_t> found;
@@ -140,7 +144,7 @@ class Tuning {
     return found;
   }
 
-  /// The point that is nearest to holding its claims.
+  /// Returns the index of the evaluation with the smallest violation.
   std::optional<std::size_t> nearest() const {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < result_.history.size(); ++i)

@@ -9,16 +9,16 @@
 
 namespace stepwire::tuning {
 
-/// What a call may change about a tuning.
+/// Options of a call that are not part of the file.
 struct TuneOptions {
-  unsigned threads = 0;  ///< 0: all cores; the result is the same to the last bit
+  unsigned threads = 0;  ///< 0: all cores. The result is the same to the last bit.
   std::function<void(double fraction, const std::string& what)> progress{};
-  messages::ItemWorkers* workers = nullptr;  ///< that search from the starts; null: this process does
+  messages::ItemWorkers* workers =
+      nullptr;  ///< Processes that search from the starts; nullptr: this process does.
 };
 
-/// Finds the parameters that make the objective of a file as small as its claims allow. Throws Error for what
-/// is wrong with the request, and where no start can be run. What was interrupted before the first run was
-/// done has no numbers.
+/// Minimises the objective of a file subject to its claims. Throws Error for faults of the request, and if no
+/// start can be run. Without a finished run (interrupted) the result has no numbers.
 TuneResult tune(const TuneSource& source, const run::Job& job, const TuneRequest& request,
                 const TuneOptions& options = {});
 

@@ -5,7 +5,7 @@
 
 namespace stepwire::tuning {
 
-/// What the section `tune` is read with.
+/// Context for reading the section `tune`.
 struct TuneReading : query::NamesReading {
   const diagram::Diagram& diagram;
 
@@ -13,7 +13,7 @@ struct TuneReading : query::NamesReading {
       : query::NamesReading("tune", names, faults), diagram(diagram) {}
 };
 
-/// Reads the value of `parameters`, and what one of them has.
+/// Reads the value of `parameters`; tune_parameter_form() is the schema of one of them.
 void read_tune_parameters(TuneRequest& request, const yaml::Node& node, const TuneReading& read);
 const yaml::Key& tune_parameter_form();
 

@@ -8,21 +8,22 @@
 
 namespace stepwire::tuning {
 
-/// On which scale a parameter is searched.
+/// Scale on which a parameter is searched.
 enum class TuneScale { automatic, linear, logarithmic };
 
-/// A parameter of the diagram that is tuned. Numbers are SI.
+/// A tuned parameter of the diagram. Numbers are SI.
 struct TuneParameter {
-  std::string name;  ///< as --set takes it: "rig.kp"
+  std::string name;  ///< Name as in --set: "rig.kp".
   double start = 0.0, lower = 0.0, upper = 0.0;
   TuneScale scale = TuneScale::automatic;
   std::optional<unit::Dimension> dimension{};
-  std::string unit{};  ///< in which the author wrote it, for showing the value; empty: SI
+  std::string unit{};  ///< Unit in which the value is shown, as the author wrote it; empty: SI.
   yaml::Place place{};
 
-  /// Evenly in the logarithm, by itself where the bounds are more than tenfold apart.
+  /// True for a logarithmic scale. With TuneScale::automatic that is so if the bounds differ by more than a
+  /// factor of ten.
   bool is_logarithmic() const;
-  /// The value at a share of the way between the bounds, 0 to 1, and back.
+  /// Converts a share of the way between the bounds, 0 to 1, to a value, and back.
   double at(double share) const;
   double share_of(double value) const;
 };

@@ -14,7 +14,7 @@ namespace {
 
 using ParameterTable = yaml::KeyTable<TuneParameter, TuneReading>;
 
-/// A number in the parameter's unit.
+/// Returns the row of a number in the parameter's unit.
 ParameterTable::Row number_row(std::string name, std::string doc, double TuneParameter::*member) {
   return {std::move(name), std::move(doc), form::computed(),
           [member](TuneParameter& parameter, const yaml::Node& node, const TuneReading& read) {
@@ -40,7 +40,7 @@ const ParameterTable& parameter_table() {
   return table;
 }
 
-/// Whether the ends and the start fit together.
+/// Checks that the bounds and the start are consistent.
 void check(const TuneParameter& parameter, const yaml::Node& node, const std::string& start,
            const TuneReading& read) {
   const yaml::Node *from = node.find("from"), *to = node.find("to");
@@ -69,7 +69,7 @@ bool is_swept(const std::string& name, const diagram::Diagram& diagram) {
                               diagram.sweep->axes.end();
 }
 
-/// The unit in which the file has its own value; empty where that is a formula or has none.
+/// Returns the unit of the parameter's own value in the file; empty if that is a formula or has none.
 std::string unit_of(const diagram::DiagramParameter& parameter, const TuneReading& read) {
   yaml::Node node;
   node.kind = yaml::Node::Kind::scalar;
@@ -91,7 +91,7 @@ void read_parameter(TuneRequest& request, const yaml::Entry& entry, const TuneRe
   parameter.unit = unit_of(*of, read);
   parameter.place = {read.names.file, entry.mark};
   if (!parameter_table().read(entry.value, parameter, read)) return;
-  if (of->set) return;  // what the call sets is given
+  if (of->set) return;  // the call sets a fixed value
   const yaml::Node* start = entry.value.find("start");
   check(parameter, entry.value, start ? start->text : of->text, read);
   request.parameters.push_back(std::move(parameter));

@@ -77,7 +77,8 @@ const TuneTable& tune_table() {
   return table;
 }
 
-/// Tuned parameters are columns of each run; numbers of blocks that follow from them are no constants.
+/// Returns the names for the section: tuned parameters are columns of each run, and block numbers that depend
+/// on them are removed.
 query::SymbolTable names_while_tuned(const query::SymbolTable& names, const diagram::Diagram& diagram,
                                      const TuneRequest& request) {
   query::SymbolTable varied = names;
@@ -115,7 +116,7 @@ void check_method(const yaml::Node& node, const TuneRequest& request, const Tune
     read.fault(method->mark, "'least_squares' is for 'toward'; 'minimise' has another objective");
 }
 
-/// A reduction whose value jumps as the run changes a little.
+/// True for a reduction that jumps under a small change of the run.
 bool jumps(const claim::Claim& of) {
   constexpr std::array jumping{Reduction::fraction, Reduction::count, Reduction::rising,
                                Reduction::settling_time, Reduction::peak_time};
@@ -164,7 +165,7 @@ static void check_target(const claim::Claim& claim, const yaml::Node& node, cons
     read.fault(node.mark, "is a target, which 'equals' a value 'within' the deviation that it may have");
 }
 
-/// One of 'minimise' and 'toward'.
+/// Reads either 'minimise' or 'toward'.
 static void read_aim(const yaml::Node& node, const std::vector<linear::NamedAnalysis>& linear,
                      const query::NamesReading& read, TuneRequest& request) {
   const yaml::Node *minimise = node.find("minimise"), *toward = node.find("toward");

@@ -13,43 +13,44 @@
 
 namespace stepwire::tuning {
 
-/// Methods of NLopt. M. J. D. Powell 1994 (COBYLA), 2009 (BOBYQA); T. Runarsson, X. Yao 2005 (ISRES);
+/// Search methods, by NLopt: M. J. D. Powell 1994 (COBYLA), 2009 (BOBYQA); T. Runarsson, X. Yao 2005 (ISRES);
 /// T. Rowan 1990 (Subplex). Least squares of targets is by Ceres.
 enum class TuneMethod { automatic, bobyqa, cobyla, isres, subplex, least_squares };
 
-/// What counts of the objectives of several runs.
+/// Reduction of the objectives of several runs to one.
 enum class TuneOver { worst, mean };
 
 /// The section `tune` of a diagram file.
 struct TuneRequest {
   std::vector<TuneParameter> parameters;
-  claim::RunFormula minimise{};         ///< without a formula where there are targets
-  std::vector<claim::Claim> targets{};  ///< `toward`: each equals a value, within its deviation
+  claim::RunFormula minimise{};         ///< Without a formula if there are targets.
+  std::vector<claim::Claim> targets{};  ///< `toward`: each equals a value, within its deviation.
   std::vector<claim::Claim> constraints{};
   TuneOver over = TuneOver::worst;
   TuneMethod method = TuneMethod::automatic;
-  std::size_t starts = 1;  ///< the first is the given one, the others are random within the bounds
+  std::size_t starts = 1;  ///< The first start is the given one, the others are random within the bounds.
   std::uint64_t seed = 1;
-  std::size_t evaluations = 500;              ///< of one start, at most
-  std::optional<std::size_t> experiments{};   ///< of a study, in one evaluation
-  std::optional<std::uint64_t> study_seed{};  ///< of these experiments
-  double tolerance = 1e-4;  ///< change of a parameter that no longer counts, as a share of its range
+  std::size_t evaluations = 500;              ///< Limit for each start.
+  std::optional<std::size_t> experiments{};   ///< Number of experiments of a study in one evaluation.
+  std::optional<std::uint64_t> study_seed{};  ///< Seed of these experiments.
+  double tolerance =
+      1e-4;  ///< Change of a parameter at which a search has converged, as a share of its range.
   yaml::Place place{};
 
-  /// The method that counts: the file's, or the one that the problem calls for.
+  /// Returns the method of the file, or the default for the problem.
   TuneMethod chosen_method() const;
-  /// The text of `minimise`, or words for targets.
+  /// Returns the text of `minimise`, or a description of the targets.
   std::string objective_text() const;
   std::optional<unit::Dimension> objective_dimension() const;
-  /// Targets and claims.
+  /// Returns targets and claims.
   std::vector<const claim::Claim*> claims() const;
 };
 
-/// The keys of the section `tune`.
+/// Returns the schema of the section `tune`.
 const yaml::Key& tune_form();
 
-/// Reads the value under the key `tune`. Everything that is wrong goes to `faults`; what is returned then is
-/// of no use.
+/// Reads the value under the key `tune`. Adds all faults to `faults`; with faults the result must not be
+/// used.
 TuneRequest read_tune(const yaml::Node& node, const query::SymbolTable& names,
                       const diagram::Diagram& diagram, const std::vector<linear::NamedAnalysis>& linear,
                       yaml::Faults& faults);

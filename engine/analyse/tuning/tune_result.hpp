@@ -10,58 +10,58 @@
 
 namespace stepwire::tuning {
 
-/// A number that was found, in SI.
+/// Result for one parameter, in SI.
 struct TunedNumber {
-  std::string name;  ///< of the parameter
+  std::string name;  ///< Name of the parameter.
   double value = 0.0, start = 0.0, lower = 0.0, upper = 0.0;
   bool at_bound = false;
   std::optional<unit::Dimension> dimension{};
-  std::string unit{};                               ///< for showing it; empty: SI
-  std::optional<std::array<double, 2>> interval{};  ///< 95 % by the targets; empty of a free direction
+  std::string unit{};                               ///< Unit in which it is shown; empty: SI.
+  std::optional<std::array<double, 2>> interval{};  ///< 95 %; std::nullopt in a free direction.
 };
 
-/// A target at what was found.
+/// A target at the optimum.
 struct TunedTarget {
   claim::Verdict verdict;
-  double off = 0.0;    ///< in its deviations
-  double start = 0.0;  ///< the same at the given start
+  double off = 0.0;    ///< Error in units of its deviation.
+  double start = 0.0;  ///< The same at the given start.
 };
 
-/// A claim at the start and at what was found.
+/// A claim at the start and at the optimum.
 struct TunedClaim {
-  claim::Verdict verdict;  ///< at what was found
-  double margin = 0.0;     ///< there, in SI: negative where it fails
-  double start = 0.0;      ///< its value at the given start
-  bool active = false;  ///< holds with next to nothing to spare, so that it keeps the objective from falling
+  claim::Verdict verdict;  ///< Verdict at the optimum.
+  double margin = 0.0;     ///< Margin at the optimum, in SI: negative if it fails.
+  double start = 0.0;      ///< Value at the given start.
+  bool active = false;     ///< True if the margin is close to 0: the claim limits the objective.
 };
 
-/// How a search from one start went.
+/// Result of the search from one start.
 struct TunedStart {
-  std::optional<double> objective{};  ///< empty if no point has all claims
+  std::optional<double> objective{};  ///< std::nullopt if no point satisfies all claims.
   bool converged = false;
   std::size_t evaluations = 0;
 };
 
 struct TuneResult {
   std::vector<TunedNumber> numbers;
-  double objective = 0.0;              ///< at what was found
-  double start_objective = 0.0;        ///< at the given start; nan where it cannot be run
-  std::string worst{};                 ///< the run whose objective is the largest; empty of one run
-  std::vector<TunedTarget> targets{};  ///< in the order of the file
-  Resolution resolution{};             ///< by these targets
+  double objective = 0.0;        ///< Objective at the optimum.
+  double start_objective = 0.0;  ///< Objective at the given start; nan if it cannot be run.
+  std::string worst{};           ///< Label of the run with the largest objective; empty for a single run.
+  std::vector<TunedTarget> targets{};  ///< Targets in the order of the file.
+  Resolution resolution{};             ///< Resolution of the parameters by the targets.
   std::vector<TunedClaim> claims;
-  std::vector<Evaluation> history;  ///< of all searches, in their order
+  std::vector<Evaluation> history;  ///< Evaluations of all searches, in order.
   std::vector<TunedStart> starts;
-  std::vector<std::string> findings;           ///< what is at a bound, in the way, or could not be run
-  std::optional<unit::Dimension> dimension{};  ///< of the objective
+  std::vector<std::string> findings;           ///< Messages on bounds, violated claims, failed evaluations.
+  std::optional<unit::Dimension> dimension{};  ///< Dimension of the objective.
   std::string method;
-  std::size_t runs = 1;  ///< of one evaluation
-  std::size_t bad = 0;   ///< evaluations without an objective
+  std::size_t runs = 1;  ///< Number of runs per evaluation.
+  std::size_t bad = 0;   ///< Number of evaluations without an objective.
   bool feasible = false;
   bool converged = false, interrupted = false, compiled = false;
   double seconds = 0.0;
 
-  std::vector<diagram::Setting> settings;  ///< what sets the parameters to what was found
+  std::vector<diagram::Setting> settings;  ///< Settings that give the parameters their optimum.
 };
 
 }  // namespace stepwire::tuning

@@ -11,7 +11,7 @@ namespace stepwire::tuning {
 
 namespace {
 
-/// All columns that the request reads.
+/// Returns all columns that the request reads.
 std::vector<std::string> columns_of(const TuneRequest& request) {
   std::vector<std::string> all;
   if (request.targets.empty()) all = request.minimise.columns();
@@ -31,12 +31,12 @@ bool reads_recording(const TuneRequest& request, std::size_t recording) {
 
 }  // namespace
 
-/// A plan, and its runs that wait to be used again.
+/// A plan and the pool of its idle executors.
 struct TuneRuns::Structure {
   Structure(const plan::Plan& of, std::vector<std::string> all)
       : plan(of), names(std::move(all)), varied(plan.diagram, names) {}
 
-  /// May a run of this plan have any values?
+  /// True if no value that the runs set changes the structure of the plan.
   bool is_free() const { return !varied.structural(); }
 
   std::unique_ptr<run::Executor> take() {
@@ -52,7 +52,7 @@ struct TuneRuns::Structure {
   }
 
   const plan::Plan& plan;
-  std::vector<std::string> names;  ///< that its runs set
+  std::vector<std::string> names;  ///< Names that its runs set.
   diagram::Variation varied;
   std::optional<plan::CompiledPlan> code{};
   std::mutex mutex{};
@@ -87,7 +87,7 @@ TuneRuns::TuneRuns(TuneSource source, const run::Job& job, const TuneRequest& re
   meeting_ = std::make_unique<run::RunMeeting>(std::move(plans), use, source_.code, source_.interrupt);
 }
 
-/// One for each plan of the sweep.
+/// Makes one structure per plan of the sweep.
 void TuneRuns::make_structures() {
   std::vector<std::size_t> members;
   for (std::size_t point = 0; point < count(); ++point) {
@@ -101,7 +101,8 @@ void TuneRuns::make_structures() {
   }
 }
 
-/// What a run of a plan sets at a point: swept values of which the plan is not made, and all tuned ones.
+/// Returns the names that a run of a plan sets at a point: all tuned parameters, and swept ones that do not
+/// change the structure.
 std::vector<std::string> TuneRuns::names_at(std::size_t point, const plan::Plan& plan) const {
   std::vector<std::string> names;
   if (!job_.points.empty())
@@ -125,7 +126,8 @@ TuneRuns::Structure& TuneRuns::structure_of(std::size_t point) const {
   return *structures_[of_point_[point]];
 }
 
-/// Numbers that differ between the points are read from a table as the tuned ones are.
+/// Compiles one plan per structure. Numbers that differ between the points are variable, like the tuned ones.
+/// Returns an empty list if a structure depends on the values.
 run::TogetherRuns::Members TuneRuns::compile() {
   run::TogetherRuns::Members plans;
   Values start;
@@ -189,7 +191,7 @@ std::vector<record::Recording> TuneRuns::performed(const Values& values, std::st
   Recordings recordings;
   try {
     recordings = source_.perform(settings_of(request_.parameters, values), fault);
-  } catch (const yaml::Error& error) {  // refused values are as bad as a run that blows up
+  } catch (const yaml::Error& error) {  // refused values count as a failed run
     fault = error.what();
   }
   add_parameters(values, recordings);
@@ -211,7 +213,7 @@ std::vector<record::Recording> TuneRuns::run_point(std::size_t point, const Valu
     } else {
       recordings = run_anew(point, values, fault);
     }
-  } catch (const yaml::Error& error) {  // refused values are as bad as a run that blows up
+  } catch (const yaml::Error& error) {  // refused values count as a failed run
     fault = error.what();
   }
   if (run) of.give_back(std::move(run));
@@ -236,7 +238,7 @@ std::vector<record::Recording> TuneRuns::run_anew(std::size_t point, const Value
 void TuneRuns::go_alone(run::PendingRun& run) const {
   run::Drive drive(*run.simulation, *run.recorders);
   drive.interrupt = source_.interrupt;
-  drive.shows_rows = false;  // what is recorded is read at the end
+  drive.shows_rows = false;  // rows are read at the end
   run.end.interrupted = drive.run() == run::Drive::End::interrupted;
 }
 

@@ -14,17 +14,18 @@
 
 namespace stepwire::tuning {
 
-/// What a tuning's runs need beside the request.
+/// Inputs of the runs of an optimisation besides the request.
 struct TuneSource {
   diagram::Loader& loader;
   std::string file;
-  std::vector<diagram::Setting> settings{};                          ///< of the call
-  const std::vector<linear::NamedAnalysis>& linear;                  ///< of the file
-  plan::CodeSource* code = nullptr;                                  ///< null: interpreted
-  const std::atomic<bool>* interrupt = nullptr;                      ///< once true, runs end and give nothing
-  std::function<void(std::vector<record::Recording>&)> add_shown{};  ///< what the file's scene makes of them
-  /// Makes the recordings with such settings in place of the runs of the file, where these are the trials of
-  /// a study; `fault` is why there are none.
+  std::vector<diagram::Setting> settings{};          ///< Settings of the call.
+  const std::vector<linear::NamedAnalysis>& linear;  ///< Linear analyses of the file.
+  plan::CodeSource* code = nullptr;                  ///< Compiler of the plans; nullptr: interpreted.
+  const std::atomic<bool>* interrupt = nullptr;      ///< Once true, runs end without a recording.
+  std::function<void(std::vector<record::Recording>&)>
+      add_shown{};  ///< Adds the columns of the file's scene.
+  /// Replaces the runs of the file, where these are the trials of a study. Returns the recordings at the
+  /// given settings. On failure the list is empty and `fault` holds the reason.
   std::function<std::vector<record::Recording>(const std::vector<diagram::Setting>&, std::string& fault)>
       perform{};
 };
@@ -32,24 +33,24 @@ struct TuneSource {
 /// Values of all tuned parameters, SI.
 using Values = std::vector<double>;
 
-/// All runs of a file with any values of the tuned parameters, which are set in the runs of one plan for each
-/// structure that the sweep has. Calls may come from any thread.
+/// All runs of a file at any values of the tuned parameters. Each structure of the sweep has one plan, whose
+/// executors are reused. Calls may come from any thread.
 class TuneRuns {
  public:
-  /// The job and the request must outlive it.
+  /// Job and request must outlive it.
   TuneRuns(TuneSource source, const run::Job& job, const TuneRequest& request);
   ~TuneRuns();
 
-  /// Runs of one evaluation; those of a study count as one.
+  /// Returns the number of runs per evaluation; the trials of a study count as one.
   std::size_t count() const;
-  /// The swept values of a run: "load=2 kg"; empty for the only one.
+  /// Returns the swept values of a run: "load=2 kg"; empty for a single run.
   std::string label(std::size_t run) const;
   bool compiled() const { return compiled_; }
-  /// Runs of a search may go beside each other with those of others, on so many threads of so many cores.
+  /// Returns the pool that combines runs of parallel searches into lanes and divides the cores among them.
   run::RunMeeting& meeting() const { return *meeting_; }
   bool interrupted() const { return source_.interrupt && *source_.interrupt; }
-  /// What all runs record, pooled in the order of the sweep, with the linear analyses that the request reads;
-  /// nothing where one of them ends with a fault or refuses the values, which `fault` then has.
+  /// Makes all runs and pools their recordings in the order of the sweep. Adds the linear analyses that the
+  /// request reads. Returns an empty list if a run fails or refuses the values; `fault` holds the reason.
   std::vector<record::Recording> run(const Values& values, unsigned threads, std::string& fault) const;
 
  private:
@@ -64,7 +65,7 @@ class TuneRuns {
   std::vector<diagram::Assignment> assignments(std::size_t point, const Values& values) const;
   Recordings run_point(std::size_t point, const Values& values, std::string& fault) const;
   Recordings run_anew(std::size_t point, const Values& values, std::string& fault) const;
-  /// With others in `meeting`, which may be null.
+  /// Makes one run; `meeting`, unless nullptr, combines it with others into lanes.
   Recordings take(std::size_t point, const Values& values, run::Executor& simulation, std::string& fault,
                   run::RunMeeting* meeting = nullptr) const;
   void go_alone(run::PendingRun& run) const;
@@ -75,16 +76,16 @@ class TuneRuns {
   const run::Job& job_;
   const TuneRequest& request_;
   run::SweptColumns swept_;
-  std::vector<bool> analysed_;  ///< which analyses the request reads
-  std::vector<bool> recorded_;  ///< which tuned parameters it reads
+  std::vector<bool> analysed_;  ///< True for analyses that the request reads.
+  std::vector<bool> recorded_;  ///< True for tuned parameters that it reads.
   std::vector<std::unique_ptr<Structure>> structures_;
-  std::vector<std::size_t> of_point_;  ///< structure of each point
+  std::vector<std::size_t> of_point_;  ///< Index of each point's structure.
   mutable std::mutex loading_;
   bool compiled_ = false;
   std::unique_ptr<run::RunMeeting> meeting_;
 };
 
-/// What sets these parameters to these values.
+/// Returns the settings that give the parameters these values.
 std::vector<diagram::Setting> settings_of(const std::vector<TuneParameter>& parameters, const Values& values);
 
 }  // namespace stepwire::tuning
