@@ -7,10 +7,10 @@
 
 namespace stepwire::expression {
 
-/// Throws ExpressionError where `uniform` or `lognormal` has a seed or stream that is not a whole number.
-/// Fractions would be truncated, so that two persons share one number. `values` has one entry for each
-/// variable in order. Draws that depend on an unknown value (std::nullopt) are not checked, and of a choice
-/// only the branch taken.
+/// Throws ExpressionError where `uniform` or `lognormal` has a seed or stream that is not a whole number,
+/// since the draw would be NaN. `values` has one entry for each variable in order. A draw is not checked
+/// where it depends on an unknown value (std::nullopt), and of a choice with a known condition only the
+/// branch taken.
 void check_draws(const Program& program, std::span<const std::optional<double>> values);
 
 }  // namespace stepwire::expression

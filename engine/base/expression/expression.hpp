@@ -37,16 +37,16 @@ std::string element_of_v(std::size_t i);
 
 /// A scalar formula over named numbers; the common language of parameters, figures, claims and blocks.
 ///
-/// Operators are + - * / ^ ( ) < <= > >= == != && || ! and cond ? a : b. ^ is right-associative and binds
-/// stronger than a sign: -2^2 is -4. Functions are sin cos tan asin acos atan atan2 sinh cosh tanh exp log
-/// (natural) log10 log2 sqrt cbrt abs sign floor ceil hypot. Further ones are round (halves away from 0), min
-/// and max (of two or more) and mod (sign of the divisor). uniform(seed, stream) and lognormal(seed, stream,
-/// variation) draw numbers from whole numbers; see language.hpp. Constants are pi and e.
+/// Operators are + - * / ^ ( ) < <= > >= == != && || ! and cond ? a : b. Powers are right-associative and
+/// bind stronger than a sign: -2^2 is -4. Functions are sin cos tan asin acos atan atan2 sinh cosh tanh exp
+/// log (natural) log10 log2 sqrt cbrt abs sign floor ceil hypot. Further ones are round (halves away from 0),
+/// min and max (of two or more) and mod (sign of the divisor). Draws from whole numbers are uniform(seed,
+/// stream) and lognormal(seed, stream, variation); see language.hpp. Constants are pi and e.
 ///
 /// A number may carry a unit and is then SI: "x > -4 mm", "2*pi*3 kHz". A name directly after a number is its
-/// unit; variables follow an operator, so a variable may be called "m" or "N". "4 N * N" is 4 newtons times
-/// the variable N. Names may contain dots and an index: "rig.x", "rig.x[2]". Copies share the parsed program,
-/// and any number of threads may evaluate one object.
+/// unit; variables follow an operator, so a variable may be called "m" or "N". Thus "4 N * N" is 4 newtons
+/// times the variable N. Names may contain dots and an index: "rig.x", "rig.x[2]". Copies share the parsed
+/// program, and any number of threads may evaluate one object.
 class Expression {
  public:
   /// Parses a text. Throws ExpressionError for an invalid one. All names but pi and e become variables.

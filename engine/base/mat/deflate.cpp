@@ -11,10 +11,10 @@ namespace {
 
 constexpr int largest_window = 15, with_gzip_header = 16, usual_memory = 8;
 constexpr int level =
-    4;  ///< tables of numbers are 2 to 4 % larger than by the usual 6, in a third of the time
+    4;  ///< number tables are 2 to 4 % larger than at the usual level 6, in a third of the time
 constexpr std::size_t max_at_once = 1 << 30;
 
-/// Feeds the stream with all bytes and appends its output to `packed`.
+/// Compresses all bytes and appends the output to `packed`.
 void deflate_all(z_stream& stream, std::string_view bytes, std::string& packed) {
   std::string space(1 << 16, '\0');
   int state = Z_OK;

@@ -8,9 +8,9 @@
 #include "engine/base/mat/mat_unreadable.hpp"
 #include "engine/base/table/table_file.hpp"
 
-// Layout: "MAT-File Format", The MathWorks, appendix on level 4. Type, rows, columns, whether complex, length
-// of the name; the name; the numbers. The digits of the type are byte order, 0, kind of numbers, kind of
-// matrix.
+// Layout: "MAT-File Format", The MathWorks, appendix on level 4. The header is type, rows, columns, complex
+// flag and length of the name; the name and the numbers follow. The digits of the type are byte order, 0,
+// number type and kind of matrix.
 
 namespace stepwire::mat {
 namespace {
