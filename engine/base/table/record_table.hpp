@@ -18,11 +18,11 @@ struct RowLine {
 /// A table as other programs and people write it. A missing number is NaN.
 struct RecordTable : Table {
   std::map<std::string, std::string>
-      problems{};  ///< by column: the reason why it is unreadable, with its place
-  std::map<std::string, std::vector<std::string>>
-      words{};                       ///< by column: the words coded by its numbers 0, 1, ..., from HDF5 files
-  std::vector<RowLine> lines{};      ///< of a text file, by row; empty if the first row is line 2
-  std::vector<std::string> notes{};  ///< conversions on reading, such as "decimal comma"
+      problems{};  ///< By column: the reason why it is unreadable, with its place.
+  std::map<std::string, std::vector<std::string>> words{};  ///< By column: the words coded by its numbers 0,
+                                                            ///< 1, ..., from HDF5 files.
+  std::vector<RowLine> lines{};      ///< Of a text file, by row; empty if the first row is line 2.
+  std::vector<std::string> notes{};  ///< Conversions on reading, such as "decimal comma".
 
   /// Returns a column by its whole title, "x [mm]" or "x (mm)"; nullptr if it is missing.
   const Column* find_titled(std::string_view title) const;
