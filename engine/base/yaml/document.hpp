@@ -19,9 +19,9 @@ struct Node {
   enum class Kind { empty, scalar, list, map };
 
   Kind kind = Kind::empty;
-  bool quoted = false;  ///< a quoted scalar: always text, never a number or a word such as true
-  Mark mark;            ///< of its first character; for a block map that of its first key
-  Mark end;             ///< just after its last character; for an omitted value that of its key
+  bool quoted = false;  ///< A quoted scalar: always text, never a number or a word such as true.
+  Mark mark;            ///< Mark of its first character; for a block map that of its first key.
+  Mark end;             ///< Mark just after its last character; for an omitted value that of its key.
   std::string text;
   std::vector<Node> items;
   std::vector<Entry> entries;

@@ -51,16 +51,16 @@ class Faults {
 
 /// Returns "did you mean 'tau'?" with the nearest of `names` as the cure; an empty message if none is near.
 Message did_you_mean(const std::string& word, const std::vector<std::string>& names);
-/// Returns the same with a sentence appended: "; did you mean 'tau'? It has: tau, u", or ". It has: tau, u"
-/// if none is near.
+/// Returns the same followed by `sentence`: "; did you mean 'tau'? (sentence)", or ". (sentence)" if none is
+/// near.
 Message did_you_mean(const std::string& word, const std::vector<std::string>& names,
                      const std::string& sentence);
 
-/// Returns "; did you mean 'rig.x'? Recorded are: rig.x, rig.v" for what = "recorded are"; long lists are
-/// truncated.
+/// Returns a suggestion followed by all names, as in "Recorded are: rig.x, rig.v" for what = "recorded are";
+/// long lists are truncated.
 Message nearest_or_all(const std::string& word, const std::vector<std::string>& names, std::string what);
 /// Returns the message about a key that `owner` does not have, with a suggestion and the known keys: "a claim
-/// has no 'finl'; did you mean 'final'? It has: ..". A key that looks like a piece of a broken expression
+/// has no 'finl'; did you mean 'final'? (known keys)". A key that looks like a piece of a broken expression
 /// gets a message of its own.
 Message unknown_key(const std::string& key, const std::vector<std::string>& known, const std::string& owner);
 

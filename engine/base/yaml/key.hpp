@@ -43,10 +43,10 @@ struct Key {
   std::vector<Key> rest{};  ///< Of a map: the form of any other name; empty if no other name is allowed.
   std::vector<Word> words{};
   double least = -unlimited, most = unlimited;
-  bool above = false;     ///< excludes `least` itself
-  std::string unit{};     ///< "s"; empty for a pure number or any unit
-  std::string pattern{};  ///< of names; empty: any
-  std::string refers{};   ///< name of a section or definition
+  bool above = false;     ///< Excludes `least` itself.
+  std::string unit{};     ///< Unit, "s"; empty for a pure number or any unit.
+  std::string pattern{};  ///< Pattern of names; empty for any.
+  std::string refers{};   ///< Name of a section or definition.
   /// Kind of names that its texts refer to, or its keys for a map of names.
   enum class Names { nothing, signal, block, parameter, unit } names = Names::nothing;
   std::string noun{};       ///< of a map, for messages: "a claim"
