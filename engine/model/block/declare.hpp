@@ -41,15 +41,13 @@ std::optional<std::vector<std::string>> names_of() {
 
 /// Collects the declaration of a block; `declare(Declare<Block>&)` names each member once.
 ///
-/// A unit is "N" or "mm/s" (numbers inside are SI), "1" for none or "*" for any. Unit variables are
-/// determined
-/// by the wires: "'u" (a name after a quote), "'u s", "'k 'u", "'a/'b", "'u^0.5".
+/// Units: "N" or "mm/s" (numbers inside are SI), "1" for none, "*" for any. Unit variables are determined by
+/// the wires: "'u" (a name after a quote), "'u s", "'k 'u", "'a/'b", "'u^0.5".
 ///
-/// A shape is a number, a letter that denotes the same size in the whole block, or "m x n" for matrices of m
-/// rows; matrices are in column-major order. A port with one letter passes matrices as their elements, and
-/// all
-/// ports of that letter have the same rows and columns. The elements of a list have one shape. With the shape
-/// "+n" their elements together are n, with "m x +n" their columns.
+/// Shapes: a number, a letter that denotes the same size in the whole block, or "m x n" for matrices of m
+/// rows in column-major order. A port with one letter passes matrices as their elements; all ports of that
+/// letter have the same rows and columns. The elements of a list have one shape. With the shape "+n" their
+/// elements together are n, with "m x +n" their columns.
 template <class Block>
 class Declare {
  public:

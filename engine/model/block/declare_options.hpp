@@ -14,8 +14,8 @@ struct BlockOptions {
   std::string doc;
   std::string source = "";
   Timing timing = Timing::inherited;
-  /// Reason why a real-time loop refuses the block: "reads a file at every step". Empty where no step
-  /// allocates, locks, makes a system call or has an unbounded duration.
+  /// Reason why a real-time loop refuses the block: "reads a file at every step". Empty if no step allocates,
+  /// locks, makes a system call or has an unbounded duration.
   std::string not_real_time = "";
   /// Reason why linear analyses refuse the block: it is not linear in its states around a point.
   std::string not_linear = "";

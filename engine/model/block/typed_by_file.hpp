@@ -7,7 +7,7 @@
 
 namespace stepwire {
 
-/// Returns the block type whose ports are described in a file, such as an FMU: the registered type of its
+/// Function that returns the block type described by a file, such as an FMU. It is the registered type of its
 /// name, with the ports of this file. `word` is the value of its key `interface`, or empty. The type lives
 /// until the program ends. Throws std::runtime_error for an invalid file.
 using TypeOfFile = const BlockType& (*)(const std::string& file, const std::string& word);
