@@ -24,10 +24,10 @@ namespace {
 
 constexpr unit::Dimension time_dimension{{0.0, 0.0, 1.0}};
 
-/// Who reads the text: a person or this program, or the hash, which sees only what decides on numbers.
+/// Purpose of the text. The hash covers only what determines numbers.
 enum class Reader { anyone, hash };
 
-/// A diagram as the tree of its flattened file.
+/// Builder of the tree of a diagram's flattened file.
 class Flattener {
  public:
   Flattener(const Diagram& diagram, const FileName& file_name, Reader reader)
@@ -164,7 +164,7 @@ class Flattener {
     return map;
   }
 
-  /// What ports of parts demanded of their signals.
+  /// Returns the units that ports of parts require of their signals.
   yaml::Node units() const {
     yaml::Node map;
     std::set<std::string> said;
@@ -195,7 +195,8 @@ class Flattener {
       if (!block.inputs[i].empty()) add_key(map, type.inputs[i].name, input(type.inputs[i], block.inputs[i]));
     for (std::size_t i = 0; i < type.parameters.size(); ++i)
       if (auto value = parameter(block, i, unit(block.parameter_dimensions[i]));
-          value && !is_left_out(block, i) && !map.find(type.parameters[i].name))  // a signal replaces it
+          value && !is_left_out(block, i) && !map.find(type.parameters[i].name))  // a signal replaces the
+                                                                                  // parameter
         add_key(map, type.parameters[i].name, std::move(*value));
     for (const InitialValue& initial : block.initial)
       add_key(map, initial_key(type, type.states[static_cast<std::size_t>(initial.state)]),

@@ -68,14 +68,14 @@ struct Copied {
 /// not called and their derivatives are 0.
 struct PlannedGuard {
   std::size_t block = 0;
-  std::size_t active = 0;      ///< workspace index of its output
-  bool once_per_edge = false;  ///< it is active at single ticks, each of which is an activation of its own
-  std::vector<int> inside;     ///< enclosed guards, as indices in Plan::guards
-  std::vector<Copied> keep;    ///< outputs written by solver stages, copied at a tick for readers while it is
-                               ///< inactive
-  std::vector<SignalSlot> slopes;  ///< of its states
-  std::vector<Copied> reset;       ///< initial values of all states inside; empty if states are held
-  std::vector<std::size_t> start;  ///< blocks inside with a start(), if states are reset
+  std::size_t active = 0;      ///< Workspace index of its output.
+  bool once_per_edge = false;  ///< It is active at single ticks, each of which is an activation of its own.
+  std::vector<int> inside;     ///< Enclosed guards, as indices in Plan::guards.
+  std::vector<Copied> keep;    ///< Outputs written by solver stages, copied at a tick for readers while it is
+                               ///< inactive.
+  std::vector<SignalSlot> slopes;  ///< Derivatives of its states.
+  std::vector<Copied> reset;       ///< Initial values of all states inside; empty if states are held.
+  std::vector<std::size_t> start;  ///< Blocks inside with a start(), if states are reset.
 };
 
 /// An algebraic loop of outputs, torn so that its blocks can be called in sequence.
@@ -133,13 +133,14 @@ struct PlannedBlock {
   std::vector<SignalSlot> derivatives;  ///< parallel to states; unused for discrete ones
   std::vector<SignalSlot> diagnostics;
   std::vector<std::vector<SignalSlot>> inputs;
-  std::vector<SignalSlot> initial;  ///< initial values of states that a guard resets, else empty
-  std::vector<SignalSlot> kept;     ///< outputs at the last tick, see PlannedGuard; else empty
-  std::vector<Eigen::Index> sizes;  ///< parallel to BlockType::sizes
-  bool slope_is_input = false;      ///< its input is stored in the slot of its derivative: derivatives() is
-                                    ///< not called
-  std::optional<AnyBlock> written;  ///< the block as given by its file, if configure() or prepare() change it
-  std::shared_ptr<const Configuration> configuration;  ///< answers of configure(); nullptr without one
+  std::vector<SignalSlot> initial;  ///< Initial values of states that a guard resets, else empty.
+  std::vector<SignalSlot> kept;     ///< Outputs at the last tick, see PlannedGuard; else empty.
+  std::vector<Eigen::Index> sizes;  ///< Parallel to BlockType::sizes.
+  bool slope_is_input = false;      ///< Its input is stored in the slot of its derivative: derivatives() is
+                                    ///< not called.
+  std::optional<AnyBlock> written;  ///< The block as given by its file, if configure() or prepare() change
+                                    ///< it.
+  std::shared_ptr<const Configuration> configuration;  ///< Answers of configure(); nullptr without one.
 };
 
 /// Immutable execution plan of runs: the order of calls and the layout of memory.
