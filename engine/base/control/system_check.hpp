@@ -7,7 +7,7 @@ namespace stepwire::control {
 
 using Matrix = Eigen::MatrixXd;
 
-/// "3 x 2"
+/// Returns a size as text, "3 x 2".
 std::string size_text(const Matrix& matrix);
 /// Throws ControlFault unless a matrix has this size; `name` identifies it in the message.
 void require_size(const Matrix& matrix, Eigen::Index rows, Eigen::Index columns, const std::string& name);

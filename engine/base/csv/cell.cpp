@@ -17,7 +17,7 @@ bool are_digits(std::string_view text) {
   return !text.empty() && std::ranges::all_of(text, is_digit);
 }
 
-/// A sign, digits with marks, and an exponent.
+/// Parts of a number: a sign, digits with marks, and an exponent.
 struct Pieces {
   std::string sign, digits, exponent;
   bool grouped = false;  ///< by separators that are never decimal marks

@@ -9,13 +9,13 @@
 
 namespace stepwire::csv {
 
-/// A cell for a message.
+/// A cell quoted in a message.
 struct SeenCell {
   std::size_t line;
   std::string text;
 };
 
-/// Decimal mark of a file by its numbers.
+/// Inferred decimal mark of a file.
 struct DecimalVerdict {
   Decimal decimal = Decimal::point;
   /// Reason why the numbers of a column are ambiguous, with the line of a cell; one entry a column.

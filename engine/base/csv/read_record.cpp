@@ -75,7 +75,7 @@ class RecordReader {
     const std::vector<std::string> titles = lines_.fields();
     const bool values = std::ranges::all_of(titles, is_value);
     lines_.go_to(values ? *last : here);
-    if (values) lines_.skip_separator();  // the '#'
+    if (values) lines_.skip_separator();  // skips the '#'
   }
 
   /// Returns the separator of the line; a blank where the next line has as many numbers separated by blanks.
@@ -167,7 +167,7 @@ class RecordReader {
 
   /// Reads a row from the cell `taken` on; the cells before it are already stored.
   void row_slowly(std::size_t taken) {
-    if (rows_ * wanted_ > max_numbers_)  // empty rows of many columns
+    if (rows_ * wanted_ > max_numbers_)  // possible with empty rows of many columns
       lines_.fail(fmt::format("{} rows of {} columns are more than a file of this size may have", rows_ + 1,
                               wanted_));
     const std::string place = fmt::format("{}:{}", path_, lines_.line());

@@ -21,8 +21,8 @@ table::Column titled_column(const std::string& title);
 std::vector<table::Column> columns_of(const std::vector<std::string>& titles, const table::CsvLines& lines);
 
 /// Returns the units in the row below the names, as in `s;mm;N`; std::nullopt for a row of values. A row of
-/// units has no number but 1 and has a unit above the values of a column. With as many ones as units, it must
-/// have a unit of time.
+/// units has no number but 1, and has units above the values of columns. If it has at least as many ones as
+/// such units, one of these must be a time.
 std::optional<std::vector<std::string>> units_below(const std::vector<std::string>& row,
                                                     const std::vector<std::string>& next_row);
 

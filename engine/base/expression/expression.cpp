@@ -48,8 +48,7 @@ struct Stack {
 /// Interprets a program; `variable(i)` returns the value of variable i.
 template <class Variable>
 double evaluate(const Program& program, const Variable& variable) {
-  std::array<double, longest_text / 2 + 1> values;  // two operands have an operator between them in the text,
-                                                    // which bounds the depth
+  std::array<double, longest_text / 2 + 1> values;  // operators separate operands, which bounds the depth
   Stack stack{values.data()};
   const Instruction* const first = program.code.data();
   for (const Instruction* instruction = first; instruction != first + program.code.size(); ++instruction) {

@@ -158,8 +158,7 @@ Expression margin_of(const Expression& condition) {
   const auto known = variables_of(condition);
   try {
     return Expression(fold_of(condition, known).margin, known);
-  } catch (const ExpressionError&) {  // too long: the condition itself is the margin, and jumps where the
-                                      // exact margin crosses 0
+  } catch (const ExpressionError&) {  // too long: the condition itself jumps where its margin crosses 0
     return condition;
   }
 }
@@ -172,7 +171,7 @@ Branches branches_of(const Expression& formula) {
   for (const std::string& bend : part.bends) add_once(margins, bend);
   for (const std::string& margin : margins) try {
       branches.margins.emplace_back(margin, known);
-    } catch (const ExpressionError&) {  // too long: a steady value jumps where its exact margin crosses 0
+    } catch (const ExpressionError&) {  // too long: a steady value jumps where its margin crosses 0
       if (part.truth) branches.margins.push_back(formula);
       branches.steady = part.truth;
     }

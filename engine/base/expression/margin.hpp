@@ -15,8 +15,7 @@ Expression margin_of(const Expression& condition);
 /// max and mod.
 struct Branches {
   bool steady = false;              ///< True where the value is constant between sign changes of the margins.
-  std::vector<Expression> margins;  ///< Expressions that change sign at a branch point; jumps first; at most
-                                    ///< 16.
+  std::vector<Expression> margins;  ///< Change sign at a branch point; jumps first; at most 16.
 };
 Branches branches_of(const Expression& formula);
 

@@ -24,7 +24,8 @@ class MatrixExpression {
 
   const std::vector<std::string>& variables() const;
   Measure measure(const std::vector<Measure>& variables) const;
-  /// Throws ExpressionError, with its place, where sizes do not fit or a design has no solution.
+  /// Evaluates the formula. Throws ExpressionError, with its place, where sizes do not fit or a design has no
+  /// solution.
   Eigen::MatrixXd operator()(const std::vector<Eigen::MatrixXd>& variables) const;
 
  private:

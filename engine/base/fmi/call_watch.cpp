@@ -99,7 +99,7 @@ class Watch {
   }
 
   void begin() {
-    process_ = ::getpid();  // a forked worker inherits the object and has to start its own thread
+    process_ = ::getpid();  // end_exit() ignores forked copies of this process
     try {
       thread_ = std::jthread([this](const std::stop_token& stop) { look(stop); });
     } catch (const std::system_error&) {  // without a thread, exits are detected and hanging calls are not

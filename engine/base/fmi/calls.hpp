@@ -33,7 +33,7 @@ class Calls {
   virtual ~Calls() = default;
 
   virtual bool set_up(double start) = 0;  ///< enters initialization mode
-  virtual bool initialize() = 0;          ///< leaves it
+  virtual bool initialize() = 0;          ///< leaves initialization mode
   virtual bool get(Type type, const std::uint32_t* references, std::size_t count, void* values,
                    std::size_t numbers) = 0;
   virtual bool set(Type type, const std::uint32_t* references, std::size_t count, const void* values,

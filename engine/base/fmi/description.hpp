@@ -57,12 +57,12 @@ constexpr char own_annotation[] = "stepwire", smooth_element[] = "smooth";
 
 /// Content of modelDescription.xml.
 struct Description {
-  int version = 3;  ///< of FMI
+  int version = 3;  ///< version of FMI
   std::string name, token;
   Interface co_simulation, model_exchange;
   std::vector<Variable> variables;
   std::vector<std::uint32_t> states, derivatives;  ///< references of the continuous ones
-  std::size_t state_count = 0;                     ///< in numbers
+  std::size_t state_count = 0;                     ///< number of doubles
   std::size_t indicator_count = 0;
   bool smooth = false;  ///< has our annotation: outputs jump only where inputs do
   std::unordered_map<std::uint32_t, std::size_t> places;  ///< index of the first variable with each reference

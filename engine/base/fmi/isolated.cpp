@@ -19,8 +19,7 @@ namespace stepwire::fmi {
 namespace {
 
 constexpr std::uint32_t ours = 0, of_unit = 1;
-constexpr int patience = 50;  // number of waits granted to a process that must end, or to a call after an
-                              // interruption
+constexpr int patience = 50;                   // waits granted to an ending process or an interrupted call
 constexpr std::chrono::milliseconds wait{20};  // longest time of one await_turn()
 
 /// Returns the time limit as a number of waits. A clock would keep running while both processes are stopped.

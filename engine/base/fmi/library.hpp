@@ -10,7 +10,7 @@ namespace stepwire::fmi {
 /// A loaded binary. Loading and unloading run foreign code.
 class Library {
  public:
-  /// Throws UnitError with the linker's reason.
+  /// Loads a binary. Throws UnitError with the linker's reason.
   Library(const std::string& file, CallNote& note);
   ~Library();
   Library(const Library&) = delete;

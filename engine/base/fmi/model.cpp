@@ -1,5 +1,5 @@
-// More than 300 lines with its header: what a unit is called for, in the order in which it may be called, is
-// one table.
+// More than 300 lines with its header: the calls of a unit, in the order that the standard requires, are one
+// state machine.
 #include "engine/base/fmi/model.hpp"
 
 #include <fmt/format.h>

@@ -253,11 +253,11 @@ class Reader {
   Description& into_;
   UnitTable units_;
   DeclaredTypes declared_;
-  std::vector<pugi::xml_node> nodes_;  ///< of the variables
+  std::vector<pugi::xml_node> nodes_;  ///< elements of the variables
   std::set<std::string> names_;        ///< of the ports
   std::unordered_map<std::uint32_t, std::uint32_t> states_;  ///< state of each derivative, in FMI 3
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> depending_;  ///< variables that each output
-                                                                             ///< depends on
+  /// Variables that each output depends on.
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> depending_;
 };
 
 }  // namespace

@@ -38,8 +38,8 @@ class Inside : public Runner {
     void operator()(char* memory) const { ::operator delete[](memory, std::align_val_t(alignof(Exchange))); }
   };
   Setup setup_;
-  io::Descriptor folder_{::open(".", O_PATH | O_DIRECTORY | O_CLOEXEC)};  ///< working directory, into which
-                                                                          ///< results are written
+  /// Working directory, into which results are written.
+  io::Descriptor folder_{::open(".", O_PATH | O_DIRECTORY | O_CLOEXEC)};
   std::unique_ptr<char[], Free> memory_;
   std::optional<CallWatch> watch_;
   std::unique_ptr<Model> model_;

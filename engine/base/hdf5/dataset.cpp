@@ -15,7 +15,7 @@ namespace stepwire::hdf5 {
 
 namespace {
 
-constexpr std::size_t max_words = 1'000'000;  // of a column
+constexpr std::size_t max_words = 1'000'000;  // in one column
 
 /// Returns the texts of an attribute that is a list of variable-length strings; an empty list otherwise.
 std::vector<std::string> texts_attribute(hid_t object, const char* name) {

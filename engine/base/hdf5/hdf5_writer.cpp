@@ -71,7 +71,7 @@ struct Hdf5Writer::File {
   Handle file, root;
   bool named = false;
   std::vector<Handle> growing;  ///< datasets of the run under way, see begin()
-  hsize_t rows = 0;             ///< of each of them
+  hsize_t rows = 0;             ///< length of each of them
 
   explicit File(const std::string& of) : writer(of), path(of) {
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);

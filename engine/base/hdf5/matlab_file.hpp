@@ -14,7 +14,7 @@ namespace stepwire::hdf5 {
 /// MATLAB R2006b and later, as matio and Octave read it.
 class MatlabFile {
  public:
-  /// `header` has 128 bytes.
+  /// Creates the temporary file; `header` has 128 bytes.
   MatlabFile(const std::string& path, std::string header);
   ~MatlabFile();
   MatlabFile(const MatlabFile&) = delete;

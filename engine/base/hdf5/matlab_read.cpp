@@ -47,9 +47,7 @@ class MatlabReading {
   MatlabContent read(const Handle& file) {
     const Handle root(H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose);
     for (const std::string& name : links_of(root))
-      if (!name.starts_with('#'))
-        take(opened(root, name), name, 0);  // internal to MATLAB: #refs#,
-                                            // #subsystem#
+      if (!name.starts_with('#')) take(opened(root, name), name, 0);  // MATLAB's own: #refs#, #subsystem#
     return std::move(content_);
   }
 
@@ -106,7 +104,8 @@ class MatlabReading {
       take(values[i], fmt::format("{}({}){}", path.substr(0, field), i + 1, path.substr(field)), depth + 1);
   }
 
-  /// Returns the objects of a dataset of references, up to the limit; an empty list for any other dataset.
+  /// Returns the objects that a dataset of references leads to; an empty list for any other dataset, and for
+  /// one beyond the memory budget.
   std::vector<Handle> referred(const Handle& set) const {
     const Handle type(H5Dget_type(set.id()), H5Tclose), space(H5Dget_space(set.id()), H5Sclose);
     const hssize_t count = H5Sget_simple_extent_npoints(space.id());

@@ -9,7 +9,7 @@
 
 namespace stepwire::hdf5 {
 
-inline constexpr std::size_t max_columns = 20'000;  // of a file
+inline constexpr std::size_t max_columns = 20'000;  // in one file
 
 /// Opens a file for reading. Throws TableError, without the name of the file, for another format.
 Handle open_file(const std::string& path);

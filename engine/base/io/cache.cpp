@@ -160,9 +160,7 @@ std::optional<std::string> Cache::find(const std::string& name) const {
 void Cache::keep(const std::string& name, const std::string& content) const {
   make_folder(folder_);
   const Descriptor folder = open_folder(folder_);
-  if (!folder.open())
-    return note_problem(folder_, "cannot be used");  // only recorded if there is no earlier
-                                                     // reason
+  if (!folder.open()) return note_problem(folder_, "cannot be used");  // unless an earlier reason is recorded
   drop_old();
   write(folder.number(), name, content + seal_of(name, content));
 }

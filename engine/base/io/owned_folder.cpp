@@ -99,8 +99,7 @@ void OwnedFolder::lock() {
     if (list_ >= 0) ::close(list_);
     list_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
     if (list_ < 0) refuse_file(shown_ + "/" + list_name, errno);
-    if (::flock(list_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {  // other errors are ignored: not
-                                                                           // all file systems support locks
+    if (::flock(list_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {  // some file systems do not lock
       ::close(list_);
       throw EnvironmentError(fmt::format(
           "{}: another run is writing into this folder; give --out another one, or wait", shown_));

@@ -47,13 +47,13 @@ class Json {
     return result;
   }
 
-  /// Appends to a list; null becomes a list. Throws std::logic_error for anything else.
+  /// Appends to a list; null becomes a list. Throws std::logic_error for any other value.
   Json& push(Json item);
   /// Appends a member to an object, or replaces the value of the key; null becomes an object. Throws
-  /// std::logic_error for anything else.
+  /// std::logic_error for any other value.
   Json& set(std::string key, Json value);
 
-  /// Reads one value. Throws JsonError.
+  /// Parses one value. Throws JsonError.
   static Json parse(std::string_view text);
 
   bool is_null() const { return std::holds_alternative<std::nullptr_t>(value_); }

@@ -59,7 +59,7 @@ class Level4 {
     const std::string_view name = take(name_length);
     const std::size_t count = mat_count({rows, columns});
     const std::string_view numbers = take(count * (1 + complex) * mat_number_size(kinds[kind]));
-    if (form == 1 || count == 0) return;  // a text
+    if (form == 1 || count == 0) return;  // texts are skipped
     const std::string text(name.substr(0, name.find('\0')));
     if (form == 2 || complex == 1)
       return content_.problems.push_back(

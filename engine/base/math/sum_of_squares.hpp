@@ -31,8 +31,7 @@ class SumOfSquares {
   double root(double count = 1.0) const { return std::sqrt(scaled() / count) / scale(); }
 
  private:
-  static constexpr double up = 0x1p600, down = 0x1p-600;  // they scale 2^-1074 to 2^1023 so that squares are
-                                                          // in range
+  static constexpr double up = 0x1p600, down = 0x1p-600;  // scaled squares of 2^-1074 to 2^1023 are in range
   static constexpr double smallest = 0x1p-900, largest = 0x1p1000;
 
   double middle_ = 0.0, large_ = 0.0, small_ = 0.0;

@@ -51,7 +51,7 @@ class Reading {
 
   void take_schema(Cursor& content) {
     const auto id = content.number<std::uint16_t>();
-    content.text();  // its name
+    content.text();  // name of the schema
     if (content.text() == "jsonschema")
       schemas_[id] = std::make_shared<const Units>(units_of(content.text()));
   }
@@ -80,8 +80,7 @@ class Reading {
   }
 
   void take_chunk(Cursor& content) {
-    content.take(2 * sizeof(std::uint64_t) + sizeof(std::uint64_t));  // start and end time, and uncompressed
-                                                                      // size
+    content.take(2 * sizeof(std::uint64_t) + sizeof(std::uint64_t));  // start, end and uncompressed size
     const auto checksum = content.number<std::uint32_t>();
     if (const std::string_view packed = content.text(); !packed.empty())
       throw table::TableError(fmt::format("its messages are packed by '{}'; only those that are not are read", packed));

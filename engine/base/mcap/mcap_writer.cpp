@@ -60,7 +60,7 @@ struct McapWriter::File {
   std::string schemas, channels, chunk_indexes, last_schema;
   Chunk chunk;
   Span span;
-  std::map<std::uint16_t, std::uint64_t> messages;  ///< by channel
+  std::map<std::uint16_t, std::uint64_t> messages;  ///< number of messages by channel
   std::uint32_t chunks = 0;
   std::uint16_t schema_count = 0;
 

@@ -29,8 +29,8 @@ class Connection {
 class Messages {
  public:
   virtual ~Messages() = default;
-  virtual int rank() const = 0;  ///< of this process
-  virtual int size() const = 0;  ///< of the group
+  virtual int rank() const = 0;  ///< number of this process
+  virtual int size() const = 0;  ///< number of processes
   /// Sends bytes without waiting for the receiver; the order is preserved. Throws EnvironmentError.
   virtual void send(int to, std::string_view bytes) = 0;
   /// Returns the next message of any process within the given time; std::nullopt after it. Throws

@@ -36,8 +36,8 @@ class Fork {
   void wait();
   /// Kills it and waits for its end.
   void end();
-  /// Result after the end. After a signal status() is 0; succeeded() is true for exit status 0. Texts of
-  /// ending() are "was ended by signal 11 (Segmentation fault)" or "has ended itself with status 1".
+  /// Result after the end. status() is 0 after a signal; succeeded() is true for exit status 0. ending() is
+  /// text: "was ended by signal 11 (Segmentation fault)" or "has ended itself with status 1".
   bool ended() const { return ended_; }
   int status() const;
   bool succeeded() const { return status_ == 0; }

@@ -52,8 +52,7 @@ ScratchFolder::ScratchFolder() {
     std::string path = temporary_folder() + "/" + beginning + "XXXXXX";
     if (!::mkdtemp(path.data())) return;
     lock_ = own_folder(path);
-    const bool taken = !lock(lock_) && errno == EWOULDBLOCK;  // other errors are ignored: not all file
-                                                              // systems support locks
+    const bool taken = !lock(lock_) && errno == EWOULDBLOCK;  // some file systems do not lock
     if (!taken && is_at(lock_, path)) path_ = path;
   }
   if (!path_.empty()) leftover_.emplace(path_, true);

@@ -23,7 +23,7 @@ class CsvLines {
   CsvLines(const std::string& path, std::string_view text)
       : path_(path), at_(text.data()), end_(at_ + text.size()) {}
 
-  /// Throws TableError: "press.csv:17: MESSAGE".
+  /// Throws TableError "press.csv:17: MESSAGE".
   [[noreturn]] void fail(const std::string& message) const;
 
   std::size_t line() const { return line_; }

@@ -8,7 +8,7 @@ namespace stepwire::table {
 
 /// Assigns the numbers 0, 1, ... to the words of one column.
 struct CsvNumbering {
-  std::vector<std::string>* texts = nullptr;  ///< nullptr where the column holds numbers
+  std::vector<std::string>* texts = nullptr;  ///< nullptr for a column of numbers
   std::unordered_map<std::string, double> numbers{};
 
   double operator()(const std::string& text) {

@@ -10,7 +10,7 @@ namespace stepwire::text {
 struct TextTable {
   std::string title;
   std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;  ///< each as long as `columns`
+  std::vector<std::vector<std::string>> rows;  ///< each row is as long as `columns`
   std::vector<std::string> notes;              ///< below the table, one paragraph each
 };
 

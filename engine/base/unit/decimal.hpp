@@ -2,7 +2,8 @@
 
 namespace stepwire::unit {
 
-/// Returns the shortest decimal that rounds to this double, in long double precision: 0.1 gives 0.1L.
+/// Returns the decimal that a double was most likely written as, the shortest that reads back to it, in long
+/// double precision: 0.1 gives 0.1L.
 long double as_decimal(double value);
 
 /// Returns the published conversion factor closest to a double. That is a decimal of up to 15 digits, such a

@@ -11,8 +11,7 @@
 namespace stepwire::yaml {
 namespace {
 
-constexpr std::size_t longest_word = 64;  // bounds the cost of the distance, which is the product of both
-                                          // lengths
+constexpr std::size_t longest_word = 64;  // bounds the cost of the distance, O(product of both lengths)
 
 std::string lower(std::string word) {
   for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

@@ -12,7 +12,7 @@ namespace stepwire::yaml {
 /// One fault in a user's file: its location, the block and port, the problem and the cure.
 struct Fault {
   Place place;
-  std::string subject;  ///< "lag.tau", "lag", or empty
+  std::string subject;  ///< block and port, "lag.tau" or "lag"; may be empty
   Message message;
   std::vector<Place> used_by;  ///< innermost first: the lines that use the part with the fault
 

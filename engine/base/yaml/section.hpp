@@ -22,7 +22,7 @@ class SectionReading {
   SectionReading(const SectionReading&) = default;
   virtual ~SectionReading() = default;
 
-  std::string subject;  ///< "fit.parameters.mass"
+  std::string subject;  ///< name in messages, "fit.parameters.mass"
 
   void fault(const Mark& mark, const Message& message) const { sink_(mark, subject, message); }
 

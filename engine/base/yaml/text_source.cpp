@@ -17,8 +17,7 @@ bool makes_token(char c) {
 }  // namespace
 
 TextSource::TextSource(std::string_view text) {
-  char* begin = const_cast<char*>(text.data());  // the interface of std::streambuf needs a mutable pointer;
-                                                 // the text is not written
+  char* begin = const_cast<char*>(text.data());  // required by std::streambuf, which does not write here
   setg(begin, begin, begin + text.size());
 }
 

@@ -11,8 +11,7 @@
 namespace stepwire::yaml {
 namespace {
 
-constexpr std::size_t characters_per_node = 32;  // a long text counts as several nodes, so that copies by
-                                                 // aliases are bounded
+constexpr std::size_t characters_per_node = 32;  // bounds copies of long texts by aliases
 constexpr std::size_t nodes_per_anchor = 8;      // approximate cost of storing the path to an anchor
 
 struct Size {

@@ -36,11 +36,9 @@ struct BlockType {
   std::string header;  ///< Header that declares the struct: relative to the root of the sources, or a full
                        ///< path outside of the library. Empty without one.
   std::string declared_at;    ///< Location of the declaration, "blocks/math/gain.cpp:12".
-  std::string not_real_time;  ///< Reason why its steps are unsuitable for a real-time loop; empty if they are
-                              ///< suitable.
-  std::string not_linear;     ///< Reason why linear analyses refuse it; empty if they do not.
-  std::string not_generated;  ///< Reason other than a missing header why no code can be generated; empty
-                              ///< without one.
+  std::string not_real_time;  ///< Reason why a real-time loop refuses it; empty without one.
+  std::string not_linear;     ///< Reason why linear analyses refuse it; empty without one.
+  std::string not_generated;  ///< Reason, except a missing header, against code generation; may be empty.
 
   std::vector<ParameterSpec> parameters;
   std::vector<InputSpec> inputs;
@@ -53,7 +51,7 @@ struct BlockType {
   bool smooth = false;     ///< outputs jump only where inputs do
   bool torn = false;       ///< algebraic loops through it are solved for its outputs
   std::vector<PresetSpec> presets;
-  std::vector<MemberSpec> members;  ///< that a run reads and never changes
+  std::vector<MemberSpec> members;  ///< members that a run reads and never changes
   std::vector<ClockSpec> clocks;
   std::vector<SizeSpec> sizes;
 
@@ -79,9 +77,9 @@ struct BlockType {
   void (*destroy)(void* block) = nullptr;
 
   const ParameterSpec* parameter(std::string_view key) const;
-  int input(std::string_view key) const;   ///< index, or -1
-  int output(std::string_view key) const;  ///< index, or -1
-  int state(std::string_view key) const;   ///< index, or -1
+  int input(std::string_view key) const;   ///< index; -1 if it is missing
+  int output(std::string_view key) const;  ///< index; -1 if it is missing
+  int state(std::string_view key) const;   ///< index; -1 if it is missing
   bool has_continuous_state() const;
 };
 

@@ -18,8 +18,8 @@ using Kernel = void (*)(void* first, void* end);
 enum class Specialization {
   nothing,
   one_element,    ///< every port and state has one element
-  two_in_list,    ///< also, the list of inputs `u` has two elements
-  three_in_list,  ///< or three
+  two_in_list,    ///< in addition, the list of inputs `u` has two elements
+  three_in_list,  ///< in addition, it has three elements
   plain_slope,    ///< one element, and the derivative equals the input: `slope_is_input` of the block is true
   count
 };

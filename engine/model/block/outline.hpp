@@ -16,7 +16,7 @@ struct Outline {
     bool endless = false;  ///< periodic or infinite: only its first part is given
   };
 
-  bool space = false;  ///< it has three coordinates
+  bool space = false;  ///< its points have three coordinates
   std::vector<Line> lines;
 };
 

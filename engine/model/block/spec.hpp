@@ -53,15 +53,14 @@ struct ParameterSpec {
 /// other members.
 struct PreparedMember {
   Eigen::Index (*count)(const void* block) = nullptr;  ///< 0 where the numbers would need heap memory
-  std::string (*text)(Eigen::Index k) = nullptr;       ///< C++ suffix of number k after the member's name:
-                                                       ///< ".A"
+  std::string (*text)(Eigen::Index k) = nullptr;       ///< C++ suffix of number k, ".A"
   void (*put)(void* block, const double* numbers, Eigen::Index count) = nullptr;
   bool by_element = false;  ///< number k depends only on the elements k of other members
 };
 
 /// A member that a run reads and never changes: a parameter or a value derived from parameters.
 struct MemberSpec {
-  std::string member;  ///< its name in C++
+  std::string member;  ///< C++ name
   /// Returns the value as a C++ expression.
   std::string (*literal)(const void* block, LiteralWriter& writer) = nullptr;
   PreparedMember prepared{};
@@ -72,7 +71,7 @@ struct MemberSpec {
 /// Declaration of an input.
 struct InputSpec {
   std::string name, unit, shape, doc;
-  std::string member;       ///< its name in C++
+  std::string member;       ///< C++ name
   bool feedthrough = true;  ///< the outputs depend on it at the same instant
   bool optional = false;
   bool list = false;
@@ -86,7 +85,7 @@ struct InputSpec {
 /// Declaration of an output.
 struct OutputSpec {
   std::string name, unit, shape, doc;
-  std::string member;  ///< its name in C++
+  std::string member;  ///< C++ name
   std::string state;   ///< continuous state that it is identical to; may be empty
   void (*bind)(void* block, double* data, Eigen::Index size) = nullptr;
 };
@@ -94,7 +93,7 @@ struct OutputSpec {
 /// Declaration of a state.
 struct StateSpec {
   std::string name, unit, shape, doc;
-  std::string member;  ///< its name in C++
+  std::string member;  ///< C++ name
   bool continuous = true;
   bool settable = true;  ///< a file may set its initial value
   double initial = 0.0;
@@ -105,12 +104,11 @@ struct StateSpec {
 /// Declaration of a diagnostic.
 struct DiagnosticSpec {
   std::string name, doc;
-  std::string member;  ///< its name in C++
+  std::string member;  ///< C++ name
   bool ends_run = false;
   bool is_fault = true;  ///< false: the run that it ends is complete, as with `stop_when`
   void (*bind)(void* block, double* first) = nullptr;
-  std::string (*detail)(const void* block) = nullptr;  ///< returns names and numbers for the message, once it
-                                                       ///< is raised
+  std::string (*detail)(const void* block) = nullptr;  ///< names and numbers for the message
 };
 
 /// Declaration of a function that crosses zero where the block's behaviour changes.
@@ -121,7 +119,7 @@ struct CrossingSpec {
 
 /// Binding of a member that holds the time, or the time between updates.
 struct ClockSpec {
-  std::string member;                                            ///< its name in C++
+  std::string member;                                            ///< C++ name
   void (*bind_time)(void* block, const double* time) = nullptr;  ///< nullptr for a period
   void (*bind_period)(void* block, double period) = nullptr;     ///< nullptr for the time
 };

@@ -87,8 +87,7 @@ struct DiagramBlock {
   Origin every_origin;
   bool every_of_part = false;  ///< True for the period of the enclosing part.
   int guard = -1;              ///< Block that activates this one; -1: always active.
-  std::string copy_of;  ///< Full name of the block in the file of which this is the copy for one field of a
-                        ///< bus.
+  std::string copy_of;         ///< Full name of the block that this one copies for one field of a bus.
 
   const BlockType& type() const { return block.type(); }
 };
@@ -185,8 +184,7 @@ struct StopCondition {
 /// Treatment of algebraic loops.
 struct AlgebraicLoops {
   bool solve = false;                 ///< otherwise they are refused
-  double tolerance = 1e-9;            ///< largest correction at convergence, relative to the size of the
-                                      ///< signal
+  double tolerance = 1e-9;            ///< largest correction at convergence, relative to the signal
   std::int64_t max_iterations = 500;  ///< most iterations of a loop at one instant
 };
 
@@ -227,8 +225,7 @@ struct Diagram {
   std::string solver;  ///< empty if the file names none
   Origin solver_origin;
   std::optional<ErrorControl> error_control;  ///< std::nullopt for a solver with the steps of the file
-  double tolerance = 0.1;  ///< largest error of a step of an implicit solver, relative to the size of its
-                           ///< state
+  double tolerance = 0.1;  ///< largest error of a step of an implicit solver, relative to the state
   AlgebraicLoops algebraic_loops;
   Events events;
   ThesisReference thesis;
@@ -247,8 +244,7 @@ struct Diagram {
   std::shared_ptr<const Bindings> bindings;  ///< dependence of its values on the parameters
   PortUnits output_dimensions;               ///< see infer_units
   PortUnits state_dimensions;                ///< of the states
-  std::vector<ElementDimensions> element_dimensions;  ///< for outputs without a common unit in
-                                                      ///< output_dimensions
+  std::vector<ElementDimensions> element_dimensions;  ///< if output_dimensions has no common unit
   std::optional<Sweep> sweep;
   std::optional<StopCondition> stop_when;
   yaml::Node figure, claims, invariants;  ///< as written, read by the figure room; empty if absent

@@ -1,4 +1,4 @@
-// More than 300 lines with its header: a flattened file has one form for all that a diagram keeps.
+// More than 300 lines with its header: one tree holds all parts of a flattened file.
 #include "engine/model/diagram/flatten.hpp"
 
 #include <fmt/format.h>
@@ -195,8 +195,7 @@ class Flattener {
       if (!block.inputs[i].empty()) add_key(map, type.inputs[i].name, input(type.inputs[i], block.inputs[i]));
     for (std::size_t i = 0; i < type.parameters.size(); ++i)
       if (auto value = parameter(block, i, unit(block.parameter_dimensions[i]));
-          value && !is_left_out(block, i) && !map.find(type.parameters[i].name))  // a signal replaces the
-                                                                                  // parameter
+          value && !is_left_out(block, i) && !map.find(type.parameters[i].name))  // a signal replaces it
         add_key(map, type.parameters[i].name, std::move(*value));
     for (const InitialValue& initial : block.initial)
       add_key(map, initial_key(type, type.states[static_cast<std::size_t>(initial.state)]),

@@ -73,9 +73,7 @@ void read_sections(Scope& root, Opener& opener, Settings& settings, Report& repo
   read_stop_condition(root, resolver, report);
   demand_units_and_shapes(root, resolver, report);
   settings.report_unused(report);
-  if (report.faults().empty())
-    refuse_unused_parameters(root, report);  // after a fault a parameter may be
-                                             // unused because of it
+  if (report.faults().empty()) refuse_unused_parameters(root, report);  // a fault may hide uses
 }
 
 /// A diagram under construction from its document.

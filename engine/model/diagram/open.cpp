@@ -83,8 +83,7 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
         scope, entry, entry.mark,
         "is no name for a block; use letters, digits and '_' ('time' and 'all' have a meaning of their own)");
   const yaml::Node *kind = map.find("block"), *part = map.find("diagram");
-  const bool is_hidden = kind && find_guard_type(kind->text);  // a hidden block in a flattened file, beside
-                                                               // the blocks that it guards
+  const bool is_hidden = kind && find_guard_type(kind->text);  // beside its blocks in a flattened file
   if (const std::string rival = scope.rival_of(entry.key);
       !rival.empty() && !is_hidden && !hidden(scope, rival))
     return fail(scope, entry, entry.mark,

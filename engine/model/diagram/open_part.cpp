@@ -179,8 +179,7 @@ bool Opener::refuse_nesting(Scope& scope, const yaml::Entry& entry, const yaml::
                      fmt::join(circle, open_files_.end(), " -> "), file));
   } else if (open_files_.size() >= deepest_nesting) {
     fail(scope, entry, path.mark, fmt::format("parts are nested more than {} deep here", deepest_nesting));
-    report_.faults().throw_if_any();  // stops here: parts that use parts twice would repeat the fault without
-                                      // end
+    report_.faults().throw_if_any();  // stops here: recursive parts would repeat the fault
   } else if (report_.diagram().scopes.size() > max_parts) {
     fail(scope, entry, path.mark, fmt::format("the diagram has more than {} parts here", max_parts));
     report_.faults().throw_if_any();  // stops here: each further part would repeat the fault

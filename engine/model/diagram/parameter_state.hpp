@@ -13,7 +13,7 @@ namespace stepwire::diagram {
 struct ChangedValue {
   Target target;
   WrittenValue value;
-  Origin origin;  ///< of its text
+  Origin origin;  ///< location of its text
 };
 
 /// Current parameter values of one run of a diagram. The diagram must outlive it.

@@ -1,5 +1,5 @@
-// More than 300 lines with its header: values, lists, expressions and inserted texts are read by each
-// other, and by the kind of what they are for.
+// More than 300 lines with its header: readers of values, lists, expressions and inserted texts call each
+// other.
 #include "engine/model/diagram/parameters.hpp"
 
 #include <fmt/format.h>

@@ -16,7 +16,7 @@ class FaultReport;
 /// Origin of a value that replaces a definition's own: the call, or the file that uses the part.
 struct GivenBy {
   Origin origin;
-  std::string name;  ///< of the parameter: "rig.mass"
+  std::string name;  ///< full name of the parameter: "rig.mass"
   std::string unit;  ///< of its definition, with a leading blank: " kg"
 };
 
@@ -62,7 +62,7 @@ class ParameterScope {
  private:
   struct Entry {
     WrittenValue value;
-    int index = -1;  ///< in Diagram::parameters
+    int index = -1;  ///< index in Diagram::parameters
     mutable bool used = false, structural = false;
   };
   std::map<std::string, Entry> values_;

@@ -1,5 +1,5 @@
-// More than 300 lines with its header: a name leads through ports, parts, buses and elements to other names,
-// by one recursion that carries whom to blame.
+// More than 300 lines with its header: one recursion resolves names through ports, parts, buses and elements,
+// and carries the location of faults.
 #include "engine/model/diagram/resolve.hpp"
 
 #include <fmt/format.h>
@@ -140,9 +140,7 @@ std::optional<Source> Resolver::reference(const std::string& text, const Scope& 
   const std::string_view name = scope.names.contains(text) ? std::string_view(text) : scope.start_of(text);
   if (name.empty()) return refuse(query, no_block(text, scope));
   const auto found = scope.names.find(name);
-  if (found == scope.names.end())
-    return std::nullopt;  // it could not be created; its fault is already
-                          // reported
+  if (found == scope.names.end()) return std::nullopt;  // its fault is already reported
   const std::string rest = name.size() == text.size() ? "" : text.substr(name.size() + 1);
   const auto of_named = [&]() -> std::optional<Source> {
     if (found->second.part) return of_part(rest, *found->second.part, std::move(query));

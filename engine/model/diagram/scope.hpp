@@ -27,7 +27,7 @@ using BusFields = std::vector<BusField>;
 
 /// Names of one file at one place of the diagram under construction.
 struct Scope {
-  int index = 0;  ///< in Diagram::scopes
+  int index = 0;  ///< index in Diagram::scopes
   const yaml::Document* document = nullptr;
   Scope* parent = nullptr;
   ParameterScope parameters;

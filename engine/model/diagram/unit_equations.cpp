@@ -76,9 +76,7 @@ int UnitEquations::turn_to_angle(const UnitEquation& equation) {
     auto& value = values_[static_cast<std::size_t>(term.variable)];
     const auto unit = value->one();
     if (!unit || unit->angle != 0.0 || sum->angle + term.exponent != 0.0) continue;
-    if (unit->cycles != 0.0 && sum->cycles != 0.0)
-      continue;  // rates of different meaning (angle per time,
-                 // frequency) are not changed
+    if (unit->cycles != 0.0 && sum->cycles != 0.0) continue;  // two rates of different meaning stay unchanged
     unit::Dimension rate = *unit;
     rate.exponents[2] = 0.0;
     if (rate != unit::Dimension{} || unit->exponents[2] > 0.0) continue;

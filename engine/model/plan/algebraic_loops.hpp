@@ -26,8 +26,7 @@ void refuse_loop(Draft& draft, const OrderGraph& graph, const LoopNodes& nodes);
 /// Call order of the blocks of a loop, and its tears.
 struct LoopOrder {
   std::vector<std::size_t> tears;  ///< indices of torn nodes
-  std::vector<int> blocks;         ///< a block occurs twice if only some of its outputs can be computed at
-                                   ///< first
+  std::vector<int> blocks;         ///< a block with outputs that need two calls occurs twice
 };
 LoopOrder order_loop(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes);
 

@@ -132,7 +132,7 @@ class Refinement {
 
   const Draft& draft_;
   std::vector<int> order_;
-  std::vector<std::size_t> rank_;         ///< of each block
+  std::vector<std::size_t> rank_;         ///< rank of each block
   std::vector<std::vector<Wire>> wires_;  ///< wires of each block, as reader or source
 };
 

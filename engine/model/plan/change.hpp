@@ -21,7 +21,7 @@ struct RebuiltBlock {
 struct PlanChange {
   std::vector<RebuiltBlock> blocks;
   std::vector<std::pair<SignalSlot, Eigen::VectorXd>> constants;  ///< on wires; one number or all elements
-  std::vector<std::pair<SignalSlot, Eigen::VectorXd>> initial;    ///< of states
+  std::vector<std::pair<SignalSlot, Eigen::VectorXd>> initial;    ///< initial values of states
   /// Reason why the values need a plan of another structure; empty if this plan fits.
   std::string structure;
 };

@@ -37,8 +37,7 @@ struct CompiledLanes {
   void (*run)(LaneTask& task) = nullptr;
   int lanes = 0;
   std::vector<VariableBlock> variable;
-  std::vector<bool> differs;  ///< numbers of the workspace with a value for each lane; all others are shared
-                              ///< and stored in lane 0
+  std::vector<bool> differs;  ///< numbers stored for each lane; all others are shared, in lane 0
 };
 
 /// Table of the numbers that compiled code reads in one run: single numbers in order, then the lists. The

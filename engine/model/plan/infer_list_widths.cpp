@@ -150,7 +150,7 @@ class ListWidthInference {
   MatrixLists& matrices_;
   std::vector<List> lists_;
   std::unordered_multimap<int, int> watchers_;  ///< lists by the union-find root of an element's size
-  Worklist turns_;                              ///< of lists
+  Worklist turns_;                              ///< indices of lists
   std::set<std::pair<std::size_t, std::size_t>> refused_;
 };
 

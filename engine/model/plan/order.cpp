@@ -276,7 +276,7 @@ class Order {
   std::vector<int> loop_of_;  ///< loop of each node; -1: none
   std::vector<Loop> loops_;
   std::vector<std::size_t> open_nodes_;
-  std::vector<int> heights_;  ///< of blocks
+  std::vector<int> heights_;  ///< of each block
   std::vector<bool> emitted_;
   CallOrder order_;
   int guard_ = -1;  ///< of the last emitted block: blocks of one guard are skipped together

@@ -71,8 +71,7 @@ struct PlannedGuard {
   std::size_t active = 0;      ///< Workspace index of its output.
   bool once_per_edge = false;  ///< It is active at single ticks, each of which is an activation of its own.
   std::vector<int> inside;     ///< Enclosed guards, as indices in Plan::guards.
-  std::vector<Copied> keep;    ///< Outputs written by solver stages, copied at a tick for readers while it is
-                               ///< inactive.
+  std::vector<Copied> keep;    ///< Outputs of stages, copied at a tick for readers while it is inactive.
   std::vector<SignalSlot> slopes;  ///< Derivatives of its states.
   std::vector<Copied> reset;       ///< Initial values of all states inside; empty if states are held.
   std::vector<std::size_t> start;  ///< Blocks inside with a start(), if states are reset.
@@ -118,7 +117,7 @@ struct Layout {
   std::size_t diagnostics = first;
   std::size_t diagnostic_count = 0;
   std::size_t constants = first;
-  std::size_t report = first;  ///< of an implicit solver
+  std::size_t report = first;  ///< report of an implicit solver
   std::size_t loops = first;   ///< reports of loops
   std::size_t events = first;  ///< reports of located events, at the end
   std::size_t size = first;
@@ -136,10 +135,9 @@ struct PlannedBlock {
   std::vector<SignalSlot> initial;  ///< Initial values of states that a guard resets, else empty.
   std::vector<SignalSlot> kept;     ///< Outputs at the last tick, see PlannedGuard; else empty.
   std::vector<Eigen::Index> sizes;  ///< Parallel to BlockType::sizes.
-  bool slope_is_input = false;      ///< Its input is stored in the slot of its derivative: derivatives() is
-                                    ///< not called.
-  std::optional<AnyBlock> written;  ///< The block as given by its file, if configure() or prepare() change
-                                    ///< it.
+  bool slope_is_input = false;      ///< Its input is in the slot of its derivative: derivatives() is not
+                                    ///< called.
+  std::optional<AnyBlock> written;  ///< The block as in its file, if configure() or prepare() change it.
   std::shared_ptr<const Configuration> configuration;  ///< Answers of configure(); nullptr without one.
 };
 

@@ -53,7 +53,7 @@ class TimedBlocks {
   }
 
   Draft& draft_;
-  std::vector<std::vector<std::size_t>> readers_;  ///< of each block
+  std::vector<std::vector<std::size_t>> readers_;  ///< readers of each block
   std::vector<std::size_t> refused_;               ///< whose readers are not yet unmarked
 };
 

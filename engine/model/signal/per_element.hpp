@@ -50,8 +50,7 @@ class PerElement {
   ~PerElement() { free(); }
 
   double operator[](Index i) const {
-    if (__builtin_constant_p(i) && i == 0) return one_;  // known at compile time where the signal has one
-                                                         // element
+    if (__builtin_constant_p(i) && i == 0) return one_;  // a compile-time branch for scalar signals
     return many_ ? many_[i] : one_;
   }
   Index size() const { return many_ ? static_cast<Index>(many_[-1] < 0.0 ? -many_[-1] : many_[-1]) : 1; }
@@ -87,8 +86,7 @@ class PerElement {
   bool owns() const { return many_ && !std::signbit(many_[-1]); }  // -0.0: an empty view
 
   double one_;                    ///< the first number
-  const double* many_ = nullptr;  ///< nullptr for a single number; the element before them is their count,
-                                  ///< negative for a view
+  const double* many_ = nullptr;  ///< nullptr for a single number; preceded by the count, negative for a view
 };
 
 }  // namespace stepwire
