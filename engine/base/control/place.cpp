@@ -66,6 +66,10 @@ ComplexMatrix eigenvectors_of(const Matrix& A, const Matrix& U1, const Complex& 
   return Q.rightCols(n - U1.cols());
 }
 
+/// Chooses eigenvectors of the closed loop for several inputs (Kautsky, Nichols and Van Dooren 1985, method
+/// 0). Each pole leaves a subspace of possible eigenvectors. The more orthogonal the chosen ones are, the
+/// less the poles react to errors of A and B. The iteration replaces one vector at a time by the projection
+/// of the normal of all others onto its subspace.
 class Placement {
  public:
   Placement(const Matrix& A, const Matrix& U1, const std::vector<Complex>& poles)

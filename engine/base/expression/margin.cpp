@@ -96,6 +96,9 @@ Part function_of(std::string_view name, const Parts& of) {
   return part;
 }
 
+/// Builds the margin of an expression bottom-up. The margin of a truth value is positive where it is true and
+/// changes sign where it changes. A comparison has the difference of its sides. "and" is the smaller and "or"
+/// the larger of two margins; "not" negates one. A choice selects the margin of its branch.
 struct MakeMargin {
   const std::vector<std::string>& variables;
 

@@ -7,8 +7,8 @@
 namespace stepwire::expression {
 
 /// Returns an expression that changes sign where a condition changes its truth, for zero-crossing detection.
-/// For "x > 3 mm && !(y < 2)" it is the smaller of x - 0.003 and y - 2, for a number its value. The variables
-/// are the same, in the same order.
+/// For "x > 3 mm && !(y < 2)" it is the smaller of x - 0.003 and y - 2; for a number it is the number. The
+/// variables are the same, in the same order.
 Expression margin_of(const Expression& condition);
 
 /// Branch points of a formula: its conditions, and the jumps and bends of abs, sign, floor, ceil, round, min,

@@ -19,8 +19,7 @@ struct RowLine {
 struct RecordTable : Table {
   std::map<std::string, std::string>
       problems{};  ///< By column: the reason why it is unreadable, with its place.
-  std::map<std::string, std::vector<std::string>> words{};  ///< By column: words coded by 0, 1, ..., from
-                                                            ///< HDF5.
+  std::map<std::string, std::vector<std::string>> words{};  ///< By column: words coded by 0, 1, ... (HDF5).
   std::vector<RowLine> lines{};      ///< Of a text file, by row; empty if the first row is line 2.
   std::vector<std::string> notes{};  ///< Conversions on reading, such as "decimal comma".
 

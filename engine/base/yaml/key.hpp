@@ -53,7 +53,7 @@ struct Key {
   std::string example{};    ///< of its value, or of a section
   std::string otherwise{};  ///< the default, for documentation
   bool required = false;
-  std::string choice{};               ///< group of which a map has exactly one key: "reduction"
+  std::string choice{};               ///< a map has exactly one key of such a group: "reduction"
   std::vector<std::string> beside{};  ///< it is allowed only with one of these keys
 
   /// Returns the key of a map; nullptr if it is missing.

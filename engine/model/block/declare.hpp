@@ -116,8 +116,8 @@ class Declare {
                              detail::names_of<from...>()});
   }
 
-  /// Declares a member of type Index that holds a size, by its letter in the declared shapes, such as the
-  /// rows m of a port "m x n". It is set before prepare().
+  /// Declares a member of type Index that holds a size, by its letter in the declared shapes: the rows m of a
+  /// port "m x n". It is set before prepare().
   template <auto member>
   void size(std::string symbol) {
     derived<member, From::no_number>();

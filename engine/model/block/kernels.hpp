@@ -17,10 +17,11 @@ using Kernel = void (*)(void* first, void* end);
 /// Compile-time assumptions of a kernel about its blocks. They avoid checks at every step.
 enum class Specialization {
   nothing,
-  one_element,    ///< every port and state has one element
-  two_in_list,    ///< in addition, the list of inputs `u` has two elements
-  three_in_list,  ///< in addition, it has three elements
-  plain_slope,    ///< one element, and the derivative equals the input: `slope_is_input` of the block is true
+  one_element,    ///< Every port and state has one element.
+  two_in_list,    ///< In addition, the list of inputs `u` has two elements.
+  three_in_list,  ///< In addition, it has three elements.
+  plain_slope,    ///< One element, and the derivative equals the input: `slope_is_input` of the block is
+                  ///< true.
   count
 };
 

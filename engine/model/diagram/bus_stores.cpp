@@ -19,6 +19,9 @@ bool passes(const BlockType& type, std::size_t input) {
   return in.unit == type.outputs[0].unit && in.shape == type.outputs[0].shape;
 }
 
+/// Finds the blocks whose inputs are buses, and copies each for every field. The fields of a block are those
+/// of its source, which may be another such block. They are determined recursively, and again until no more
+/// are found, since blocks may be in a loop.
 class BusStores {
  public:
   BusStores(Scope& root, std::deque<PendingInput>& pending, std::deque<yaml::Node>& written, Report& report)

@@ -24,7 +24,7 @@ namespace {
 
 constexpr unit::Dimension time_dimension{{0.0, 0.0, 1.0}};
 
-/// Purpose of the text. The hash covers only what determines numbers.
+/// Purpose of the text. The hash covers only data that determine numbers.
 enum class Reader { anyone, hash };
 
 /// Builder of the tree of a diagram's flattened file.

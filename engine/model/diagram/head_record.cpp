@@ -256,9 +256,7 @@ std::optional<unit::Dimension> dimension_of_name(const std::string& name, const 
                                                  const Diagram& diagram) {
   const auto& variables = static_cast<const Condition*>(block.block.get())->variables;
   const auto index = static_cast<std::size_t>(std::ranges::find(variables, name) - variables.begin());
-  if (index >= block.inputs.front().size())
-    return unit::parse_unit("s")->dimension;  // index past the
-                                              // signals: the time
+  if (index >= block.inputs.front().size()) return unit::parse_unit("s")->dimension;  // the time
   const Source& source = block.inputs.front()[index];
   if (source.block < 0) return source.dimension;
   return dimension_of(diagram, {source.block, source.output, -1, source.element});

@@ -9,9 +9,9 @@
 
 namespace stepwire::diagram {
 
-/// Values of one axis of a sweep, each as the text of a setting. They are either a few texts with locations,
-/// each of which may occur at several points (4 bytes a point), or numbers in one unit with a common location
-/// (8 bytes a point).
+/// Values of one axis of a sweep, each as the text of a setting. They are a few texts with locations, each
+/// possibly at several points (4 bytes a point). Or they are numbers in one unit with a common location (8
+/// bytes a point).
 class SweptValues {
  public:
   SweptValues() = default;

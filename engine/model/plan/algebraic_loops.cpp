@@ -202,7 +202,7 @@ LoopNodes canonical_nodes(const Draft& draft, const OrderGraph& graph, const Loo
   return canonical;
 }
 
-/// Returns the tears of a loop. The canonical order of the blocks selects among sets of equal cost, so the
+/// Returns the tears of a loop. The canonical order of the blocks selects among sets of equal cost. So the
 /// loop is copied into a graph with its nodes in that order.
 std::vector<std::size_t> tears_of(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) {
   const LoopNodes canonical = canonical_nodes(draft, graph, nodes);

@@ -9,7 +9,10 @@ namespace stepwire::plan {
 
 namespace {
 
-/// Finds the crossing functions, and the blocks that act at every instant.
+/// Finds the crossing functions, and the blocks that act at every instant. A search backwards from the inputs
+/// of the crossing functions marks the blocks that must be computed to evaluate them between ticks. It ends
+/// at steady and discrete outputs, which do not change there, and at timed ones, which are computed in any
+/// case.
 class EventPlan {
  public:
   explicit EventPlan(Draft& draft) : draft_(draft) {}

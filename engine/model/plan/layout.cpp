@@ -31,6 +31,9 @@ std::vector<int> memory_order(const Draft& draft, const std::vector<int>& order)
   return result;
 }
 
+/// Assigns offsets in the workspace, section by section, see Layout. Within a section the numbers are in the
+/// order of the blocks' memory, so that consecutive calls access neighbouring numbers. Continuous states are
+/// in canonical order, so that sums over states do not depend on the file.
 class LayoutMaker {
  public:
   explicit LayoutMaker(Draft& draft) : draft_(draft), plan_(draft.plan) {}

@@ -11,8 +11,7 @@ namespace stepwire::plan {
 struct OrderGraph {
   std::vector<std::vector<std::size_t>> edges;              ///< readers of each node
   std::vector<std::pair<std::size_t, std::size_t>> owners;  ///< block and output of each node
-  std::vector<std::size_t> first;                           ///< first node of each block; at the end their
-                                                            ///< number
+  std::vector<std::size_t> first;                           ///< first node of each block; then their number
 
   std::size_t count(std::size_t block) const { return first[block + 1] - first[block]; }
   /// Returns the nodes that depend on a node at the same instant.

@@ -135,8 +135,7 @@ struct PlannedBlock {
   std::vector<SignalSlot> initial;  ///< Initial values of states that a guard resets, else empty.
   std::vector<SignalSlot> kept;     ///< Outputs at the last tick, see PlannedGuard; else empty.
   std::vector<Eigen::Index> sizes;  ///< Parallel to BlockType::sizes.
-  bool slope_is_input = false;      ///< Its input is in the slot of its derivative: derivatives() is not
-                                    ///< called.
+  bool slope_is_input = false;      ///< Its input is stored as its derivative: no call of derivatives().
   std::optional<AnyBlock> written;  ///< The block as in its file, if configure() or prepare() change it.
   std::shared_ptr<const Configuration> configuration;  ///< Answers of configure(); nullptr without one.
 };

@@ -36,6 +36,9 @@ Rate join(const Rate& a, const Rate& b) {
   return {Rate::Kind::discrete, ticks, a.first % ticks};
 }
 
+/// Determines the rate of every block. Blocks with a period, sources and blocks with continuous states start
+/// with a rate of their own. A worklist then raises the rate of each reader to a common rate of all its
+/// sources, until no rate changes.
 class Rates {
  public:
   explicit Rates(Draft& draft) : draft_(draft), users_(draft.blocks.size()) {}
