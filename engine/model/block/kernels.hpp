@@ -20,8 +20,7 @@ enum class Specialization {
   one_element,    ///< Every port and state has one element.
   two_in_list,    ///< In addition, the list of inputs `u` has two elements.
   three_in_list,  ///< In addition, it has three elements.
-  plain_slope,    ///< One element, and the derivative equals the input: `slope_is_input` of the block is
-                  ///< true.
+  plain_slope,    ///< One element; the derivative equals the input (`slope_is_input` of the block).
   count
 };
 

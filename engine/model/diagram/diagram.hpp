@@ -240,16 +240,16 @@ struct Diagram {
   std::vector<DiagramBus> buses;     ///< except fields with constant sources
   std::vector<RecordRequest> records;
   std::vector<DiagramParameter> parameters;
-  yaml::Node sensitivity;                    ///< as written, read by the sensitivity room; empty if absent
+  yaml::Node sensitivity;                    ///< as written, read by analyse/sensitivity; empty if absent
   std::shared_ptr<const Bindings> bindings;  ///< dependence of its values on the parameters
   PortUnits output_dimensions;               ///< see infer_units
   PortUnits state_dimensions;                ///< of the states
   std::vector<ElementDimensions> element_dimensions;  ///< if output_dimensions has no common unit
   std::optional<Sweep> sweep;
   std::optional<StopCondition> stop_when;
-  yaml::Node figure, claims, invariants;  ///< as written, read by the figure room; empty if absent
-  yaml::Node scene;                       ///< as written, read by the figure room; empty if absent
-  yaml::Node fit;                         ///< as written, read by the identify room; empty if absent
+  yaml::Node figure, claims, invariants;  ///< as written, read by view/plot and analyse/claim
+  yaml::Node scene;                       ///< as written, read by view/scene; empty if absent
+  yaml::Node fit;                         ///< as written, read by analyse/estimation; empty if absent
 
   yaml::Place place(const Origin& origin) const {
     return {scopes[static_cast<std::size_t>(origin.scope)].file, origin.mark};

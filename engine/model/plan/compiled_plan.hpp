@@ -64,7 +64,7 @@ class NumberTable {
   /// Entries of one block.
   struct Entry {
     std::vector<double> singles, in_lists;
-    std::vector<List> lists;  ///< `place` is an index in `singles`
+    std::vector<List> lists;  ///< `place` in `singles`, `first` in `in_lists`
   };
 
   Entry entry_of(const VariableBlock& variable, const MemberItems& items) const;

@@ -91,7 +91,7 @@ void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t bl
 struct OutputTable {
   std::vector<KernelCall>& calls;
   std::vector<LoopCall>& loops;
-  bool (*has)(const Draft::Block& block);  ///< selects blocks that are neither constant nor timed
+  bool (*has)(const Draft::Block& block);  ///< membership of a block neither constant nor timed
   bool at_instants = false;                ///< for ticks and events instead of stages between them
   std::size_t closed = 0;                  ///< number of calls that must not be extended
 
