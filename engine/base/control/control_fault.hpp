@@ -5,7 +5,7 @@
 
 namespace stepwire::control {
 
-/// What is wrong with the matrices of a design: sizes that do not fit, a singular one, no solution.
+/// Thrown for unusable matrices of a design: sizes that do not fit, a singular matrix, or no solution.
 class ControlFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -18,7 +18,7 @@ namespace {
 using Complex = std::complex<double>;
 using ComplexMatrix = Eigen::MatrixXcd;
 
-/// The poles, each of a pair behind the other with the positive imaginary part first; real ones before.
+/// Returns the poles: real ones first, then each pair with the positive imaginary part first.
 std::vector<Complex> read_poles(const Matrix& poles, Eigen::Index order) {
   const bool is_list = poles.cols() == 1 || (poles.rows() == 1 && poles.cols() != 2);
   if ((is_list ? poles.size() : poles.rows()) != order || (!is_list && poles.cols() != 2))
@@ -43,7 +43,7 @@ std::vector<Complex> read_poles(const Matrix& poles, Eigen::Index order) {
   return real;
 }
 
-/// The only K of one input (Ackermann), which has poles that stand several times as well.
+/// Returns the unique gain for one input by Ackermann's formula, which also allows repeated poles.
 Matrix ackermann(const Matrix& A, const Matrix& b, const std::vector<Complex>& poles) {
   const Eigen::Index n = A.rows();
   Matrix reached(n, n);
@@ -56,7 +56,8 @@ Matrix ackermann(const Matrix& A, const Matrix& b, const std::vector<Complex>& p
   return reached.transpose().fullPivLu().solve(last).transpose() * product.real();
 }
 
-/// Columns of the eigenvectors that a pole may have: the kernel of U1'(A - pole I), U1 what B does not reach.
+/// Returns a basis of the eigenvectors that a pole may have: the kernel of U1'(A - pole I). U1 spans the
+/// complement of the range of B.
 ComplexMatrix eigenvectors_of(const Matrix& A, const Matrix& U1, const Complex& pole) {
   const Eigen::Index n = A.rows();
   const ComplexMatrix held =
@@ -65,6 +66,10 @@ ComplexMatrix eigenvectors_of(const Matrix& A, const Matrix& U1, const Complex& 
   return Q.rightCols(n - U1.cols());
 }
 
+/// Chooses eigenvectors of the closed loop for several inputs (Kautsky, Nichols and Van Dooren 1985, method
+/// 0). Each pole leaves a subspace of possible eigenvectors. The more orthogonal the chosen ones are, the
+/// less the poles react to errors of A and B. The iteration replaces one vector at a time by the projection
+/// of the normal of all others onto its subspace.
 class Placement {
  public:
   Placement(const Matrix& A, const Matrix& U1, const std::vector<Complex>& poles)
@@ -73,7 +78,7 @@ class Placement {
     for (Eigen::Index j = 0; j < A.rows(); ++j) start(j);
   }
 
-  /// Turns each eigenvector as far away from the others as it may, until their volume grows no more.
+  /// Turns each eigenvector as far from the others as its kernel allows, until their volume stops growing.
   const ComplexMatrix& run() {
     double volume = std::abs(X_.determinant());
     for (int sweep = 0; sweep < 100; ++sweep) {
@@ -94,7 +99,7 @@ class Placement {
     if (poles_[static_cast<std::size_t>(j)].imag() > 0.0) X_.col(j + 1) = x.conjugate();
   }
 
-  /// Some vector that differs from those of the same pole.
+  /// Sets an initial eigenvector that differs from those of the same pole.
   void start(Eigen::Index j) {
     if (poles_[static_cast<std::size_t>(j)].imag() < 0.0) return;
     Eigen::VectorXcd mix(kernel(j).cols());
@@ -119,14 +124,14 @@ class Placement {
   ComplexMatrix X_;
 };
 
-/// The closed loop with these eigenvalues and eigenvectors.
+/// Returns the closed loop with these eigenvalues and eigenvectors.
 Matrix closed_loop(const ComplexMatrix& X, const std::vector<Complex>& poles) {
   const Eigen::VectorXcd values = Eigen::Map<const Eigen::VectorXcd>(poles.data(), X.cols());
   const ComplexMatrix product = X * values.asDiagonal();
   return X.transpose().fullPivLu().solve(product.transpose()).transpose().real();
 }
 
-/// Every state has an input of its own: any closed loop can be had.
+/// Returns a closed loop with these poles. It is reachable because every state has an input of its own.
 Matrix diagonal_loop(const std::vector<Complex>& poles) {
   const auto n = static_cast<Eigen::Index>(poles.size());
   Matrix M = Matrix::Zero(n, n);
@@ -139,7 +144,7 @@ Matrix diagonal_loop(const std::vector<Complex>& poles) {
   return M;
 }
 
-/// Throws ControlFault where the closed loop has other poles.
+/// Throws ControlFault where the poles of the closed loop differ from the given ones.
 void check_poles(const Matrix& closed, const std::vector<Complex>& poles) {
   std::vector<Complex> left = poles;
   double scale = 1.0, worst = 0.0;

@@ -35,7 +35,7 @@ Matrix symmetric(const Matrix& X) {
   return 0.5 * (X + X.transpose());
 }
 
-/// The logarithm of |det|, of which a double does not hold every value itself.
+/// Returns log |det|; the determinant itself may overflow a double.
 double log_determinant(const Eigen::PartialPivLU<Matrix>& lu) {
   return lu.matrixLU().diagonal().cwiseAbs().array().log().sum();
 }
@@ -53,7 +53,7 @@ Matrix matrix_sign(Matrix Z) {
     if (!Z.allFinite()) give_up();
     if (change < 1e-13) return Z;
   }
-  return Z;  // as near as rounding lets it come; what follows is checked
+  return Z;  // converged to rounding; the callers check the result
 }
 
 Matrix stabilizing_start(const Matrix& A, const Matrix& G, const Matrix& Q) {

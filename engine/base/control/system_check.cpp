@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 
 constexpr double limit_width = 1e-9, rank_tolerance = 1e-10;
 
-/// Above 0 where a mode is not stable.
+/// Distance of an eigenvalue beyond the limit of stability; at least 0 where its mode is not stable.
 double excess(const Complex& eigenvalue, Stability stability) {
   return stability == Stability::continuous ? eigenvalue.real() : std::abs(eigenvalue) - 1.0;
 }
@@ -28,7 +28,8 @@ std::string shown(const Complex& eigenvalue) {
                      std::abs(eigenvalue.imag()));
 }
 
-/// Has [A - s I, B] fewer than all rows? (Popov, Belevitch and Hautus)
+/// True where [A - s I, B] lacks full row rank, so that B does not reach the mode (Popov, Belevitch and
+/// Hautus).
 bool misses_mode(const Matrix& A, const Matrix& B, const Complex& eigenvalue) {
   Eigen::MatrixXcd pencil(A.rows(), A.cols() + B.cols());
   pencil << A.cast<Complex>(), B.cast<Complex>();

@@ -17,14 +17,14 @@ bool are_digits(std::string_view text) {
   return !text.empty() && std::ranges::all_of(text, is_digit);
 }
 
-/// A sign, digits with marks, and an exponent.
+/// Parts of a number: a sign, digits with marks, and an exponent.
 struct Pieces {
   std::string sign, digits, exponent;
-  bool grouped = false;  ///< by marks that are never decimal
+  bool grouped = false;  ///< by separators that are never decimal marks
 };
 
-/// The length of an exponent's sign and digits at the end of `text`, with its letter; 0 for none. Fortran
-/// leaves out the letter before three digits.
+/// Returns the length of an exponent (letter, sign and digits) at the end of `text`; 0 without one. Fortran
+/// omits the letter before three digits.
 std::size_t exponent_length(std::string_view text) {
   std::size_t first = text.size();
   while (first > 0 && is_digit(text[first - 1])) --first;
@@ -38,7 +38,8 @@ std::size_t exponent_length(std::string_view text) {
   return sign && letter > 0 && count == 3 && mark ? text.size() - letter : 0;
 }
 
-/// True for 1, 12 or 123 and then threes behind marks: "1,234,567". A group does not begin with 0 there.
+/// True for one to three digits followed by groups of three behind marks: "1,234,567". The first group must
+/// not begin with 0.
 bool is_grouped(std::string_view digits, char mark) {
   const std::size_t first = digits.find(mark);
   if (first == std::string_view::npos || first == 0 || first > 3 || digits.front() == '0') return false;
@@ -48,7 +49,7 @@ bool is_grouped(std::string_view digits, char mark) {
   return true;
 }
 
-/// Takes out apostrophes and narrow or fixed blanks between groups, which no number has as its decimal mark.
+/// Removes apostrophes and narrow or non-breaking spaces between groups; these are never decimal marks.
 bool take_out_groups(std::string& digits) {
   std::string marked = digits;
   for (const char* mark : {"\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x99"}) text::replace_all(marked, mark, "'");
@@ -72,7 +73,7 @@ Pieces pieces_of(std::string_view text) {
   return pieces;
 }
 
-/// Of a text with both marks: the last one is decimal, the others part thousands.
+/// Classifies a number with both marks: the last mark is decimal, the others separate thousands.
 Shape shape_of_both(std::string_view digits) {
   const std::size_t last = digits.find_last_of(",.");
   const char group = digits[last] == ',' ? '.' : ',';
@@ -99,7 +100,7 @@ Shape shape_of_pieces(const Pieces& pieces) {
   return comma ? Shape::comma : Shape::point;
 }
 
-/// The exponent as C++ has it: "D+03" and "-104" as "e03" and "e-104".
+/// Returns the exponent in C++ syntax: "D+03" and "-104" become "e03" and "e-104".
 std::string exponent_text(std::string exponent) {
   if (exponent.empty()) return "";
   if (exponent.front() != '+' && exponent.front() != '-') exponent.erase(0, 1);

@@ -11,7 +11,7 @@
 namespace stepwire::csv {
 namespace {
 
-/// The number that a cell like 1,234 is without its mark.
+/// Returns the digits of a cell such as 1,234 without its mark.
 std::string without_mark(std::string text) {
   std::erase_if(text, [](char c) { return c == ',' || c == '.'; });
   return text;
@@ -56,7 +56,7 @@ const SeenCell* DecimalSurvey::proof_in_file(Proof proof) const {
   return nullptr;
 }
 
-/// Of a column with the mark that the file does not have. A column with both marks is refused, too.
+/// Returns the problem of a column whose decimal mark differs from that of the file, or that has both marks.
 std::optional<DecimalVerdict::Problem> DecimalSurvey::conflict(const Column& column, bool comma) const {
   const auto& cell = comma ? column.proof_of_point() : column.proof_of_comma();
   const SeenCell* const other = proof_in_file(comma ? &Column::proof_of_comma : &Column::proof_of_point);

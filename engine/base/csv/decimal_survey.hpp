@@ -9,16 +9,16 @@
 
 namespace stepwire::csv {
 
-/// A cell for a message.
+/// A cell quoted in a message.
 struct SeenCell {
   std::size_t line;
   std::string text;
 };
 
-/// Decimal mark of a file by its numbers.
+/// Inferred decimal mark of a file.
 struct DecimalVerdict {
   Decimal decimal = Decimal::point;
-  /// By column: the reason why its numbers are open, with the line of a cell.
+  /// Reason why the numbers of a column are ambiguous, with the line of a cell; one entry a column.
   struct Problem {
     SeenCell cell;
     std::string reason;
@@ -26,20 +26,22 @@ struct DecimalVerdict {
   std::vector<std::optional<Problem>> problems;
 };
 
-/// Finds the decimal mark of a file in all its cells. A cell like 0,2 or 1.234,5 proves a comma, one like 0.2
-/// or 1,234.5 a point; 1,234 and 1.234 alone prove none. The mark that more columns prove holds for the file.
-/// A column that proves the other one is refused. So is a column in which a mark may part thousands or be
-/// decimal, since its numbers could be wrong by a factor of 1000. Columns with texts do not count.
+/// Infers the decimal mark of a file from all its cells. A cell such as 0,2 or 1.234,5 proves a comma; 0.2 or
+/// 1,234.5 proves a point; 1,234 and 1.234 alone prove neither. The mark that more columns prove holds for
+/// the file. A column that proves the other mark is refused. A column in which a mark may be decimal or
+/// separate thousands is refused as well. Its numbers could be wrong by a factor of 1000. Columns with
+/// texts are ignored.
 class DecimalSurvey {
  public:
   explicit DecimalSurvey(std::size_t columns) : columns_(columns) {}
 
   void add(std::size_t column, const std::string& text, std::size_t line);
-  /// `comma_separated`: a comma inside a cell is in quotes, as of a spreadsheet that parts thousands by it.
+  /// Returns the verdict. `comma_separated`: a comma inside a cell is quoted, as where a spreadsheet
+  /// separates thousands.
   DecimalVerdict verdict(bool comma_separated) const;
 
  private:
-  /// First cells of a column of each kind.
+  /// First cell of each kind in a column.
   struct Column {
     bool has_text = false;
     std::optional<SeenCell> comma, point, grouped_comma, grouped_point, either_comma, either_point;
@@ -50,7 +52,7 @@ class DecimalSurvey {
 
   using Proof = const std::optional<SeenCell>& (Column::*)() const;
   std::size_t count(Proof proof) const;
-  /// A cell of another column that proves a mark.
+  /// Returns a cell of another column that proves a mark; nullptr without one.
   const SeenCell* proof_in_file(Proof proof) const;
   std::optional<DecimalVerdict::Problem> conflict(const Column& column, bool comma) const;
   static std::optional<DecimalVerdict::Problem> doubt(const std::optional<SeenCell>& cell);

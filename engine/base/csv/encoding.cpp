@@ -32,8 +32,7 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
-/// Characters of the bytes 0x80 to 0x9F, as the WHATWG Encoding Standard lists them; all others are those of
-/// Latin-1.
+/// Characters of the bytes 0x80 to 0x9F by the WHATWG Encoding Standard; all other bytes are Latin-1.
 constexpr std::array<std::uint16_t, 32> windows_1252{
     0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
     0x2039, 0x0152, 0x8D,   0x017D, 0x8F,   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
@@ -48,7 +47,7 @@ std::string utf8_of_1252(std::string_view bytes) {
   return text;
 }
 
-/// Every other byte of the first two characters is 0: at 1 and 3, or at 0 and 2.
+/// True where every other byte of the first two characters is 0: bytes 1 and 3, or bytes 0 and 2.
 bool has_zeros(std::string_view bytes, std::size_t first) {
   return bytes.size() >= 4 && bytes[first] == '\0' && bytes[first + 2] == '\0' && bytes[1 - first] != '\0' &&
          bytes[3 - first] != '\0';

@@ -4,15 +4,15 @@
 
 namespace stepwire::csv {
 
-/// A text in UTF-8, and the encoding that the file has where it is another one.
+/// A text in UTF-8 and the original encoding of its file.
 struct DecodedText {
   std::string text;
-  std::string encoding;  ///< for people; empty: plain UTF-8
+  std::string encoding;  ///< name for messages; empty for plain UTF-8
 };
 
-/// Decodes a text file: UTF-8 and UTF-16 by their byte-order marks, UTF-16 without one by its zero bytes, and
-/// bytes that are no UTF-8 as Windows-1252. Throws TableError, without the name of the file, for UTF-32 and
-/// for UTF-16 that ends within a character.
+/// Decodes a text file. UTF-8 and UTF-16 are recognised by byte-order marks, UTF-16 without one by its zero
+/// bytes; invalid UTF-8 is read as Windows-1252. Throws TableError, without the name of the file, for UTF-32
+/// and for UTF-16 that ends within a character.
 DecodedText decode(std::string bytes);
 
 }  // namespace stepwire::csv

@@ -17,7 +17,7 @@ namespace {
 
 using table::TableError;
 
-/// Reads one text. Its rows are passed twice where their decimal mark has to be found first.
+/// Reader of one text. It passes over the rows twice where the decimal mark has to be inferred first.
 class RecordReader {
  public:
   RecordReader(const std::string& path, const DecodedText& text, Decimal decimal)
@@ -49,7 +49,7 @@ class RecordReader {
     while (lines_.at_comment()) lines_.skip_line();
   }
 
-  /// "sep=;" as a spreadsheet writes it, comments, and the separator of the header.
+  /// Reads the lines above the columns: "sep=;" of spreadsheets, comments, and the separator of the header.
   void begin() {
     while (lines_.at_line_end() && !lines_.at_end()) lines_.skip_line_end();
     if (lines_.at("sep=")) {
@@ -62,7 +62,7 @@ class RecordReader {
     lines_.separate_by(separator());
   }
 
-  /// Where only numbers follow, the last comment names the columns: "# time, force".
+  /// Reads a header from the last comment where only numbers follow: "# time, force".
   void begin_behind_comments() {
     std::optional<table::CsvLines::Place> last;
     while (lines_.at_comment()) {
@@ -75,10 +75,10 @@ class RecordReader {
     const std::vector<std::string> titles = lines_.fields();
     const bool values = std::ranges::all_of(titles, is_value);
     lines_.go_to(values ? *last : here);
-    if (values) lines_.skip_separator();  // the '#'
+    if (values) lines_.skip_separator();  // skips the '#'
   }
 
-  /// That of the line, or blanks where the next line has as many numbers in between.
+  /// Returns the separator of the line; a blank where the next line has as many numbers separated by blanks.
   char separator() {
     if (!given_separator_.empty()) return given_separator_.front();
     const char marked = lines_.separator_of_line();
@@ -94,7 +94,7 @@ class RecordReader {
     return titles > 1 && below.size() == titles && std::ranges::all_of(below, is_value) ? ' ' : marked;
   }
 
-  /// The row of units, where there is one.
+  /// Reads the row of units if there is one.
   void take_units(std::vector<table::Column>& columns) {
     if (lines_.only_blanks_left()) return;
     const table::CsvLines::Place here = lines_.place();
@@ -118,7 +118,7 @@ class RecordReader {
     }
   }
 
-  /// Finds the decimal mark, and makes a place for each column.
+  /// Determines the decimal mark and creates the columns.
   void prepare(std::vector<table::Column> columns) {
     const bool comma_separated = lines_.separator() == ',';
     DecimalVerdict verdict{decimal_, {}};
@@ -165,9 +165,9 @@ class RecordReader {
     filled_rows_ = ++rows_;
   }
 
-  /// Reads a row whose first cells are taken already.
+  /// Reads a row from the cell `taken` on; the cells before it are already stored.
   void row_slowly(std::size_t taken) {
-    if (rows_ * wanted_ > max_numbers_)  // empty rows of many columns
+    if (rows_ * wanted_ > max_numbers_)  // possible with empty rows of many columns
       lines_.fail(fmt::format("{} rows of {} columns are more than a file of this size may have", rows_ + 1,
                               wanted_));
     const std::string place = fmt::format("{}:{}", path_, lines_.line());
@@ -177,13 +177,13 @@ class RecordReader {
     for (std::size_t i = taken; i < wanted_; ++i) columns_[i].add(texts[i], place);
   }
 
-  /// Rows follow each other line by line, but for comments and quoted ends of lines.
+  /// Records a row whose line does not directly follow the row before, after comments or quoted line ends.
   void note_line() {
     if (row_lines_.empty() || lines_.line() != row_lines_.back().line + (rows_ - row_lines_.back().row))
       row_lines_.push_back({rows_, lines_.line()});
   }
 
-  /// The fields of a row, one for each column; the cursor is behind it.
+  /// Returns the fields of a row, one a column, and moves the cursor past them.
   std::vector<std::string> cells() {
     std::vector<std::string> texts = lines_.fields();
     const std::size_t count = texts.size();
@@ -250,7 +250,7 @@ class RecordReader {
   std::string given_separator_;
   std::vector<bool> named_;
   std::vector<RecordColumn> columns_;
-  std::size_t rows_ = 0, filled_rows_ = 0;  ///< the latter up to the last one with anything in it
+  std::size_t rows_ = 0, filled_rows_ = 0;  ///< filled_rows_: up to the last row that is not empty
   std::vector<table::RowLine> row_lines_;
   std::vector<std::string> notes_;
 };

@@ -24,7 +24,7 @@ void RecordColumn::add(const std::string& text, const std::string& place) {
   column_.values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
 }
 
-/// Infinity is a number here; FromFile refuses it.
+/// Returns the number of a cell, infinity included; the block FromFile refuses infinity later.
 std::optional<double> RecordColumn::number_of(const std::string& text) {
   if (const auto cell = cell_number(text, decimal_)) {
     grouped_ = grouped_ || cell->grouped;
@@ -34,7 +34,7 @@ std::optional<double> RecordColumn::number_of(const std::string& text) {
   return other && std::isinf(*other) ? other : std::nullopt;
 }
 
-/// A column has times of one form or numbers.
+/// Returns the seconds of a time cell. A column holds times of one form or numbers, never both.
 std::optional<double> RecordColumn::seconds_of(const std::string& text, const std::string& place) {
   const auto stamp = problem_.empty() ? time_stamp(text) : std::nullopt;
   if (!stamp || has_numbers_) {
@@ -66,7 +66,7 @@ std::string RecordColumn::problem_of(const std::string& text) const {
                                     : "is no number with a decimal point; say `decimal: \",\"`";
 }
 
-/// The first one counts.
+/// Records the first problem of the column; later ones are ignored.
 void RecordColumn::refuse(const std::string& text, const std::string& place, const std::string& why) {
   if (problem_.empty())
     problem_ = fmt::format("{}: '{}' {} (column '{}')", place, table::csv_shown(text), why,

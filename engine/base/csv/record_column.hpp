@@ -10,33 +10,32 @@
 
 namespace stepwire::csv {
 
-/// A column of a record while its cells are read: numbers under one decimal mark, or times of the calendar,
-/// which become seconds from the earliest one.
+/// Column of a record under construction: numbers under one decimal mark, or times of the calendar. Times
+/// become seconds since the earliest one.
 class RecordColumn {
  public:
-  /// `wrong`: the reason why the column cannot be read, with its place; empty for a good one.
+  /// `wrong`: the reason why the column is unreadable, with its place; empty for a good column.
   RecordColumn(table::Column column, Decimal decimal, std::string wrong)
       : column_(std::move(column)), decimal_(decimal), problem_(std::move(wrong)) {}
 
   const std::string& name() const { return column_.name; }
-  /// Nearly every cell: digits with a decimal point, where the column takes such numbers.
+  /// True where a cell of digits with a decimal point can be parsed directly; this is the common case.
   bool takes_quick_numbers() const { return decimal_ != Decimal::comma && !first_stamp_; }
   void add(double number) {
     has_numbers_ = true;
     column_.values.push_back(number);
   }
-  /// Any cell; `place` is "press.csv:17" for the message. A missing value and one that cannot be read are
-  /// nan.
+  /// Adds any cell; `place` is "press.csv:17" for messages. A missing or unreadable value is NaN.
   void add(const std::string& text, const std::string& place);
   std::size_t rows() const { return column_.values.size(); }
   void keep_rows(std::size_t rows);
 
   const std::string& problem() const { return problem_; }
   bool has_groups() const { return grouped_; }
-  /// The first time of the calendar as the file writes it; empty for a column of numbers.
+  /// Text of the first time in the file; empty for a column of numbers.
   const std::string& first_stamp() const { return first_stamp_text_; }
 
-  /// The column, with seconds for times.
+  /// Returns the column, with times as seconds.
   table::Column finished();
 
  private:

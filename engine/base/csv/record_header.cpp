@@ -14,13 +14,13 @@
 namespace stepwire::csv {
 namespace {
 
-/// A text in parentheses is a unit where it can be one. An index as in x(1) is none, nor the t of x(t).
+/// True where a text in parentheses is a unit. The index of x(1) and the t of x(t) are not units.
 bool is_unit_in_parentheses(const std::string& unit, bool blank_before) {
   if (unit.empty() || is_value(unit) || (unit == "t" && !blank_before)) return false;
   return unit::parse_unit(unit).has_value();
 }
 
-/// The unit that a cell of the row of units has: without brackets, "1" for a dash.
+/// Returns the unit of a cell in the row of units: brackets are removed, and a dash means "1".
 std::string bare_unit(const std::string& cell) {
   const bool brackets = cell.size() > 2 && ((cell.front() == '[' && cell.back() == ']') ||
                                             (cell.front() == '(' && cell.back() == ')'));

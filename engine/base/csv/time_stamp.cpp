@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t per_second = 1'000'000'000'000;  // picoseconds
 
-/// Takes pieces of a text from its start on.
+/// Cursor over a text that consumes pieces from its start.
 class StampText {
  public:
   explicit StampText(std::string_view text) : rest_(text) {}
@@ -24,7 +24,7 @@ class StampText {
     return true;
   }
 
-  /// Takes a number of this many digits.
+  /// Consumes a number of exactly this many digits; std::nullopt if there are fewer.
   std::optional<int> number(std::size_t digits) {
     if (digits_ahead() < digits) return std::nullopt;
     int value = 0;
@@ -33,7 +33,7 @@ class StampText {
     return value;
   }
 
-  /// Picoseconds of the digits of a fraction; those behind the twelfth do not count.
+  /// Consumes the digits of a fraction and returns picoseconds; digits after the twelfth are dropped.
   std::optional<std::int64_t> fraction() {
     const std::size_t digits = digits_ahead();
     if (digits == 0) return std::nullopt;
@@ -49,14 +49,14 @@ class StampText {
   std::string_view rest_;
 };
 
-/// A number of two digits up to `most`, behind a mark where there is to be one.
+/// Consumes `mark` (unless it is '\0') and a number of two digits up to `most`.
 std::optional<int> part(StampText& pieces, char mark, int most) {
   if (mark != '\0' && !pieces.take(mark)) return std::nullopt;
   const auto value = pieces.number(2);
   return value && *value <= most ? value : std::nullopt;
 }
 
-/// Marks between the numbers of a date and of a time; '\0' for none.
+/// Separators within a date and within a time; '\0' for none.
 struct Marks {
   char date, time;
 };
@@ -66,7 +66,7 @@ Marks marks_of(TimeStamp::Form form) {
   return {form == TimeStamp::Form::german ? '.' : '-', ':'};
 }
 
-/// Days since 1970; a German date begins with its day.
+/// Consumes a date and returns the days since 1970; a German date begins with its day.
 std::optional<std::int64_t> take_date(StampText& pieces, TimeStamp::Form form) {
   const char mark = marks_of(form).date;
   const bool day_first = form == TimeStamp::Form::german;
@@ -126,7 +126,7 @@ double TimeStamp::since(const TimeStamp& other) const {
 
 namespace {
 
-/// The form in which a text may be a time. Eight digits alone are a number.
+/// Returns the form of a text that may be a time. Eight digits alone are a number.
 std::optional<TimeStamp::Form> form_of(std::string_view text) {
   if (text.size() >= 10 && text[4] == '-') return TimeStamp::Form::extended;
   if (text.size() >= 13 && text[8] == 'T') return TimeStamp::Form::basic;

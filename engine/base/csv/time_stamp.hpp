@@ -15,25 +15,27 @@ struct TimeStamp {
     german     ///< DIN 5008: 27.11.2026 10:00:00,250
   };
   Form form = Form::extended;
-  std::int64_t seconds = 0;      ///< since 1970, in UTC where there is a zone
-  std::int64_t picoseconds = 0;  ///< 0 to below 1e12
+  std::int64_t seconds = 0;      ///< since 1970, in UTC if the text has a zone
+  std::int64_t picoseconds = 0;  ///< in [0, 1e12)
   bool has_time = false, has_zone = false;
-  char between = 'T';  ///< date and time: 'T' or ' '
+  char between = 'T';  ///< separator of date and time: 'T' or ' '
 
-  /// The two are written in one form; digits of fractions may differ, and offsets of zones.
+  /// True where both have the same form; the digits of fractions and the offsets of zones may differ.
   bool is_like(const TimeStamp& other) const {
     return form == other.form && has_time == other.has_time && has_zone == other.has_zone &&
            between == other.between;
   }
-  /// [s], rounded once.
+  /// Returns the difference to another time [s], rounded once.
   double since(const TimeStamp& other) const;
 };
 
-/// Reads YYYY-MM-DD, with hh:mm, hh:mm:ss or a fraction after point or comma behind 'T' or a blank, and with
-/// Z, +hh:mm, +hhmm or +hh; YYYYMMDDThhmm and YYYYMMDDThhmmss alike; and DD.MM.YYYY, with a time behind a
-/// blank. Empty for others and for what no calendar has.
+/// Parses YYYY-MM-DD, optionally with hh:mm, hh:mm:ss or a fraction after point or comma behind 'T' or a
+/// blank. A zone may follow: Z, +hh:mm, +hhmm or +hh. Parses also YYYYMMDDThhmm and YYYYMMDDThhmmss, and
+/// DD.MM.YYYY with a time behind a blank. Returns std::nullopt for other texts and for dates that do not
+/// exist.
 std::optional<TimeStamp> time_stamp(std::string_view text);
-/// True for a text that is rather a date or time than a number or a word, also one that time_stamp() refuses.
+/// True for a text that resembles a date or time more than a number or a word, even if time_stamp() refuses
+/// it.
 bool looks_like_time(std::string_view text);
 
 }  // namespace stepwire::csv

@@ -17,13 +17,13 @@ namespace {
 
 using Read = table::RecordTable (*)(const std::string& path, Decimal decimal);
 
-/// For files whose numbers have no decimal mark.
+/// Adapts a reader of files whose numbers have no decimal mark.
 template <auto read>
 table::RecordTable read_numbers(const std::string& path, Decimal) {
   return read(path);
 }
 
-/// By the ending of the file, in lower case.
+/// Readers by the extension of the file, in lower case.
 const std::map<std::string, Read>& readers() {
   static const std::map<std::string, Read> all{
       {".csv", csv::read_record},

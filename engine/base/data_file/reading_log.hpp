@@ -5,13 +5,14 @@
 
 namespace stepwire::data_file {
 
-/// A data file and what was done to it, as "decimal comma" or "2 rows without x left out".
+/// A data file and the conversions made on reading it, such as "decimal comma" or "2 rows without x left
+/// out".
 struct FileReading {
   std::string file;
   std::vector<std::string> done;
 };
 
-/// Collects how files are read, from its making on; the last one made gets all. Safe from several threads.
+/// Collects notes on the files read while it exists; the newest log receives them all. Thread-safe.
 class ReadingLog {
  public:
   ReadingLog();
@@ -19,9 +20,9 @@ class ReadingLog {
   ReadingLog(const ReadingLog&) = delete;
   ReadingLog& operator=(const ReadingLog&) = delete;
 
-  /// Adds notes that the log does not have yet; without a log there is no effect.
+  /// Adds the notes that the log does not have yet; has no effect without a log.
   static void add(const std::string& file, const std::vector<std::string>& done);
-  /// Files of the log that was made last, in the order in which they were read first.
+  /// Returns the files of the newest log, in the order of their first reading.
   static std::vector<FileReading> files();
 
  private:

@@ -10,14 +10,14 @@
 
 namespace stepwire::data_file {
 
-/// What was made before, kept under a name for whoever asks again. Safe from several threads. What was asked
-/// for longest ago goes where all together would hold more than `max_numbers`.
+/// Cache of values by name that evicts the least recently used ones. All values together hold at most
+/// `max_numbers` numbers. Thread-safe.
 template <class Value>
 class Recent {
  public:
   explicit Recent(std::size_t max_numbers) : max_numbers_(max_numbers) {}
 
-  /// Null where nothing has the name; what `is_valid` refuses is dropped.
+  /// Returns the value of a name; nullptr if there is none. Drops a value that `is_valid` refuses.
   template <class Valid>
   std::shared_ptr<const Value> find(const std::string& name, const Valid& is_valid) {
     const std::lock_guard lock(mutex_);
@@ -31,7 +31,7 @@ class Recent {
     return entry->value;
   }
 
-  /// Keeps a value of so many numbers in the place of what has the name.
+  /// Stores a value that holds `numbers` numbers, and replaces an earlier one of the same name.
   void keep(const std::string& name, std::shared_ptr<const Value> value, std::size_t numbers) {
     if (numbers > max_numbers_) return;
     const std::lock_guard lock(mutex_);
@@ -41,7 +41,7 @@ class Recent {
     entries_.push_front({name, std::move(value), numbers});
   }
 
-  std::size_t numbers() const { return numbers_; }  ///< that are kept
+  std::size_t numbers() const { return numbers_; }  ///< total over all stored values
 
  private:
   struct Entry {
@@ -62,7 +62,7 @@ class Recent {
 
   std::size_t max_numbers_, numbers_ = 0;
   std::mutex mutex_;
-  std::list<Entry> entries_;  ///< the one that was asked for last is first
+  std::list<Entry> entries_;  ///< most recently used first
 };
 
 }  // namespace stepwire::data_file

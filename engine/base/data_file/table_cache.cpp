@@ -24,7 +24,7 @@ TableCache& TableCache::of_process() {
   return cache;
 }
 
-/// Of a file that is not there or cannot be looked at, nothing: reading it tells why.
+/// Returns size and time of change of a file. Errors are ignored here, since reading the file reports them.
 TableCache::Stamp TableCache::stamp_of(const std::string& path) {
   std::error_code none;
   Stamp stamp;

@@ -11,21 +11,20 @@
 
 namespace stepwire::data_file {
 
-/// Tables as they were read from files, so that a record which many runs play is parsed once. Safe from
-/// several threads. Those that were asked for longest ago go where all together would hold more than
-/// `max_numbers`.
+/// Cache of tables read from files, so that a record used by many runs is parsed once. Evicts the least
+/// recently used tables beyond `max_numbers` numbers. Thread-safe.
 class TableCache {
  public:
   explicit TableCache(std::size_t max_numbers) : recent_(max_numbers) {}
 
-  /// The table in a data file, as read_data_file() reads it and with its errors. What was read
-  /// before is given, the same object, as long as the file has the same size and time of change; a file that
-  /// changed within the last two seconds is read anew, since clocks of file systems are coarse.
+  /// Returns the table in a data file, as read_data_file() reads it and with its errors. The cached object is
+  /// returned while size and time of change of the file are the same. A file that changed within the last two
+  /// seconds is read again, since file system clocks are coarse.
   std::shared_ptr<const table::RecordTable> read(const std::string& path, Decimal decimal = Decimal::detect);
-  /// Of this process, for 64 MB of numbers.
+  /// Cache of this process, for 64 MB of numbers.
   static TableCache& of_process();
 
-  std::size_t numbers() const { return recent_.numbers(); }  ///< that are kept
+  std::size_t numbers() const { return recent_.numbers(); }  ///< total over all cached tables
 
  private:
   struct Stamp {

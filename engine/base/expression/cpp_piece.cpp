@@ -9,10 +9,10 @@
 namespace stepwire::expression {
 namespace {
 
-/// Those of language.hpp that formulas name; all others are in <cmath>.
+/// Functions of language.hpp that formulas can call; all others are in <cmath>.
 constexpr std::array<std::string_view, 6> own_functions{"sign", "mod", "min", "max", "uniform", "lognormal"};
 
-/// In parentheses where it binds weaker than its place asks for.
+/// Returns the text, parenthesised where it binds weaker than `least`.
 std::string in(Binding least, const CppPiece& piece) {
   return piece.binding < least ? "(" + piece.text + ")" : piece.text;
 }
@@ -21,7 +21,7 @@ CppPiece number(const CppPiece& piece) {
   return piece.truth ? CppPiece{"language::number(" + piece.text + ")"} : piece;
 }
 
-/// && inside of || stands in parentheses, or compilers take it for a mistake.
+/// Parenthesises && inside of ||, since compilers warn about it.
 CppPiece logic(std::string_view sign, Binding binding, const CppPiece& a, const CppPiece& b) {
   const std::string left = in(a.binding == binding ? binding : Binding::comparison, cpp_truth(a));
   return {fmt::format("{} {} {}", left, sign, in(Binding::comparison, cpp_truth(b))), binding, true};
@@ -37,7 +37,7 @@ CppPiece arithmetic(std::string_view sign, Binding binding, const CppPiece& a, c
   return {fmt::format("{} {} {}", in(binding, number(a)), sign, in(stronger, number(b))), binding};
 }
 
-/// Two minuses side by side would be another operator.
+/// Parenthesises a repeated minus, since "--" is another operator.
 CppPiece prefix(std::string_view sign, const CppPiece& a) {
   if (sign == "!" && a.truth) return {"!" + in(Binding::prefix, a), Binding::prefix, true};
   if (sign == "!") return {in(Binding::sum, a) + " == 0.0", Binding::comparison, true};

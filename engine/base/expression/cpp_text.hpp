@@ -7,14 +7,13 @@
 
 namespace stepwire::expression {
 
-/// A checked expression as one of C++, whose value has the bits that an evaluation gives; only the sign of a
-/// nan may differ. It is a double or a bool, binds as weakly as ?: does, and stands in namespace
-/// stepwire with language.hpp before it. It is to be compiled without contraction of products and sums, and
-/// without knowledge of those functions of <cmath> that round (-fno-builtin-sin, ...), which a compiler
-/// rounds in its own way for constants.
+/// Translates a checked expression into a C++ expression of type double or bool. Its value has the bits of
+/// the interpreted evaluation, but for the sign of a NaN. Its precedence is that of ?:. It needs language.hpp
+/// and namespace stepwire. The compiler must not contract products and sums. Constant folding of rounding
+/// <cmath> functions must be off as well (-fno-builtin-sin, ...), since compilers round them differently.
 std::string cpp_text(const Program& program, const VariableText& variable);
 
-/// Whether that is not 0: a bool.
+/// Translates an expression into a C++ condition of type bool: its value is not 0.
 std::string cpp_condition_text(const Program& program, const VariableText& variable);
 
 }  // namespace stepwire::expression

@@ -17,7 +17,7 @@ struct Complaint {
   std::size_t place = 0;
 };
 
-/// A value on the way, where it is known, and the first draw that it rests on and that is wrong.
+/// An intermediate value, if known, and the first invalid draw that it depends on.
 struct Drawn {
   std::optional<double> value;
   std::optional<Complaint> wrong{};
@@ -51,7 +51,7 @@ class MakeDrawn {
   }
 
  private:
-  /// Whether && or || has its value by the first one alone.
+  /// True where the first operand alone determines the value of && or ||.
   static bool is_decided(const Operation& operation, const Drawn& first) {
     if (!first.value) return false;
     return operation.binding == (*first.value == 0.0 ? Binding::both : Binding::either);

@@ -7,9 +7,10 @@
 
 namespace stepwire::expression {
 
-/// Throws ExpressionError where `uniform` or `lognormal` draws by a seed or a stream that is not whole, which
-/// gives two people one number or none at all. Values of variables stand in their order; where one is not
-/// known, nothing is said of what hangs on it, and of a choice only the branch that is taken counts.
+/// Throws ExpressionError where `uniform` or `lognormal` has a seed or stream that is not a whole number,
+/// since the draw would be NaN. `values` has one entry for each variable in order. A draw is not checked
+/// where it depends on an unknown value (std::nullopt), and of a choice with a known condition only the
+/// branch taken.
 void check_draws(const Program& program, std::span<const std::optional<double>> values);
 
 }  // namespace stepwire::expression

@@ -11,11 +11,11 @@
 namespace stepwire::expression {
 namespace {
 
-/// The values on the way of an evaluation, the last of them in a register. Kinds of instructions are compared
-/// in turn: a processor foresees each comparison, which makes them faster than one jump through a table.
+/// Evaluation stack whose top is in a register. The interpreter compares instruction kinds one after another:
+/// the branch predictor makes that faster than a jump table.
 struct Stack {
-  double* end;        ///< behind the values below the last
-  double last = 0.0;  ///< at first none of them
+  double* end;        ///< one past the values below the top
+  double last = 0.0;  ///< unused until the first value is pushed
 
   void push(double value) {
     *end++ = last;
@@ -45,10 +45,10 @@ struct Stack {
   }
 };
 
-/// `variable(i)` is the value of variable i.
+/// Interprets a program; `variable(i)` returns the value of variable i.
 template <class Variable>
 double evaluate(const Program& program, const Variable& variable) {
-  std::array<double, longest_text / 2 + 1> values;  // two have a sign between them in the text
+  std::array<double, longest_text / 2 + 1> values;  // operators separate operands, which bounds the depth
   Stack stack{values.data()};
   const Instruction* const first = program.code.data();
   for (const Instruction* instruction = first; instruction != first + program.code.size(); ++instruction) {

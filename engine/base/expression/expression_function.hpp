@@ -7,7 +7,7 @@
 
 namespace stepwire::expression {
 
-/// An expression as a function that a block holds: its variable i is the number v[places[i]].
+/// Wraps an expression as a Function for blocks: its variable i is the number v[places[i]].
 Function function_of(Expression expression, std::vector<std::size_t> places);
 
 }  // namespace stepwire::expression

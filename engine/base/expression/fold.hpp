@@ -8,7 +8,7 @@
 
 namespace stepwire::expression {
 
-/// Removes the last pieces, and returns them.
+/// Removes the last `count` pieces and returns them.
 template <class Piece>
 std::vector<Piece> take_last(std::vector<Piece>& pieces, int count) {
   const auto first = pieces.end() - count;
@@ -17,8 +17,8 @@ std::vector<Piece> take_last(std::vector<Piece>& pieces, int count) {
   return taken;
 }
 
-/// Makes one thing out of an expression from the inside out. `make` says what a variable, a number, a choice
-/// of three pieces, and an operation on pieces become; operations come with their place in the text.
+/// Folds an expression bottom-up into one piece. `make` maps variables, numbers, choices of three pieces, and
+/// operations on pieces to pieces. Operations are passed with their position in the text.
 template <class Piece, class Make>
 Piece fold(const Program& program, const Make& make) {
   std::vector<Piece> pieces;

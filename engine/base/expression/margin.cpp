@@ -11,7 +11,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// A part of a formula: its value as text, its margin, and the margins of jumps and bends within it.
+/// A subexpression: its value as text, its margin, and the margins of its inner jumps and bends.
 struct Part {
   std::string value, margin;
   Texts inner{}, bends{};
@@ -19,9 +19,9 @@ struct Part {
   bool steady = false;  ///< constant between sign changes of branches()
   bool varies = true;   ///< depends on a variable
 
-  /// Margin of a number in the place of a truth, which is true unless it is 0.
+  /// Returns the margin of this value used as a condition; a number is true unless it is 0.
   std::string as_truth() const { return truth ? margin : "abs(" + value + ")"; }
-  /// Margins of all places at which its value jumps.
+  /// Returns the margins of all places where the value jumps.
   Texts branches() const { return truth ? Texts{margin} : inner; }
 };
 using Parts = std::vector<Part>;
@@ -32,7 +32,7 @@ std::string joined(const Parts& parts) {
   return list;
 }
 
-/// More are of no use to a block, and would make long formulas slow to read.
+/// Limit of margins: more do not help a block and make long formulas slow to parse.
 constexpr std::size_t most_margins = 16;
 
 void add_once(Texts& all, std::string text) {
@@ -53,7 +53,7 @@ bool any_varies(const Parts& parts) {
   return std::ranges::any_of(parts, &Part::varies);
 }
 
-/// A number made of parts.
+/// Makes a numeric part from its operands.
 Part number_of(std::string text, const Parts& of) {
   const bool steady = all_steady(of);
   Part part{text, text, all_of(of, [](const Part& inner) { return inner.branches(); })};
@@ -66,7 +66,7 @@ Part truth_of(std::string text, std::string margin, const Parts& of) {
   return {std::move(text), std::move(margin), {}, {}, true, true, any_varies(of)};
 }
 
-/// The best of the values up to one, minus the next, for each.
+/// Adds margins for min or max: each value minus the best of the values before it.
 void add_best(Texts& margins, std::string_view name, const Parts& of) {
   std::string best = of[0].value;
   for (std::size_t i = 1; i < of.size(); ++i) {
@@ -75,8 +75,7 @@ void add_best(Texts& margins, std::string_view name, const Parts& of) {
   }
 }
 
-/// Adds what changes its sign where a function itself jumps or has a bend: floor at whole numbers, where
-/// sin(pi x) does.
+/// Adds the margin of a function's own jumps and bends: for floor at whole numbers it is sin(pi x).
 void add_own(Part& part, std::string_view name, const Parts& of) {
   constexpr const char* pi = "(3.1415926535897931)";
   const std::string& value = of[0].value;
@@ -97,6 +96,9 @@ Part function_of(std::string_view name, const Parts& of) {
   return part;
 }
 
+/// Builds the margin of an expression bottom-up. The margin of a truth value is positive where it is true and
+/// changes sign where it changes. A comparison has the difference of its sides. "and" is the smaller and "or"
+/// the larger of two margins; "not" negates one. A choice selects the margin of its branch.
 struct MakeMargin {
   const std::vector<std::string>& variables;
 
@@ -159,7 +161,7 @@ Expression margin_of(const Expression& condition) {
   const auto known = variables_of(condition);
   try {
     return Expression(fold_of(condition, known).margin, known);
-  } catch (const ExpressionError&) {  // too long: the condition itself jumps where its margin passes 0
+  } catch (const ExpressionError&) {  // too long: the condition itself jumps where its margin crosses 0
     return condition;
   }
 }
@@ -172,7 +174,7 @@ Branches branches_of(const Expression& formula) {
   for (const std::string& bend : part.bends) add_once(margins, bend);
   for (const std::string& margin : margins) try {
       branches.margins.emplace_back(margin, known);
-    } catch (const ExpressionError&) {  // too long: a steady value jumps where its margin passes 0
+    } catch (const ExpressionError&) {  // too long: a steady value jumps where its margin crosses 0
       if (part.truth) branches.margins.push_back(formula);
       branches.steady = part.truth;
     }

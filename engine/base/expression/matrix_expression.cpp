@@ -18,12 +18,12 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// A value on the way. What brackets hold lies in a row until it is known whether they are one of several.
+/// An intermediate value. A bracket list is a row until it is known whether it is one of several rows.
 struct MatrixPiece {
   MatrixXd numbers;
   bool is_row = false, of_numbers = false;
 
-  /// A list alone is a column.
+  /// Returns the matrix; a list of numbers that is not a row of a matrix is a column.
   MatrixXd value() const { return is_row && of_numbers ? MatrixXd(numbers.transpose()) : numbers; }
 };
 
@@ -52,7 +52,7 @@ class MakeMatrix {
   }
 
  private:
-  /// Rows one below the other, or numbers and matrices side by side.
+  /// Joins rows below each other, or numbers and matrices side by side.
   static MatrixPiece list(const std::vector<MatrixPiece>& values) {
     bool of_rows = true, of_numbers = true;
     for (const MatrixPiece& value : values) {

@@ -11,20 +11,21 @@
 
 namespace stepwire::expression {
 
-/// A formula whose values are matrices, of which a number is one of 1 x 1 and a list one of one column: the
-/// language of Expression with [a, b, ..], [[a, b], [c, d]], and products, sums and whole powers of matrices.
-/// A list of lists has them for its rows; a list of matrices has them side by side, and a list of such lists
-/// one below the other. Functions: transpose inv expm det trace norm rank size(A, 1 or 2) eye(n) zeros(n) or
-/// (m, n) ones diag ctrb obsv c2d care dare lqr dlqr kalman dkalman place (base/control); of one number they
-/// work on every element.
+/// A formula with matrix values. A number is a 1 x 1 matrix and a list is a column. The language is that of
+/// Expression with [a, b, ..], [[a, b], [c, d]], and products, sums and whole powers of matrices. The inner
+/// lists of a list are its rows. Matrices in a list are side by side; such lists in a list are below each
+/// other. Functions are transpose inv expm det trace norm rank diag ctrb obsv c2d. Others are size(A, 1 or
+/// 2), and eye(n), zeros and ones of (n) or (m, n). The designs care dare lqr dlqr kalman dkalman place are
+/// those of base/control. Functions of one number act on every element.
 class MatrixExpression {
  public:
-  /// As that of Expression.
+  /// Parses a text as Expression does.
   MatrixExpression(std::string_view text, const std::function<bool(std::string_view)>& known);
 
   const std::vector<std::string>& variables() const;
   Measure measure(const std::vector<Measure>& variables) const;
-  /// Throws ExpressionError, with its place, where sizes do not fit or a design has no solution.
+  /// Evaluates the formula. Throws ExpressionError, with its place, where sizes do not fit or a design has no
+  /// solution.
   Eigen::MatrixXd operator()(const std::vector<Eigen::MatrixXd>& variables) const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace stepwire::expression {
 
-/// A function of matrices by its name. Throws control::ControlFault.
+/// Evaluates the matrix function of this name. Throws control::ControlFault.
 Eigen::MatrixXd matrix_function(std::string_view name, const std::vector<Eigen::MatrixXd>& of);
 
 }  // namespace stepwire::expression

@@ -11,7 +11,7 @@
 namespace stepwire::expression {
 namespace {
 
-/// A value on the way: what is known of its unit, and of a bare number the number, which may be an exponent.
+/// An intermediate value: its inferred unit, and the value of a bare number, which may be an exponent.
 struct Piece {
   Measure measure;
   bool bare = false;
@@ -40,7 +40,8 @@ Zeros zeros_of(const Piece& piece) {
   return piece.measure.dimension ? piece.measure.dimension->zeros : std::nullopt;
 }
 
-/// The dimension of a value times a bare number, which can be 2 pi rad for each period.
+/// Returns the dimension of a value times a bare number. Cycles are dropped, as is the angle where the
+/// dimension has a time: the factor may be 2 pi rad per period.
 unit::Dimension scaled(unit::Dimension dimension, const Zeros& zeros, const std::optional<double>& by,
                        bool divided) {
   dimension.cycles = 0.0;
@@ -104,7 +105,7 @@ class MakeMeasure {
     if (!other.empty()) throw ExpressionError(fmt::format("a value beside '{}' {}", sign, other), place);
   }
 
-  /// A matrix has one unit, or none that is known.
+  /// Returns the unit of a matrix function. All elements of a matrix share one unit, or it is unknown.
   static Piece of_matrices(std::string_view function, const std::vector<Piece>& values) {
     if (is_one_of(function, {"transpose", "norm", "trace"})) return {values[0].measure, values[0].bare};
     if (is_one_of(function, {"rank", "size"})) return truth;
@@ -113,7 +114,7 @@ class MakeMeasure {
     return is_one_of(function, {"[]", "diag"}) ? common(values) : Piece{};
   }
 
-  /// The unit that all have which are no bare numbers; not known where two have others.
+  /// Returns the common unit of all values that are not bare numbers; unknown where two differ.
   static Piece common(const std::vector<Piece>& values) {
     Piece all = values[0];
     for (const Piece& one : values) {
@@ -143,7 +144,7 @@ class MakeMeasure {
     return of_a_pure_number(first);
   }
 
-  /// Values of one unit, as a sum, a comparison or min() needs them.
+  /// Returns the unit of values that must have one unit, as in a sum, a comparison or min().
   static Piece join(const Piece& a, const Piece& b, std::string_view sign, std::size_t place) {
     if (a.bare && b.bare) return {{}, true};
     if (a.bare || b.bare) return {known_for_sure(a.bare ? b.measure : a.measure)};
@@ -157,14 +158,15 @@ class MakeMeasure {
     return {{x.dimension, x.sure || y.sure}};
   }
 
-  /// A value without a unit, added to metres, is in metres. Of two units that differ none is known.
+  /// Returns the unit of two values if one is unknown: a value without a unit, added to metres, is in metres.
+  /// Two different units give an unknown one.
   static Measure beside_unknown(const Measure& x, const Measure& y) {
     if (!x.dimension && y.sure) return y;
     if (!y.dimension && x.sure) return x;
     return {};
   }
 
-  /// "3 + 10*current" may well be a force.
+  /// Returns the unit where it is sure, else an unknown one: "3 + 10*current" may well be a force.
   static Measure known_for_sure(const Measure& measure) { return measure.sure ? measure : Measure{}; }
 
   static Piece product(std::string_view sign, const Piece& a, const Piece& b) {
@@ -188,8 +190,8 @@ class MakeMeasure {
     return {{unit::power(*dimension, *b.number), a.measure.sure}};
   }
 
-  /// A length has neither a sine nor an exponential. Times may stand there, see below; logarithms and
-  /// roundings take all.
+  /// Throws ExpressionError where sin, exp and similar functions have a value with a unit such as a length.
+  /// Times are allowed, see of_a_pure_number(); logarithms and roundings allow every unit.
   static void require_pure_number(std::string_view function, const Piece& value, std::size_t place) {
     const Measure& measure = value.measure;
     const bool takes_all =
@@ -202,8 +204,8 @@ class MakeMeasure {
         place);
   }
 
-  /// Of seconds as well: "exp(-time)" stands for a time constant of one second, and is of no unit that is
-  /// known for sure; a logarithm and a rounding have none at all then.
+  /// Returns the unit of a function of a pure number. Of a value with a unit it is unknown: "exp(-time)"
+  /// implies a time constant of one second.
   static Piece of_a_pure_number(const Piece& value) {
     const Measure& measure = value.measure;
     if (value.bare || measure.dimension == unit::Dimension{}) return {{unit::Dimension{}, measure.sure}};

@@ -4,26 +4,26 @@
 
 namespace stepwire::expression {
 
-/// How strongly the operators of the language bind, which is how those of C++ do; a power is a call there.
+/// Precedence of the operators, weakest first. It equals that of C++, where a power is a call.
 enum class Binding { open, condition, either, both, comparison, sum, product, prefix, power, atom };
 
-/// What makes one value of others: an operator, or a function, which binds as an atom does.
+/// An operator, or a function, whose precedence is that of an atom.
 struct Operation {
   std::string_view name;
   Binding binding;
-  int least, most;                                   ///< how many values it takes
-  double (*value)(const double* values, int count);  ///< null of what only matrices have
+  int least, most;                                   ///< bounds of the number of operands
+  double (*value)(const double* values, int count);  ///< nullptr for functions of matrices only
 
-  /// Whether it draws a number by a seed and a stream, its first two values.
+  /// True where it draws a number by a seed and a stream, its first two operands.
   bool draws() const { return name == "uniform" || name == "normal" || name == "lognormal"; }
 };
 
-extern const Operation minus, negation;  ///< the signs before a value
+extern const Operation minus, negation;  ///< prefix signs
 
-/// The operator between two values, or the function, of that name; nullptr if there is none.
+/// Returns the binary operator or the function of that name; nullptr if there is none.
 const Operation* find_operator(std::string_view sign);
 const Operation* find_function(std::string_view name);
-/// The function of matrices of that name; nullptr if there is none.
+/// Returns the matrix function of that name; nullptr if there is none.
 const Operation* find_matrix_function(std::string_view name);
 extern const Operation brackets;  ///< [a, b, ..]
 

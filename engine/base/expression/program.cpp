@@ -17,11 +17,11 @@ using Known = std::function<bool(std::string_view)>;
 
 constexpr std::size_t deepest = 200;
 
-/// An operator, a sign or a parenthesis that waits for what follows; the whole text is a parenthesis, too.
+/// A pending operator, sign or parenthesis on the stack; the whole text counts as a parenthesis.
 struct Waiting {
   Binding binding;
   const Token* token = nullptr;
-  const Operation* operation = nullptr;  ///< of a parenthesis: its function, if it has one
+  const Operation* operation = nullptr;  ///< of a parenthesis: its function; nullptr without one
   int values = 1;
   std::size_t instruction = 0;  ///< of '?' its branch, of ':' its jump
 };
@@ -33,8 +33,8 @@ Instruction::Kind kind_of(const Operation& operation) {
   return Kind::operation;
 }
 
-/// Walks the pieces once. A value and a sign alternate; what waits is on a stack of our own, so that no text
-/// can exhaust the real one.
+/// Operator-precedence parser. Values and operators alternate; pending operators are on an explicit stack, so
+/// that deep nesting cannot exhaust the call stack.
 class Translator {
  public:
   Translator(std::string_view text, const Known& known, Values values)
@@ -135,7 +135,7 @@ class Translator {
     value_comes_ = true;
   }
 
-  /// Inside a "not" a minus changes nothing.
+  /// Collects a prefix sign. A minus inside a "not" has no effect.
   void prefix(bool minus) {
     if (minus && nots_ == 0) negative_ = !negative_;
     if (!minus) nots_ = nots_ == 1 ? 2 : 1;
@@ -166,7 +166,7 @@ class Translator {
                             power ? "; a power of ten has no blanks, as in 2e-3" : ""));
   }
 
-  /// A second comparison would take the answer of the first one, 0 or 1, for a value.
+  /// Throws for a second comparison, which would compare the result 0 or 1 of the first one.
   void refuse_chain(const Token& token) {
     settle(Binding::sum);
     if (waiting_.back().binding == Binding::comparison)
@@ -229,7 +229,7 @@ class Translator {
                            function.least == 1 ? "" : "s", values));
   }
 
-  /// What binds at least so strongly has all its values now.
+  /// Applies the pending operators that bind at least as strongly as `least`.
   void settle(Binding least) {
     while (waiting_.back().binding >= least) apply();
   }
@@ -266,7 +266,7 @@ class Translator {
   const Values values_;
   Program program_;
   std::vector<Waiting> waiting_;
-  std::vector<std::size_t> open_;  ///< parentheses among them
+  std::vector<std::size_t> open_;  ///< indices of open parentheses in it
   std::map<std::string_view, std::size_t> variables_;
   bool negative_ = false;
   int nots_ = 0;

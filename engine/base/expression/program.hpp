@@ -13,26 +13,27 @@ namespace stepwire::expression {
 
 inline constexpr std::size_t longest_text = 5000;
 
-/// One part of an evaluation, which replaces the last `count` values by one. A choice has its condition, a
-/// branch, one value, a jump, and the other value before it; these two replace nothing. Arithmetic has kinds
-/// of its own, since a call takes longer than it does.
+/// One instruction of the stack machine; it replaces the last `count` values by one. A choice is laid out as
+/// condition, branch, first value, jump, second value, choice. The branch and the jump replace nothing.
+/// Arithmetic has kinds of its own, since a call is slower.
 struct Instruction {
   enum class Kind { variable, number, sum, difference, product, quotient, operation, branch, jump, choice };
   Kind kind;
   int count = 0;
-  /// Of a variable or a number which one; of an operation its place in the text; of others the instruction
-  /// behind which the evaluation goes on: after a branch only if the condition, which it removes, is 0.
+  /// Operand: of a variable or number its index, of an operation its position in the text. Of a branch or
+  /// jump it is the target, after which the evaluation continues. A branch jumps only if the condition, which
+  /// it removes, is 0.
   std::size_t index = 0;
-  const Operation* operation = nullptr;  ///< of arithmetic as well
+  const Operation* operation = nullptr;  ///< set for arithmetic as well
 };
 
-/// An expression that has been checked.
+/// A checked and compiled expression.
 struct Program {
   struct Number {
     double value;
-    std::optional<unit::Dimension> dimension;  ///< where it carries a unit
+    std::optional<unit::Dimension> dimension;  ///< set where the number carries a unit
   };
-  /// A variable in the text: which one, and at which character.
+  /// A use of a variable in the text: its index and character position.
   struct Use {
     std::size_t variable, position;
   };
@@ -43,10 +44,10 @@ struct Program {
   std::vector<Use> uses;  ///< in the order of the text
 };
 
-/// May a text have brackets and functions of matrices?
+/// Kind of values of the language; `matrices` allows brackets and matrix functions.
 enum class Values { numbers, matrices };
 
-/// Checks a text. Throws ExpressionError.
+/// Parses and compiles a text. Throws ExpressionError.
 Program translate(std::string_view text, const std::function<bool(std::string_view)>& known,
                   Values values = Values::numbers);
 

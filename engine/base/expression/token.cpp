@@ -19,7 +19,7 @@ using Known = std::function<bool(std::string_view)>;
 constexpr std::array<std::string_view, 21> signs{"<=", ">=", "==", "!=", "&&", "||", "+", "-", "*", "/", "^",
                                                  "(",  ")",  "<",  ">",  "!",  "?",  ":", ",", "[", "]"};
 
-/// What people write out of habit from other languages, and what it is called here.
+/// Syntax of other languages, and the hint to the right one here.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> habits{{
     {"=", "an expression assigns nothing; to compare write '=='"},
     {"&", "write '&&'"},
@@ -85,7 +85,7 @@ class Lexer {
     return token;
   }
 
-  /// A number directly before a unit has it; "5 1/s" has, "51/s" is a quotient.
+  /// Consumes the unit of a number. "5 1/s" is a number with a unit, "51/s" is a quotient.
   std::optional<unit::Unit> take_unit() {
     const std::size_t before = at_;
     skip_blanks();
@@ -96,14 +96,14 @@ class Lexer {
       at_ = before;
       return std::nullopt;
     }
-    // A blank multiplies units, as in "0.4 N s/m"; between values it would be an error.
+    // A blank multiplies units, as in "0.4 N s/m"; between values a blank is an error anyway.
     for (std::size_t more = next_unit(rest, length); more > length; more = next_unit(rest, length))
       length = more;
     at_ += length;
     return unit::parse_unit(rest.substr(0, length));
   }
 
-  /// Where a unit ends that stands behind blanks; `end` where there is none.
+  /// Returns the end of a further unit after blanks; `end` if there is none.
   std::size_t next_unit(std::string_view rest, std::size_t end) const {
     const std::size_t next = rest.find_first_not_of(' ', end);
     if (next == std::string_view::npos || next == end || !is_letter(rest[next])) return end;
@@ -132,14 +132,14 @@ class Lexer {
     return at_ > before;
   }
 
-  /// Takes the dot of "rig.x".
+  /// Consumes the dot of "rig.x".
   bool name_goes_on() {
     const bool on = is_letter(peek(1)) || is_digit(peek(1));
     at_ += on ? 1 : 0;
     return on;
   }
 
-  /// Takes the index of "rig.x[2]".
+  /// Consumes the index of "rig.x[2]".
   bool index() {
     std::size_t length = 1;
     while (is_digit(peek(length))) ++length;

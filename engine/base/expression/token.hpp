@@ -10,7 +10,7 @@
 
 namespace stepwire::expression {
 
-/// One piece of an expression. A number has its value (SI, where it carries a unit).
+/// A token of an expression. The value of a number is SI where it carries a unit.
 struct Token {
   enum class Kind { number, name, sign, end };
   Kind kind = Kind::end;
@@ -22,8 +22,8 @@ struct Token {
   bool is(std::string_view sign) const { return kind == Kind::sign && text == sign; }
 };
 
-/// Cuts a text into its pieces, the last of kind `end`. After a sign inside a unit, what is `known` is a
-/// name: "4 A/m" is 4 A over m where m is known. Throws ExpressionError.
+/// Splits a text into tokens; the last one has kind `end`. After an operator inside a unit, a `known` word is
+/// a name: "4 A/m" is 4 A over m where m is known. Throws ExpressionError.
 std::vector<Token> tokens(std::string_view text, const std::function<bool(std::string_view)>& known);
 
 }  // namespace stepwire::expression

@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 constexpr zip_int64_t max_entries = 20'000;
 constexpr std::uint64_t mebibyte = 1u << 20u;
 
-/// Bytes that an archive may unpack to: 20 times its own, and 256 MiB at least, 4 GiB at most. Real units
-/// have less; zeros unpack to 1000 times their archive.
+/// Returns the most bytes that an archive may unpack to: 20 times its own size, between 256 MiB and 4 GiB.
+/// Real units have less; zeros unpack to 1000 times their archive.
 std::uint64_t max_unpacked(const std::string& path) {
   std::error_code none;
   const std::uint64_t own = fs::file_size(path, none);
@@ -70,7 +70,7 @@ void Archive::read_entries() {
     if (leads_out(names_.back()))
       throw UnitError(fmt::format("{} has an entry '{}' that leads out of the archive; nothing of it is used",
                                   path_, names_.back()));
-    whole += std::min(about.size, most + 1);  // no sum of these is too large for its type
+    whole += std::min(about.size, most + 1);  // no overflow: each summand is at most most + 1
   }
   if (whole > most)
     throw UnitError(fmt::format(
@@ -92,7 +92,7 @@ std::string Archive::read(const std::string& name) const {
   std::string bytes(about.size, '\0');
   zip_file_t* file = zip_fopen(handle_->zip, name.c_str(), 0);
   const zip_int64_t count = file ? zip_fread(file, bytes.data(), about.size) : -1;
-  // The sum of an entry is checked at its end alone.
+  // zip_fread() verifies the checksum of an entry only at its end.
   char beyond = 0;
   const bool whole = count == static_cast<zip_int64_t>(about.size) && zip_fread(file, &beyond, 1) == 0;
   if (file) zip_fclose(file);

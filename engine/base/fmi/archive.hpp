@@ -7,11 +7,11 @@
 
 namespace stepwire::fmi {
 
-/// A zip archive that is read; none of its entries may lead out of the folder that it is unpacked into.
+/// A zip archive opened for reading. No entry may have a path outside of the folder of extraction.
 class Archive {
  public:
-  /// Throws UnitError for what is no zip archive, for paths that lead out of it, and for one that unpacks to
-  /// too many bytes or has too many entries.
+  /// Throws UnitError for another format, for paths that lead out of the archive, and for too many bytes or
+  /// entries.
   explicit Archive(const std::string& path);
   ~Archive();
   Archive(const Archive&) = delete;
@@ -19,9 +19,9 @@ class Archive {
 
   const std::vector<std::string>& names() const { return names_; }
   bool contains(const std::string& name) const;
-  /// All bytes of an entry. Throws UnitError where it is missing or damaged.
+  /// Returns all bytes of an entry. Throws UnitError if it is missing or damaged.
   std::string read(const std::string& name) const;
-  /// Writes the entries that begin with `start` under a folder. Throws UnitError.
+  /// Extracts the entries that begin with `start` below a folder. Throws UnitError.
   void unpack(const std::string& start, const std::filesystem::path& folder) const;
 
  private:

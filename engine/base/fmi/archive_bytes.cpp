@@ -9,7 +9,7 @@ namespace stepwire::fmi {
 
 namespace {
 
-constexpr time_t long_ago = 315532800;  // 1980 began: zip knows nothing before
+constexpr time_t long_ago = 315532800;  // 1980-01-01, the earliest date of the zip format
 
 [[noreturn]] void give_up(zip_t* zip) {
   const std::string reason = zip_strerror(zip);

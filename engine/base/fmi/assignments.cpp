@@ -25,7 +25,7 @@ bool is_whole(Type type) {
   return type != Type::float64 && type != Type::float32 && !is_flag(type);
 }
 
-/// What is wrong with a number, or nothing.
+/// Returns the fault of a number that a variable may not have; an empty message if it is allowed.
 yaml::Message complaint(const Variable& variable, const std::string& text, const unit::Quantity& quantity) {
   const auto own = unit::parse_unit(variable.unit == "*" ? "1" : variable.unit);
   if (quantity.dimension && own && !(*quantity.dimension == own->dimension))

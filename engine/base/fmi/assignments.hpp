@@ -8,14 +8,14 @@
 
 namespace stepwire::fmi {
 
-/// What a variable is to be: its value as text, with its unit. Either an assignment, or what is wrong.
+/// Result of reading an assignment: the assignment, or a fault in `wrong`.
 struct ReadAssignment {
   Assignment assignment{};
   yaml::Message wrong{};
 };
 
-/// Reads `name: values`, "2 1/s" for a number, checked against the variable's unit, type and limits. Unknown
-/// names are answered with the nearest one that may be set.
+/// Parses `name: values` ("2 1/s" for a number) and checks unit, type and limits of the variable. The fault
+/// for an unknown name suggests the nearest settable one.
 ReadAssignment read_assignment(const Description& description, const std::string& name,
                                const std::vector<std::string>& values);
 

@@ -20,7 +20,7 @@ namespace stepwire::fmi {
 
 namespace {
 
-constexpr int of_surroundings = 3, of_interruption = 130;  // statuses
+constexpr int of_surroundings = 3, of_interruption = 130;  // exit statuses
 constexpr const char* cure = "; with isolate: true that ends the run with a message, and its rows are kept";
 constexpr std::chrono::milliseconds between_looks(50);
 constexpr long looks_of_interruption = 20;
@@ -32,8 +32,8 @@ constexpr long looks_of_interruption = 20;
   ::_exit(status);
 }
 
-/// A unit, and for how many looks its call has been the same one. Looks are counted, since a clock runs on
-/// while the process is stopped.
+/// A watched unit and the number of polls since its current call began. Polls are counted instead of time,
+/// since a clock keeps running while the process is stopped.
 struct Watched {
   const CallNote* note;
   std::string unit;
@@ -57,7 +57,7 @@ struct Watched {
   }
 };
 
-/// All units of this process.
+/// Watch of all units of this process.
 class Watch {
  public:
   static Watch& of_process() {
@@ -72,12 +72,12 @@ class Watch {
     if (all_.size() == 1) begin();
   }
   void remove(const CallNote& note) {
-    std::jthread ended;  // joined without the lock
+    std::jthread ended;  // joined after the lock is released
     const std::lock_guard lock(mutex_);
     std::erase_if(all_, [&](const Watched& watched) { return watched.note == &note; });
     if (all_.empty()) ended = std::move(thread_);
   }
-  /// The process is about to exit.
+  /// Reports the exit that a unit has requested, and ends the process.
   void end_exit(const std::string& how) {
     if (::getpid() != process_) return;
     const std::lock_guard lock(mutex_);
@@ -91,7 +91,7 @@ class Watch {
  private:
   Watch() = default;
 
-  /// Not in the constructor: what is registered there is called behind the destructor.
+  /// Registers the exit handlers. The constructor must not: its handlers would run after the destructor.
   void catch_exits() {
     if (std::exchange(catches_exits_, true)) return;
     ::on_exit([](int status, void*) { of_process().end_exit(fmt::format("exit({})", status)); }, nullptr);
@@ -99,11 +99,10 @@ class Watch {
   }
 
   void begin() {
-    process_ = ::getpid();  // a worker is a copy of the process that has made it
+    process_ = ::getpid();  // end_exit() ignores forked copies of this process
     try {
       thread_ = std::jthread([this](const std::stop_token& stop) { look(stop); });
-    } catch (const std::system_error&) {  // the system gives no thread: exits are caught, and hanging calls
-                                          // are not
+    } catch (const std::system_error&) {  // without a thread, exits are detected and hanging calls are not
     }
   }
 

@@ -9,30 +9,31 @@
 
 namespace stepwire::fmi {
 
-/// Which interface of a unit is used.
+/// FMI interface through which a unit is run.
 enum class Mode { co_simulation, model_exchange };
 
-/// What a unit says after its discrete part has been updated.
+/// Result of an update of discrete states.
 struct EventInfo {
   bool again = false, terminates = false, states_changed = false;
   bool has_next = false;
   double next = 0.0;  ///< time of its next event [s]
 };
 
-/// What a unit says of a step that it has made.
+/// Result of a co-simulation step.
 struct StepInfo {
   bool terminates = false, enters_event = false;
-  bool made = true;      ///< false where the unit has ended before it
-  double reached = 0.0;  ///< time that the unit has reached [s]; FMI 2 has no such number of its own
+  bool made = true;      ///< false where the unit terminated before the step
+  double reached = 0.0;  ///< last successful time [s]; FMI 2 returns it only for discarded steps
 };
 
-/// The calls of one instance, alike for both versions. A call that fails is false, and message() says why.
+/// Calls of one instance, common to both versions. They return false on failure; message() then has the
+/// reason.
 class Calls {
  public:
   virtual ~Calls() = default;
 
   virtual bool set_up(double start) = 0;  ///< enters initialization mode
-  virtual bool initialize() = 0;          ///< leaves it
+  virtual bool initialize() = 0;          ///< leaves initialization mode
   virtual bool get(Type type, const std::uint32_t* references, std::size_t count, void* values,
                    std::size_t numbers) = 0;
   virtual bool set(Type type, const std::uint32_t* references, std::size_t count, const void* values,
@@ -50,20 +51,20 @@ class Calls {
 
   virtual bool step(double time, double length, StepInfo& info) = 0;
 
-  /// Bytes of its state; 0 where it cannot be had.
+  /// Returns the size of its serialised state [bytes]; 0 where the unit cannot serialise it.
   virtual std::size_t state_size() = 0;
   virtual bool save(char* bytes, std::size_t count) = 0;
   virtual bool load(const char* bytes, std::size_t count) = 0;
 
-  /// What the unit has logged last of a fault, or the name of the call that failed.
+  /// Returns the last fault that the unit has logged, or the name of the failed call.
   virtual std::string message() const = 0;
 };
 
-/// Loads the binary, and makes an instance, whose calls are noted. Throws UnitError.
+/// Loads the binary and creates an instance; `note` records its calls. Throws UnitError.
 std::unique_ptr<Calls> instantiate(const Package& package, Mode mode, const std::string& name,
                                    CallNote& note);
 
-/// The interface of a mode.
+/// Returns the interface of a mode.
 const Interface& interface_of(const Description& description, Mode mode);
 
 }  // namespace stepwire::fmi

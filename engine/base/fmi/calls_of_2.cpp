@@ -1,4 +1,4 @@
-// The calls of FMI 2.
+// Calls of FMI 2.
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -211,14 +211,14 @@ class Second : public UnitCalls {
   }
 
  private:
-  /// Returns the time that a discarded step has reached; `before` where the unit has no such time.
+  /// Returns the last successful time of a discarded step; `before` if the unit does not provide it.
   double last_successful_time(double before) {
     fmi2Real reached = before;
     if (!get_real_status_) return before;
     const auto status = call("fmi2GetRealStatus", get_real_status_, unit_, fmi2LastSuccessfulTime, &reached);
     return status == fmi2OK ? reached : before;
   }
-  /// Has it discarded a step since its run is over?
+  /// True where the unit discarded the step in order to end the run.
   bool wants_end() {
     fmi2Boolean terminated = fmi2False;
     return call("fmi2GetBooleanStatus", get_boolean_status_, unit_, fmi2Terminated, &terminated) == fmi2OK &&

@@ -1,4 +1,4 @@
-// The calls of FMI 3.
+// Calls of FMI 3.
 #include <fmt/format.h>
 
 #include <optional>
@@ -17,7 +17,7 @@ void log(fmi3InstanceEnvironment environment, fmi3Status status, fmi3String, fmi
   if (is_fault(static_cast<int>(status))) static_cast<LogText*>(environment)->take(message);
 }
 
-/// The functions that both interfaces have, by the names of the standard.
+/// Functions common to both interfaces, by their names in the standard.
 struct Functions {
   explicit Functions(const Library& library) {
     library.find(free_instance, "fmi3FreeInstance");
@@ -45,7 +45,7 @@ struct Functions {
 
 using AnyFunction = void (*)();
 
-/// Calls a function of the standard with pointers to its own type of values.
+/// Calls a getter or setter of the standard with pointers to its value type.
 template <class Value>
 fmi3Status get_values(AnyFunction function, fmi3Instance unit, const fmi3ValueReference* references,
                       size_t count, void* values, size_t numbers) {
@@ -60,7 +60,7 @@ fmi3Status set_values(AnyFunction function, fmi3Instance unit, const fmi3ValueRe
   return reinterpret_cast<Set>(function)(unit, references, count, static_cast<const Value*>(values), numbers);
 }
 
-/// A type of values: what the names of its functions end in, and how they are called.
+/// A value type: the suffix of its function names, and the typed wrappers.
 struct ValueType {
   const char* name;
   decltype(&get_values<fmi3Float64>) get;
@@ -90,7 +90,7 @@ struct ValueFunctions {
   AnyFunction set[type_count];
 };
 
-/// The place of a type in these tables.
+/// Returns the index of a type in these tables.
 std::size_t place_of(Type type) {
   return type == Type::boolean ? type_count - 1 : static_cast<std::size_t>(type);
 }

@@ -9,20 +9,20 @@
 
 namespace stepwire::fmi {
 
-/// The call into a unit that is under way. Another thread, or another process, reads it where a call hangs.
+/// Name and state of the current call into a unit. Another thread or process reads it where a call hangs.
 struct CallNote {
   static constexpr std::size_t room = 44;
 
-  std::atomic<std::uint32_t> count{0};  ///< of beginnings and ends: odd while a call is under way
+  std::atomic<std::uint32_t> count{0};  ///< number of call entries and exits: odd during a call
   char name[room] = "";
 
   bool under_way() const { return count.load(std::memory_order_relaxed) % 2 == 1; }
-  /// "fmi3DoStep"; empty before the first call.
+  /// Returns the name of the last call, such as "fmi3DoStep"; empty before the first one.
   std::string text() const;
 };
 
-/// A call into a unit lasts for its scope: the note names it, and behind it the floating-point state of this
-/// thread is as before.
+/// Scope guard of a call into a unit: it records the name, and its destructor restores the floating-point
+/// state of this thread.
 class ForeignCall {
  public:
   ForeignCall(CallNote& note, const char* name);
@@ -31,7 +31,7 @@ class ForeignCall {
   ForeignCall& operator=(const ForeignCall&) = delete;
 
  private:
-  /// One thread at a time calls the functions of an instance.
+  /// Counts without a read-modify-write: only one thread at a time calls the functions of an instance.
   void count() {
     note_.count.store(note_.count.load(std::memory_order_relaxed) + 1, std::memory_order_release);
   }

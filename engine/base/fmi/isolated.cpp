@@ -19,11 +19,10 @@ namespace stepwire::fmi {
 namespace {
 
 constexpr std::uint32_t ours = 0, of_unit = 1;
-constexpr int patience = 50;  // waits for a process that is to end, or whose call was interrupted
-constexpr std::chrono::milliseconds wait{20};  // of await_turn(), at most
+constexpr int patience = 50;                   // waits granted to an ending process or an interrupted call
+constexpr std::chrono::milliseconds wait{20};  // longest time of one await_turn()
 
-/// Waits after which a call has taken too long; waits are counted, since a clock runs on while both processes
-/// are stopped.
+/// Returns the time limit as a number of waits. A clock would keep running while both processes are stopped.
 long waits_of_limit() {
   return static_cast<long>(subprocess::usual_limit() / wait) + 1;
 }
@@ -47,7 +46,7 @@ Isolated::~Isolated() {
   munmap(exchange_, bytes_);
 }
 
-/// A unit that does not end within a second is ended.
+/// Sends the operation `quit`; kills the process of the unit after one second.
 void Isolated::quit() {
   exchange_->operation = Operation::quit;
   pass_turn(exchange_->turn, exchange_->sleepers, of_unit);
@@ -60,9 +59,9 @@ void Isolated::quit() {
     process_->end();
 }
 
-/// The work of the process, until it is to end. It ends with the one that made it.
+/// Serves operations in the child process until `quit`. The process ends with its parent.
 void Isolated::live() {
-  // Prints of the unit go to the standard error, since the standard output may be a table.
+  // Prints of the unit are redirected to standard error, since standard output may be a table.
   __fpurge(stdout);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);
   {

@@ -7,9 +7,9 @@
 
 namespace stepwire::fmi {
 
-/// A unit in a process of its own. Both processes have the exchange in shared memory, and take turns. An
-/// operation that takes longer than a helper may, or lasts for a second behind an interruption, ends that
-/// process.
+/// A unit in a process of its own. Both processes have the exchange in shared memory and take turns. An
+/// operation ends that process if it exceeds the time limit of helper programs, or lasts a second after an
+/// interruption.
 class Isolated : public Runner {
  public:
   Isolated(const Setup& setup, const Counts& counts);
@@ -22,13 +22,13 @@ class Isolated : public Runner {
  private:
   void live();
   void quit();
-  /// Ends the process; the operation fails.
+  /// Kills the process; the operation fails with this reason.
   bool end(const char* why);
   bool fail(const std::string& why);
 
   Setup setup_;
   std::size_t bytes_;
-  long limit_;  ///< waits for an operation
+  long limit_;  ///< of one operation, in waits
   std::optional<subprocess::Fork> process_;
 };
 

@@ -9,7 +9,7 @@ namespace stepwire::fmi {
 
 namespace {
 
-// Code made with -ffast-math sets flush-to-zero as it is loaded.
+// A guarded call, since code compiled with -ffast-math sets flush-to-zero on loading.
 void* load(const std::string& file, CallNote& note) {
   const std::lock_guard lock(subprocess::loader_mutex());
   const ForeignCall call(note, "the loading of its binary");

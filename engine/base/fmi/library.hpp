@@ -7,21 +7,21 @@
 
 namespace stepwire::fmi {
 
-/// A binary that is loaded; to load and to unload it calls foreign code.
+/// A loaded binary. Loading and unloading run foreign code.
 class Library {
  public:
-  /// Throws UnitError with the linker's reason.
+  /// Loads a binary. Throws UnitError with the linker's reason.
   Library(const std::string& file, CallNote& note);
   ~Library();
   Library(const Library&) = delete;
   Library& operator=(const Library&) = delete;
 
-  /// Sets a pointer to the function of a name; throws UnitError where there is none.
+  /// Sets a pointer to the function of this name. Throws UnitError if it is missing.
   template <class Function>
   void find(Function*& function, const char* name) const {
     function = reinterpret_cast<Function*>(address(name));
   }
-  /// Sets a pointer to the function of a name, nullptr without such a function.
+  /// Sets a pointer to the function of this name; nullptr if it is missing.
   template <class Function>
   void find_if_there(Function*& function, const char* name) const {
     function = reinterpret_cast<Function*>(address_if_there(name));

@@ -5,7 +5,7 @@
 
 namespace stepwire::fmi {
 
-/// The last message that a unit has logged of a fault. Taking one allocates nothing.
+/// Last fault message that a unit has logged. Storing one does not allocate.
 class LogText {
  public:
   void take(const char* text);

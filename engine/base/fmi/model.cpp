@@ -17,7 +17,7 @@ constexpr int most_iterations = 100;
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_state_bytes = std::size_t{256} << 20;
 
-/// By how much times may differ that a unit has added up in its own way.
+/// Returns the tolerance for times that a unit accumulates by itself.
 double tolerance_at(double time) {
   return 1e-9 * std::max(1.0, std::abs(time));
 }
@@ -139,7 +139,7 @@ bool Model::begin() {
   return outputs_.get(*calls_, exchange_.outputs());
 }
 
-/// From event mode on: until nothing follows any more, then on to continuous time.
+/// Iterates the event mode until the unit needs no further update, then enters continuous-time mode.
 bool Model::iterate_events() {
   EventInfo info{.again = true};
   for (int i = 0; info.again; ++i) {
@@ -206,7 +206,7 @@ bool Model::act() {
   return !exchange_.changed || calls_->get_states(exchange_.states(), exchange_.counts.states);
 }
 
-/// Reads the outputs that the unit has at its end. It is called no more.
+/// Reads the final outputs of a unit that has ended; it is not called afterwards.
 bool Model::end() {
   exchange_.ended = 1;
   return outputs_.get(*calls_, exchange_.outputs());
@@ -222,7 +222,8 @@ bool Model::step() {
   return outputs_.get(*calls_, exchange_.outputs());
 }
 
-/// A unit with steps of its own may stop short of the end, but it neither passes it nor returns.
+/// Throws UnitError for an invalid last successful time. A unit with internal steps may stop before the end
+/// of the step; it may neither pass the end nor go backwards.
 void Model::require_reached(double reached) {
   const double end = exchange_.time + exchange_.length, tolerance = tolerance_at(end);
   const bool fits = std::isfinite(reached) && reached >= reached_ - tolerance && reached <= end + tolerance;
@@ -235,8 +236,8 @@ void Model::require_reached(double reached) {
   reached_ = reached;
 }
 
-// The numbers of its events follow the bytes of the unit. The state of a unit that has ended is the one before
-// its end.
+// Saves the bytes of the unit, followed by the numbers of its events. The saved state of a unit that has
+// ended is the one before its end.
 bool Model::save() {
   if (exchange_.counts.kept == 0 || exchange_.state_bytes == 0 || exchange_.ended) return true;
   if (exchange_.kept_numbers > exchange_.counts.kept)

@@ -9,37 +9,37 @@
 
 namespace stepwire::fmi {
 
-/// A value that a variable has before the start [SI].
+/// Start value of a variable [SI].
 struct Assignment {
   const Variable* variable;
   std::vector<double> numbers;
 };
 
-/// How a unit is run.
+/// Configuration of a running unit.
 struct Setup {
   std::shared_ptr<const Package> package;
   Mode mode = Mode::co_simulation;
-  std::string name;  ///< of the instance, for messages: that of the block
+  std::string name;  ///< of the instance, for messages: the block's name
   std::vector<Assignment> assignments{};
 };
 
-/// The variables of a causality that are numbers, in the order of the description.
+/// Returns the numeric variables of a causality, in the order of the description.
 std::vector<const Variable*> ports_of(const Description& description, Causality causality);
 
-/// The numbers of an exchange with a unit, but for what it keeps.
+/// Returns the array sizes of an exchange with a unit, except for its saved state.
 Counts counts_of(const Setup& setup);
 
-/// One instance of a unit, which does what an exchange says.
+/// One instance of a unit, which executes the operations of an exchange.
 class Model {
  public:
   Model(const Setup& setup, Exchange& exchange);
   ~Model();
 
-  /// Does the operation that the exchange names; `ok` and `message` say how it went. Throws nothing.
+  /// Executes the operation of the exchange and sets `ok` and `message`. Does not throw.
   void run();
 
  private:
-  /// Makes the instance, and frees it.
+  /// Creates the instance; leave() frees it.
   void enter();
   void leave();
   bool perform();
@@ -47,7 +47,7 @@ class Model {
   bool assign();
   bool begin();
   bool iterate_events();
-  /// Throw UnitError for times and indicators that no unit may have.
+  /// Throw UnitError for invalid times and indicators.
   void require_next(const EventInfo& info) const;
   void require_reached(double reached);
   bool read_indicators();
@@ -63,10 +63,10 @@ class Model {
   Exchange& exchange_;
   std::unique_ptr<Calls> calls_;
   ValueGroups inputs_, continuous_inputs_, outputs_;
-  std::vector<double> last_;  ///< numbers of discrete inputs at the last event
+  std::vector<double> last_;  ///< values of discrete inputs at the last event
   std::vector<std::size_t> discrete_;
-  double reached_ = 0.0;     ///< last successful time of the steps up to now [s]
-  std::vector<char> signs_;  ///< of the indicators, after the last event
+  double reached_ = 0.0;     ///< last successful time of the steps so far [s]
+  std::vector<char> signs_;  ///< of the indicators after the last event
 };
 
 }  // namespace stepwire::fmi

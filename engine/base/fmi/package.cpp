@@ -25,13 +25,13 @@ std::string platforms_of(const Archive& archive) {
   return found.empty() ? "no binaries at all" : fmt::format("binaries for {}", fmt::join(found, ", "));
 }
 
-/// Says which file a sentence is about.
+/// Rethrows an error with the path of the file.
 [[noreturn]] void refuse(const std::string& path, const UnitError& error) {
   const std::string text = error.what();
   throw UnitError(text.starts_with(path) ? text : fmt::format("{} cannot be used: {}", path, text));
 }
 
-/// A file at a moment.
+/// Path, size and time of change of a file, which identify its content.
 using FileState = std::tuple<std::string, std::uintmax_t, fs::file_time_type>;
 
 FileState state_of(const std::string& path) {

@@ -10,25 +10,26 @@
 
 namespace stepwire::fmi {
 
-/// The folder of binaries for this machine, as a version of FMI calls it: "binaries/x86_64-linux/".
+/// Returns the folder of binaries for this platform in a version of FMI: "binaries/x86_64-linux/".
 std::string binary_folder(int version);
 
-/// A unit's file, unpacked: what it says of itself, its binary and its resources.
+/// An unpacked unit: its description, binary and resources.
 class Package {
  public:
-  /// Throws UnitError: no archive, no modelDescription.xml, another version, no binary for this platform.
+  /// Throws UnitError for an invalid archive, a missing modelDescription.xml, another version, or no binary
+  /// for this platform.
   explicit Package(const std::string& path);
   Package(const Package&) = delete;
   Package& operator=(const Package&) = delete;
 
   const std::string& path() const { return path_; }
   const Description& description() const { return description_; }
-  /// The folder of its resources, and the same as a URI for FMI 2.
+  /// Returns the folder of its resources; resources_uri() is the same as a URI for FMI 2.
   std::string resources() const;
   std::string resources_uri() const;
-  /// How many instances of it this process has.
+  /// Returns the number of its instances in this process.
   std::atomic<int>& instances() const { return instances_; }
-  /// The file of the binary of an interface.
+  /// Returns the file of an interface's binary.
   std::string binary(const Interface& of) const;
 
  private:
@@ -41,8 +42,8 @@ class Package {
   mutable std::atomic<int> instances_{0};
 };
 
-/// The unit of a file; what is open already, and has not changed since, is shared. Safe from several threads.
-/// Throws UnitError.
+/// Opens the unit in a file. An open unit whose file has not changed is shared. Thread-safe. Throws
+/// UnitError.
 std::shared_ptr<const Package> open_package(const std::string& path);
 
 }  // namespace stepwire::fmi

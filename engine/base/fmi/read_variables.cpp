@@ -46,7 +46,7 @@ UnitTable read_units(const pugi::xml_node& root) {
   return units;
 }
 
-/// What types that are declared by name say: unit and limits, by the attributes' names.
+/// Declared types by name; their attributes are default units and limits.
 using DeclaredTypes = std::map<std::string, pugi::xml_node>;
 
 DeclaredTypes read_types(const pugi::xml_node& root, int version) {
@@ -82,7 +82,7 @@ Causality causality_of(const std::string& word) {
 
 constexpr std::size_t most_numbers = 10'000'000;
 
-/// Reads the variables one after the other.
+/// Reader of the variables, in their order.
 class Reader {
  public:
   Reader(const pugi::xml_node& root, Description& into)
@@ -131,7 +131,7 @@ class Reader {
     return variable.causality == Causality::input || variable.causality == Causality::output;
   }
 
-  /// An attribute of the variable, or of its declared type.
+  /// Returns an attribute of the variable, else that of its declared type.
   pugi::xml_attribute attribute(const pugi::xml_node& typed, const char* name) const {
     if (const auto own = typed.attribute(name)) return own;
     const auto type = declared_.find(typed.attribute("declaredType").value());
@@ -155,7 +155,7 @@ class Reader {
     variable.at_most = si(attribute(typed, "max"));
   }
 
-  /// The sizes of arrays, which may stand in structural parameters.
+  /// Reads the sizes of arrays; a size may be the value of a structural parameter.
   void take_sizes() {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       for (const pugi::xml_node& dimension : nodes_[i].children("Dimension"))
@@ -183,7 +183,7 @@ class Reader {
     require_few();
   }
 
-  /// Numbers that a text of some bytes can announce, and no memory has.
+  /// Throws UnitError for more numbers than any memory holds; a few bytes of text can announce them.
   void require_few() const {
     std::size_t most = std::max(into_.state_count, into_.indicator_count);
     for (const Variable& variable : into_.variables) most = std::max(most, variable.size);
@@ -209,7 +209,7 @@ class Reader {
     throw UnitError(fmt::format("its derivative {} does not say of which state it is", derivative));
   }
 
-  /// FMI 2 names variables by their place, from 1.
+  /// Returns the index of a variable; FMI 2 refers to variables by their position from 1.
   std::size_t at_place(unsigned place) const {
     if (place < 1 || place > nodes_.size())
       throw UnitError(fmt::format("its ModelStructure names the variable {} of {}", place, nodes_.size()));
@@ -253,10 +253,11 @@ class Reader {
   Description& into_;
   UnitTable units_;
   DeclaredTypes declared_;
-  std::vector<pugi::xml_node> nodes_;  ///< of the variables
-  std::set<std::string> names_;        ///< of ports
-  std::unordered_map<std::uint32_t, std::uint32_t> states_;  ///< by their derivatives, in FMI 3
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> depending_;  ///< what outputs depend on
+  std::vector<pugi::xml_node> nodes_;  ///< elements of the variables
+  std::set<std::string> names_;        ///< of the ports
+  std::unordered_map<std::uint32_t, std::uint32_t> states_;  ///< state of each derivative, in FMI 3
+  /// Variables that each output depends on.
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> depending_;
 };
 
 }  // namespace

@@ -8,7 +8,7 @@ class xml_node;
 
 namespace stepwire::fmi {
 
-/// Reads units, types, variables and their structure into a description whose version is known. Throws
+/// Reads units, types, variables and model structure into a description whose version is set. Throws
 /// UnitError.
 void read_variables(const pugi::xml_node& root, Description& description);
 

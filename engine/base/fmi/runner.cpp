@@ -15,7 +15,7 @@ namespace stepwire::fmi {
 
 namespace {
 
-/// In this process.
+/// Runner in this process.
 class Inside : public Runner {
  public:
   Inside(const Setup& setup, const Counts& counts)
@@ -29,7 +29,7 @@ class Inside : public Runner {
   bool run(Operation operation) override {
     exchange_->operation = operation;
     model_->run();
-    [[maybe_unused]] const int back = ::fchdir(folder_.number());  // a unit may change it
+    [[maybe_unused]] const int back = ::fchdir(folder_.number());  // a unit may change the working directory
     return exchange_->ok != 0;
   }
 
@@ -38,7 +38,8 @@ class Inside : public Runner {
     void operator()(char* memory) const { ::operator delete[](memory, std::align_val_t(alignof(Exchange))); }
   };
   Setup setup_;
-  io::Descriptor folder_{::open(".", O_PATH | O_DIRECTORY | O_CLOEXEC)};  ///< in which files are written
+  /// Working directory, into which results are written.
+  io::Descriptor folder_{::open(".", O_PATH | O_DIRECTORY | O_CLOEXEC)};
   std::unique_ptr<char[], Free> memory_;
   std::optional<CallWatch> watch_;
   std::unique_ptr<Model> model_;

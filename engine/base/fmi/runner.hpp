@@ -12,18 +12,18 @@ class Runner {
   virtual ~Runner() = default;
 
   Exchange& exchange() { return *exchange_; }
-  /// Does an operation with the numbers of the exchange; false where it fails, and the exchange has why.
-  /// Allocates nothing.
+  /// Executes an operation on the exchange. Returns false on failure; the exchange then has the message. Does
+  /// not allocate.
   virtual bool run(Operation operation) = 0;
 
  protected:
   Exchange* exchange_ = nullptr;
 };
 
-/// `kept` is how many numbers its state takes. A unit that is isolated runs in a process of its own: what
-/// ends that one is a failure of the operation, and it ends with this one. A call of another unit that exits
-/// or hangs ends this process with a sentence (CallWatch). Throws UnitError where the system gives no
-/// process.
+/// Starts a unit; `kept` is the number of doubles reserved for its saved state. An isolated unit runs in a
+/// process of its own, which ends with this one; a crash of it fails the operation. A call of another unit
+/// that exits or hangs ends this process with a message (CallWatch). Throws UnitError where no process can be
+/// created.
 std::unique_ptr<Runner> make_runner(const Setup& setup, bool isolated, std::size_t kept = 0);
 
 }  // namespace stepwire::fmi

@@ -10,8 +10,8 @@ namespace stepwire::fmi {
 
 namespace {
 
-// 5 us and less: as long as waking a process takes. Where all processors are busy, the other process begins
-// when this one sleeps.
+// Number of polls before sleeping: at most 5 us, about the time of waking a process. Where all processors are
+// busy, the other process begins when this one sleeps.
 constexpr int looks = 150;
 
 void rest() {

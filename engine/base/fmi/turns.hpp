@@ -5,10 +5,10 @@
 
 namespace stepwire::fmi {
 
-/// Hands the turn over: writes it, and wakes the other process where it sleeps.
+/// Passes the turn to the other process and wakes it if it sleeps.
 void pass_turn(std::atomic<std::uint32_t>& turn, std::atomic<std::uint32_t>& sleepers, std::uint32_t to);
 
-/// Waits until the turn is this one, first awake and then asleep; false where it is not within 20 ms.
+/// Waits for this turn, first by polling, then asleep. Returns false after 20 ms.
 bool await_turn(std::atomic<std::uint32_t>& turn, std::atomic<std::uint32_t>& sleepers, std::uint32_t own);
 
 }  // namespace stepwire::fmi

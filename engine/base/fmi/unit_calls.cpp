@@ -6,7 +6,7 @@ namespace stepwire::fmi {
 
 namespace {
 
-constexpr int last_status = 5;  // Pending of FMI 2
+constexpr int last_status = 5;  // Pending in FMI 2
 
 }  // namespace
 
@@ -14,7 +14,7 @@ bool UnitCalls::accept(const char* name, int status) {
   if (!is_fault(status)) return true;
   failed_ = true;
   const bool known = status > 0 && status <= last_status;
-  char text[200];  // nothing is allocated in a run
+  char text[200];  // a buffer on the stack, since a run must not allocate
   if (known)
     std::snprintf(text, sizeof text, "%s failed, and the unit gives no reason", name);
   else

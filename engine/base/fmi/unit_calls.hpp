@@ -6,7 +6,7 @@
 
 namespace stepwire::fmi {
 
-/// Base of the calls of both versions: every function of a unit is called here.
+/// Base of the calls of both versions; all calls into a unit are made here.
 class UnitCalls : public Calls {
  public:
   std::string message() const override { return log_.empty() ? fault_.text() : log_.text(); }
@@ -19,12 +19,12 @@ class UnitCalls : public Calls {
     const ForeignCall call(note_, name);
     return function(arguments...);
   }
-  /// Calls a function that returns a status. False where that is a fault, or none of the standard.
+  /// Calls a function that returns a status. Returns false for a fault and for an undefined status.
   template <class Function, class... Arguments>
   bool done(const char* name, Function* function, Arguments... arguments) {
     return accept(name, static_cast<int>(call(name, function, arguments...)));
   }
-  /// Discard and all statuses behind it are faults.
+  /// Records a status; false for a fault. Discard and higher statuses are faults.
   bool accept(const char* name, int status);
   bool failed() const { return failed_; }
 
@@ -36,7 +36,7 @@ class UnitCalls : public Calls {
   bool failed_ = false;
 };
 
-/// True for the statuses that are faults, and for numbers that the standard does not have.
+/// True for the fault statuses and for numbers that the standard does not define.
 constexpr bool is_fault(int status) {
   return status < 0 || status >= 2;
 }

@@ -4,7 +4,7 @@
 
 namespace stepwire::fmi {
 
-/// What is wrong with a unit, in one sentence: it cannot be read, loaded or started.
+/// Thrown for a unit that cannot be read, loaded or started; the text is one sentence.
 class UnitError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

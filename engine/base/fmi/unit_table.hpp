@@ -5,9 +5,9 @@
 
 namespace stepwire::fmi {
 
-/// A unit that a description defines, as a port has it.
+/// A unit of a description, converted to the unit of a port.
 struct ScaledUnit {
-  std::string name = "*";  ///< the SI unit, or "*" where it is not known
+  std::string name = "*";  ///< the SI unit, or "*" if unknown
   double factor = 1.0, offset = 0.0;  ///< value_si = offset + factor * value
 };
 
@@ -17,10 +17,10 @@ using UnitTable = std::map<std::string, ScaledUnit>;
 /// Exponents of a BaseUnit, by the names of its attributes: kg, m, s, A, K, mol, cd, rad.
 using BaseExponents = std::map<std::string, int>;
 
-/// The unit that a product of base units is.
+/// Returns the unit of a product of base units.
 ScaledUnit base_unit(const BaseExponents& exponents, double factor, double offset);
 
-/// A unit of which only its name is known: what our own units make of it, or any.
+/// Returns the unit of a bare unit name: an SI unit that our own export writes, or unknown.
 ScaledUnit named_unit(const std::string& name);
 
 }  // namespace stepwire::fmi

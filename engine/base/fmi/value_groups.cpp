@@ -8,7 +8,7 @@ namespace stepwire::fmi {
 
 namespace {
 
-/// A number as the nearest value of a type: whole numbers are rounded and kept within the type's range.
+/// Converts a number to the nearest value of a type; integers are rounded and clamped to its range.
 template <class Value>
 Value nearest(double number) {
   if constexpr (std::is_floating_point_v<Value>) {
@@ -23,7 +23,7 @@ Value nearest(double number) {
   }
 }
 
-/// Calls a function with a value of the type in C++.
+/// Calls a function with a value of the corresponding C++ type.
 template <class Function>
 void with_type(Type type, const Function& of) {
   switch (type) {
@@ -70,7 +70,7 @@ bool ValueGroups::get(Calls& calls, double* numbers) {
       for (std::size_t i = 0; i < size; ++i) {
         const Place& place = group.places[i];
         const double scaled = place.factor * static_cast<double>(values[i]);
-        numbers[place.number] = place.offset == 0.0 ? scaled : place.offset + scaled;  // -0 stays what it is
+        numbers[place.number] = place.offset == 0.0 ? scaled : place.offset + scaled;  // preserves -0
       }
     });
   }

@@ -6,14 +6,14 @@
 
 namespace stepwire::fmi {
 
-/// Moves numbers in SI to and from variables of a unit: those of one type in one call. Allocates when it is
-/// made, and never after.
+/// Transfers SI numbers to and from variables of a unit, grouped by type to one call each. Allocates only on
+/// construction.
 class ValueGroups {
  public:
   enum class Which { all, continuous };
 
-  /// Numbers lie in the order of the variables, those of an array one after the other; where only continuous
-  /// ones are moved, the others have their places all the same.
+  /// Numbers are in the order of the variables; those of an array are contiguous. With Which::continuous the
+  /// other variables are skipped, but keep their positions.
   explicit ValueGroups(const std::vector<const Variable*>& variables, Which which = Which::all);
 
   std::size_t count() const { return count_; }
@@ -22,14 +22,14 @@ class ValueGroups {
 
  private:
   struct Place {
-    std::size_t number;  ///< in SI
+    std::size_t number;  ///< index among the SI numbers
     double factor, offset;
   };
   struct Group {
     Type type;
     std::vector<std::uint32_t> references;
     std::vector<Place> places;
-    std::vector<double> room;  ///< for the values as the unit has them
+    std::vector<double> room;  ///< buffer for values in the unit's type
   };
 
   std::vector<Group> groups_;

@@ -6,8 +6,8 @@
 
 namespace stepwire::hash {
 
-/// A hash of 128 bits (XXH3) of several pieces, by which what was made of them is found again or known to be
-/// whole. It keeps nobody from making another text of the same hash on purpose.
+/// A 128-bit hash (XXH3) of several pieces; it identifies cached results and detects damage. It is not
+/// cryptographic: collisions can be constructed on purpose.
 class Hash {
  public:
   Hash();
@@ -15,9 +15,9 @@ class Hash {
   Hash(const Hash&) = delete;
   Hash& operator=(const Hash&) = delete;
 
-  /// Adds a piece. Where it ends counts, too: "ab" and "c" are not "a" and "bc".
+  /// Adds a piece. The boundaries of pieces count: "ab", "c" and "a", "bc" have different hashes.
   Hash& add(std::string_view piece);
-  /// 32 hexadecimal digits.
+  /// Returns 32 hexadecimal digits.
   std::string text() const;
 
  private:
@@ -25,7 +25,7 @@ class Hash {
   std::unique_ptr<State> state_;
 };
 
-/// Of one text.
+/// Returns the hash of one text.
 std::string hash_of(std::string_view text);
 
 }  // namespace stepwire::hash

@@ -15,9 +15,9 @@ namespace stepwire::hdf5 {
 
 namespace {
 
-constexpr std::size_t max_words = 1'000'000;  // of a column
+constexpr std::size_t max_words = 1'000'000;  // in one column
 
-/// The texts of an attribute that lists some of any length; none where it is no such list.
+/// Returns the texts of an attribute that is a list of variable-length strings; an empty list otherwise.
 std::vector<std::string> texts_attribute(hid_t object, const char* name) {
   if (H5Aexists(object, name) <= 0) return {};
   const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
@@ -35,12 +35,12 @@ std::vector<std::string> texts_attribute(hid_t object, const char* name) {
   return words;
 }
 
-/// Rows and columns; more dimensions, and none, are not there.
+/// Size of a dataset of one or two dimensions.
 struct Size {
   std::size_t rows = 1, columns = 1;
 };
 
-/// Reads one dataset.
+/// Reader of one dataset.
 class Dataset {
  public:
   Dataset(hid_t set, const std::string& name, table::RecordTable& table, std::size_t& budget)
@@ -69,7 +69,7 @@ class Dataset {
     table_.problems[name] = fmt::format("'{}' {}", name, problem);
   }
 
-  /// Why there are no numbers that a column could hold; empty where there are.
+  /// Returns the reason why a type cannot be a column of numbers; empty if it can.
   std::string problem_of(const Handle& type) const {
     const H5T_class_t kind = H5Tget_class(type.id());
     if (kind == H5T_STRING) return "holds text, not numbers";
@@ -99,7 +99,7 @@ class Dataset {
     budget_ -= size.rows * size.columns * sizeof(double);
   }
 
-  /// Reads the dataset once, as `numbers` doubles of each element.
+  /// Reads the whole dataset at once, with `numbers` doubles for each element.
   std::vector<double> numbers_of_elements(const Handle& as, std::size_t numbers) const {
     const Size count = size();
     std::vector<double> all(count.rows * count.columns * numbers);
@@ -109,7 +109,7 @@ class Dataset {
     return all;
   }
 
-  /// Every `step`-th number from `first` on, as long as there are some.
+  /// Returns every `step`-th number from `first` on.
   static std::vector<double> picked(const std::vector<double>& all, std::size_t first, std::size_t step) {
     std::vector<double> values;
     values.reserve(all.size() / step + 1);
@@ -117,7 +117,7 @@ class Dataset {
     return values;
   }
 
-  /// The columns of a matrix, row by row; one of a vector.
+  /// Adds the columns of a row-major matrix; a vector is one column.
   void add_columns(const std::string& name, std::vector<double> all) {
     const Size count = size();
     if (count.columns == 1 || count.rows == 1) return table_.columns.push_back({name, unit_, std::move(all)});
@@ -131,7 +131,7 @@ class Dataset {
     add_columns(name, numbers_of_elements(as, 1));
   }
 
-  /// A member of a compound, and the reason why it cannot be read; empty if it can.
+  /// A member of a compound type, and the reason why it is unreadable; empty if it is readable.
   struct Member {
     std::string name, problem;
   };
@@ -148,7 +148,7 @@ class Dataset {
     return members;
   }
 
-  /// All members in one go, however many there are.
+  /// Reads all members in one pass over the dataset.
   void read_members() {
     const std::vector<Member> members = members_of_type();
     const auto readable =

@@ -7,7 +7,7 @@
 
 namespace stepwire::hdf5 {
 
-/// An identifier of the library, closed at the end. The library's own types are integers.
+/// Owner of an HDF5 identifier. The type of the library is an integer as well.
 class Handle {
  public:
   using Close = int (*)(std::int64_t);
@@ -24,7 +24,7 @@ class Handle {
 
   explicit operator bool() const { return id_ >= 0; }
   std::int64_t id() const { return id_; }
-  /// False where the library refuses, as where a disk is full.
+  /// Closes it; false where the library fails, for example on a full disk.
   bool close() { return id_ < 0 || close_(std::exchange(id_, -1)) >= 0; }
 
  private:
@@ -32,16 +32,15 @@ class Handle {
   Close close_ = nullptr;
 };
 
-/// The library keeps all it has in variables of the program: one call at a time. While this lives the library
-/// prints nothing, and keeps what went wrong.
+/// Lock of the HDF5 library, which has global state: one call at a time. During its lifetime the library
+/// prints nothing and keeps its error stack.
 class Session {
  public:
   Session();
 
-  /// The library's own words for what went wrong first; the system's reason where it has one. Empty where
-  /// nothing did.
+  /// Returns the first error of the library, or the system's reason if there is one; empty without an error.
   static std::string complaint();
-  /// Throws TableError, the library's words behind ours.
+  /// Throws TableError with the library's error appended.
   [[noreturn]] static void refuse(const std::string& what);
 
  private:

@@ -21,9 +21,9 @@ namespace stepwire::hdf5 {
 
 namespace {
 
-constexpr int max_depth = 16;  // groups in groups
+constexpr int max_depth = 16;  // of nested groups
 
-/// Walks through the groups of one file.
+/// Walk over the groups of one file.
 class Reading {
  public:
   explicit Reading(std::size_t file_size) : budget_(table::max_unpacked(file_size)) {}
@@ -63,7 +63,7 @@ class Reading {
   table::RecordTable table_;
 };
 
-/// Of a file that may be read.
+/// Returns the size of a readable file.
 std::size_t size_of(const std::string& path) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
@@ -79,7 +79,7 @@ table::RecordTable read_all(const Handle& root, Reading& reading) {
   return table;
 }
 
-/// Reads a file, from its root on. Errors and problems begin with its name.
+/// Reads a file from its root. Errors and problems begin with the file name.
 template <class Read>
 table::RecordTable read_file(const std::string& path, std::size_t file_size, const Read& read) {
   try {
@@ -96,7 +96,7 @@ table::RecordTable read_file(const std::string& path, std::size_t file_size, con
 template <class Read>
 table::RecordTable read_isolated(const std::string& path, const Read& read) {
   const std::size_t size = size_of(path);
-  const Session session;  // no other thread is in the library while it is copied
+  const Session session;  // held during the fork, so that no other thread is inside the library
   return table::read_isolated(path, size, [&] { return read_file(path, size, read); });
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr hsize_t rows_of_chunk = 8192;
 
-/// Whether more rows may follow.
+/// Whether rows can be appended later.
 enum class Length { fixed, growing };
 
 Handle simple_space(hsize_t count, Length length = Length::fixed) {
@@ -26,8 +26,8 @@ Handle simple_space(hsize_t count, Length length = Length::fixed) {
   return {H5Screate_simple(1, &count, &most), H5Sclose};
 }
 
-/// Text as UTF-8: of any length, which h5py gives as str in attributes, or of one, which Octave reads in
-/// datasets.
+/// Type of UTF-8 text: of variable length, which h5py returns as str in attributes, or of fixed length, which
+/// Octave reads in datasets.
 Handle text_type(std::size_t length = H5T_VARIABLE) {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type.id(), length);
@@ -36,7 +36,7 @@ Handle text_type(std::size_t length = H5T_VARIABLE) {
   return type;
 }
 
-/// The order in which links were made is kept, and no times.
+/// Properties of groups that track the creation order of links, and store no times.
 Handle group_properties(hid_t of) {
   Handle properties(H5Pcreate(of), H5Pclose);
   H5Pset_link_creation_order(properties.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
@@ -44,7 +44,8 @@ Handle group_properties(hid_t of) {
   return properties;
 }
 
-/// A checksum for every number: that of its chunk, or of a scalar that of the object header.
+/// Properties of datasets with a checksum for every number: that of its chunk, or for a scalar that of the
+/// object header.
 Handle dataset_properties(hsize_t rows, Length length, bool is_scalar) {
   Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties.id(), false);
@@ -52,7 +53,7 @@ Handle dataset_properties(hsize_t rows, Length length, bool is_scalar) {
     H5Pset_layout(properties.id(), H5D_COMPACT);
     return properties;
   }
-  const double filled = 0.0;  // what lies behind the last row in its chunk would be of any bits
+  const double filled = 0.0;  // sets the unused rest of the last chunk, which would otherwise be undefined
   const hsize_t chunk =
       length == Length::growing ? rows_of_chunk : std::clamp<hsize_t>(rows, 1, rows_of_chunk);
   H5Pset_chunk(properties.id(), 1, &chunk);
@@ -63,29 +64,30 @@ Handle dataset_properties(hsize_t rows, Length length, bool is_scalar) {
 
 }  // namespace
 
-/// The library writes into the temporary file; the names of files are the writer's.
+/// Implementation. The library writes the temporary file of the AtomicFileWriter, which renames it.
 struct Hdf5Writer::File {
   io::AtomicFileWriter writer;
   std::string path;
   Handle file, root;
   bool named = false;
-  std::vector<Handle> growing;  ///< datasets of the run that was begun last
-  hsize_t rows = 0;             ///< of each of them
+  std::vector<Handle> growing;  ///< datasets of the run under way, see begin()
+  hsize_t rows = 0;             ///< length of each of them
 
   explicit File(const std::string& of) : writer(of), path(of) {
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    H5Pset_file_locking(access.id(), false, true);  // others may read while this is written
+    H5Pset_file_locking(access.id(), false, true);  // others may read during writing
     H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V110);
     const Handle creation = group_properties(H5P_FILE_CREATE);
     file = {H5Fcreate(writer.temporary().c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose};
-    // From here on the form of HDF5 1.10 (2016), in which each header and index has a checksum. A whole file
-    // of that form could not be read while it is written.
+    // From here on the format of HDF5 1.10 (2016), in which every header and index has a checksum. If the
+    // whole file had that format, it could not be read while it is written.
     require(H5Fset_libver_bounds(require(file).id(), H5F_LIBVER_V110, H5F_LIBVER_V110) >= 0);
     root = {H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose};
     require(root);
   }
 
-  /// Every call of the library forgets the complaint of the one before: none comes between it and this.
+  /// Throws EnvironmentError unless done. Each library call clears the error stack, so no call may come in
+  /// between.
   void require(bool done) const {
     if (done) return;
     const std::string complaint = Session::complaint();
@@ -156,7 +158,7 @@ struct Hdf5Writer::File {
     require(group.close());
   }
 
-  /// To close a dataset writes what the library still holds of it.
+  /// Closes the datasets of the current run, which writes their buffered rows.
   void close_growing() {
     for (Handle& set : growing) require(set.close());
     growing.clear();

@@ -8,11 +8,10 @@
 
 namespace stepwire::hdf5 {
 
-/// Writes runs into an HDF5 file, which appears whole under its name or not at all. A run's columns are
-/// datasets of doubles with their unit as attribute `units`; a named run is a group with its swept values as
-/// scalars. Longer ones are chunked by 8192 rows. Datasets are listed in the order in which they were
-/// written, and the same runs give the same bytes: no times. Methods throw EnvironmentError where the system
-/// refuses.
+/// Writes runs into an HDF5 file. The file appears under its name complete or not at all. A run's columns are
+/// datasets of doubles with their unit as attribute `units`. A named run is a group with its swept values as
+/// scalars. Longer datasets have chunks of 8192 rows. Datasets are listed in the order of writing. No times
+/// are stored, so the same runs give the same bytes. Methods throw EnvironmentError where the system refuses.
 class Hdf5Writer {
  public:
   /// `title` is an attribute of the file.
@@ -22,15 +21,15 @@ class Hdf5Writer {
   Hdf5Writer& operator=(const Hdf5Writer&) = delete;
 
   void add(const table::RunView& run);
-  /// Adds a run whose rows come later: those of the view are its first ones. Its datasets are chunked.
+  /// Begins a run whose rows are appended later; the view has its first rows. Its datasets are chunked.
   void begin(const table::RunView& run);
-  /// Appends rows to the run that was begun last: a piece of each series in their order, of equal length.
+  /// Appends rows to the run begun last: equally long pieces of all series, in their order.
   void append(std::span<const std::span<const double>> columns);
-  /// What was written can be read by other programs, also where this one ends without a further call.
+  /// Writes all buffers, so that other programs can read the rows even if this process ends abruptly.
   void flush();
-  /// The same, and the file has its name from now on, although more may follow.
+  /// Flushes and renames the file to its final name; more rows may follow.
   void publish();
-  /// Closes the file and gives it its name.
+  /// Closes the file and renames it to its final name.
   void finish();
 
  private:

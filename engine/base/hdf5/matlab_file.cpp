@@ -23,7 +23,7 @@ namespace {
 constexpr hsize_t size_of_header = 512;
 constexpr const char* group_of_cells = "#refs#";
 
-/// HDF5 counts dimensions the other way round.
+/// Returns the space of a MATLAB matrix; HDF5 counts dimensions in reverse order.
 Handle matrix_space(hsize_t rows, hsize_t columns) {
   const std::array<hsize_t, 2> counts{columns, rows};
   return {H5Screate_simple(2, counts.data(), nullptr), H5Sclose};
@@ -84,7 +84,7 @@ struct MatlabFile::File {
     return set;
   }
 
-  /// An empty array is its size.
+  /// Writes an empty array, which MATLAB stores as its size.
   Handle put_empty(const Handle& place, const std::string& name, std::size_t rows,
                    std::size_t columns) const {
     const std::array<std::uint64_t, 2> size{rows, columns};
@@ -106,7 +106,7 @@ struct MatlabFile::File {
     require(set.close());
   }
 
-  /// The texts of a cell lie in a group of their own, and the cell refers to them.
+  /// Stores the text of a cell in the group of cells and returns the reference to it.
   hobj_ref_t put_cell(const std::u16string& text) {
     const Handle creation = without_times(H5P_GROUP_CREATE);
     if (!cells)

@@ -28,7 +28,7 @@ bool has_attribute(const Handle& object, const char* name) {
   return H5Aexists(object.id(), name) > 0;
 }
 
-/// MATLAB's size of an array: dimensions in its order, two or more.
+/// Returns the size of an array in MATLAB's order of dimensions, at least two.
 std::vector<std::size_t> size_of(const Handle& space) {
   std::array<hsize_t, H5S_MAX_RANK> counts{};
   const int rank = H5Sget_simple_extent_dims(space.id(), counts.data(), nullptr);
@@ -38,7 +38,7 @@ std::vector<std::size_t> size_of(const Handle& space) {
   return size;
 }
 
-/// Walks through the variables of one file and the fields of their structs.
+/// Walk over the variables of one file and the fields of their structs.
 class MatlabReading {
  public:
   MatlabReading(std::size_t file_size, const MatlabLimits& limits, const std::vector<std::string>& text_lists)
@@ -82,7 +82,7 @@ class MatlabReading {
     note(path, class_name == "function_handle" ? Kind::function : Kind::object, class_name);
   }
 
-  /// A struct, whose fields are the objects of a group. One group may have several names.
+  /// Reads a struct, whose fields are the objects of a group. One group may have several names.
   void take_group(const Handle& group, const std::string& class_name, const std::string& path,
                   std::size_t depth) {
     if (class_name == "function_handle") return note(path, Kind::function);
@@ -93,8 +93,8 @@ class MatlabReading {
       take(opened(group, name), fmt::format("{}.{}", path, name), depth + 1);
   }
 
-  /// A field of an array of structs is a list of references to its values; anything else is of another
-  /// program.
+  /// Reads a dataset without MATLAB_class. In a struct array it is a field, a list of references to the
+  /// values; elsewhere it was written by another program.
   void take_foreign(const Handle& set, const std::string& path, std::size_t depth) {
     const std::vector<Handle> values = depth > 0 ? referred(set) : std::vector<Handle>{};
     if (values.empty()) content_.has_foreign = content_.has_foreign || depth == 0;
@@ -104,7 +104,8 @@ class MatlabReading {
       take(values[i], fmt::format("{}({}){}", path.substr(0, field), i + 1, path.substr(field)), depth + 1);
   }
 
-  /// The objects that a dataset of references leads to; none of another dataset. Stops behind what is read.
+  /// Returns the objects that a dataset of references leads to; an empty list for any other dataset, and for
+  /// one beyond the memory budget.
   std::vector<Handle> referred(const Handle& set) const {
     const Handle type(H5Dget_type(set.id()), H5Tclose), space(H5Dget_space(set.id()), H5Sclose);
     const hssize_t count = H5Sget_simple_extent_npoints(space.id());
@@ -122,7 +123,7 @@ class MatlabReading {
     return objects;
   }
 
-  /// Reads the texts of a cell array in `text_lists_`.
+  /// Reads the texts of a cell array that `text_lists_` names.
   void take_cell(const Handle& set, const std::string& path, std::size_t depth) {
     if (std::ranges::find(text_lists_, path) == text_lists_.end()) {
       if (depth == 0) note(path, Kind::cell);

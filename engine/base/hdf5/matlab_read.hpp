@@ -6,7 +6,7 @@
 
 namespace stepwire::hdf5 {
 
-/// An array of real numbers, column by column as MATLAB has it. A field of a struct has its path as the name:
+/// An array of real numbers in column-major order. A field of a struct is named by its path:
 /// "out.signals(2).values".
 struct MatlabArray {
   std::string name;
@@ -14,16 +14,16 @@ struct MatlabArray {
   std::vector<double> values;
 };
 
-/// A variable that is no array of real numbers.
+/// A variable that is not an array of real numbers.
 struct MatlabOther {
   enum class Kind { complex, sparse, cell, function, object, struct_array, outside };
 
   std::string name;
   Kind kind;
-  std::string class_name;  ///< of an object, as "timeseries"
+  std::string class_name;  ///< of an object, such as "timeseries"
 };
 
-/// A cell array of texts, each in 16-bit units.
+/// A cell array of texts, each in 16-bit code units.
 struct MatlabTexts {
   std::string name;
   std::vector<std::vector<double>> texts;
@@ -33,17 +33,17 @@ struct MatlabContent {
   std::vector<MatlabArray> arrays;
   std::vector<MatlabOther> others;
   std::vector<MatlabTexts> texts;
-  bool has_foreign = false;  ///< datasets that other programs wrote
+  bool has_foreign = false;  ///< datasets written by other programs
 };
 
 struct MatlabLimits {
-  std::size_t structs;  ///< of an array of structs that is read
-  std::size_t depth;    ///< of structs in structs
+  std::size_t structs;  ///< most elements of a struct array that is read
+  std::size_t depth;    ///< nesting of structs
 };
 
-/// Reads a MATLAB file of level 7.3: objects of an HDF5 file whose attribute MATLAB_class is their class. The
-/// cell arrays of these names are read as texts. Characters and empty arrays are left out. Reads in this
-/// process, and needs a Session. Throws TableError, without the name of the file, where it is damaged.
+/// Reads a MATLAB file of level 7.3, an HDF5 file whose objects have their class in the attribute
+/// MATLAB_class. The cell arrays in `text_lists` are read as texts. Characters and empty arrays are left out.
+/// Reads in this process and requires a Session. Throws TableError, without the name of the file, for damage.
 MatlabContent read_matlab(const std::string& path, std::size_t file_size, const MatlabLimits& limits,
                           const std::vector<std::string>& text_lists);
 

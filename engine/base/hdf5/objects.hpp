@@ -9,19 +9,20 @@
 
 namespace stepwire::hdf5 {
 
-inline constexpr std::size_t max_columns = 20'000;  // of a file
+inline constexpr std::size_t max_columns = 20'000;  // in one file
 
-/// Opens a file to read it. Throws TableError, without the name of the file, where it is no HDF5 file.
+/// Opens a file for reading. Throws TableError, without the name of the file, for another format.
 Handle open_file(const std::string& path);
 
-/// Names of the links of a group into this file, in the order in which they were made where the group has
-/// kept it. Others may lead to any file of the machine. Throws TableError for a damaged group.
+/// Returns the names of a group's internal links, in creation order if the group has recorded it. External
+/// links are left out, since they may lead to any file of the machine. Throws TableError for a damaged group.
 std::vector<std::string> links_of(const Handle& group);
 
-/// Address of an object in its file: one group may have several names, also one inside of itself.
+/// Returns the address of an object in its file. It detects several names of one group, even inside of
+/// itself.
 std::uint64_t place_of(const Handle& object);
 
-/// Text of an attribute; empty without such an attribute, and for a list of texts.
+/// Returns the text of an attribute; empty if it is missing or a list of texts.
 std::string text_attribute(std::int64_t object, const char* name);
 
 }  // namespace stepwire::hdf5

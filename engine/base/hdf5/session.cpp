@@ -18,7 +18,7 @@ std::recursive_mutex& mutex_of_library() {
   return mutex;
 }
 
-/// "... errno = 28, error message = 'No space left on device', ..." has the reason between the quotes.
+/// Extracts the reason from "... errno = 28, error message = 'No space left on device', ...".
 std::string reason_in(std::string_view text) {
   constexpr std::string_view begin = "error message = '";
   const std::size_t at = text.find(begin);
@@ -30,8 +30,8 @@ std::string reason_in(std::string_view text) {
 }  // namespace
 
 Session::Session() : lock_(mutex_of_library()) {
-  // Owners close their files. At the end of the program the library would close again what it could not close
-  // on a full disk, and read memory that is gone.
+  // Owners close their files, so the library's exit handler is off. After a failed close on a full disk that
+  // handler would close the file again and access freed memory.
   [[maybe_unused]] static const herr_t once = H5dont_atexit();
   H5open();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

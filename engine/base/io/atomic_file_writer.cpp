@@ -47,7 +47,7 @@ bool AtomicFileWriter::try_append(std::string_view piece) {
     return true;
   }
   if (trouble_.empty()) trouble_ = fmt::format("{}: {}", path_, std::generic_category().message(errno));
-  // What was written of the piece must go, or the next one would follow half a row.
+  // Removes the incomplete piece, so that the next one does not follow half a row.
   if (::ftruncate(file_, size_) == 0) ::lseek(file_, size_, SEEK_SET);
   return false;
 }

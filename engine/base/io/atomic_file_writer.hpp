@@ -8,28 +8,28 @@
 
 namespace stepwire::io {
 
-/// A file that is written piece by piece under a temporary name beside `path`, which it replaces at the end;
-/// without finish() nothing of it is left, and the file before keeps its content. A piece that the system
-/// refuses is not in the file, nor is a part of it.
+/// Writes a file in pieces under a temporary name beside `path`, and replaces `path` at the end. Without
+/// finish() the temporary file is removed and an earlier file keeps its content. A piece is written
+/// completely or not at all.
 class AtomicFileWriter {
  public:
-  /// Missing folders are made. Throws EnvironmentError with the system's reason.
+  /// Creates the temporary file and missing folders. Throws EnvironmentError with the system's reason.
   explicit AtomicFileWriter(const std::string& path);
   ~AtomicFileWriter();
   AtomicFileWriter(const AtomicFileWriter&) = delete;
   AtomicFileWriter& operator=(const AtomicFileWriter&) = delete;
 
-  /// Writes a piece behind the others. Throws EnvironmentError where the system refuses it, as does finish()
-  /// then.
+  /// Appends a piece. Throws EnvironmentError where the system refuses it; finish() then throws as well.
   void append(std::string_view piece);
-  /// Writes a piece that may be lost, for callers that count what is. False where the system refuses it; a
-  /// later piece may fit again.
+  /// Appends a piece that may be lost. Returns false where the system refuses it; a later piece may fit
+  /// again.
   [[nodiscard]] bool try_append(std::string_view piece);
-  /// Where the file is until it has its name, for a library that writes it by itself.
+  /// Path of the temporary file, for a library that writes it by itself.
   const std::string& temporary() const { return temporary_; }
-  /// "PATH: No space left on device", of the first piece that was refused; empty if none was.
+  /// Returns the error of the first refused piece, as "PATH: No space left on device"; empty without one.
   const std::string& trouble() const { return trouble_; }
-  /// Gives the file its name. Throws EnvironmentError with the system's reason, or with that of append().
+  /// Renames the file to its final name. Throws EnvironmentError with the system's reason, or with that of
+  /// append().
   void finish();
 
  private:
@@ -38,8 +38,8 @@ class AtomicFileWriter {
   std::string path_, temporary_, trouble_;
   Leftover leftover_;
   int file_ = -1;
-  bool incomplete_ = false;  ///< append() was refused
-  std::int64_t size_ = 0;  ///< [bytes] of whole pieces
+  bool incomplete_ = false;  ///< append() failed
+  std::int64_t size_ = 0;  ///< [bytes] of complete pieces
 };
 
 }  // namespace stepwire::io

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Behind the content of an entry: a word, and the hash of name and content.
+/// Seal at the end of an entry: a word, and the hash of name and content.
 constexpr std::string_view seal_word = "\nstepwire ";
 constexpr std::size_t seal_size = seal_word.size() + 33;
 
@@ -35,7 +35,7 @@ std::string seal_of(const std::string& name, std::string_view content) {
   return fmt::format("{}{}\n", seal_word, hash::Hash().add(name).add(content).text());
 }
 
-/// The first problem, for take_cache_problem().
+/// First problem of the process, for take_cache_problem().
 class Problem {
  public:
   static Problem& of_process() {
@@ -65,7 +65,7 @@ void note_errno(const std::string& path) {
   note_problem(path, std::generic_category().message(errno));
 }
 
-/// Does an open file or folder belong to the caller alone? Says why not.
+/// True where an open file or folder is accessible to the caller alone; otherwise records the reason.
 bool is_own(int descriptor, const std::string& path, bool folder) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) return false;
@@ -82,7 +82,7 @@ bool is_own(int descriptor, const std::string& path, bool folder) {
   return false;
 }
 
-/// The folder, where it is there and belongs to the caller alone.
+/// Opens the folder; a closed descriptor if it is missing or accessible to others.
 Descriptor open_folder(const std::string& path) {
   if (path.empty()) note_problem("the cache", "has no place; HOME or STEPWIRE_CACHE name one");
   Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -91,7 +91,7 @@ Descriptor open_folder(const std::string& path) {
 }
 
 void make_folder(const fs::path& path) {
-  std::error_code ignored;  // what fails here fails again when it is opened
+  std::error_code ignored;  // an error here appears again on opening
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), ignored);
   ::mkdir(path.c_str(), 0700);
 }
@@ -116,7 +116,7 @@ bool write_whole(int file, std::string_view content) {
   return ::fsync(file) == 0;
 }
 
-/// Whether this program, of whatever version, has made a file of such a name here.
+/// True for a name that any version of this program gives to its entries.
 bool is_entry(const std::string& name) {
   static const std::regex entry(R"([0-9a-f]{16,32}\.(so|svg|pdf)(\.[0-9]+-[0-9]+\.part)?)");
   return std::regex_match(name, entry);
@@ -130,7 +130,7 @@ std::string cache_folder() {
     return value ? value : "";
   };
   if (!variable("STEPWIRE_CACHE").empty()) return variable("STEPWIRE_CACHE");
-  // A path that is not absolute has to be ignored (XDG Base Directory Specification).
+  // The XDG Base Directory Specification requires relative paths to be ignored.
   if (variable("XDG_CACHE_HOME").starts_with('/')) return variable("XDG_CACHE_HOME") + "/stepwire";
   if (variable("HOME").starts_with('/')) return variable("HOME") + "/.cache/stepwire";
   return "";
@@ -144,7 +144,7 @@ std::optional<std::string> Cache::find(const std::string& name) const {
   const Descriptor folder = open_folder(folder_);
   if (!folder.open()) return std::nullopt;
   const std::string path = folder_ + "/" + name;
-  // A pipe in its place would make this wait.
+  // O_NONBLOCK: opening a pipe of this name would block.
   const Descriptor file(
       ::openat(folder.number(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (!file.open() && errno != ENOENT) note_errno(path);
@@ -152,7 +152,7 @@ std::optional<std::string> Cache::find(const std::string& name) const {
   std::string content = read_all(file.number());
   const std::size_t size = content.size() - std::min(content.size(), seal_size);
   if (content.substr(size) != seal_of(name, std::string_view(content).substr(0, size))) return std::nullopt;
-  ::futimens(file.number(), nullptr);  // used just now
+  ::futimens(file.number(), nullptr);  // marks it as recently used
   content.resize(size);
   return content;
 }
@@ -160,7 +160,7 @@ std::optional<std::string> Cache::find(const std::string& name) const {
 void Cache::keep(const std::string& name, const std::string& content) const {
   make_folder(folder_);
   const Descriptor folder = open_folder(folder_);
-  if (!folder.open()) return note_problem(folder_, "cannot be used");  // where there is no reason yet
+  if (!folder.open()) return note_problem(folder_, "cannot be used");  // unless an earlier reason is recorded
   drop_old();
   write(folder.number(), name, content + seal_of(name, content));
 }
@@ -185,7 +185,7 @@ void Cache::write(int folder, const std::string& name, const std::string& conten
 }
 
 void Cache::drop_old() const {
-  constexpr std::chrono::hours forgotten{1};  // a file that nobody writes any more
+  constexpr std::chrono::hours forgotten{1};  // age of a temporary file that no process writes any more
   std::vector<std::pair<fs::file_time_type, fs::path>> files;
   std::uintmax_t bytes = 0;
   std::error_code none;

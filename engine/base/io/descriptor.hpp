@@ -6,7 +6,7 @@
 
 namespace stepwire::io {
 
-/// A file descriptor that is closed when it goes.
+/// Owner of a file descriptor; closes it.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -20,7 +20,7 @@ class Descriptor {
 
   int number() const { return number_; }
   bool open() const { return number_ >= 0; }
-  /// Whoever takes it closes it.
+  /// Releases the descriptor; the caller has to close it.
   int release() { return std::exchange(number_, -1); }
   void close() {
     if (number_ >= 0) ::close(number_);

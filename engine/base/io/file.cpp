@@ -32,7 +32,7 @@ void make_folder_of(const fs::path& path) {
   if (error) refuse_file(path.parent_path().string(), error.value());
 }
 
-/// Writes all of it or throws; what the system buffers is reported by flush or close, not by write.
+/// Writes all content or throws. Errors of buffered data appear only on flush or close.
 void write_all(const std::string& path, const char* mode, std::string_view content,
                const std::string& shown) {
   File file(std::fopen(path.c_str(), mode));
@@ -42,7 +42,7 @@ void write_all(const std::string& path, const char* mode, std::string_view conte
   if (std::fclose(file.release()) != 0) refuse_file(shown, errno);
 }
 
-/// To open a pipe that nobody reads would not come to an end.
+/// Throws EnvironmentError for a pipe without a reader, whose opening would block.
 void require_reader(const std::string& path) {
   const Descriptor pipe(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
   if (!pipe.open()) refuse_file(path, errno);
@@ -82,13 +82,13 @@ std::string read_file(const std::string& path) {
   std::error_code none;
   const fs::file_status status = fs::status(path, none);
   if (fs::is_directory(status)) refuse_file(path, EISDIR);
-  // A pipe would keep us waiting, and a device need not end.
+  // A pipe would block, and a device may be endless.
   if (fs::is_other(status)) throw EnvironmentError(fmt::format("{}: this is no regular file", path));
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file) refuse_file(path, errno);
   std::string content;
   const std::uintmax_t size = fs::file_size(path, none);
-  if (!none) content.reserve(size);  // growing would need twice the memory
+  if (!none) content.reserve(size);  // avoids reallocation, which needs twice the memory
   std::string block(1 << 16, '\0');
   for (std::size_t got = 1; got > 0;) {
     got = std::fread(block.data(), 1, block.size(), file.get());
@@ -108,8 +108,8 @@ void require_folder(const std::string& path) {
 
 void write_file(const std::string& path, std::string_view content) {
   make_folder_of(path);
-  // A link stays a link: what it points to is replaced. What is no plain file, such as /dev/stdout, cannot be
-  // replaced.
+  // A link is kept and its target replaced. Special files such as /dev/stdout cannot be replaced and are
+  // written directly.
   std::error_code error;
   const fs::path target = fs::weakly_canonical(path, error);
   if (error) refuse_file(path, error.value());

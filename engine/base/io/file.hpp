@@ -7,18 +7,18 @@
 
 namespace stepwire::io {
 
-/// Names of files of one kind: "signals.csv", "signals-2.csv", ... for the indices 0, 1, ...
+/// Returns the file name of an index: "signals.csv", "signals-2.csv", ... for 0, 1, ...
 std::string numbered(const std::string& stem, std::size_t index, const std::string& ending);
 
-/// All bytes of a file. Throws EnvironmentError with the system's reason.
+/// Returns all bytes of a file. Throws EnvironmentError with the system's reason.
 std::string read_file(const std::string& path);
 
-/// Makes a folder and those above it; one that is there must take new files. Throws EnvironmentError with
-/// the system's reason.
+/// Creates a folder and its parents; an existing one must be writable. Throws EnvironmentError with the
+/// system's reason.
 void require_folder(const std::string& path);
 
-/// Writes to a temporary name beside `path`, then renames, so that no half file is ever seen under `path`.
-/// Missing folders are made; what is no plain file ("/dev/stdout") is written as it is. Throws
-/// EnvironmentError with the system's reason.
+/// Writes a temporary file beside `path` and renames it, so that no partial file is visible under `path`.
+/// Missing folders are created. Special files ("/dev/stdout") are written directly. Throws EnvironmentError
+/// with the system's reason.
 void write_file(const std::string& path, std::string_view content);
 }  // namespace stepwire::io

@@ -4,8 +4,8 @@
 
 namespace stepwire::io {
 
-/// While one exists, its thread takes no signals, and remove_leftovers() on another thread waits for its end: a
-/// process group that begins meanwhile is noted before it could be missed.
+/// Guard around the start of a process group. It blocks signals on its thread and makes remove_leftovers() on
+/// other threads wait, so that the new group is registered before it could be missed.
 class GroupBeginning {
  public:
   GroupBeginning();

@@ -23,12 +23,13 @@ struct PathPlace {
   std::array<char, PATH_MAX> path;
 };
 
-// A signal handler can reach nothing but such; more files or processes than these are not open at a time.
+// Fixed arrays of atomics, since a signal handler must not lock or allocate. They bound the number of files
+// and groups open at a time.
 std::array<PathPlace, 128> paths;
 std::array<std::atomic<pid_t>, 256> groups;
 std::atomic<int> groups_beginning = 0;
 
-/// A second at most: what does not begin by then is not waited for.
+/// Waits at most a second for process groups that are starting.
 void await_groups() noexcept {
   for (int look = 0; look < 1000 && groups_beginning > 0; ++look) {
     const timespec pause{0, 1'000'000};
@@ -36,7 +37,7 @@ void await_groups() noexcept {
   }
 }
 
-/// A handler may not walk through a folder, but another process may.
+/// Removes a file or folder. A signal handler must not walk a folder, so another process does.
 void remove(const PathPlace& place) noexcept {
   if (!place.folder) {
     ::unlink(place.path.data());

@@ -6,8 +6,7 @@
 
 namespace stepwire::io {
 
-/// A temporary file, or a folder with all that is in it, that goes, too, where a signal ends this process at
-/// once.
+/// Registration of a temporary file or folder that is removed even if a signal ends this process.
 class Leftover {
  public:
   explicit Leftover(const std::string& path, bool folder = false);
@@ -19,11 +18,11 @@ class Leftover {
   int place_ = -1;
 };
 
-/// Process groups that end where a signal ends this process at once.
+/// Registers a process group to be killed if a signal ends this process; forget_group() undoes it.
 void note_group(pid_t group);
 void forget_group(pid_t group);
 
-/// Removes the files and ends the groups that are noted now. A signal handler may call it.
+/// Removes all registered files and kills all registered groups. Async-signal-safe.
 void remove_leftovers() noexcept;
 
 }  // namespace stepwire::io

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 constexpr const char* list_name = ".stepwire";
 constexpr const char* list_head = "# What runs wrote here; the next one removes it, and nothing else.\n";
 
-/// The folders that runs of this process own now.
+/// Folders that runs of this process own.
 struct Owned {
   std::mutex mutex;
   std::vector<OwnedFolder*> folders;
@@ -43,7 +43,7 @@ std::string normal(const std::string& path) {
   return result;
 }
 
-/// Does a name of the list lead to something inside of the folder, whatever links there are?
+/// True where a listed name leads to a file inside of the folder, after all links are resolved.
 bool leads_inside(const fs::path& folder, const fs::path& name) {
   if (name.empty() || name.is_absolute()) return false;
   for (const fs::path& part : name)
@@ -54,7 +54,7 @@ bool leads_inside(const fs::path& folder, const fs::path& name) {
   return !error && std::mismatch(root.begin(), root.end(), parent.begin(), parent.end()).first == root.end();
 }
 
-/// Removes pieces of files that this program was writing when it ended.
+/// Removes temporary files that an earlier process left unfinished.
 void remove_pieces(const fs::path& folder) {
   static const std::regex piece(R"([^]+\.[0-9]+-[0-9]+\.part)");
   std::error_code none;
@@ -95,11 +95,11 @@ void OwnedFolder::reserve(const std::vector<std::string>& names) {
 void OwnedFolder::lock() {
   const std::string file = path_ + "/" + list_name;
   struct stat status {};
-  do {  // again where the run before has just removed it
+  do {  // retried where another run has just removed the list
     if (list_ >= 0) ::close(list_);
     list_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
     if (list_ < 0) refuse_file(shown_ + "/" + list_name, errno);
-    if (::flock(list_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {  // not all file systems lock
+    if (::flock(list_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {  // some file systems do not lock
       ::close(list_);
       throw EnvironmentError(fmt::format(
           "{}: another run is writing into this folder; give --out another one, or wait", shown_));
@@ -133,10 +133,11 @@ void OwnedFolder::clear(const Files& listed, const Spared& spared) {
   }
   for (const fs::path& folder : folders) remove_pieces(folder);
   for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder)
-    if (*folder != path_) fs::remove(*folder, none);  // where it is empty
+    if (*folder != path_) fs::remove(*folder, none);  // only removes an empty folder
 }
 
-/// What the run before left is gone by now, so what is there and is not of this run belongs to somebody else.
+/// Throws EnvironmentError for a file that no run wrote. Leftovers of the previous run are already removed;
+/// any other file is foreign.
 void OwnedFolder::refuse_foreign(const std::string& name, const std::string& shown) const {
   if (!leads_inside(path_, name))
     throw EnvironmentError(fmt::format("{}: a link leads out of the folder of the results", shown));
@@ -146,7 +147,7 @@ void OwnedFolder::refuse_foreign(const std::string& name, const std::string& sho
       "{}: there is one already that no run wrote; give --out another folder, or move it away", shown));
 }
 
-/// A name that would be two lines of the list is in none.
+/// Adds a name to the list. A name with a line break is left out, since it would be two lines of the list.
 void OwnedFolder::note(const std::string& name) {
   if (!names_.insert(name).second || text::visible(name) != name || name.starts_with('#')) return;
   const std::string text = (names_.size() == 1 ? list_head : "") + name + "\n";

@@ -7,26 +7,26 @@
 
 namespace stepwire::io {
 
-/// A folder for what one run writes. As long as it is there no other run may write into the folder. Which
-/// files runs have written stands in its file ".stepwire": what the run before left is removed at the
-/// beginning, with pieces of files that were never finished, and nothing else ever is.
+/// Exclusive output folder of one run. No other run may write into the folder during its lifetime. The file
+/// ".stepwire" in it lists the files that runs have written. The constructor removes those of the previous
+/// run, and unfinished temporary files; no other file is ever removed.
 class OwnedFolder {
  public:
   using Files = std::set<std::string>;
 
-  /// Files that stay although a run wrote them: their paths as this run knows them.
+  /// Returns the files to keep although an earlier run wrote them, by the paths of this run.
   using Spared = std::function<Files()>;
 
-  /// Makes the folder, and those above it. Throws EnvironmentError where another run has it, or the system
+  /// Creates the folder and its parents. Throws EnvironmentError if another run owns it or the system
   /// refuses.
   explicit OwnedFolder(const std::string& path, const Spared& spared = {});
-  /// Leaves no list behind of a run that wrote nothing.
+  /// Removes the list of a run that wrote no file.
   ~OwnedFolder();
   OwnedFolder(const OwnedFolder&) = delete;
   OwnedFolder& operator=(const OwnedFolder&) = delete;
 
-  /// Notes files that the run will write at its end. Throws EnvironmentError, and notes none of them, where a
-  /// file that no run wrote is in the place of one.
+  /// Reserves names for files written at the end of the run. Throws EnvironmentError, and reserves none, if a
+  /// foreign file has one of the names.
   void reserve(const std::vector<std::string>& names);
 
  private:
@@ -37,14 +37,14 @@ class OwnedFolder {
   void note(const std::string& name);
   void refuse_foreign(const std::string& name, const std::string& shown) const;
 
-  std::string path_;   ///< from the root
-  std::string shown_;  ///< as the call names it
-  int list_ = -1;      ///< the file ".stepwire", locked
-  Files names_;        ///< in it
+  std::string path_;   ///< absolute
+  std::string shown_;  ///< as given by the user
+  int list_ = -1;      ///< descriptor of the locked file ".stepwire"
+  Files names_;        ///< listed in it
 };
 
-/// Notes a file that is about to be written, where it lies in a folder that a run owns. Throws
-/// EnvironmentError where a file that no run wrote is in its place there, or a link leads out of the folder.
+/// Registers a file about to be written if it is in an owned folder. Throws EnvironmentError for a foreign
+/// file of that name, and for a link that leads out of the folder.
 void note_written(const std::string& path);
 
 }  // namespace stepwire::io

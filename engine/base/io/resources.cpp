@@ -23,7 +23,7 @@ std::string& package() {
   return of_package;
 }
 
-/// How the folder of a name comes.
+/// Returns the text how to install the folder of this name.
 std::string source_of(const std::string& name) {
   if (name == "mpi")
     return "'./stepwire setup mpi' in a checkout builds it with the Debian packages libopenmpi-dev and "
@@ -34,7 +34,7 @@ std::string source_of(const std::string& name) {
       is_for_compilers ? "libstepwire-dev" : "stepwire");
 }
 
-/// Where the folder may be, the likeliest place first.
+/// Returns the possible locations, the most likely one first.
 std::vector<fs::path> candidates() {
   if (const char* named = std::getenv("STEPWIRE_HOME"); named && *named)
     return {fs::path(named), fs::path(named) / share};

@@ -4,20 +4,20 @@
 
 namespace stepwire::io {
 
-/// What comes with the program and is read while it runs lies in one folder, share/stepwire, as folders or
-/// links to them: "headers" (of engine and blocks), "public" (those of
-/// the library), "eigen" and "precompiled" (for generated code), "drawing"
-/// (the module for node), "diagrams", "mpi" (the module for MPI). That folder is the one that $STEPWIRE_HOME
-/// names (or the prefix above it), else that of the installed package which a program was built with, else
-/// the one beside the running program: in its own folder, or in one of the two above.
+/// Files that the program reads at run time are in one folder, share/stepwire, as subfolders or links. These
+/// are "headers" (engine and blocks), "public" (the library), "eigen" and "precompiled" (for generated code).
+/// The others are "drawing" (module for node), "diagrams" and "mpi" (module for MPI). The folder is the one
+/// that $STEPWIRE_HOME names, or the one below that prefix. Without that variable it is that of the package
+/// that a program was built with. The last choice is a folder beside the running program or up to two levels
+/// above.
 
-/// The path of one of these folders, without links. Throws EnvironmentError with the places where it is not,
-/// and how it comes.
+/// Returns the path of such a subfolder, without links. If it is missing, throws EnvironmentError with the
+/// searched locations and how to install it.
 std::string resource(const std::string& name);
-/// The same; empty where there is none.
+/// Returns the same path; empty if it is missing.
 std::string find_resource(const std::string& name);
 
-/// Notes the folder share/stepwire of the package that the running program was built with.
+/// Sets the folder share/stepwire of the package that the running program was built with.
 void note_package(std::string share);
 
 }  // namespace stepwire::io

@@ -4,10 +4,10 @@
 
 namespace stepwire::io {
 
-/// A name beside `path` that no other process or thread uses.
+/// Returns a name beside `path` that no other process or thread uses.
 std::string temporary_beside(const std::string& path);
 
-/// Throws EnvironmentError: "PATH: what the system says to this errno".
+/// Throws EnvironmentError "PATH: REASON" with the system's text for this errno.
 [[noreturn]] void refuse_file(const std::string& path, int reason);
 
 }  // namespace stepwire::io

@@ -8,7 +8,7 @@
 
 namespace stepwire::json {
 
-/// What the library writes, made of ours.
+/// Converts our Json to the values of nlohmann::json, which writes the text.
 struct JsonText {
   using Out = nlohmann::ordered_json;
 
@@ -16,7 +16,7 @@ struct JsonText {
 
   Out operator()(const Json::Members& members) const {
     Out result = Out::object();
-    // Past the library's own look-up, which walks all keys: ours are different already.
+    // Appends directly: the insertion of the library walks all keys, and ours are already distinct.
     auto& pairs = result.get_ref<Out::object_t&>();
     for (const auto& [key, value] : members.all()) pairs.push_back({key, of(value)});
     return result;

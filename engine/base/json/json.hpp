@@ -15,7 +15,7 @@
 
 namespace stepwire::json {
 
-/// A text that is no JSON, or nested deeper than is read.
+/// Thrown for a text that is not JSON or is nested too deeply.
 class JsonError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -39,7 +39,7 @@ class Json {
 
   static Json list(std::vector<Json> items = {});
   static Json object();
-  /// A list of anything that a value can be made of: names, numbers.
+  /// Makes a list of a range whose items convert to Json, such as names or numbers.
   template <class Range>
   static Json list_of(const Range& range) {
     Json result = list();
@@ -47,42 +47,43 @@ class Json {
     return result;
   }
 
-  /// Appends to a list; null becomes a list. Throws std::logic_error for anything else.
+  /// Appends to a list; null becomes a list. Throws std::logic_error for any other value.
   Json& push(Json item);
-  /// Appends to an object, or replaces what the key has; null becomes an object. Throws std::logic_error for
-  /// anything else.
+  /// Appends a member to an object, or replaces the value of the key; null becomes an object. Throws
+  /// std::logic_error for any other value.
   Json& set(std::string key, Json value);
 
-  /// Reads one value. Throws JsonError.
+  /// Parses one value. Throws JsonError.
   static Json parse(std::string_view text);
 
   bool is_null() const { return std::holds_alternative<std::nullptr_t>(value_); }
   bool is_list() const { return std::holds_alternative<std::vector<Json>>(value_); }
   bool is_object() const { return std::holds_alternative<Members>(value_); }
-  /// The items of a list; none of anything else.
+  /// Returns the items of a list; an empty span for any other value.
   std::span<const Json> items() const;
-  /// What an object has, in its order; none of anything else.
+  /// Returns the members of an object in their order; an empty span for any other value.
   std::span<const std::pair<std::string, Json>> members() const;
-  /// What an object has under a key; nullptr where it has not, or where this is no object.
+  /// Returns the value of a key; nullptr if the key is missing or this is not an object.
   const Json* find(std::string_view key) const;
-  /// The string; nullptr where this is none.
+  /// Returns the string; nullptr for any other value.
   const std::string* as_text() const { return std::get_if<std::string>(&value_); }
-  /// The number; nothing where this is none.
+  /// Returns the number; std::nullopt for any other value.
   std::optional<double> as_number() const;
   std::optional<bool> as_flag() const;
 
-  /// Doubles in digits that read back to the same bits, nan and inf as null; `indent` blanks per level, all
-  /// on one line where it is negative. Bytes that are no UTF-8 are replaced.
+  /// Writes JSON. Doubles have the digits that read back to the same bits; NaN and infinity become null.
+  /// `indent` is the number of blanks a level; a negative one writes a single line. Invalid UTF-8 is
+  /// replaced.
   std::string text(int indent = 2) const;
 
  private:
-  /// Keys and values in their order. Those of many keys have an index, so that none is looked for among all.
+  /// Ordered keys and values. Objects with many keys have an index for look-ups.
   class Members {
    public:
     const std::vector<std::pair<std::string, Json>>& all() const { return pairs_; }
     Json* find(std::string_view key);
     const Json* find(std::string_view key) const { return const_cast<Members*>(this)->find(key); }
-    /// A key that it does not have.
+    /// Adds a key that is not present yet.
     void add(std::string key, Json value);
 
    private:
@@ -92,7 +93,7 @@ class Json {
     };
 
     std::vector<std::pair<std::string, Json>> pairs_;
-    std::unordered_map<std::string, std::size_t, Hash, std::equal_to<>> places_;  ///< empty of up to 32 keys
+    std::unordered_map<std::string, std::size_t, Hash, std::equal_to<>> places_;  ///< empty for up to 32 keys
   };
   using Value = std::variant<std::nullptr_t, bool, double, std::int64_t, std::uint64_t, std::string,
                              std::vector<Json>, Members>;

@@ -10,7 +10,8 @@ using In = nlohmann::json;
 
 constexpr std::size_t deepest = 64;
 
-/// Makes a value of what the library reads one by one: its own values look for a key among all of an object.
+/// Builds a Json from the events of the nlohmann parser. Its own values would search all keys of an object
+/// for each member.
 class Builder {
  public:
   bool null() { return put(nullptr); }
@@ -35,7 +36,7 @@ class Builder {
   Json done() { return std::move(whole_); }
 
  private:
-  /// An object or a list that has not ended, and the key of its next value.
+  /// An object or list under construction, and the key of its next value.
   struct Open {
     Json value;
     std::string key;

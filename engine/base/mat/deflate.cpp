@@ -14,7 +14,7 @@ constexpr int level =
     2;  ///< tables of numbers are 6 to 10 % larger than by the usual 6, in a quarter of the time
 constexpr std::size_t max_at_once = 1 << 30;
 
-/// Feeds the stream with all bytes and appends its output to `packed`.
+/// Compresses all bytes and appends the output to `packed`.
 void deflate_all(z_stream& stream, std::string_view bytes, std::string& packed) {
   std::string space(1 << 16, '\0');
   int state = Z_OK;

@@ -5,7 +5,7 @@
 
 namespace stepwire::mat {
 
-/// Returns the bytes packed as a file of gzip, which names neither a time nor a file.
+/// Returns the bytes as a gzip file without time and file name.
 std::string gzip_packed(std::string_view bytes);
 
 }  // namespace stepwire::mat

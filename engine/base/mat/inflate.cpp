@@ -19,7 +19,7 @@ class Inflation {
   Inflation(const Inflation&) = delete;
   Inflation& operator=(const Inflation&) = delete;
 
-  /// Fills the space as far as there is something; returns how much it was.
+  /// Decompresses up to `size` bytes and returns their number.
   std::size_t fill(char* space, std::size_t size) {
     std::size_t filled = 0;
     while (filled < size && !ended_) {
@@ -37,7 +37,7 @@ class Inflation {
     return filled;
   }
 
-  /// Has the end been met? Then the checksum was right, too.
+  /// True once the end of the stream has been read, which includes a correct checksum.
   bool ended() const { return ended_; }
 
  private:
@@ -65,7 +65,7 @@ std::string inflate_start(std::string_view packed, std::size_t most) {
 }
 
 std::string inflate_all(std::string_view packed, std::size_t size) {
-  std::string all(size + 1, '\0');  // one more, so that the end of what is packed is met
+  std::string all(size + 1, '\0');  // one byte more, so that the end of the stream is read
   Inflation inflation(packed);
   const std::size_t got = inflation.fill(all.data(), all.size());
   if (got != size || !inflation.ended())

@@ -6,10 +6,11 @@
 
 namespace stepwire::mat {
 
-/// The first bytes of what was packed by zlib, at most `most`. Throws TableError where it is damaged.
+/// Decompresses the first `most` bytes of a zlib stream. Throws TableError for a damaged stream.
 std::string inflate_start(std::string_view packed, std::size_t most);
 
-/// All of it, `size` bytes. Throws TableError where it is damaged, by its checksum too, or has another size.
+/// Decompresses a zlib stream of `size` bytes. Throws TableError for damage, a wrong checksum or another
+/// size.
 std::string inflate_all(std::string_view packed, std::size_t size);
 
 }  // namespace stepwire::mat

@@ -74,7 +74,7 @@ std::vector<double> mat_numbers(std::string_view bytes, MatNumber kind, bool swa
 }
 
 std::size_t mat_count(const std::vector<std::size_t>& size) {
-  constexpr std::size_t most = std::numeric_limits<std::size_t>::max() / 16;  // of complex doubles
+  constexpr std::size_t most = std::numeric_limits<std::size_t>::max() / 16;  // complex doubles have 16 bytes
   std::size_t count = 1;
   for (const std::size_t one : size) {
     if (one != 0 && count > most / one) throw table::TableError("the dimensions are beyond any memory");

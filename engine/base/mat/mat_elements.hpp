@@ -10,7 +10,7 @@
 
 namespace stepwire::mat {
 
-/// A data element of level 5: what kind of content, and its bytes.
+/// A data element of level 5: its type and its bytes.
 struct MatElement {
   static constexpr std::uint32_t matrix = 14, packed = 15, utf8 = 16, utf16 = 17, utf32 = 18;
   static constexpr std::uint32_t of(MatNumber kind) { return static_cast<std::uint32_t>(kind); }
@@ -20,21 +20,22 @@ struct MatElement {
   std::string_view bytes{};
 };
 
-/// Data elements one behind the other, each with a tag of eight bytes before it and filled up to eight; of up
-/// to four bytes they lie in the tag, and packed ones are not filled up. Layout: "MAT-File Format", The
-/// MathWorks.
+/// Reader of consecutive data elements. Each follows a tag of eight bytes and is padded to a multiple of
+/// eight. Up to four bytes are inside of the tag; compressed elements are not padded. Layout: "MAT-File
+/// Format", The MathWorks.
 class MatElements {
  public:
   MatElements(std::string_view bytes, bool swap) : rest_(bytes), swap_(swap) {}
 
   bool empty() const { return rest_.empty(); }
-  /// Type and length of the next one, without its bytes. Throws TableError where there is none.
+  /// Returns type and length of the next element, without its bytes. Throws TableError at the end.
   MatElement tag() const;
-  /// Throws TableError where it goes beyond the end.
+  /// Returns the next element. Throws TableError if it is truncated.
   MatElement next();
-  /// Those that lie inside of one.
+  /// Returns a reader of the elements inside of an element.
   MatElements inside(const MatElement& element) const { return {element.bytes, swap_}; }
-  /// Throws TableError where its type is none of numbers or the last one is not whole.
+  /// Returns the numbers of an element. Throws TableError if its type is not numeric or the last number is
+  /// incomplete.
   std::vector<double> numbers(const MatElement& element) const;
 
  private:
@@ -42,10 +43,10 @@ class MatElements {
   bool swap_;
 };
 
-/// UTF-8 of units of UTF-16 or UTF-32; two halves of a character beyond 16 bits are joined.
+/// Converts UTF-16 or UTF-32 code units to UTF-8; surrogate pairs are joined.
 std::string utf16_text(const std::vector<double>& units);
 
-/// The text of an element of characters, as UTF-8. Throws TableError as MatElements::numbers.
+/// Returns the text of a character element as UTF-8. Throws TableError as MatElements::numbers.
 std::string mat_text(const MatElements& of, const MatElement& element);
 
 }  // namespace stepwire::mat

@@ -8,9 +8,9 @@
 #include "engine/base/mat/mat_unreadable.hpp"
 #include "engine/base/table/table_file.hpp"
 
-// Layout: "MAT-File Format", The MathWorks, appendix on level 4. Type, rows, columns, whether complex, length
-// of the name; the name; the numbers. The digits of the type are byte order, 0, kind of numbers, kind of
-// matrix.
+// Layout: "MAT-File Format", The MathWorks, appendix on level 4. The header is type, rows, columns, complex
+// flag and length of the name; the name and the numbers follow. The digits of the type are byte order, 0,
+// number type and kind of matrix.
 
 namespace stepwire::mat {
 namespace {
@@ -59,7 +59,7 @@ class Level4 {
     const std::string_view name = take(name_length);
     const std::size_t count = mat_count({rows, columns});
     const std::string_view numbers = take(count * (1 + complex) * mat_number_size(kinds[kind]));
-    if (form == 1 || count == 0) return;  // a text
+    if (form == 1 || count == 0) return;  // texts are skipped
     const std::string text(name.substr(0, name.find('\0')));
     if (form == 2 || complex == 1)
       return content_.problems.push_back(

@@ -13,7 +13,7 @@ namespace stepwire::mat {
 namespace {
 
 constexpr std::size_t file_header = 128;
-constexpr std::size_t longest_head = 4096;  // of a matrix: flags, dimensions and name
+constexpr std::size_t longest_head = 4096;  // flags, dimensions and name of a matrix
 
 enum ArrayClass : unsigned {
   cell = 1,
@@ -26,10 +26,10 @@ enum ArrayClass : unsigned {
   first_integer = 8,
   last_number = 15,
   function = 16,
-  opaque = 17  ///< objects of newer classes, as timeseries
+  opaque = 17  ///< objects of newer classes, such as timeseries
 };
 
-/// What a matrix begins with.
+/// Header of a matrix.
 struct Head {
   unsigned type = 0;  ///< its ArrayClass
   bool complex = false;
@@ -47,7 +47,7 @@ struct Head {
   }
 };
 
-/// The sentence about a variable that is no real array; empty for a text.
+/// Returns the message about a variable that is not a real array; empty for a text.
 std::string problem_of(const Head& head, const std::string& name) {
   if (head.is_number() && head.complex) return unreadable_text(name, MatUnreadable::complex);
   switch (head.type) {
@@ -67,7 +67,7 @@ std::string problem_of(const Head& head, const std::string& name) {
   }
 }
 
-/// Of an opaque object: its name, the system of its type and its class.
+/// Reads the header of an opaque object: its name, type system and class.
 void read_opaque(MatElements& parts, Head& head) {
   head.name = parts.next().bytes;
   parts.next();
@@ -102,7 +102,8 @@ std::string size_text(const std::vector<std::size_t>& size) {
   return fmt::format("{}", fmt::join(size, " x "));
 }
 
-/// Numbers may be stored in a smaller type than that of the variable, but whole ones as whole ones.
+/// Decodes the values. Numbers may be stored in a smaller type than the variable's, but integers only as
+/// integers.
 std::vector<double> values_of(const Head& head, MatElements& parts) {
   const MatElement element = parts.next();
   const auto kind = static_cast<MatNumber>(element.type);
@@ -138,7 +139,7 @@ std::vector<std::string> texts_of(const Head& head, MatElements& parts) {
   return texts;
 }
 
-/// Names of the fields of a struct: their room, and each filled up with zeros.
+/// Reads the field names of a struct: their fixed length, then the names padded with zeros.
 std::vector<std::string> fields_of(MatElements& parts) {
   const std::vector<double> room = parts.numbers(parts.next());
   const MatElement names = parts.next();
@@ -153,7 +154,7 @@ std::vector<std::string> fields_of(MatElements& parts) {
   return fields;
 }
 
-/// What is wrong with a variable, with its name.
+/// Runs an action and adds the name of the variable to its error.
 template <class Action>
 auto named(const Head& head, const Action& action) {
   try {
@@ -183,7 +184,7 @@ class Level5 {
   }
 
  private:
-  /// The head alone is unpacked of what does not count.
+  /// Decompresses a variable; only the header is decompressed where the variable is not read.
   void unpack(std::string_view packed) {
     const std::string start = inflate_start(packed, longest_head);
     const MatElement tag = MatElements(start, swap_).tag();
@@ -221,7 +222,7 @@ class Level5 {
     });
   }
 
-  /// A variable, or a field of a struct by its path.
+  /// Reads a variable, or a field of a struct by its path.
   void take_value(const Head& head, MatElements& parts, const std::string& path, std::size_t depth) {
     if (head.is_real()) return content_.variables.push_back({path, head.size, values_of(head, parts)});
     if (head.is_structure()) return take_fields(head, parts, path, depth);

@@ -14,7 +14,7 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// The name of a column as MATLAB allows it.
+/// Returns the name of a column with the characters that MATLAB allows.
 std::string allowed_name(const std::string& name) {
   std::string allowed = name.empty() || !is_letter(name.front()) ? "x" : "";
   for (const char c : name) allowed += is_letter(c) || (c >= '0' && c <= '9') ? c : '_';
@@ -22,7 +22,7 @@ std::string allowed_name(const std::string& name) {
   return allowed;
 }
 
-/// Names, each given once; one that is taken has a number behind it.
+/// Set of used names; a name that is taken gets a number appended.
 class Taken {
  public:
   explicit Taken(std::set<std::string> names) : names_(std::move(names)) {}
@@ -31,7 +31,7 @@ class Taken {
     if (names_.insert(name).second) return name;
     for (std::size_t digits = 1, first = 2, end = 10;; ++digits, first = end, end *= 10) {
       const std::string stem = name.substr(0, longest_name - 1 - digits) + '_';
-      // Numbers before this one are taken: no name is tried twice.
+      // Numbers below this one are taken, so that no name is tried twice.
       std::size_t& next = next_.try_emplace({stem, digits}, first).first->second;
       while (next < end)
         if (std::string numbered = stem + std::to_string(next++); names_.insert(numbered).second)
@@ -41,7 +41,7 @@ class Taken {
 
  private:
   std::set<std::string> names_;
-  std::map<std::pair<std::string, std::size_t>, std::size_t> next_;  ///< by the text before it, and digits
+  std::map<std::pair<std::string, std::size_t>, std::size_t> next_;  ///< by stem and number of digits
 };
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace stepwire::mat {
 
-/// Names of columns as a MATLAB file of ours has them: what MATLAB does not allow is replaced by '_', each is
-/// there once, and none is a word of its language, `names` or `units`.
+/// Returns the variable names of columns in our MATLAB files. Invalid characters become '_'. The names are
+/// unique, and none is a keyword of MATLAB, `names` or `units`.
 std::vector<std::string> matlab_names(const std::vector<std::string>& columns);
 
 }  // namespace stepwire::mat

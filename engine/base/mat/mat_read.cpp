@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t max_columns = 20'000;
 
-/// Version and byte order as the header of levels 5 and 7.3 has them; 0 for none.
+/// Version and byte order in the header of levels 5 and 7.3; version 0 without such a header.
 struct Header {
   unsigned version = 0;
   bool swap = false;
@@ -36,7 +36,7 @@ Header header_of(std::string_view file) {
   return {};
 }
 
-/// What it throws begins with the name of the file.
+/// Runs a reader and prefixes its errors and problems with the file name.
 template <class Read>
 table::RecordTable named(const std::string& path, const Read& read) {
   try {
@@ -48,7 +48,7 @@ table::RecordTable named(const std::string& path, const Read& read) {
   }
 }
 
-/// A vector is one column; of anything larger each column is one.
+/// Appends a vector as one column, and each column of a larger array as one.
 void append_columns(table::Table& table, MatVariable& variable) {
   const std::size_t longest = *std::max_element(variable.size.begin(), variable.size.end());
   const std::vector<double>& all = variable.values;
@@ -65,8 +65,8 @@ void append_columns(table::Table& table, MatVariable& variable) {
   }
 }
 
-/// Files of our own keep the names of their columns, which MATLAB would not allow, and their units. The order
-/// is that of the names: one of level 7.3 lists its variables in another one.
+/// Restores the original names and units of a file of ours, in the order of the stored names: level 7.3 lists
+/// its variables in another order.
 void restore_names(table::Table& table, const MatContent& content) {
   if (content.names.size() != table.columns.size() || content.units.size() != table.columns.size()) return;
   const std::vector<std::string> variables = matlab_names(content.names);
@@ -88,7 +88,7 @@ void require_names(const table::Table& table) {
       throw table::TableError(fmt::format("two columns are named '{}'", column.name));
 }
 
-/// Variables that cannot be read are columns without rows.
+/// Appends unreadable variables as columns without rows.
 void append_problems(table::RecordTable& table, const MatContent& content) {
   for (const MatProblem& problem : content.problems) {
     table.columns.push_back({problem.name, "", {}});
@@ -108,20 +108,20 @@ table::RecordTable table_of(MatContent content) {
   return table;
 }
 
-/// Levels 4 and 5 are read by us.
+/// Reads levels 4 and 5 with the readers of this room.
 table::RecordTable read_own(const std::string& path) {
   const std::string file = io::read_file(path);
   const Header header = header_of(file);
   return table_of(header.version == 0x0100 ? read_mat_level_5(file, header.swap) : read_mat_level_4(file));
 }
 
-/// Of level 7.3. A file without variables of MATLAB is read as the HDF5 file that it is.
+/// Reads level 7.3 by the HDF5 library. A file without MATLAB variables is read as a plain HDF5 file.
 table::RecordTable read_by_library(const std::string& path) {
   std::error_code none;
   const std::size_t size = std::filesystem::file_size(path, none);
   table::RecordTable table;
   {
-    const hdf5::Session session;  // no other thread is in the library while it is copied
+    const hdf5::Session session;  // held during the fork, so that no other thread is inside the library
     table = table::read_isolated(path, size, [&] {
       return named(path, [&] {
         MatContent content = read_mat_level_7(path, size);

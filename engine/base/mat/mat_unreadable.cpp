@@ -5,12 +5,12 @@
 namespace stepwire::mat {
 namespace {
 
-/// "timeseries object", of a class of MATLAB or of a user.
+/// Describes an object of a class of MATLAB or of a user.
 std::string object_text(const std::string& class_name) {
   return class_name.empty() ? "an object" : fmt::format("an object of the class {}", class_name);
 }
 
-/// Lines for MATLAB that make the vectors t and x out of an object.
+/// Returns MATLAB code that extracts the vectors t and x from an object.
 std::string object_cure(const std::string& name, const std::string& class_name) {
   if (class_name == "timeseries") return fmt::format("t = {0}.Time; x = {0}.Data", name);
   if (class_name == "timetable")

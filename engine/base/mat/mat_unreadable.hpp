@@ -4,10 +4,10 @@
 
 namespace stepwire::mat {
 
-/// Kinds of variables that are no columns of real numbers.
+/// Kinds of variables that cannot become columns of real numbers.
 enum class MatUnreadable { complex, sparse, cell, function, object, struct_array };
 
-/// Returns a sentence for people with the variable and the cure in MATLAB, where `name` is an expression.
+/// Returns a message with the variable and the cure in MATLAB, where `name` is an expression.
 /// `class_name` is that of an object. Example:
 ///   'z' is complex; save numbers in MATLAB: `re = real(z); im = imag(z); save('f.mat', ...)`
 std::string unreadable_text(const std::string& name, MatUnreadable kind, const std::string& class_name = "");

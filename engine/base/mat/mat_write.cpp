@@ -10,9 +10,9 @@
 #include "engine/base/mat/mat_names.hpp"
 #include "engine/base/table/table_file.hpp"
 
-// Level 5 of the format is written here and not by the library that reads it, because that one drops what the
-// system says about a full disk. Layout: "MAT-File Format", The MathWorks. Numbers stand in the byte order of
-// the machine, and the header says which.
+// Writer of level 5. The library for HDF5 is not used here, because it drops the system's error for a full
+// disk. Layout: "MAT-File Format", The MathWorks. Numbers have the byte order of the machine, which the
+// header states.
 
 namespace stepwire::mat {
 namespace {
@@ -29,7 +29,7 @@ std::string bytes(const T* values, std::size_t count) {
   return result;
 }
 
-/// Type, length, the bytes, filled up to a multiple of eight.
+/// Encodes type, length and bytes, padded to a multiple of eight.
 std::string element(Element type, const std::string& content) {
   if (content.size() > longest_element)
     throw table::TableError("a column is too long for a MAT file of level 5");
@@ -47,7 +47,7 @@ std::string matrix(Class type, std::size_t rows, std::size_t columns, const std:
                                       element(Element::int8, name) + content);
 }
 
-/// The format keeps text as UTF-16.
+/// Converts text to UTF-16, the encoding of the format.
 std::u16string utf16(std::string_view text) {
   std::u16string result;
   for (std::size_t i = 0; i < text.size();) {
@@ -79,7 +79,8 @@ std::string text_cells(const std::string& name, const std::vector<table::Column>
   return matrix(Class::cell, columns.size(), 1, name, cells);
 }
 
-/// 116 bytes of text, 8 of nothing, version and byte order. No date: the same table gives the same bytes.
+/// Returns the header: 116 bytes of text, 8 zero bytes, version and byte order. It has no date, so that the
+/// same table gives the same bytes.
 std::string header_text(const char* level, std::uint16_t version) {
   std::string text = std::string("MATLAB ") + level + " MAT-file, created by stepwire";
   text.resize(116, ' ');
@@ -103,7 +104,7 @@ std::vector<std::u16string> texts_of(const table::Table& table, std::string tabl
   return texts;
 }
 
-/// Does one variable pass what level 5 counts in 32 bits?
+/// True where a column exceeds the 32-bit sizes of level 5.
 bool is_too_long(const table::Table& table, std::size_t max_bytes) {
   constexpr std::size_t around = 128;  // tags, size and name
   return std::ranges::any_of(table.columns, [&](const table::Column& column) {

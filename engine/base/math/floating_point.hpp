@@ -5,9 +5,9 @@
 
 namespace stepwire {
 
-/// Keeps the floating-point state of this thread: the rounding mode, the handling of denormal numbers and the
-/// exception masks. Its end restores them, whatever foreign code has set meanwhile. On x86-64 the control
-/// registers are written only where they differ; the raised flags stay. fesetenv() takes 150 ns there.
+/// Scope guard of this thread's floating-point state: rounding mode, handling of denormals and exception
+/// masks. Its destructor restores them after foreign code. On x86-64 it writes the control registers only
+/// where they differ and keeps the raised flags, since fesetenv() takes 150 ns there.
 class FloatingPointState {
  public:
   FloatingPointState() { read(before_); }
@@ -15,8 +15,7 @@ class FloatingPointState {
   FloatingPointState(const FloatingPointState&) = delete;
   FloatingPointState& operator=(const FloatingPointState&) = delete;
 
-  /// Sets the state that a program begins with: rounds to nearest, keeps denormal numbers, masks all
-  /// exceptions.
+  /// Sets the initial state of a program: round to nearest, denormals kept, all exceptions masked.
   static void set_usual() {
 #if defined(__x86_64__)
     write({0x1f80, 0x037f});
@@ -31,7 +30,7 @@ class FloatingPointState {
     std::uint32_t vector;  ///< MXCSR
     std::uint16_t x87;
   };
-  static constexpr std::uint32_t flags = 0x3f;  ///< of MXCSR: exceptions that have been raised
+  static constexpr std::uint32_t flags = 0x3f;  ///< of MXCSR: raised exceptions
 
   static void read(Control& control) {
     asm volatile("stmxcsr %0\n\tfnstcw %1" : "=m"(control.vector), "=m"(control.x87)::"memory");
@@ -58,7 +57,7 @@ class FloatingPointState {
 #endif
 };
 
-/// The usual state within a scope: for our code that foreign code calls, with whatever state it has.
+/// Scope guard that sets the initial floating-point state, for our code that foreign code calls in any state.
 class UsualFloatingPoint {
  public:
   UsualFloatingPoint() { FloatingPointState::set_usual(); }

@@ -6,28 +6,28 @@
 
 namespace stepwire {
 
-/// A number that follows from the numbers v[0], v[1], ..., as a block is given it. In a program it is code of
-/// C++, which a compiler takes into its place; before there is a program it has a source that evaluates it.
+/// A number computed from the numbers v[0], v[1], ..., as blocks use it. In generated programs it is C++ code
+/// that the compiler inlines; in the interpreter a Source evaluates it.
 class Function {
  public:
   using Code = double (*)(const double* v);
 
-  /// Any number of threads may evaluate it at once; copies of a function share it.
+  /// Thread-safe evaluator; copies of a function share it.
   class Source {
    public:
     virtual ~Source() = default;
     virtual double operator()(const double* v) const = 0;
-    /// The value as an expression of C++ over v: a double or a bool.
+    /// Returns the value as a C++ expression over v, a double or a bool.
     virtual std::string cpp() const = 0;
   };
 
-  /// Always 0.
+  /// Makes the function that is always 0.
   Function() = default;
   Function(Code code) : code_(code) {}
   explicit Function(std::shared_ptr<const Source> source) : source_(std::move(source)) {}
 
   double operator()(const double* v) const { return source_ ? (*source_)(v) : code_(v); }
-  /// Null where it is code.
+  /// Returns the source; nullptr for compiled code.
   const Source* source() const { return source_.get(); }
 
  private:

@@ -43,9 +43,8 @@ inline constexpr RatioOfPolynomials far_tail{
 
 }  // namespace detail
 
-/// The number that a standard normal variable stays below with this probability, to 1e-16 relative
-/// (Wichura: The percentage points of the normal distribution, Applied Statistics 37, 1988, algorithm AS
-/// 241).
+/// Quantile of the standard normal distribution, to 1e-16 relative (Wichura: The percentage points of the
+/// normal distribution, Applied Statistics 37, 1988, algorithm AS 241).
 inline double normal_quantile(double probability) {
   const double off_middle = probability - 0.5;
   if (std::abs(off_middle) <= 0.425) return off_middle * detail::central(0.180625 - off_middle * off_middle);

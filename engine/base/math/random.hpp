@@ -13,25 +13,26 @@ inline std::uint64_t mix_bits(std::uint64_t bits) {
   return bits ^ (bits >> 31);
 }
 
-/// Number `counter` of the sequence SplitMix64 with this seed.
+/// Element `counter` of the SplitMix64 sequence of this seed.
 inline std::uint64_t random_bits(std::uint64_t seed, std::uint64_t counter) {
   return mix_bits(seed + (counter + 1) * 0x9e3779b97f4a7c15u);
 }
 
-/// Evenly distributed in (0, 1), both ends excluded, in steps of 2^-52.
+/// Maps bits to a uniform number in (0, 1), both ends excluded, in steps of 2^-52.
 inline double to_unit_interval(std::uint64_t bits) {
   return (static_cast<double>(bits >> 12) + 0.5) * 0x1.0p-52;
 }
 
-/// A number in (0, 1) that depends on the seed, the element of a signal and the number of the sample alone,
-/// so that a run can go on from anywhere; the sample is counted in a state, hence a double.
+/// Uniform number in (0, 1), hashed from seed, element of the signal and sample number alone. So a run can be
+/// continued from any instant. The sample number is a double because it is counted in a state.
 inline double even_sample(std::int64_t seed, std::ptrdiff_t element, double sample) {
   const std::uint64_t stream =
       random_bits(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(element));
   return to_unit_interval(random_bits(stream, static_cast<std::uint64_t>(sample)));
 }
 
-/// Natural logarithm from exact operations only, since libraries differ in the last bit and seeds must not.
+/// Natural logarithm from correctly rounded operations only: results of libm differ between machines, those
+/// of a seed must not.
 inline double portable_log(double x) {
   int exponent = 0;
   double mantissa = std::frexp(x, &exponent);
@@ -42,7 +43,8 @@ inline double portable_log(double x) {
   return 2.0 * s * sum + exponent * 0.69314718055994530942;
 }
 
-/// Exponential function from exact operations only, to 2e-16 relative; 0 and infinity beyond the numbers.
+/// Exponential function from correctly rounded operations only, to 2e-16 relative; 0 or infinity out of
+/// range.
 inline double portable_exp(double x) {
   if (!(x > -745.0)) return x != x ? x : 0.0;
   if (x > 709.0) return HUGE_VAL;
@@ -54,8 +56,8 @@ inline double portable_exp(double x) {
   return std::ldexp(sum, static_cast<int>(halvings));
 }
 
-/// The probability that a standard normal variable stays below x, to 1e-15, from exact operations only
-/// (Marsaglia: Evaluating the normal distribution, Journal of Statistical Software 11(4), 2004).
+/// Standard normal distribution function, to 1e-15, from correctly rounded operations only (Marsaglia:
+/// Evaluating the normal distribution, Journal of Statistical Software 11(4), 2004).
 inline double normal_probability(double x) {
   if (!(std::abs(x) < 9.0)) return x < 0.0 ? 0.0 : x > 0.0 ? 1.0 : x;
   double sum = 0.0, term = x;

@@ -4,11 +4,11 @@
 
 namespace stepwire {
 
-/// The sum of the squares of numbers whose squares may be too large or too small for a double.
+/// Sum of squares of numbers whose squares may overflow or underflow a double.
 ///
-/// The sum is kept at three scales, by powers of two, and the one whose squares are in range counts: of
-/// ordinary numbers it is the plain sum with its bits. There are no branches, so that loops over lanes go
-/// into registers. J. L. Blue, "A portable Fortran program to find the Euclidean norm of a vector", 1978.
+/// The sum is accumulated at three scales, by powers of two, and the one whose squares are in range is used.
+/// For ordinary numbers that is the plain sum with its bits. There are no branches, so that loops over lanes
+/// vectorise. J. L. Blue, "A portable Fortran program to find the Euclidean norm of a vector", 1978.
 class SumOfSquares {
  public:
   void add(double x) {
@@ -23,15 +23,15 @@ class SumOfSquares {
     small_ += weight * (a * up * (a * up) + b * up * (b * up));
   }
 
-  /// The power of two by which numbers are to be multiplied before they are squared.
+  /// Returns the power of two that numbers must be multiplied by before they are squared.
   double scale() const { return middle_ > largest ? down : middle_ < smallest ? up : 1.0; }
-  /// The sum of the squares of numbers that are multiplied by scale().
+  /// Returns the sum of squares of the numbers multiplied by scale().
   double scaled() const { return middle_ > largest ? large_ : middle_ < smallest ? small_ : middle_; }
-  /// The root of the sum, divided by `count` before.
+  /// Returns the square root of the sum over `count`.
   double root(double count = 1.0) const { return std::sqrt(scaled() / count) * back(); }
 
  private:
-  static constexpr double up = 0x1p600, down = 0x1p-600;  // 2^-1074 to 2^1023 have squares within range so
+  static constexpr double up = 0x1p600, down = 0x1p-600;  // scaled squares of 2^-1074 to 2^1023 are in range
   static constexpr double smallest = 0x1p-900, largest = 0x1p1000;
 
   /// 1 / scale(), a power of two as well.
@@ -40,7 +40,7 @@ class SumOfSquares {
   double middle_ = 0.0, large_ = 0.0, small_ = 0.0;
 };
 
-/// The length of a vector of `count` numbers `at(0)`, `at(1)`, ...
+/// Euclidean norm of the `count` numbers at(0), at(1), ...
 template <class Count, class At>
 double length_of(Count count, const At& at) {
   SumOfSquares squares;

@@ -10,7 +10,7 @@
 namespace stepwire::mcap {
 
 // Layout: "MCAP File Format Specification", mcap.dev. A record is its kind, the length of its content [bytes]
-// and the content; integers have their lowest byte first.
+// and the content; integers are little-endian.
 inline constexpr std::string_view magic{"\x89MCAP0\r\n", 8};
 
 enum class Kind : std::uint8_t {
@@ -33,7 +33,7 @@ void append(std::string& bytes, T number) {
     bytes += static_cast<char>(static_cast<std::uint64_t>(number) >> (8 * i) & 0xFF);
 }
 
-/// A text, a list or a map: its length in bytes before it.
+/// Appends a text, list or map, preceded by its length in bytes.
 inline void append_sized(std::string& bytes, std::string_view content) {
   append(bytes, static_cast<std::uint32_t>(content.size()));
   bytes += content;
@@ -45,7 +45,7 @@ inline std::string record(Kind kind, std::string_view content) {
   return bytes.append(content);
 }
 
-/// Reads such bytes one behind the other. Throws TableError where they end too early.
+/// Reader of consecutive fields. Throws TableError where the bytes end too early.
 class Cursor {
  public:
   explicit Cursor(std::string_view bytes) : rest_(bytes) {}

@@ -30,7 +30,7 @@ Units units_of(std::string_view schema) {
   Units units;
   try {
     add_units(units, "", Json::parse(schema));
-  } catch (const json::JsonError&) {  // then nothing is known of units
+  } catch (const json::JsonError&) {  // without a readable schema units are unknown
   }
   return units;
 }
@@ -63,7 +63,7 @@ void ChannelRows::add(const std::string& name, const Json& value) {
   for (const Json& item : value.items()) add(inside(name, std::to_string(++index)), item);
 }
 
-/// Up to this message, which is nan there at first.
+/// Returns the column of a name; a new one is NaN up to this message.
 std::vector<double>& ChannelRows::column(const std::string& name) {
   const auto [place, is_new] = places_.try_emplace(name, columns_.size());
   if (is_new && columns() == max_columns)

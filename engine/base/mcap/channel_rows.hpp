@@ -13,28 +13,28 @@
 
 namespace stepwire::mcap {
 
-/// Units by the name of a column.
+/// Units by column name.
 using Units = std::map<std::string, std::string>;
-/// Units in a JSON schema, from its words `unit`; empty for other texts.
+/// Returns the units in a JSON schema, from its words `unit`; an empty map for other texts.
 Units units_of(std::string_view schema);
 
-/// Columns from the JSON messages of one channel.
+/// Collects columns from the JSON messages of one channel.
 class ChannelRows {
  public:
   static constexpr std::size_t max_columns = 20'000;
 
-  /// `units`: of its schema; nullptr where it has none.
+  /// `units`: those of its schema; nullptr without a schema.
   ChannelRows(std::string topic, std::shared_ptr<const Units> units);
 
   const std::string& topic() const { return topic_; }
   std::size_t rows() const { return times_.size(); }
   std::size_t columns() const { return columns_.size() + 1; }
-  /// Numbers that its columns hold once they are as long as each other.
+  /// Returns how many numbers its columns hold once they have equal length.
   std::size_t numbers() const { return columns() * rows(); }
-  /// Adds the numbers of a message, logged at `time` [ns]. Throws TableError where it is no JSON, and at the
-  /// first column beyond max_columns.
+  /// Adds the numbers of a message, logged at `time` [ns]. Throws TableError for invalid JSON and for more
+  /// than max_columns columns.
   void add(std::string_view message, std::uint64_t time);
-  /// Puts the columns into the table, the prefix before their names; times count from `begin` [ns].
+  /// Moves the columns into a table, with a prefix before their names; times are relative to `begin` [ns].
   void give(table::RecordTable& table, const std::string& prefix, std::uint64_t begin);
 
  private:

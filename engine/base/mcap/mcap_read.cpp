@@ -15,12 +15,12 @@ namespace stepwire::mcap {
 
 namespace {
 
-/// Goes through the records of one file.
+/// Reader of the records of one file.
 class Reading {
  public:
   explicit Reading(std::size_t file_size) : max_numbers_(table::max_unpacked(file_size) / sizeof(double)) {}
 
-  /// The records of a file up to the end of its data, or those of a chunk.
+  /// Reads the records of a file up to the end of its data, or those of a chunk.
   void read(std::string_view bytes, bool in_chunk) {
     Cursor records(bytes);
     while (!records.empty()) {
@@ -51,7 +51,7 @@ class Reading {
 
   void take_schema(Cursor& content) {
     const auto id = content.number<std::uint16_t>();
-    content.text();  // its name
+    content.text();  // name of the schema
     if (content.text() == "jsonschema")
       schemas_[id] = std::make_shared<const Units>(units_of(content.text()));
   }
@@ -64,9 +64,9 @@ class Reading {
 
   void take_message(Cursor& content) {
     const auto channel = channels_.find(content.number<std::uint16_t>());
-    content.number<std::uint32_t>();  // in which sequence it was sent
+    content.number<std::uint32_t>();  // sequence number
     const auto time = content.number<std::uint64_t>();
-    content.number<std::uint64_t>();  // when it was sent
+    content.number<std::uint64_t>();  // publish time
     begin_ = std::min(begin_, time);
     if (channel == channels_.end()) return;
     ChannelRows& rows = channel->second;
@@ -80,7 +80,7 @@ class Reading {
   }
 
   void take_chunk(Cursor& content) {
-    content.take(2 * sizeof(std::uint64_t) + sizeof(std::uint64_t));  // its times, and its size unpacked
+    content.take(2 * sizeof(std::uint64_t) + sizeof(std::uint64_t));  // start, end and uncompressed size
     const auto checksum = content.number<std::uint32_t>();
     if (const std::string_view packed = content.text(); !packed.empty())
       throw table::TableError(fmt::format("its messages are packed by '{}'; only those that are not are read", packed));

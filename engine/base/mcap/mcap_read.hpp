@@ -6,13 +6,14 @@
 
 namespace stepwire::mcap {
 
-/// The numbers of JSON messages in an MCAP file, a row for each message: a column for each member, "a.b" for
-/// those of objects in objects and "a.1" for those of lists, with the word `unit` of its schema. Of several
-/// channels with messages, each column has the topic before it: "run-1/cart.position". A channel whose
-/// messages have no member `time` gets it of their log time, in s from the first one of the file. Messages in
-/// other encodings are left out; a member that a message lacks, or has as null, is nan. Throws TableError, with
-/// the name of the file, for what is none, is damaged, packed, or has no JSON messages; EnvironmentError where
-/// it cannot be read.
+/// Reads the numbers of JSON messages in an MCAP file, one row for each message. A column is a member: "a.b"
+/// for one of a nested object, "a.1" for an element of a list. Its unit is the word `unit` of the schema. If
+/// several channels have messages, the topic precedes each column: "run-1/cart.position".
+///
+/// A channel without a member `time` gets one from its log times, in s since the first message of the file.
+/// Messages in other encodings are left out. A missing or null member is NaN. Throws TableError, with the
+/// name of the file, for another format, damage, compression, or no JSON messages. Throws EnvironmentError
+/// for an unreadable file.
 table::RecordTable read_mcap(const std::string& path);
 
 }  // namespace stepwire::mcap

@@ -25,7 +25,7 @@ std::uint32_t checksum(std::uint32_t before, std::string_view bytes) {
   return static_cast<std::uint32_t>(::crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-/// Times before the beginning, and none, are the beginning.
+/// Converts a time to nanoseconds; 0 for NaN and for times before 0.
 std::uint64_t nanoseconds(double seconds) {
   return seconds > 0.0 && seconds < 9e9 ? static_cast<std::uint64_t>(std::llround(seconds * 1e9)) : 0;
 }
@@ -43,7 +43,7 @@ struct Span {
   }
 };
 
-/// Messages that are written together, and where those of each channel lie in them.
+/// Messages that are written together, and the message index of each channel.
 struct Chunk {
   std::string records;
   Span span;
@@ -56,11 +56,11 @@ struct McapWriter::File {
   io::AtomicFileWriter writer;
   std::string title, path;
   std::uint64_t written = 0;   ///< [bytes]
-  std::uint32_t data_crc = 0;  ///< of them
+  std::uint32_t data_crc = 0;  ///< CRC of these bytes
   std::string schemas, channels, chunk_indexes, last_schema;
   Chunk chunk;
   Span span;
-  std::map<std::uint16_t, std::uint64_t> messages;  ///< by channel
+  std::map<std::uint16_t, std::uint64_t> messages;  ///< number of messages by channel
   std::uint32_t chunks = 0;
   std::uint16_t schema_count = 0;
 
@@ -179,8 +179,8 @@ struct McapWriter::File {
     append(content, all);
     append(content, schema_count);
     append(content, static_cast<std::uint32_t>(messages.size()));
-    append(content, std::uint32_t{0});  // attachments
-    append(content, std::uint32_t{0});  // metadata
+    append(content, std::uint32_t{0});  // number of attachments
+    append(content, std::uint32_t{0});  // number of metadata records
     append(content, chunks);
     span.put(content);
     append_sized(content, counts);
@@ -193,7 +193,7 @@ struct McapWriter::File {
     put(record(Kind::data_end, content));
   }
 
-  /// What readers look up first: all but the messages again, and where each kind lies.
+  /// Writes the summary section: all records but messages again, and the offset of each kind.
   void put_summary() {
     const std::uint64_t begin = written;
     std::string summary, offsets;
@@ -216,7 +216,7 @@ struct McapWriter::File {
     append(content, offsets);
     append(content, std::uint32_t{0});
     summary += record(Kind::footer, content);
-    summary.resize(summary.size() - sizeof(std::uint32_t));  // the checksum is of all before it
+    summary.resize(summary.size() - sizeof(std::uint32_t));  // the checksum covers all bytes before it
     append(summary, checksum(0, summary));
     put(summary);
     put(magic);

@@ -7,20 +7,20 @@
 
 namespace stepwire::mcap {
 
-/// Writes runs into an MCAP file, which appears whole under its name or not at all: each run is a channel of
-/// JSON messages, one for each row, logged at its time in ns. What a run sets is metadata of its channel. What
-/// is no finite number is null. The same runs give the same bytes. Methods throw EnvironmentError where the
-/// system refuses or there are more runs than channels can be (65,535).
+/// Writes runs into an MCAP file. The file appears under its name complete or not at all. Each run is a
+/// channel of JSON messages, one a row, logged at its time in ns. Values set by a run are metadata of its
+/// channel. Non-finite numbers become null. The same runs give the same bytes. Methods throw EnvironmentError
+/// where the system refuses or there are more runs than channel numbers (65,535).
 class McapWriter {
  public:
-  /// `title` is that of the schemas.
+  /// `title` is the title of the schemas.
   McapWriter(const std::string& path, const std::string& title);
   ~McapWriter();
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
   void add(const table::RunView& run);
-  /// Gives the file its name.
+  /// Closes the file and moves it to its name.
   void finish();
 
  private:

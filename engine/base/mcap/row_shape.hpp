@@ -9,18 +9,19 @@
 
 namespace stepwire::mcap {
 
-/// A row of a run as a JSON object. The parts of a name between points are objects in objects, so that viewers
-/// unfold them; but where `a` is a column, `a.b` is a member of that name. The run must outlive it.
+/// Layout of a row of a run as a JSON object. The dotted parts of a name become nested objects, so that
+/// viewers can unfold them. Where `a` itself is a column, `a.b` is a plain member of that name. The run must
+/// outlive the layout.
 class RowShape {
  public:
   explicit RowShape(const table::RunView& run);
 
-  /// The JSON schema of a row, with the units.
+  /// Returns the JSON schema of a row, with units.
   std::string schema(const std::string& title) const;
   void append_row(std::string& text, std::size_t row) const;
 
  private:
-  /// A member: of a column, or an object of others.
+  /// A member: a column, or an object with further members.
   struct Member {
     std::string key;
     const table::SeriesView* series = nullptr;
@@ -34,7 +35,7 @@ class RowShape {
 
   const table::RunView& run_;
   Member root_;
-  /// A row is these texts, each followed by the number of its column, and `end_`.
+  /// Precomputed text followed by the number of its column; a row is all pieces and `end_`.
   struct Piece {
     std::string text;
     const table::SeriesView* series;

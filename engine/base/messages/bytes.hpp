@@ -12,7 +12,8 @@ namespace stepwire::messages {
 
 static_assert(std::endian::native == std::endian::little);
 
-/// Numbers as they lie in memory (little-endian), texts and lists behind their length of 8 bytes.
+/// Serialises values: numbers as in memory (little-endian), texts and lists preceded by their length of 8
+/// bytes.
 class ByteWriter {
  public:
   template <class Number>
@@ -23,7 +24,7 @@ class ByteWriter {
     put<std::uint64_t>(text.size());
     bytes_ += text;
   }
-  /// Numbers whose count the reader knows.
+  /// Writes numbers without a length; the reader must know their count.
   void put(const std::vector<double>& numbers) {
     bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
   }
@@ -33,7 +34,8 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Reads what a ByteWriter has written; of too few bytes it gives zeros, and `whole()` is false from then on.
+/// Deserialises the bytes of a ByteWriter. If bytes are missing it returns zeros, and whole() is false from
+/// then on.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
@@ -59,7 +61,7 @@ class ByteReader {
     numbers.resize(count);
     copy(numbers.data(), count * sizeof(double));
   }
-  /// Reads a list whose elements take at least one byte each.
+  /// Reads a list whose elements have at least one byte each.
   template <class Element, class Get>
   void get_list(std::vector<Element>& list, const Get& get_one) {
     std::uint64_t size = 0;
@@ -86,7 +88,7 @@ class ByteReader {
   bool whole_ = true;
 };
 
-/// Writes or reads some parts, by the kind of stream: so each is named once.
+/// Writes or reads several values, depending on the kind of stream, so that each is listed only once.
 template <class Stream, class... Parts>
 void all(Stream& stream, Parts&... parts) {
   if constexpr (std::is_same_v<Stream, ByteWriter>)
@@ -95,7 +97,7 @@ void all(Stream& stream, Parts&... parts) {
     (stream.get(parts), ...);
 }
 
-/// The same for a list; `one` writes or reads an element.
+/// Writes or reads a list; `one` writes or reads an element.
 template <class Stream, class List, class One>
 void list(Stream& stream, List& elements, const One& one) {
   if constexpr (std::is_same_v<Stream, ByteWriter>) {
@@ -106,7 +108,7 @@ void list(Stream& stream, List& elements, const One& one) {
   }
 }
 
-/// The same for a list of numbers or texts.
+/// Writes or reads a list of numbers or texts.
 template <class Stream, class List>
 void plain_list(Stream& stream, List& elements) {
   list(stream, elements, [&](auto& element) { all(stream, element); });

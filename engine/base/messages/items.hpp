@@ -7,21 +7,21 @@
 
 namespace stepwire::messages {
 
-/// A piece of work that hangs on no other one.
+/// An independent piece of work.
 struct Item {
-  std::size_t number = 0;  ///< by which the call knows it again
-  std::string bytes{};     ///< what the work is done with
+  std::size_t number = 0;  ///< identifies it to the caller
+  std::string bytes{};     ///< input of the work
 };
 
-/// Does an item, and gives what came out of it. Throws Error where the item is refused.
+/// Function that processes an item and returns its result. Throws Error for an invalid item.
 using ItemWork = std::function<std::string(const Item&)>;
 
-/// Other processes that do items of one kind of work.
+/// Processes that work on items of one kind.
 class ItemWorkers {
  public:
   virtual ~ItemWorkers() = default;
-  /// What came out of each item, in their order. Throws EnvironmentError where some were lost with a process,
-  /// ProcessStopped where the user interrupted, and what a process threw.
+  /// Returns the results of the items, in their order. Throws EnvironmentError if a process was lost with its
+  /// items, ProcessStopped on an interruption, and rethrows the exceptions of the processes.
   virtual std::vector<std::string> run(const std::vector<Item>& items) = 0;
 };
 

@@ -8,43 +8,41 @@
 
 namespace stepwire::messages {
 
-/// A message of one process to another.
+/// A message received from another process.
 struct Message {
   int from = 0;
   std::string bytes;
 };
 
-/// A way to one other process. One thread at a time.
+/// Connection to one other process. Not thread-safe.
 class Connection {
  public:
   virtual ~Connection() = default;
-  /// Sends bytes, in their order. Throws EnvironmentError where the other process has gone.
+  /// Sends bytes; the order is preserved. Throws EnvironmentError where the other process has ended.
   virtual void send(std::string_view bytes) = 0;
-  /// The next bytes that came, which may take so long; nothing where none came. Throws EnvironmentError where
-  /// the other process has gone, and all that it has sent is read.
+  /// Returns the next message within the given time; std::nullopt after it. Throws EnvironmentError where the
+  /// other process has ended and all its messages have been read.
   virtual std::optional<std::string> receive(std::chrono::milliseconds wait) = 0;
 };
 
-/// Processes that one call has started on one machine or on several, numbered from 0. One thread at a time.
+/// Group of processes started by one call on one or several machines, numbered from 0. Not thread-safe.
 class Messages {
  public:
   virtual ~Messages() = default;
-  virtual int rank() const = 0;  ///< of this process
-  virtual int size() const = 0;  ///< of all
-  /// Sends bytes, in their order, and does not wait until they are read. Throws EnvironmentError.
+  virtual int rank() const = 0;  ///< number of this process
+  virtual int size() const = 0;  ///< number of processes
+  /// Sends bytes without waiting for the receiver; the order is preserved. Throws EnvironmentError.
   virtual void send(int to, std::string_view bytes) = 0;
-  /// The next message of any process, which may take so long; nothing where none came. Throws
+  /// Returns the next message of any process within the given time; std::nullopt after it. Throws
   /// EnvironmentError.
   virtual std::optional<Message> receive(std::chrono::milliseconds wait) = 0;
-  /// Waits until all processes come to this call.
+  /// Waits until all processes have called finish().
   virtual void finish() = 0;
-  /// Ends all processes at once, where some of them may have died; the call that started them ends with this
-  /// status.
+  /// Kills all processes at once where some of them may have died; the call ends with this status.
   [[noreturn]] virtual void abort(int status) = 0;
 };
 
-/// The processes of mpirun, by the module for MPI. Throws EnvironmentError where the program was built
-/// without it.
+/// Joins the processes of mpirun by the module for MPI. Throws EnvironmentError if that was not built.
 std::unique_ptr<Messages> open_mpi();
 
 }  // namespace stepwire::messages

@@ -7,8 +7,8 @@
 
 namespace stepwire::messages {
 
-/// The module stays loaded until the process ends; the parts of MPI, which it loads by themselves, look for
-/// its symbols among those of all.
+/// Loads the module for the rest of the process. RTLD_GLOBAL is needed because plugins of MPI search the
+/// global symbols.
 std::unique_ptr<Messages> open_mpi() {
   const std::string file = io::resource("mpi") + "/libstepwire_mpi.so";
   void* const module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL | RTLD_NODELETE);

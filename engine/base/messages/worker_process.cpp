@@ -29,7 +29,7 @@ namespace {
   throw io::EnvironmentError("the other process of this one has gone");
 }
 
-/// A socket of this machine, over which each message goes behind its length.
+/// A local socket; each message is preceded by its length.
 class LocalConnection : public Connection {
  public:
   explicit LocalConnection(io::Descriptor socket) : socket_(std::move(socket)) {}
@@ -73,7 +73,7 @@ class LocalConnection : public Connection {
     came_.append(piece.data(), static_cast<std::size_t>(count));
   }
 
-  /// A message that has come whole.
+  /// Returns a completely received message; std::nullopt if there is none.
   std::optional<std::string> take() {
     std::uint64_t size = 0;
     if (came_.size() - taken_ < sizeof(size)) return std::nullopt;
@@ -87,7 +87,7 @@ class LocalConnection : public Connection {
 
   io::Descriptor socket_;
   std::string came_;
-  std::size_t taken_ = 0;  ///< of these bytes
+  std::size_t taken_ = 0;  ///< number of consumed bytes
 };
 
 }  // namespace
@@ -96,14 +96,14 @@ WorkerProcess::WorkerProcess() {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) refuse(std::strerror(errno));
   io::Descriptor here(ends[0]), there(ends[1]);
-  std::fflush(nullptr);  // what waits there is written once
+  std::fflush(nullptr);  // otherwise both processes would write the buffered output
   const pid_t parent = ::getpid();
   process_ = ::fork();
   if (process_ < 0) refuse(std::strerror(errno));
   connection_ = std::make_unique<LocalConnection>(std::move(is_worker() ? there : here));
   if (!is_worker()) return;
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (::getppid() != parent) ::_exit(1);  // it has died meanwhile
+  if (::getppid() != parent) ::_exit(1);  // the parent died before prctl()
 }
 
 WorkerProcess::~WorkerProcess() {

@@ -10,29 +10,28 @@
 
 namespace stepwire::messages {
 
-/// A process beside this one that works for it, and may die without it. It ends with this one.
+/// A forked worker process. It may crash without this process, and ends with it.
 class WorkerProcess {
  public:
-  /// Makes the process out of this one, which must have a single thread: from here on both go on. Throws
-  /// EnvironmentError.
+  /// Forks this process, which must have a single thread; both continue from here. Throws EnvironmentError.
   WorkerProcess();
-  /// Ends the worker, where this is not it.
+  /// Kills the worker; has no effect in the worker itself.
   ~WorkerProcess();
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-  /// Is this the one that works?
+  /// True in the worker.
   bool is_worker() const { return process_ == 0; }
-  /// To the other one of the two.
+  /// Connection to the other process of the two.
   Connection& other() { return *connection_; }
   pid_t process() const { return process_; }
-  /// How the worker died: "signal 9"; nothing while it lives, and where it ended by itself.
+  /// Returns how the worker died, as "signal 9"; std::nullopt while it lives and after a normal exit.
   std::optional<std::string> death();
-  /// Ends the worker at once.
+  /// Kills the worker.
   void end();
 
  private:
-  pid_t process_ = -1;  ///< of the worker; 0 in it, -1 once it has ended
+  pid_t process_ = -1;  ///< of the worker; 0 in it, -1 after its end
   std::unique_ptr<Connection> connection_;
 };
 

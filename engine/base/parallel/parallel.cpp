@@ -12,7 +12,7 @@ std::vector<std::jthread> begin_threads(std::size_t wanted, const std::function<
   std::vector<std::jthread> threads;
   try {
     while (threads.size() + 1 < wanted) threads.emplace_back(work);
-  } catch (const std::system_error&) {  // the system gives no more: those that are there do the work
+  } catch (const std::system_error&) {  // the system refuses more threads: the existing ones do the work
   }
   return threads;
 }

@@ -7,16 +7,16 @@
 
 namespace stepwire::parallel {
 
-/// Begins threads that work beside the calling one, so that there are `wanted` with it; fewer where the
-/// system gives no more.
+/// Starts threads that run `work` beside the calling one, up to the given total with it. Starts fewer where
+/// the system refuses.
 std::vector<std::jthread> begin_threads(std::size_t wanted, const std::function<void()>& work);
 
-/// Does the work on so many threads at once (0: one for each core). What it throws is thrown again. `begun` is
-/// called with the number of threads that the system has given, on the calling one, before that works as well.
+/// Runs `work` on several threads at once (0: one for each core) and rethrows its exceptions. Calls `begun`
+/// on the calling thread with the number of started threads, before that thread works as well.
 void on_threads(unsigned threads, const std::function<void()>& work,
                 const std::function<void(std::size_t)>& begun = {});
 
-/// Does task(0) to task(count - 1), on so many threads (0: all cores). What a task throws is thrown again.
+/// Runs task(0) to task(count - 1) on several threads (0: all cores) and rethrows their exceptions.
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task);
 
 }  // namespace stepwire::parallel

@@ -7,7 +7,7 @@
 
 namespace stepwire::sampling {
 
-// By hand, since Eigen's order of operations is that of the machine for which it is compiled.
+// Written by hand: Eigen orders its operations by the target machine, which would change bits.
 std::optional<Eigen::MatrixXd> correlation_factor(const Eigen::MatrixXd& correlations) {
   const Eigen::Index n = correlations.rows();
   Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(n, n);
@@ -28,7 +28,7 @@ void correlate(Points& points, const Eigen::MatrixXd& factor) {
     for (std::size_t d = 0; d < dimensions; ++d) scores[d] = normal_quantile(points[d][i]);
     for (std::size_t d = 0; d < dimensions; ++d) {
       const auto row = static_cast<Eigen::Index>(d);
-      if (factor(row, row) == 1.0) continue;  // goes with none before it, and stays as it is
+      if (factor(row, row) == 1.0) continue;  // uncorrelated with all earlier ones; stays unchanged
       double score = 0.0;
       for (std::size_t k = 0; k <= d; ++k) score += factor(row, static_cast<Eigen::Index>(k)) * scores[k];
       points[d][i] = std::clamp(normal_probability(score), 0x1.0p-53, 1.0 - 0x1.0p-53);

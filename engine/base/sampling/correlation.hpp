@@ -7,11 +7,11 @@
 
 namespace stepwire::sampling {
 
-/// The lower triangular factor of a matrix of correlations; nothing where it is not positive definite.
+/// Returns the lower Cholesky factor of a correlation matrix; std::nullopt if that is not positive definite.
 std::optional<Eigen::MatrixXd> correlation_factor(const Eigen::MatrixXd& correlations);
 
-/// Correlates dimensions of points by a Gaussian copula: the normal scores of the points, multiplied by the
-/// factor, have these correlations. Each dimension alone stays evenly distributed.
+/// Correlates the dimensions of points by a Gaussian copula. The normal scores of the points, multiplied by
+/// the factor, have these correlations. Each dimension alone stays uniform.
 void correlate(Points& points, const Eigen::MatrixXd& factor);
 
 }  // namespace stepwire::sampling

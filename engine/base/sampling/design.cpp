@@ -16,7 +16,7 @@ void lay_out_randomly(std::vector<double>& numbers, std::int64_t seed, std::size
     numbers[i] = even_sample(seed, static_cast<std::ptrdiff_t>(dimension), static_cast<double>(i));
 }
 
-/// Layers in random order (Fisher and Yates), and a random place inside of each.
+/// Fills `numbers` with one random point in each layer, in random order (Fisher-Yates).
 void lay_out_in_layers(std::vector<double>& numbers, std::int64_t seed, std::size_t dimension) {
   std::vector<std::size_t> layers(numbers.size());
   std::iota(layers.begin(), layers.end(), std::size_t{0});

@@ -16,7 +16,7 @@ double triangular(const std::array<double, 3>& corners, double share) {
                       : high - std::sqrt((1.0 - share) * width * (high - mode));
 }
 
-/// With the standard deviation s of the logarithm the coefficient of variation is sqrt(exp(s^2) - 1).
+/// With the standard deviation s of the logarithm, the coefficient of variation is sqrt(exp(s^2) - 1).
 double lognormal(double median, double variation, double share) {
   const double deviation = std::sqrt(portable_log(1.0 + variation * variation));
   return median * portable_exp(deviation * normal_quantile(share));

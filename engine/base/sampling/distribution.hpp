@@ -6,22 +6,21 @@
 
 namespace stepwire::sampling {
 
-/// How a number is spread. All distributions but that of words are continuous; what they have is listed in
-/// the order of `numbers`.
+/// Probability distribution of a number. The order of `numbers` is listed with each kind. All kinds but
+/// `words` are continuous.
 struct Distribution {
   enum class Kind {
     uniform,     ///< low, high
     normal,      ///< mean, standard deviation
     lognormal,   ///< median, coefficient of variation: standard deviation over mean
     triangular,  ///< low, mode, high
-    words        ///< index of a word, by `weights`
+    words        ///< index of a word, drawn by `weights`
   };
   Kind kind = Kind::uniform;
   std::array<double, 3> numbers{};
-  std::vector<double> weights{};  ///< of words, each above 0; their sum counts as 1
+  std::vector<double> weights{};  ///< of words, each above 0; normalised by their sum
 
-  /// The number that a share of all samples stays below; the share is in (0, 1). The same bits on every
-  /// machine.
+  /// Returns the quantile of a probability in (0, 1), with the same bits on every machine.
   double quantile(double share) const;
 };
 

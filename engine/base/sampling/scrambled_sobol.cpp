@@ -12,7 +12,7 @@ namespace {
 
 constexpr int digits = 64;
 
-/// A random lower triangular matrix of binary digits, first digit highest, and a shift.
+/// Random lower triangular binary matrix, highest digit first, and a digital shift.
 class Scramble {
  public:
   Scramble(std::int64_t seed, std::size_t dimension) {
@@ -55,7 +55,7 @@ void lay_out_sobol(Points& points, std::int64_t seed) {
   boost::random::sobol_engine<std::uint64_t, digits> sobol(points.size());
   for (std::size_t i = 0; i < points.front().size(); ++i)
     for (std::size_t dimension = 0; dimension < points.size(); ++dimension) {
-      const std::uint64_t bits = i == 0 ? 0 : sobol();  // that library leaves out the first point
+      const std::uint64_t bits = i == 0 ? 0 : sobol();  // Boost's sequence omits the origin
       points[dimension][i] = to_unit_interval(scrambles[dimension](bits));
     }
 }

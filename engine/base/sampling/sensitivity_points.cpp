@@ -23,7 +23,7 @@ Points saltelli_points(const Design& design, std::size_t dimensions) {
 
 namespace {
 
-/// Draws the steps of one way.
+/// Generator of the random choices of one trajectory.
 class Way {
  public:
   Way(std::int64_t seed, std::size_t sample) : seed_(random_bits(static_cast<std::uint64_t>(seed), sample)) {}

@@ -4,12 +4,12 @@
 
 namespace stepwire::sampling {
 
-/// The points for indices of Sobol (Saltelli and others: Variance based sensitivity analysis of model output,
-/// Computer Physics Communications 181, 2010).
+/// Returns the points for Sobol indices (Saltelli and others: Variance based sensitivity analysis of model
+/// output, Computer Physics Communications 181, 2010).
 Points saltelli_points(const Design& design, std::size_t dimensions);
 
-/// The points for the screening of Morris (Factorial sampling plans for preliminary computational
-/// experiments, Technometrics 33, 1991), on four places of each dimension: 1/8, 3/8, 5/8 and 7/8.
+/// Returns the points for Morris screening (Factorial sampling plans for preliminary computational
+/// experiments, Technometrics 33, 1991). Each dimension has the four levels 1/8, 3/8, 5/8 and 7/8.
 Points morris_points(const Design& design, std::size_t dimensions);
 
 }  // namespace stepwire::sampling

@@ -18,14 +18,14 @@ namespace stepwire::subprocess {
 
 namespace {
 
-/// Two ends of a connection. A socket rather than a pipe, since a write to it need not raise SIGPIPE.
+/// Makes a connected pair of sockets. A socket can be written without raising SIGPIPE, unlike a pipe.
 std::array<io::Descriptor, 2> connection() {
   std::array<int, 2> ends{-1, -1};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) ends = {-1, -1};
   return {io::Descriptor(ends[0]), io::Descriptor(ends[1])};
 }
 
-/// Words as the system takes them; they live as long as the strings.
+/// Returns an argv array that points into `words`.
 std::vector<char*> pointers(std::vector<std::string>& words) {
   std::vector<char*> result;
   for (std::string& word : words) result.push_back(word.data());
@@ -33,7 +33,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return result;
 }
 
-/// The environment of this process, with another folder for temporary files.
+/// Returns the environment of this process with TMPDIR set to another folder.
 std::vector<std::string> environment_with(const std::string& scratch) {
   std::vector<std::string> result;
   for (char** variable = environ; *variable; ++variable) {
@@ -44,8 +44,8 @@ std::vector<std::string> environment_with(const std::string& scratch) {
   return result;
 }
 
-/// A group, 0 for one of its own, and signals as a new program finds them, whatever this one does with them. A
-/// file that may not grow stays an error with a reason, as a full disk is.
+/// Spawn attributes: the process group (0 for a new one) and default signal handling. SIGXFSZ is ignored, so
+/// that exceeding a file size limit is an error with a reason, as a full disk is.
 class Attributes {
  public:
   explicit Attributes(pid_t group) {
@@ -66,7 +66,7 @@ class Attributes {
   posix_spawnattr_t value;
 };
 
-/// A program in a group; -1 where it cannot be run.
+/// Starts a program in a group; -1 on failure.
 pid_t spawn(std::vector<std::string> command, const std::string& scratch, const std::array<int, 3>& streams,
             pid_t group) {
   posix_spawn_file_actions_t actions;
@@ -82,8 +82,8 @@ pid_t spawn(std::vector<std::string> command, const std::string& scratch, const 
   return status == 0 ? id : -1;
 }
 
-/// The guard of a group waits for the end of a connection. SIGTERM comes first, since SIGKILL ends the guard,
-/// too.
+/// The guard waits for the end of a connection and then ends its group. It sends SIGTERM first, since SIGKILL
+/// ends the guard as well.
 constexpr const char* guard_script =
     "read -r _ || { trap '' TERM; kill -TERM 0; rm -rf -- \"$1\"; kill -KILL 0; }";
 
@@ -131,14 +131,14 @@ bool Child::ended() const {
 
 void Child::end_group() {
   ::kill(-guard_, SIGKILL);
-  io::forget_group(guard_);  // before another process may get its number
+  io::forget_group(guard_);  // before the system reuses the number
   int status = 0;
   await(guard_, status);
 }
 
 int Child::end() {
   if (!alive()) return 0;
-  ::kill(-guard_, SIGKILL);  // before its status is taken, while the guard keeps the number of the group
+  ::kill(-guard_, SIGKILL);  // before waitpid(), while the guard still holds the group number
   int status = 0;
   await(id_, status);
   end_group();

@@ -27,19 +27,19 @@ void close_all_but(std::vector<int> kept) {
   ::close_range(first, ~0u, 0);
 }
 
-/// Ends this process by a signal when the other one closes its end of a pipe, which its own end does as well.
-/// Unlike PR_SET_PDEATHSIG this follows the process, not the thread that has made this one.
+/// Requests SIGKILL when the other process closes its end of a pipe, which its exit does as well.
+/// PR_SET_PDEATHSIG would follow the creating thread instead of the process.
 void end_with(int other) {
   ::fcntl(other, F_SETOWN, ::getpid());
   ::fcntl(other, F_SETSIG, SIGKILL);
   ::fcntl(other, F_SETFL, O_ASYNC);
   pollfd look{other, 0, 0};
-  if (::poll(&look, 1, 0) > 0) ::_exit(1);  // it has ended meanwhile
+  if (::poll(&look, 1, 0) > 0) ::_exit(1);  // the other process has already ended
 }
 
 void leave_other_process(const std::vector<int>& kept) {
-  ::setpgid(0, 0);  // processes of foreign code end with this one
-  // Foreign code may exit: what the other process has registered for its own exit is not called.
+  ::setpgid(0, 0);  // a new group, so that processes of foreign code can be killed with this one
+  // Skips the exit handlers of the parent if foreign code calls exit().
   ::on_exit([](int status, void*) { ::_exit(status); }, nullptr);
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGPIPE, SIGXFSZ})
     std::signal(signal, SIG_DFL);
@@ -62,7 +62,7 @@ Fork::Fork(const std::function<void()>& work, std::vector<int> kept) {
   std::unique_lock lock(loader_mutex());
   id_ = ::fork();
   lock.unlock();
-  if (id_ > 0) ::setpgid(id_, id_);  // here, too, since either may come first
+  if (id_ > 0) ::setpgid(id_, id_);  // in both processes, since either may run first
   if (id_ != 0) return;
   kept.push_back(there.number());
   leave_other_process(kept);
@@ -84,11 +84,12 @@ void Fork::wait() {
   while (!ended_) look(0);
 }
 
-/// The group still has the number of the process when its other processes are ended.
+/// Checks or waits for the end. It kills the group before it reaps the process, while the group number is
+/// still valid.
 void Fork::look(int how) {
   siginfo_t info{};
   if (::waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOWAIT | how) != 0) {
-    ended_ = errno == ECHILD;  // who ignores SIGCHLD has no status
+    ended_ = errno == ECHILD;  // no status is available where SIGCHLD is ignored
     return;
   }
   if (info.si_pid != id_) return;

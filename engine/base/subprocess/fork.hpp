@@ -11,34 +11,33 @@
 
 namespace stepwire::subprocess {
 
-/// Held while a library is loaded or unloaded: a copy of the process that was made meanwhile would find the
-/// loader's own lock taken for ever.
+/// Mutex to hold during dlopen() and dlclose(): a fork in between would inherit the loader's own lock and
+/// block for ever.
 std::mutex& loader_mutex();
 
-/// A copy of this process in which one function runs. Signals have their usual meaning in it, but the
-/// terminal does not interrupt it: whoever made it ends it, also by ending itself in whatever way. Processes
-/// that it makes end when it has ended. Of the
-/// files and sockets of this process it sees the three streams and those that are kept.
+/// A forked copy of this process that runs one function. Signals have default handling in it, but terminal
+/// interrupts are ignored: its owner ends it, also by exiting in whatever way. Processes that it starts are
+/// killed after it. Of the open files and sockets it keeps the three standard streams and those in `kept`.
 class Fork {
  public:
   Fork() = default;
-  /// Begins it; started() is false where the system gives no process. A copy ends with status 0 behind the
-  /// function, which does not throw.
+  /// Forks; started() is false where the system refuses. The copy exits with status 0 after the function,
+  /// which must not throw.
   Fork(const std::function<void()>& work, std::vector<int> kept);
-  /// Ends it.
+  /// Kills it.
   ~Fork();
   Fork(const Fork&) = delete;
   Fork& operator=(const Fork&) = delete;
 
   bool started() const { return id_ > 0; }
-  /// Has it ended by itself?
+  /// True once it has ended.
   bool has_ended();
-  /// Waits for it.
+  /// Waits for its end.
   void wait();
-  /// Ends it, and waits for it.
+  /// Kills it and waits for its end.
   void end();
-  /// What is known of it once it has ended: its status, 0 where a signal has ended it; whether it did what it
-  /// was made for; and "was ended by signal 11 (Segmentation fault)" or "has ended itself with status 1".
+  /// Result after the end. status() is 0 after a signal; succeeded() is true for exit status 0. ending() is
+  /// text: "was ended by signal 11 (Segmentation fault)" or "has ended itself with status 1".
   bool ended() const { return ended_; }
   int status() const;
   bool succeeded() const { return status_ == 0; }
@@ -48,7 +47,7 @@ class Fork {
   void look(int how);
 
   pid_t id_ = -1;
-  io::Descriptor life_{};  ///< open as long as the process of this object lives
+  io::Descriptor life_{};  ///< open for the lifetime of the parent
   int status_ = 0;
   bool ended_ = false;
 };

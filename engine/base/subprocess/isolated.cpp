@@ -22,9 +22,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int milliseconds_per_look = 20;
-constexpr int out_of_memory = 117, has_thrown = 118;  // statuses that mean this
+constexpr int out_of_memory = 117, has_thrown = 118;  // exit statuses with this meaning
 
-/// Pages that this process has addresses for, in bytes; 0 where the system does not say.
+/// Returns the address space of this process in bytes; 0 if unknown.
 rlim_t addressed_bytes() {
   rlim_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -44,7 +44,7 @@ void close_streams() {
   if (nothing > 2) ::close(nothing);
 }
 
-/// In the process of its own.
+/// Runs the function in the child process with all limits set.
 void work(const std::function<void(int)>& function, int output, std::size_t memory) {
   close_streams();
   bound(RLIMIT_CORE, 0);
@@ -59,14 +59,15 @@ void work(const std::function<void(int)>& function, int output, std::size_t memo
   }
 }
 
-/// Two ends of a pipe: the second one is held by the other process, whose end closes it.
+/// Makes a pipe whose second end the child holds; the end of the child closes it.
 std::array<io::Descriptor, 2> sign_of_life() {
   std::array<int, 2> ends{-1, -1};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw IsolationError("gets no pipe from the system");
   return {io::Descriptor(ends[0]), io::Descriptor(ends[1])};
 }
 
-/// The sign ends the wait at once; where yet another process holds it, a look at the process does.
+/// Waits for the end of the child. A closed pipe ends the wait at once; where a grandchild still holds it,
+/// polling detects the end.
 void await_end(Fork& fork, int sign, std::chrono::milliseconds limit) {
   const Clock::time_point end = Clock::now() + limit;
   pollfd wait{sign, 0, 0};

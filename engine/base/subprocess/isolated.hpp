@@ -9,24 +9,24 @@
 
 namespace stepwire::subprocess {
 
-/// What bounds a function in a process of its own.
+/// Limits of a function in a process of its own.
 struct IsolationBounds {
-  std::chrono::milliseconds limit;  ///< after which it is ended
-  std::size_t memory;               ///< [bytes] that it may take beyond those of this process
+  std::chrono::milliseconds limit;  ///< time after which it is killed
+  std::size_t memory;               ///< [bytes] beyond the memory of this process
 };
 
-/// Why there is no result of a function in a process of its own, in one sentence that begins with a verb:
-/// "was ended by signal 11 (Segmentation fault)".
+/// Thrown where an isolated function has no result. The text is one sentence that begins with a verb: "was
+/// ended by signal 11 (Segmentation fault)".
 class IsolationError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Calls a function in a process of its own, for what foreign code may do to memory. It prints nothing, and
-/// all that comes back is what it writes to `output`: a file in memory, which this returns from its
-/// beginning. The function holds the locks that this thread holds, and waits for no other thread: there is
-/// none. Throws IsolationError where it crashes, throws, or passes its bounds, ProcessStopped where an
-/// interruption ends it.
+/// Runs a function in a process of its own, as a protection against foreign code that corrupts memory. Its
+/// prints are discarded. It writes its result to `output`, a file in memory that this function returns,
+/// rewound. The function inherits the locks of the calling thread and must not wait for other threads: none
+/// exist. Throws IsolationError where it crashes, throws or exceeds its limits, and ProcessStopped on an
+/// interruption.
 io::Descriptor call_isolated(const std::function<void(int output)>& function, const IsolationBounds& bounds);
 
 }  // namespace stepwire::subprocess

@@ -26,7 +26,7 @@ using End = ProcessResult::End;
 constexpr int milliseconds_between_looks = 20;
 constexpr std::size_t max_errors = 1u << 16u;
 
-/// Writes some of a text that a program reads; closes its side at the end, or when the program has gone.
+/// Writes a part of a program's input; closes the stream at the end, or when the program has gone.
 void send_some(io::Descriptor& to, std::string_view& rest) {
   const ssize_t count = ::send(to.number(), rest.data(), rest.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
   if (count > 0) rest.remove_prefix(static_cast<std::size_t>(count));
@@ -34,7 +34,7 @@ void send_some(io::Descriptor& to, std::string_view& rest) {
   if (rest.empty() || gone) to.close();
 }
 
-/// Reads what is there, of which `most` bytes are kept; false if there was nothing.
+/// Reads available bytes, of which `most` are kept; false if there were none.
 bool receive(io::Descriptor& from, std::string& text, std::size_t most) {
   std::array<char, 1 << 16> buffer;
   const ssize_t count = ::recv(from.number(), buffer.data(), buffer.size(), MSG_DONTWAIT);
@@ -47,7 +47,7 @@ bool receive(io::Descriptor& from, std::string& text, std::size_t most) {
   return true;
 }
 
-/// Talks with a program until it ends or is to be ended.
+/// Exchange of the streams with a program until it ends or has to be killed.
 class Conversation {
  public:
   Conversation(Child& child, const ProcessCall& call, ProcessResult& result)
@@ -68,13 +68,13 @@ class Conversation {
   }
 
  private:
-  /// Writes and reads as either side is ready, so that neither waits for the other for ever.
+  /// Writes and reads whichever stream is ready, so that neither side waits for ever.
   void exchange() {
     if (rest_.empty()) child_.input.close();
     std::array<pollfd, 3> waits{{{child_.input.number(), POLLOUT, 0},
                                  {child_.output.number(), POLLIN, 0},
                                  {child_.errors.number(), POLLIN, 0}}};
-    // Who has closed its streams and goes on is looked at soon: most are about to end.
+    // A program that has closed its streams is polled often: most such programs are about to end.
     const bool silent = !child_.output.open() && !child_.errors.open();
     if (::poll(waits.data(), waits.size(), silent ? 1 : milliseconds_between_looks) <= 0) return;
     if (child_.input.open() && waits[0].revents != 0) send_some(child_.input, rest_);
@@ -83,7 +83,8 @@ class Conversation {
     if (child_.errors.open() && waits[2].revents != 0) receive(child_.errors, result_.errors, max_errors);
   }
 
-  /// The program has ended; what it began may still hold its streams, and is not waited for.
+  /// Reads the remaining output of a program that has ended. Its child processes may still hold the streams
+  /// and are not waited for.
   End finish() {
     while (child_.output.open() && receive(child_.output, result_.output, call_.max_output + 1)) {
     }

@@ -9,51 +9,51 @@
 
 namespace stepwire::subprocess {
 
-/// A program to be run, and what bounds it.
+/// A program to run, with its limits.
 struct ProcessCall {
-  std::vector<std::string> command;    ///< the program, looked for on the PATH, and its arguments
-  std::string input{};                 ///< what it reads from its standard input
-  std::stop_token stop{};              ///< ends it
-  std::chrono::milliseconds limit{0};  ///< after which it is ended; 0: usual_limit()
-  std::size_t max_output = 1u << 30u;  ///< [bytes] beyond which it is ended
+  std::vector<std::string> command;    ///< the program, searched on the PATH, and its arguments
+  std::string input{};                 ///< for its standard input
+  std::stop_token stop{};              ///< kills it on request
+  std::chrono::milliseconds limit{0};  ///< time after which it is killed; 0: usual_limit()
+  std::size_t max_output = 1u << 30u;  ///< [bytes] beyond which it is killed
 };
 
-/// What became of a program.
+/// Outcome of running a program.
 struct ProcessResult {
   enum class End { exited, killed, stopped, overdue, too_much, not_started };
 
   End end = End::not_started;
-  int status = -1;             ///< its exit status, where it ended by itself
-  std::string output, errors;  ///< what it wrote; of its standard error the first 64 kB
+  int status = -1;             ///< exit status after a normal exit
+  std::string output, errors;  ///< its output; of standard error the first 64 kB
 
   bool succeeded() const { return end == End::exited && status == 0; }
-  /// In one sentence why it did not succeed; what it complained of comes first.
+  /// Returns one sentence why it failed, beginning with its own error message.
   std::string problem(const std::string& name) const;
 };
 
-/// An interruption has ended a program that somebody waited for.
+/// Thrown where an interruption has ended a program that was waited for.
 class ProcessStopped : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The full path of a program on the PATH, or empty.
+/// Returns the full path of a program on the PATH; empty if it is missing.
 std::string find_program(const std::string& name);
 
-/// How long a program may take that draws: a minute, or $STEPWIRE_HELPER_LIMIT [s].
+/// Returns the time limit of helper programs such as gnuplot: a minute, or $STEPWIRE_HELPER_LIMIT [s].
 std::chrono::milliseconds usual_limit();
-/// The same for a compiler: five minutes, or that.
+/// Returns the time limit of compilers: five minutes, or $STEPWIRE_HELPER_LIMIT [s].
 std::chrono::milliseconds compiler_limit();
 
-/// While this is true every program that runs is ended and none is begun; an interruption sets it.
+/// Flag that kills every running program and prevents new ones; an interruption sets it.
 std::atomic<bool>& processes_stop();
 
-/// Runs a program and waits for it. It has a process group and a folder for temporary files of its own: when
-/// it ends, by itself or not, the processes that it began end as well, and its files go.
+/// Runs a program and waits for it. It has its own process group and temporary folder. At its end, normal or
+/// not, the processes that it started are killed and its temporary files removed.
 ProcessResult run_process(const ProcessCall& call);
 
-/// The same, which has to succeed: throws ProcessStopped where it is stopped, and EnvironmentError with the
-/// problem otherwise. `name` is what users call it.
+/// Runs a program that has to succeed. Throws ProcessStopped on an interruption, and EnvironmentError with
+/// the problem otherwise. `name` is the program's name for users.
 ProcessResult run_helper(const std::string& name, const ProcessCall& call);
 
 }  // namespace stepwire::subprocess

@@ -24,7 +24,7 @@ std::string temporary_folder() {
   return given && *given ? given : "/tmp";
 }
 
-/// A folder of this user; closed where a link or another user has the name.
+/// Opens a folder of this user; a closed descriptor if the name is a link or another user's.
 io::Descriptor own_folder(const std::string& path) {
   io::Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   struct stat status {};
@@ -37,7 +37,7 @@ bool lock(const io::Descriptor& folder) {
   return ::flock(folder.number(), LOCK_EX | LOCK_NB) == 0;
 }
 
-/// True where it is the folder of this path: another process may have removed that before it was locked.
+/// True where the folder still has this path: another process may have removed it before it was locked.
 bool is_at(const io::Descriptor& folder, const std::string& path) {
   struct stat here {
   }, there{};
@@ -52,7 +52,7 @@ ScratchFolder::ScratchFolder() {
     std::string path = temporary_folder() + "/" + beginning + "XXXXXX";
     if (!::mkdtemp(path.data())) return;
     lock_ = own_folder(path);
-    const bool taken = !lock(lock_) && errno == EWOULDBLOCK;  // not all file systems lock
+    const bool taken = !lock(lock_) && errno == EWOULDBLOCK;  // some file systems do not lock
     if (!taken && is_at(lock_, path)) path_ = path;
   }
   if (!path_.empty()) leftover_.emplace(path_, true);

@@ -8,8 +8,8 @@
 
 namespace stepwire::subprocess {
 
-/// A folder for temporary files; it goes with all that is in it. Its path is empty where none could be made.
-/// It is locked while it is in use, so that another process sees whether its owner still lives.
+/// Folder for temporary files, removed with all its content. Its path is empty if none could be created. It
+/// is locked during its lifetime, so that other processes can detect whether its owner still lives.
 class ScratchFolder {
  public:
   ScratchFolder();
@@ -25,7 +25,7 @@ class ScratchFolder {
   std::optional<io::Leftover> leftover_;
 };
 
-/// Removes the scratch folders of this user whose processes were killed.
+/// Removes the scratch folders of this user that killed processes left.
 void remove_abandoned_folders();
 
 }  // namespace stepwire::subprocess

@@ -8,7 +8,8 @@
 namespace stepwire::table {
 namespace {
 
-/// Would a spreadsheet compute this, or this without an apostrophe in front of it? Numbers are what they are.
+/// True for a word that a spreadsheet takes for a formula, with or without a leading apostrophe; numbers are
+/// exempt.
 bool begins_formula(const std::string& word) {
   const std::size_t start = std::min(word.find_first_not_of('\''), word.size());
   if (start == word.size() || std::string_view("=+-@\t\r").find(word[start]) == std::string_view::npos)
@@ -16,7 +17,7 @@ bool begins_formula(const std::string& word) {
   return start > 0 || !csv_number(word);
 }
 
-/// Of a number that fills the whole text.
+/// Parses a number that fills the whole text.
 std::errc read_number(std::string_view text, double& value) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const char* const end = text.data() + text.size();

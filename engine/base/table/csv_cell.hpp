@@ -6,18 +6,19 @@
 
 namespace stepwire::table {
 
-/// A number that fills the whole text; nothing for what is too large or too small to be a double.
+/// Parses a number that fills the whole text. Returns std::nullopt for other texts and for numbers out of the
+/// range of a double.
 std::optional<double> csv_number(std::string_view text);
 
-/// Why a text is none: "is no number", or that it is too large or too small for one.
+/// Returns the reason why csv_number() fails: "is no number", or too large or too small.
 std::string csv_number_problem(const std::string& text);
 
-/// A word as it stands in a cell: one that a spreadsheet would take for a formula, since it begins with = + -
-/// @ or a control character and is no number, has an apostrophe in front of it, and so has one that begins
-/// with apostrophes and goes on like that.
+/// Encodes a word for a cell. A word that a spreadsheet takes for a formula gets an apostrophe in front: it
+/// begins with = + - @ or a control character and is not a number. So does a word that already begins with
+/// apostrophes followed by such a text.
 std::string csv_cell(const std::string& word);
 
-/// The word of such a cell.
+/// Decodes the word of a cell; the inverse of csv_cell().
 std::string csv_word(const std::string& cell);
 
 }  // namespace stepwire::table

@@ -55,7 +55,7 @@ bool CsvLines::only_blanks_left() {
   return next_text_ == end_;
 }
 
-/// Stops at the separator or the end of the line.
+/// Reads a field up to the separator or the end of the line.
 std::string CsvLines::field() {
   skip_blanks();
   if (at_ != end_ && *at_ == '"') return quoted_field();

@@ -11,10 +11,10 @@
 
 namespace stepwire::table {
 
-/// A cursor over the fields of a CSV text, with the line for messages. A separator ' ' is a run of blanks.
+/// Cursor over the fields of a CSV text that tracks the line number. A separator ' ' matches a run of blanks.
 class CsvLines {
  public:
-  /// A place to return to.
+  /// A position to return to.
   struct Place {
     const char* at;
     std::size_t line;
@@ -23,7 +23,7 @@ class CsvLines {
   CsvLines(const std::string& path, std::string_view text)
       : path_(path), at_(text.data()), end_(at_ + text.size()) {}
 
-  /// Throws TableError: "press.csv:17: MESSAGE".
+  /// Throws TableError "press.csv:17: MESSAGE".
   [[noreturn]] void fail(const std::string& message) const;
 
   std::size_t line() const { return line_; }
@@ -36,8 +36,8 @@ class CsvLines {
 
   char separator() const { return separator_; }
   void separate_by(char separator) { separator_ = separator; }
-  /// Tab, semicolon or comma: the first of these that this line has outside of quotes; comma where it has
-  /// none.
+  /// Returns the first of tab, semicolon and comma that occurs in this line outside of quotes; a comma if
+  /// none does.
   char separator_of_line() const;
 
   bool at_end() const { return at_ == end_; }
@@ -49,14 +49,14 @@ class CsvLines {
   bool at_comment() const { return at("#"); }
   void skip_line();
   void skip_line_end();
-  /// True where no more fields follow. Blank lines are looked at once, however many follow each other.
+  /// True where no more fields follow. A run of blank lines is scanned only once.
   bool only_blanks_left();
 
-  /// All fields up to the end of the line, without blanks around them and without quotes.
+  /// Returns all fields up to the end of the line, without surrounding blanks and quotes.
   std::vector<std::string> fields();
 
-  /// Reads nearly every field: plain digits up to the separator. Empty for others; the cursor then is
-  /// anywhere in the field.
+  /// Parses the common case of a field, plain digits up to the separator. Returns std::nullopt for other
+  /// fields and leaves the cursor inside of the field.
   std::optional<double> quick_number() {
     skip_blanks();
     double value = 0.0;
@@ -81,16 +81,16 @@ class CsvLines {
   const std::string& path_;
   const char* at_;
   const char* end_;
-  const char* blanks_from_ = nullptr;  ///< where blanks and empty lines were looked at
-  const char* next_text_ = nullptr;    ///< behind these
+  const char* blanks_from_ = nullptr;  ///< start of the last scanned run of blanks and empty lines
+  const char* next_text_ = nullptr;    ///< end of that run
   char separator_ = ',';
   std::size_t line_ = 1;
 };
 
-/// Throws TableError where a header is a row of numbers.
+/// Throws TableError for a header that is a row of numbers.
 void require_csv_names(const std::vector<std::string>& titles, const CsvLines& lines);
 
-/// A text for a message, whatever the file holds; cut off where it is long.
+/// Returns a text of the file in printable form for a message, truncated if it is long.
 std::string csv_shown(const std::string& text);
 
 }  // namespace stepwire::table

@@ -6,9 +6,9 @@
 
 namespace stepwire::table {
 
-/// The words of one column, each with its number.
+/// Assigns the numbers 0, 1, ... to the words of one column.
 struct CsvNumbering {
-  std::vector<std::string>* texts = nullptr;  ///< nullptr where the column holds numbers
+  std::vector<std::string>* texts = nullptr;  ///< nullptr for a column of numbers
   std::unordered_map<std::string, double> numbers{};
 
   double operator()(const std::string& text) {

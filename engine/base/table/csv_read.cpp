@@ -12,8 +12,8 @@
 namespace stepwire::table {
 namespace {
 
-/// A CSV file whose fields are numbers, or words in the columns that are given as such. Files as other
-/// programs leave them have a reader of their own.
+/// Reader of CSV files with numbers, and words in the given columns. Files of other programs are read by
+/// base/csv.
 class Csv {
  public:
   Csv(const std::string& path, std::string_view text, ColumnWords& words)
@@ -64,7 +64,7 @@ class Csv {
     lines_.skip_line_end();
   }
 
-  /// Reads words, quoted numbers, a plus sign, or the reason why a row cannot be read.
+  /// Reads a row with words, quoted numbers or a plus sign, and reports why a row is invalid.
   void row_slowly() {
     const std::vector<std::string> texts = lines_.fields();
     const std::size_t wanted = table_.columns.size(), count = texts.size();
@@ -86,7 +86,7 @@ class Csv {
   std::size_t rows_ = 0;
   Table table_;
   ColumnWords& words_;
-  std::vector<CsvNumbering> numberings_;  ///< of each column
+  std::vector<CsvNumbering> numberings_;  ///< one for each column
 };
 
 }  // namespace

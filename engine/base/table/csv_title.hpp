@@ -10,10 +10,10 @@ inline bool is_csv_blank(char c) {
   return c == ' ' || c == '\t';
 }
 
-/// Without the blanks around it.
+/// Returns the text without surrounding blanks.
 std::string csv_trimmed(const std::string& text);
 
-/// "name [unit]" apart. "x[2]" without a blank is a name with its index.
+/// Splits "name [unit]" into its parts. "x[2]" without a blank is a name with an index.
 Column csv_column(const std::string& title);
 
 }  // namespace stepwire::table

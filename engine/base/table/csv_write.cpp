@@ -73,7 +73,7 @@ void append_csv_head(std::string& text, const std::vector<Column>& columns) {
 
 void append_csv_number(std::string& text, double value) {
   if (std::isnan(value)) {
-    text += "nan";  // without the sign that a nan may have
+    text += "nan";  // without the sign that a NaN may have
     return;
   }
   std::array<char, 32> digits{};

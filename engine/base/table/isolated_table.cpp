@@ -17,17 +17,17 @@ namespace stepwire::table {
 namespace {
 
 constexpr std::size_t memory_of_library = std::size_t{256} << 20;
-constexpr std::size_t copies = 6;  ///< of what a file unpacks to, while its columns are made
+constexpr std::size_t copies = 6;  ///< memory for the columns, as a multiple of the unpacked file
 
-/// What comes first in an answer.
+/// First word of an answer.
 enum class Answer : std::uint64_t { table, wrong, refused };
 
-/// The other process has written less than it announced, or nonsense.
+/// Throws IsolationError for a truncated or invalid answer.
 [[noreturn]] void refuse_answer() {
   throw subprocess::IsolationError("has left no table");
 }
 
-/// Writes numbers and texts, each text behind its length.
+/// Serialises numbers and texts; each text is preceded by its length.
 class Sink {
  public:
   explicit Sink(int file) : file_(file) {}
@@ -36,7 +36,7 @@ class Sink {
     const char* at = static_cast<const char*>(bytes);
     while (count > 0) {
       const ssize_t written = ::write(file_, at, count);
-      if (written <= 0) throw std::bad_alloc();  // a file in memory
+      if (written <= 0) throw std::bad_alloc();  // the only reason: the file is in memory
       at += written;
       count -= static_cast<std::size_t>(written);
     }
@@ -55,7 +55,7 @@ class Sink {
   int file_;
 };
 
-/// Reads them.
+/// Deserialises the bytes of a Sink.
 class Source {
  public:
   explicit Source(int file) : file_(file) {

@@ -8,11 +8,10 @@
 
 namespace stepwire::table {
 
-/// Calls a function that reads a file of `file_size` bytes, in a process of its own: for files that foreign
-/// code reads, which a damaged one may mislead to other memory, or to no end. Throws TableError and
-/// EnvironmentError as the function does, and TableError with the name of the file where that process
-/// crashes, takes longer than the time of a helper and 1 s for each 10 MB, or more memory than such a file
-/// may unpack to.
+/// Runs a reader of a file of `file_size` bytes in a process of its own. Foreign libraries may corrupt memory
+/// or loop for ever on a damaged file. Throws TableError and EnvironmentError as the reader does. Throws
+/// TableError, with the name of the file, where the process crashes or exceeds its limits. The time limit is
+/// that of helper programs and 1 s for each 10 MB; memory is bounded by max_unpacked().
 RecordTable read_isolated(const std::string& path, std::size_t file_size,
                           const std::function<RecordTable()>& read);
 

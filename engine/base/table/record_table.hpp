@@ -10,23 +10,22 @@
 
 namespace stepwire::table {
 
-/// From this row on each row is one line below the row before it.
+/// Line number of a row; each following row is one line further, up to the next RowLine.
 struct RowLine {
   std::size_t row, line;
 };
 
-/// A table as other programs and people leave it. A number that is missing is nan.
+/// A table as other programs and people write it. A missing number is NaN.
 struct RecordTable : Table {
   std::map<std::string, std::string>
-      problems{};  ///< by column: the reason why it cannot be read, with its place
-  std::map<std::string, std::vector<std::string>>
-      words{};  ///< by column: what its numbers 0, 1, ... stand for, where an HDF5 file says so
-  std::vector<RowLine> lines{};      ///< of a text file, by row; empty: the first row is line 2
-  std::vector<std::string> notes{};  ///< how the file was read, as "decimal comma"
+      problems{};  ///< By column: the reason why it is unreadable, with its place.
+  std::map<std::string, std::vector<std::string>> words{};  ///< By column: words coded by 0, 1, ... (HDF5).
+  std::vector<RowLine> lines{};      ///< Of a text file, by row; empty if the first row is line 2.
+  std::vector<std::string> notes{};  ///< Conversions on reading, such as "decimal comma".
 
-  /// A column by its whole title, "x [mm]" or "x (mm)"; nullptr where there is none.
+  /// Returns a column by its whole title, "x [mm]" or "x (mm)"; nullptr if it is missing.
   const Column* find_titled(std::string_view title) const;
-  /// Line of a row in a text file.
+  /// Returns the line of a row in a text file.
   std::size_t line_of(std::size_t row) const;
 };
 

@@ -6,7 +6,7 @@
 
 namespace stepwire::table {
 
-/// One named series of numbers. `unit` is text as in "mm/s"; empty where none is known.
+/// A named series of numbers. `unit` is text such as "mm/s"; empty if unknown.
 struct Column {
   std::string name;
   std::string unit;

@@ -5,7 +5,7 @@
 
 namespace stepwire::text {
 
-/// Returns bytes as letters, digits, '+' and '/', filled up by '=' (RFC 4648).
+/// Returns bytes as letters, digits, '+' and '/', padded by '=' (RFC 4648).
 std::string base64(std::string_view bytes);
 
 }  // namespace stepwire::text

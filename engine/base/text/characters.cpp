@@ -13,8 +13,8 @@ namespace {
 
 constexpr char32_t no_character = 0xffffffff;
 
-/// What is not shown as a sign of its own, or changes how its neighbours are shown: controls, separators of
-/// lines, marks of direction, the byte order mark, annotations, tags, and what Unicode keeps from being used.
+/// Ranges of characters that are invisible or change how their neighbours are shown. They are controls, line
+/// separators, marks of direction, the byte order mark, annotations, tags and noncharacters.
 constexpr std::array<std::pair<char32_t, char32_t>, 12> unseen{{{0x00, 0x1f},
                                                                 {0x7f, 0x9f},
                                                                 {0x61c, 0x61c},
@@ -33,7 +33,7 @@ bool is_unseen(char32_t code) {
   return (code & 0xfffe) == 0xfffe || std::any_of(unseen.begin(), unseen.end(), holds);
 }
 
-/// The code of the character that these bytes are.
+/// Returns the code point of one UTF-8 character.
 char32_t code_of(std::string_view character) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
   if (character.size() == 1) return byte(0);
@@ -42,7 +42,7 @@ char32_t code_of(std::string_view character) {
   return code;
 }
 
-/// A text with `other` in the place of what is unseen; its arguments are the code and the bytes.
+/// Replaces each unseen character of a text by other(code, bytes).
 template <class Other>
 std::string replaced(std::string_view text, const Other& other) {
   if (std::ranges::all_of(text, [](char c) { return ' ' <= c && c <= '~'; })) return std::string(text);

@@ -6,25 +6,25 @@
 
 namespace stepwire::text {
 
-/// Length in bytes of the UTF-8 character at the start of `text`; 0 if it is none.
+/// Returns the length in bytes of the UTF-8 character at the start of `text`; 0 for invalid UTF-8.
 std::size_t utf8_length(std::string_view text);
 
-/// A text as one line of a terminal, a message or a comment shows it: what moves the cursor, breaks the line,
-/// turns the direction of writing or is no character at all is written out as \n, \x1b, \u202e; bytes that
-/// are no UTF-8 as \xff. A text without any of these is itself.
+/// Returns a text that is safe to show in one line of a terminal, a message or a comment. Characters that
+/// move the cursor, break the line or turn the direction of writing are escaped: \n, \x1b, \u202e. So are
+/// noncharacters; invalid UTF-8 becomes \xff. Other texts are returned unchanged.
 std::string visible(std::string_view text);
 
-/// The same for a text of several lines: ends of lines and tabs stay.
+/// Does the same for a text of several lines: line ends and tabs stay.
 std::string visible_lines(std::string_view text);
 
-/// A text as a picture or a page shows it: what visible() would write out is a blank there, since XML refuses
-/// much of it. Ends of lines and tabs stay.
+/// Returns a text for pictures and pages: characters that visible() would escape become blanks, since XML
+/// refuses many of them. Line ends and tabs stay.
 std::string printable(std::string_view text);
 
-/// The control characters of a text in JSON as its escapes, \u0085; they can only stand in its strings.
+/// Escapes the control characters of a JSON text as \u0085; they occur only within its strings.
 std::string json_escaped(std::string_view text);
 
-/// A text as one word of a POSIX shell: in quotes where it has to be.
+/// Returns a text as one word of a POSIX shell, quoted if necessary.
 std::string shell_word(std::string_view text);
 
 void replace_all(std::string& text, const std::string& from, const std::string& to);

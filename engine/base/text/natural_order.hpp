@@ -4,7 +4,7 @@
 
 namespace stepwire::text {
 
-/// True where `a` comes before `b` and digits in a row count as one number: "9-b" before "10-a".
+/// True where `a` precedes `b` and consecutive digits compare as one number: "9-b" before "10-a".
 bool naturally_less(std::string_view a, std::string_view b);
 
 }  // namespace stepwire::text

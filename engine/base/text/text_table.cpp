@@ -9,7 +9,7 @@
 namespace stepwire::text {
 namespace {
 
-/// A number, or what stands where there is none.
+/// True for a number, or for an empty cell or dash in the place of one.
 bool is_number(const std::string& cell) {
   return cell.empty() || cell == "–" || cell.find_first_of("0123456789") <= cell.find_first_not_of("-+<. ");
 }
@@ -25,7 +25,7 @@ std::string line(const std::vector<std::string>& cells, const std::vector<Column
   return result.substr(0, result.find_last_not_of(' ') + 1) + "\n";
 }
 
-/// A paragraph in lines of so many letters.
+/// Wraps a paragraph into lines of at most `most` letters.
 std::vector<std::string> wrapped(const std::string& paragraph, std::size_t most) {
   std::vector<std::string> lines(1);
   for (std::size_t at = 0; at <= paragraph.size();) {

@@ -6,29 +6,29 @@
 
 namespace stepwire::text {
 
-/// A table for readers. Columns of numbers are set to the right, others to the left.
+/// A table for readers. Columns of numbers are aligned right, others left.
 struct TextTable {
   std::string title;
   std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;  ///< each as long as `columns`
-  std::vector<std::string> notes;              ///< below it, one paragraph each
+  std::vector<std::vector<std::string>> rows;  ///< each row is as long as `columns`
+  std::vector<std::string> notes;              ///< below the table, one paragraph each
 };
 
-/// Letters of a UTF-8 text.
+/// Returns the number of letters of a UTF-8 text.
 std::size_t letters(const std::string& text);
 
-/// How a column is set.
+/// Layout of a column.
 struct ColumnLook {
-  std::size_t width = 0;  ///< letters of its widest cell
+  std::size_t width = 0;  ///< letters of the widest cell
   bool right = true;
 };
 
 std::vector<ColumnLook> columns_of(const TextTable& table);
 
-/// The notes in lines of at most so many letters; a longer word has a line of its own.
+/// Wraps the notes into lines of at most `max_letters` letters; a longer word has a line of its own.
 std::vector<std::string> note_lines(const TextTable& table, std::size_t max_letters);
 
-/// The table in letters of one width, its notes wrapped below it.
+/// Renders the table for a monospaced font, with its notes wrapped below it.
 std::string text(const TextTable& table);
 
 }  // namespace stepwire::text

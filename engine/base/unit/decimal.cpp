@@ -11,8 +11,7 @@
 namespace stepwire::unit {
 namespace {
 
-constexpr int exact_powers =
-    27;  // 10^27 is the last power of ten that a long double with 64 bits holds exactly
+constexpr int exact_powers = 27;  // 10^27 is the largest power of ten that is exact in an 80-bit long double
 
 long double power_of_ten(int exponent) {
   long double result = 1.0L;
@@ -20,7 +19,7 @@ long double power_of_ten(int exponent) {
   return result;
 }
 
-/// Value of "d.ddde-xx": the digits as an integer, then one multiplication or division.
+/// Converts "d.ddde-xx": the digits as an integer, then one multiplication or division.
 long double from_scientific(std::string_view text, double fallback) {
   std::uint64_t digits = 0;
   int exponent = 0;
@@ -44,7 +43,8 @@ long double of_digits(double value, int precision) {
   return from_scientific({text.data(), static_cast<std::size_t>(end - text.data())}, value);
 }
 
-/// The decimal of so many digits where `value` is within two units of the last place of a double, else 0.
+/// Returns the decimal of `digits` digits if `value` is within two units in the last place of a double, else
+/// 0.
 long double short_decimal(long double value, int digits) {
   const long double decimal = of_digits(static_cast<double>(value), digits - 1);
   const long double tolerance = 2.0L * std::numeric_limits<double>::epsilon() * value;
@@ -61,7 +61,7 @@ long double as_decimal(double value) {
 
 long double as_published(double value) {
   if (!(value > 0.0) || !std::isfinite(value)) return value;
-  // Few digits first: with 15 of them nearly any number is close to some decimal.
+  // Fewer digits first: almost any number is close to some decimal of 15 digits.
   for (const long double parts : {1.0L, 9.0L, 3600.0L, 180.0L / std::numbers::pi_v<long double>}) {
     if (const long double decimal = short_decimal(value * parts, 9); decimal > 0.0L) return decimal / parts;
   }

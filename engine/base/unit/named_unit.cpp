@@ -16,13 +16,13 @@ namespace stepwire::unit {
 namespace {
 
 constexpr std::size_t longest_word = 64;
-constexpr std::size_t max_words = 10'000;  // a bound on the cache, whatever texts come
+constexpr std::size_t max_words = 10'000;  // bounds the cache for arbitrary input
 
-/// Words that udunits2 knows but that would turn a slip of the pen into a number nobody meant: the elementary
-/// charge, atomic mass, are, barn, roentgen, and pi, which is a constant and no unit.
+/// Units of udunits2 that would turn a typing error into a valid unit: elementary charge, atomic mass, are,
+/// barn and roentgen. The constant pi is refused as well.
 constexpr std::array<std::string_view, 6> refused{"e", "u", "a", "b", "R", "pi"};
 
-/// What udunits2 lacks, or, as mph and kph, reads as a thousandth and a thousand of a phot.
+/// Units missing in udunits2, and mph and kph, which it reads as milliphot and kilophot.
 constexpr std::array<std::pair<const char*, const char*>, 11> added{{{"deg", "degree"},
                                                                      {"rev", "revolution"},
                                                                      {"Nm", "N.m"},
@@ -54,7 +54,7 @@ System read_system() {
   return system;
 }
 
-/// Adds `power` of one base unit; the radian is 1 and counts as an angle.
+/// Adds `power` of one base unit; the radian counts as an angle and has dimension 1.
 void raise(Dimension& dimension, const ut_unit* base, int power) {
   constexpr std::array<std::string_view, 7> symbols{"m", "kg", "s", "A", "K", "mol", "cd"};
   const char* symbol = ut_get_symbol(base, UT_ASCII);
@@ -83,7 +83,7 @@ ut_status visit_galilean(const ut_unit*, double scale, const ut_unit* underlying
   return visit(underlying, result);
 }
 
-/// Dates and logarithms are no scales of a base unit.
+/// Timestamps and logarithms are not multiples of a base unit.
 ut_status visit_timestamp(const ut_unit*, const ut_unit*, double, void*) {
   return UT_MEANINGLESS;
 }
@@ -96,8 +96,8 @@ ut_status visit(const ut_unit* parsed, Unit& unit) {
   return ut_accept_visitor(parsed, &visitor, &unit);
 }
 
-/// delta_degC is a difference of temperatures. temperature_K, in which numbers of parameters are put into
-/// formulas, is none, as degC.
+/// Sets the meaning of a unit. delta_degC is a difference of temperatures; degC is a temperature. So is
+/// temperature_K, the unit of parameters inside of formulas.
 void add_meaning(std::string_view word, Unit& unit) {
   if (word.starts_with("delta_deg"))
     unit.dimension.zeros = 0.0;
@@ -106,7 +106,8 @@ void add_meaning(std::string_view word, Unit& unit) {
   if (word.ends_with("Hz") || word.ends_with("hertz")) unit.dimension.cycles = 1.0;
 }
 
-/// The database is read once, at the first use, and what was asked is kept; udunits2 itself knows no threads.
+/// Cache of looked-up words. The database of udunits2 is read on first use; the mutex is needed because
+/// udunits2 is not thread-safe.
 class Words {
  public:
   std::optional<Unit> find(const std::string& word) {

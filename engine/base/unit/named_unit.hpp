@@ -7,8 +7,8 @@
 
 namespace stepwire::unit {
 
-/// The unit that is one word, prefix and exponent included: "mm", "lbf", "degC", "%", "m2"; nothing if the
-/// word is none. Safe from several threads.
+/// Returns the unit of a single word, with prefix and exponent: "mm", "lbf", "degC", "%", "m2". Returns
+/// std::nullopt for other words. Thread-safe.
 std::optional<Unit> named_unit(std::string_view word);
 
 }  // namespace stepwire::unit

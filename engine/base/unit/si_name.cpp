@@ -11,8 +11,8 @@ namespace {
 
 using Exponents = std::array<double, 7>;
 
-/// Names in use for mechanics and its electrics; the first that fits is taken. No J: in diagrams of
-/// forces and torques the same dimension is nearly always a torque.
+/// Usual names in mechanics and its electrics; the first match is used. J is missing: in diagrams of forces
+/// and torques this dimension is nearly always a torque.
 constexpr std::pair<std::string_view, Exponents> usual[] = {
     {"N", {1, 1, -2}},           {"N m", {2, 1, -2}},
     {"N/m", {0, 1, -2}},         {"N s/m", {0, 1, -1}},
@@ -41,7 +41,7 @@ std::string shortest(double value) {
   return {text.data(), std::to_chars(text.begin(), text.end(), value).ptr};
 }
 
-/// The base units with an exponent of this sign, and how many they are.
+/// Returns the base units with an exponent of this sign, and their number.
 std::pair<std::string, int> base_units(const Exponents& exponents, double sign) {
   std::string text;
   int count = 0;
@@ -55,14 +55,15 @@ std::pair<std::string, int> base_units(const Exponents& exponents, double sign) 
   return {text, count};
 }
 
-/// An angle, its rate, or a rate of that; a torque per angle is a torque to an engineer.
+/// True for an angle and its first two time derivatives. A torque per angle does not count, since engineers
+/// read it as a torque.
 bool is_angular(const Dimension& dimension) {
   Exponents others = dimension.exponents;
   const double time = std::exchange(others[2], 0.0);
   return dimension.angle == 1.0 && others == Exponents{} && (time == 0.0 || time == -1.0 || time == -2.0);
 }
 
-/// A number of periods per time.
+/// True for a number of periods per time.
 bool is_frequency(const Dimension& dimension) {
   return dimension.cycles == 1.0 && dimension.angle == 0.0 && dimension.exponents == Exponents{0, 0, -1};
 }

@@ -25,7 +25,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// Whether a number starts here; without this "inf" and "nan" would.
+/// True where a number starts here; it excludes "inf" and "nan".
 bool starts_number(std::string_view text) {
   if (!text.empty() && text.front() == '-') text.remove_prefix(1);
   if (!text.empty() && text.front() == '.') text.remove_prefix(1);
@@ -56,7 +56,7 @@ double Unit::from_si(double value) const {
   return static_cast<double>((as_decimal(value) - offset) / scale);
 }
 
-/// The same unit comes very often, one after the other: in a list, and at the points of a sweep.
+/// Caches the last unit of the thread: lists and sweeps parse the same unit many times in a row.
 static std::optional<Unit> known_unit(std::string_view text) {
   thread_local std::string last;
   thread_local std::optional<Unit> unit;

@@ -15,7 +15,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Letters, and every byte beyond ASCII: "µ", "°", "Ω" are several bytes long.
+/// True for letters and all bytes beyond ASCII, since "µ", "°" and "Ω" are several bytes long.
 bool starts_word(char c) {
   const char lower = static_cast<char>(c | 0x20);
   return (lower >= 'a' && lower <= 'z') || c == '_' || c == '%' ||
@@ -30,7 +30,8 @@ bool usable(const Unit& unit) {
   return std::isfinite(unit.scale) && unit.scale > 0.0L;
 }
 
-/// Whether a name goes on at `at`, so that what was read before is only its start: "s" of "s.x" or of "sin".
+/// True where the word continues at `at`, so that the unit before is only its start: "s" of "s.x" or of
+/// "sin".
 bool name_goes_on(std::string_view text, std::size_t at) {
   if (at >= text.size()) return false;
   if (starts_word(text[at]) || is_digit(text[at]) || text[at] == '(') return true;
@@ -39,11 +40,11 @@ bool name_goes_on(std::string_view text, std::size_t at) {
 
 using Taken = std::function<bool(std::string_view)>;
 
-/// Reads as much of a text as is a unit; `end` is where the last complete unit ended.
+/// Parser of the longest prefix that is a unit; `end` is the end of the last complete unit.
 class Reader {
  public:
-  /// With `taken` it reads inside an expression: no blanks, no "s-1" (a difference there), and no names cut
-  /// in two.
+  /// `taken` selects parsing inside an expression: no blanks, no "s-1" (a difference there), no partial
+  /// names.
   explicit Reader(std::string_view text, const Taken* taken = nullptr) : text_(text), taken_(taken) {}
 
   std::optional<Unit> product(int depth) {
@@ -73,7 +74,7 @@ class Reader {
 
   char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
 
-  /// A unit may start with a bare 1, as in "1/s"; no other number stands in a unit.
+  /// True for a bare 1, which may start a unit as in "1/s"; a unit contains no other number.
   bool at_one() const { return peek() == '1' && (peek(1) == '/' || (!taken_ && text_ == "1")); }
 
   std::optional<Unit> one() {
@@ -123,7 +124,7 @@ class Reader {
     return text_.substr(first, at_ - first);
   }
 
-  /// "m^2", "m^-0.5", "s-1".
+  /// Parses the exponent of a unit: "m^2", "m^-0.5", "s-1".
   std::optional<Unit> with_exponent(const Unit& unit) {
     const bool hat = peek() == '^';
     if (!hat && (taken_ || peek() != '-')) return unit;
@@ -137,8 +138,7 @@ class Reader {
     return raised(unit, exponent);
   }
 
-  /// Whether the name that starts at `first`, with or without what follows its dots, means something else
-  /// here.
+  /// True where the name that starts at `first`, with or without its dotted continuation, is taken.
   bool is_taken(std::size_t first) const {
     if (!taken_ || !*taken_) return false;
     std::size_t end = at_;

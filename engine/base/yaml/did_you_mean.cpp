@@ -11,15 +11,15 @@
 namespace stepwire::yaml {
 namespace {
 
-constexpr std::size_t longest_word = 64;  // the distance costs the product of both lengths
+constexpr std::size_t longest_word = 64;  // bounds the cost of the distance, O(product of both lengths)
 
 std::string lower(std::string word) {
   for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return word;
 }
 
-// Optimal string alignment: inserts, deletes, replacements and swaps of neighbours cost one each. Words have
-// at most longest_word letters; `most` stands for all that is more.
+// Optimal string alignment distance: insertions, deletions, replacements and swaps of neighbours cost one
+// each. Words have at most longest_word letters; distances of at least `most` are returned as `most`.
 std::size_t distance(const std::string& a, const std::string& b, std::size_t most) {
   if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) >= most) return most;
   std::array<std::array<std::size_t, longest_word + 1>, 3> rows;
@@ -39,7 +39,7 @@ std::size_t distance(const std::string& a, const std::string& b, std::size_t mos
   return std::min(row(a.size())[b.size()], most);
 }
 
-/// "zoh" of "ZeroOrderHold"; empty for what is no such name.
+/// Returns the lower-case initials of a CamelCase name, "zoh" of "ZeroOrderHold"; empty for other names.
 std::string initials(const std::string& name) {
   std::string result;
   for (const char c : name)
@@ -47,8 +47,8 @@ std::string initials(const std::string& name) {
   return lower(result);
 }
 
-// "freq" for "frequency" is meant, far as it is by letters, and so are "coulomb" for "coulomb_force" and
-// "force" for it, and "ZOH" for "ZeroOrderHold".
+// True where a word is a prefix, the last part or the initials of a name. So "freq" suggests "frequency",
+// "coulomb" and "force" suggest "coulomb_force", and "ZOH" suggests "ZeroOrderHold".
 bool abbreviates(const std::string& word, const std::string& name) {
   if (word.size() < 3) return false;
   return lower(name).starts_with(word) || name.ends_with("_" + word) || initials(name) == word;
@@ -66,7 +66,7 @@ Message did_you_mean(const std::string& word, const std::vector<std::string>& na
     if (name == word || name.size() > longest_word) continue;
     std::size_t far = distance(wanted, lower(name), near + 1);
     if (far > near && abbreviates(wanted, name)) far = near;
-    // A word of which no letter is right is no near miss.
+    // A name that shares no letter in place is not a suggestion.
     if (far >= least || far >= std::max(word.size(), name.size())) continue;
     least = far;
     nearest = &name;

@@ -31,12 +31,12 @@ void check_size(std::uintmax_t size, const std::string& file, const DocumentLimi
        fmt::format("the file has {}, and at most {} are read", megabytes(size), megabytes(limits.bytes)));
 }
 
-// The size is looked at first; the file may grow since, so that reading stops at the limit, too.
+// Reads a file up to the limit. The size is checked first; reading checks it again, since the file may grow.
 std::string contents(const std::string& path, const DocumentLimits& limits) {
   std::error_code none;
   const auto status = std::filesystem::status(path, none);
   if (std::filesystem::is_directory(status)) fail(path, {}, "this is a folder, not a file");
-  // A pipe would keep us waiting, and a device need not end.
+  // A pipe would block, and a device may be endless.
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     fail(path, {}, "this is no regular file; write the diagram into one");
   if (std::filesystem::is_regular_file(status))

@@ -32,7 +32,7 @@ bool same_fault(const Fault& a, const Fault& b) {
 using PlaceKey = std::tuple<std::ptrdiff_t, int, int>;
 using KeyedFault = std::pair<PlaceKey, Fault>;
 
-// Files keep the order in which they first come up: that is the order in which they were read.
+// Sorts faults by location; files keep the order in which they first occur, which is that of reading.
 std::vector<KeyedFault> by_place(std::vector<Fault> faults) {
   std::vector<std::string> files;
   const auto rank = [&](const std::string& file) {
@@ -55,7 +55,7 @@ std::vector<KeyedFault> by_place(std::vector<Fault> faults) {
 std::vector<Fault> without_duplicates(std::vector<KeyedFault> keyed) {
   std::vector<Fault> sorted;
   sorted.reserve(keyed.size());
-  std::size_t first_here = 0;  // duplicates can only be among the faults of one place
+  std::size_t first_here = 0;  // duplicates occur only among the faults of one location
   for (std::size_t i = 0; i < keyed.size(); ++i) {
     if (i > 0 && keyed[i].first != keyed[i - 1].first) first_here = sorted.size();
     const auto is_known = [&](const Fault& known) { return same_fault(known, keyed[i].second); };
@@ -76,10 +76,10 @@ std::string Fault::text() const {
   if (line.size() > longest_line) {
     std::size_t end = longest_line;
     while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0) == 0x80)
-      --end;  // within a letter of UTF-8
+      --end;  // not within a UTF-8 character
     line = fmt::format("{} ... and {} bytes more", line.substr(0, end), line.size() - end);
   }
-  return text::visible(line);  // what a user wrote may hold line breaks, and a fault is one line
+  return text::visible(line);  // escapes line breaks of the user's text, since a fault is one line
 }
 
 Error::Error(Fault fault) : Error(std::vector<Fault>{std::move(fault)}) {}

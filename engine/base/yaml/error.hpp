@@ -9,25 +9,24 @@
 
 namespace stepwire::yaml {
 
-/// One thing that is wrong in what a user wrote: where, in which block and port, what is wrong and what would
-/// be right.
+/// One fault in a user's file: its location, the block and port, the problem and the cure.
 struct Fault {
   Place place;
-  std::string subject;  ///< "lag.tau", "lag", or empty
+  std::string subject;  ///< block and port, "lag.tau" or "lag"; may be empty
   Message message;
-  std::vector<Place> used_by;  ///< innermost first: the lines that used the part in which the fault lies
+  std::vector<Place> used_by;  ///< innermost first: the lines that use the part with the fault
 
-  /// "file:line:col: subject: message", with "(used by file:line:col)" for each user.
+  /// Returns "file:line:col: subject: message", with "(used by file:line:col)" for each user.
   std::string text() const;
 };
 
-/// The one exception for what a user wrote; carries everything that one pass found, in order of place.
+/// Exception for invalid user input; carries all faults of one pass, in order of location.
 class Error : public std::exception {
  public:
   explicit Error(Fault fault);
   explicit Error(std::vector<Fault> faults);
   const std::vector<Fault>& faults() const { return faults_; }
-  /// All faults, one line each.
+  /// Returns all faults, one line each.
   const char* what() const noexcept override { return text_.c_str(); }
 
  private:
@@ -35,10 +34,10 @@ class Error : public std::exception {
   std::string text_;
 };
 
-/// Gathers faults of one pass, so that a user sees all of them at once.
+/// Collects the faults of one pass, so that the user sees all of them at once.
 class Faults {
  public:
-  /// Throws Error with what there is where one more would be too many to read.
+  /// Adds a fault. Throws Error with the faults so far once there are too many to read.
   void add(Fault fault);
   bool empty() const { return faults_.empty(); }
   std::size_t size() const { return faults_.size(); }
@@ -50,18 +49,19 @@ class Faults {
   std::vector<Fault> faults_;
 };
 
-/// "did you mean 'tau'?" as the cure for the nearest of `names`, or nothing if none is near.
+/// Returns "did you mean 'tau'?" with the nearest of `names` as the cure; an empty message if none is near.
 Message did_you_mean(const std::string& word, const std::vector<std::string>& names);
-/// The same, and a sentence behind it: "; did you mean 'tau'? It has: tau, u", or ". It has: tau, u" if none
-/// is near.
+/// Returns the same followed by `sentence`: "; did you mean 'tau'? (sentence)", or ". (sentence)" if none is
+/// near.
 Message did_you_mean(const std::string& word, const std::vector<std::string>& names,
                      const std::string& sentence);
 
-/// "; did you mean 'rig.x'? Recorded are: rig.x, rig.v" for what = "recorded are"; of many names the first
-/// ones.
+/// Returns a suggestion followed by all names, as in "Recorded are: rig.x, rig.v" for what = "recorded are";
+/// long lists are truncated.
 Message nearest_or_all(const std::string& word, const std::vector<std::string>& names, std::string what);
-/// What is wrong with a key that `owner` does not have: "a claim has no 'finl'; did you mean 'final'? It has:
-/// ..", or that it looks like a piece of a broken expression.
+/// Returns the message about a key that `owner` does not have, with a suggestion and the known keys: "a claim
+/// has no 'finl'; did you mean 'final'? (known keys)". A key that looks like a piece of a broken expression
+/// gets a message of its own.
 Message unknown_key(const std::string& key, const std::vector<std::string>& known, const std::string& owner);
 
 }  // namespace stepwire::yaml

@@ -36,7 +36,7 @@ void find(const Node& node, const Mark& mark, FoundPlace& found) {
   }
 }
 
-/// The last end in a line of what a node holds.
+/// Returns the last end of a value inside of a node within one line.
 Mark last_end(const Node& node, int line) {
   if (node.end.line == line) return node.end;
   Mark last = node.mark;

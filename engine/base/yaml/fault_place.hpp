@@ -11,22 +11,23 @@
 
 namespace stepwire::yaml {
 
-/// What stands at a mark of a tree.
+/// Parts of a tree at a mark.
 struct FoundPlace {
-  std::vector<std::string> keys;  ///< that lead there
-  const Entry* key = nullptr;     ///< that begins at the mark
-  const Node* value = nullptr;    ///< the innermost that begins at the mark
-  const Node* around = nullptr;   ///< the scalar that holds the mark
+  std::vector<std::string> keys;  ///< path to it
+  const Entry* key = nullptr;     ///< begins at the mark; nullptr without one
+  const Node* value = nullptr;    ///< innermost value that begins at the mark; nullptr without one
+  const Node* around = nullptr;   ///< scalar that contains the mark; nullptr without one
 };
 
 FoundPlace find_place(const Node& root, const Mark& mark);
 
-/// Just behind what a fault is about: a key, a scalar, of a list or a map what stands in its first line, and
-/// inside of a scalar the word that means nothing. Nothing where the tree has nothing there.
+/// Returns the end of the text that a fault refers to. That is a key, a scalar, the first line of a list or
+/// map, or the unknown word inside of a scalar. Returns std::nullopt where the tree has no value at the
+/// fault.
 std::optional<Mark> end_of_fault(const Node& root, const Fault& fault);
 
-/// Where a word stands for itself in a piece of a text, positions in bytes: no letter, digit or '_' goes on
-/// before or behind it. That is what the word of a suggestion takes the place of.
+/// Finds a whole word in the bytes [from, to) of a text: no letter, digit or '_' precedes or follows it. The
+/// word of a suggestion replaces it.
 std::optional<std::size_t> find_word(std::string_view text, std::size_t from, std::size_t to,
                                      const std::string& word);
 

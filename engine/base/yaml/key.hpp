@@ -7,29 +7,29 @@
 
 namespace stepwire::yaml {
 
-/// A key of a file as a row of a table: its reader, the schema and the reference page come from it. Without a
-/// name it is what stands in a list, or behind any name.
+/// Description of a key of the file format, one row of a table. The reader, the schema and the reference page
+/// are made from it. Without a name it describes the items of a list or the values of arbitrary names.
 struct Key {
-  /// What stands behind it.
+  /// Form of the value.
   enum class Form {
-    text,        ///< a number or true is text, too
-    string,      ///< a name, or a path
-    truth,       ///< true or false
-    word,        ///< one of `words`
-    whole,       ///< a whole number from `least` to `most`
-    number,      ///< in `unit` or a bare one, from `least` to `most`; `$name` or `= expression`
-    computed,    ///< the same, or an expression of numbers and `$name`
-    expression,  ///< of what was recorded
-    series,      ///< the same in a unit, perhaps with a label
-    source,      ///< what feeds a port
-    value,       ///< a number with its unit, a list, a word, truth or `= expression`
-    nothing,     ///< the key alone
-    list,        ///< of `least` to `most` items
-    names,       ///< map of any names, at least `least`, that are as `pattern` has them
-    keys,        ///< map of the keys in `of`
-    either,      ///< one of the forms in `of`
-    section,     ///< what the section or definition `refers` describes
-    tree         ///< what only the explanation describes
+    text,        ///< Any scalar; a number or true counts as text.
+    string,      ///< A name or a path.
+    truth,       ///< The word true or false.
+    word,        ///< One of `words`.
+    whole,       ///< A whole number from `least` to `most`.
+    number,      ///< A number in `unit` or a bare one, from `least` to `most`; `$name` or `= expression`.
+    computed,    ///< Such a number, or an expression of numbers and `$name`.
+    expression,  ///< An expression of recorded columns.
+    series,      ///< An expression of recorded columns in a unit, optionally with a label.
+    source,      ///< The source of a port.
+    value,       ///< A number with its unit, a list, a word, a truth value or `= expression`.
+    nothing,     ///< No value, the key alone.
+    list,        ///< A list of `least` to `most` items.
+    names,       ///< A map of at least `least` arbitrary names that match `pattern`.
+    keys,        ///< A map of the keys in `of`.
+    either,      ///< One of the forms in `of`.
+    section,     ///< The section or definition that `refers` names.
+    tree         ///< A value that only the explanation describes.
   };
   struct Word {
     std::string word, doc{};
@@ -37,34 +37,34 @@ struct Key {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
   std::string name{};
-  std::string doc{};  ///< what it is, in a sentence
+  std::string doc{};  ///< explanation, one sentence
   Form form = Form::text;
-  std::vector<Key> of{};    ///< keys of a map; the item of a list or of names; forms to choose from
-  std::vector<Key> rest{};  ///< of a map: the form under any other name; empty: there is none
+  std::vector<Key> of{};    ///< Keys of a map; form of an item of a list or of names; alternatives.
+  std::vector<Key> rest{};  ///< Of a map: the form of any other name; empty if no other name is allowed.
   std::vector<Word> words{};
   double least = -unlimited, most = unlimited;
-  bool above = false;     ///< `least` itself is not allowed
-  std::string unit{};     ///< "s"; empty: a pure number, or any unit
-  std::string pattern{};  ///< of names; empty: any
-  std::string refers{};   ///< name of a section or definition
-  /// What its texts name, or its keys where it is a map of names: nothing, or what the diagram has.
+  bool above = false;     ///< Excludes `least` itself.
+  std::string unit{};     ///< Unit, "s"; empty for a pure number or any unit.
+  std::string pattern{};  ///< Pattern of names; empty for any.
+  std::string refers{};   ///< Name of a section or definition.
+  /// Kind of names that its texts refer to, or its keys for a map of names.
   enum class Names { nothing, signal, block, parameter, unit } names = Names::nothing;
   std::string noun{};       ///< of a map, for messages: "a claim"
   std::string example{};    ///< of its value, or of a section
-  std::string otherwise{};  ///< what counts where the file does not have it
+  std::string otherwise{};  ///< the default, for documentation
   bool required = false;
-  std::string choice{};               ///< exactly one key of the same choice stands in a map: "reduction"
-  std::vector<std::string> beside{};  ///< it stands beside one of these keys only
+  std::string choice{};               ///< a map has exactly one key of such a group: "reduction"
+  std::vector<std::string> beside{};  ///< it is allowed only with one of these keys
 
-  /// The key of a map, or nullptr.
+  /// Returns the key of a map; nullptr if it is missing.
   const Key* find(const std::string& key) const;
 };
 
-/// The words that may stand there, or the names of the keys of a map.
+/// Return the allowed words of a key, and the names of the keys of a map.
 std::vector<std::string> words_of(const Key& key);
 std::vector<std::string> names_of(const std::vector<Key>& keys);
 
-/// Forms of values, from which keys are made.
+/// Factory functions of forms.
 struct form {
   using Form = Key::Form;
 
@@ -100,7 +100,7 @@ struct form {
     return {
         .form = Form::keys, .of = std::move(keys), .noun = std::move(noun), .example = std::move(example)};
   }
-  /// A form whose texts name something of the diagram; of a map its keys.
+  /// Returns a form whose texts, or keys for a map, name elements of the diagram.
   static Key naming(Key::Names what, Key form) {
     form.names = what;
     return form;
@@ -108,7 +108,7 @@ struct form {
   static Key section(std::string name) { return {.form = Form::section, .refers = std::move(name)}; }
 };
 
-/// A key that is there, with more said of it.
+/// Return an existing key with a further property.
 template <class AnyKey>
 AnyKey needed(AnyKey key) {
   key.required = true;
@@ -131,9 +131,9 @@ AnyKey otherwise(std::string text, AnyKey key) {
   return key;
 }
 
-/// A form with a name and an explanation.
+/// Returns a form with a name and an explanation.
 Key key(std::string name, std::string doc, Key form = {});
-/// A form with what its value looks like.
+/// Returns a form with an example of its value.
 Key like(std::string example, Key form);
 
 }  // namespace stepwire::yaml

@@ -10,7 +10,7 @@ struct Mark {
   int column = 0;
 };
 
-/// Where in which file.
+/// Location in a file.
 struct Place {
   std::string file;
   Mark mark;

@@ -19,7 +19,7 @@ std::string limits_text(const Key& key) {
               : fmt::format(fmt::runtime(key.above ? "above {}" : "{} or more"), key.least);
 }
 
-/// The nearest word, and all of them with what they mean.
+/// Returns the nearest word, and all words with their explanations.
 Message words_text(const std::string& written, const Key& key) {
   std::vector<std::string> all;
   for (const Key::Word& word : key.words)
@@ -112,7 +112,7 @@ bool SectionReading::check(const Node& map, const Key& keys) const {
     fault(map.mark, fmt::format("{} is a map: {}", keys.noun, keys.example));
     return false;
   }
-  const bool complete = !check_unknown(map, keys);  // an unknown key may be what is missing, misspelt
+  const bool complete = !check_unknown(map, keys);  // an unknown key may be a misspelt required one
   for (const Key& key : keys.of)
     if (complete && key.required && !map.find(key.name))
       fault(map.mark, missing(key) + (key.example.empty() ? ": " + keys.example : ""));

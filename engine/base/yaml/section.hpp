@@ -12,8 +12,8 @@
 
 namespace stepwire::yaml {
 
-/// What the keys of a section are read with: its name in messages, and where faults go. Rooms derive from it
-/// what reads their values.
+/// Context for reading the keys of a section: its name in messages, and the sink of faults. Other rooms
+/// derive readers of their values from it.
 class SectionReading {
  public:
   using Sink = std::function<void(const Mark& mark, const std::string& subject, const Message& message)>;
@@ -22,15 +22,16 @@ class SectionReading {
   SectionReading(const SectionReading&) = default;
   virtual ~SectionReading() = default;
 
-  std::string subject;  ///< "fit.parameters.mass"
+  std::string subject;  ///< name in messages, "fit.parameters.mass"
 
   void fault(const Mark& mark, const Message& message) const { sink_(mark, subject, message); }
 
-  /// Puts what the file has into a member; a fault, and the member stays, where it is not as the key has it.
+  /// Reads a value of the key's form into a member. An invalid value adds a fault and leaves the member
+  /// unchanged.
   void take(const Node& node, const Key& key, std::string& text) const;
   void take(const Node& node, const Key& key, double& number) const;
   void take(const Node& node, const Key& key, std::optional<double>& number) const;
-  /// Also the index of a word: a truth or an enum.
+  /// Reads a whole number, or the index of a word for a bool or an enum.
   template <class Member>
   requires std::integral<Member> || std::is_enum_v<Member>
   void take(const Node& node, const Key& key, Member& member) const {
@@ -46,26 +47,27 @@ class SectionReading {
     if (const auto value = whole(node, key)) member = static_cast<Member>(*value);
   }
 
-  /// The text of a scalar, or a fault and "".
+  /// Returns the text of a scalar; adds a fault and returns "" for another value.
   std::string text(const Node& node) const;
-  /// The index of the key's word that stands there.
+  /// Returns the index of the value among the key's words; adds a fault and returns std::nullopt for other
+  /// values.
   std::optional<std::size_t> word(const Node& node, const Key& key) const;
   std::optional<double> whole(const Node& node, const Key& key) const;
-  /// A number within the key's limits.
+  /// Returns a number within the key's limits.
   std::optional<double> number(const Node& node, const Key& key) const;
-  /// The two items of a list; a fault and nullptr where there are more or fewer.
+  /// Returns the two items of a list; adds a fault and returns nullptr for another length.
   const std::vector<Node>* pair(const Node& node, const Key& key) const;
 
-  /// What a key is that is missing: "'view' is missing (what is seen); view: {x: ..}".
+  /// Returns the message for a missing key: "'view' is missing (what is seen); view: {x: ..}".
   static std::string missing(const Key& key);
-  /// Adds a fault for each key of the map that is no key of these, and says whether there was one.
+  /// Adds a fault for each unknown key of the map. Returns true if there was one.
   bool check_unknown(const Node& map, const Key& keys) const;
-  /// Gathers what is wrong with the keys of a map: unknown ones, missing ones, those of one choice and those
-  /// that stand beside others. Says whether it is a map.
+  /// Adds the faults of the keys of a map: unknown and missing keys, groups of alternatives, and required
+  /// companions. Returns false where the node is not a map.
   bool check(const Node& map, const Key& keys) const;
 
  protected:
-  /// A number in SI in the unit of this key; here a plain one.
+  /// Returns a number in SI, read in the unit of the key. The base class reads plain numbers only.
   virtual std::optional<double> read_number(const Node& node, const Key& key) const;
 
  private:
@@ -75,7 +77,7 @@ class SectionReading {
   Sink sink_;
 };
 
-/// The same for what stands under a key or a name.
+/// Returns the context of a key or name inside of this section.
 template <class Reading>
 Reading below(const Reading& read, const std::string& name) {
   Reading inner = read;
@@ -83,7 +85,7 @@ Reading below(const Reading& read, const std::string& name) {
   return inner;
 }
 
-/// What counts in place of a key: the value that the member has without it.
+/// Returns the default of a member as text for the documentation.
 std::string default_text(const Key& key, double value);
 template <class Member>
 std::string default_text(const Key& key, const Member& value) {
@@ -97,7 +99,8 @@ std::string default_text(const Key& key, const Member& value) {
     return {};
 }
 
-/// A row with what it sets. A row without that is read elsewhere, and described here.
+/// A key with the function that sets its target. A row without a function is only documented here and read
+/// elsewhere.
 template <class Target, class Reading>
 struct KeyRow : Key {
   using Set = std::function<void(Target& target, const Node& node, const Reading& read)>;
@@ -105,7 +108,7 @@ struct KeyRow : Key {
   KeyRow(std::string name, std::string doc, Key form, Set set = {})
       : Key(stepwire::yaml::key(std::move(name), std::move(doc), std::move(form))), set(std::move(set)) {}
 
-  /// Sets a member, whose type says how it is read; its default is that of a new `Target`.
+  /// Makes a row that sets a member; its type determines the reading. The default is that of a new `Target`.
   template <class Member>
   KeyRow(std::string name, std::string doc, Key form, Member Target::*member)
       : Key(stepwire::yaml::key(std::move(name), std::move(doc), std::move(form))) {
@@ -118,13 +121,13 @@ struct KeyRow : Key {
   Set set;
 };
 
-/// The rows of a map as its form.
+/// Returns the form of a map with these rows as its keys.
 template <class AnyRow>
 Key keys_form(std::string noun, std::string example, const std::vector<AnyRow>& rows) {
   return form::keys(std::move(noun), std::move(example), {rows.begin(), rows.end()});
 }
 
-/// Sets what the map has of these rows, in their order.
+/// Sets the members of all rows whose keys the map has, in the order of the rows.
 template <class Target, class Reading>
 void set_keys(const Node& map, const std::vector<KeyRow<Target, Reading>>& rows, Target& target,
               const Reading& read) {
@@ -133,7 +136,7 @@ void set_keys(const Node& map, const std::vector<KeyRow<Target, Reading>>& rows,
       row.set(target, *value, below(read, row.name));
 }
 
-/// A map with a reader: what checks it, and the rows that set its target.
+/// Reader of a map: its form, for checks, and the rows that set its target.
 template <class Target, class Reading>
 struct KeyTable {
   using Row = KeyRow<Target, Reading>;
@@ -144,7 +147,7 @@ struct KeyTable {
   KeyTable(std::string noun, std::string example, std::vector<Row> all)
       : rows(std::move(all)), form(keys_form(std::move(noun), std::move(example), rows)) {}
 
-  /// Says whether it is a map; all that is wrong has gone to the reading's faults.
+  /// Checks and reads a map; faults are added to the context. Returns false where the node is not a map.
   bool read(const Node& map, Target& target, const Reading& read) const {
     if (!read.check(map, form)) return false;
     set_keys(map, rows, target, read);

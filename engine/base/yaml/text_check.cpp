@@ -34,7 +34,8 @@ std::string message_for(unsigned char c) {
 std::optional<TextFault> check_text(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto c = static_cast<unsigned char>(text[i]);
-    // Old line ends of one carriage return are none to the YAML library: all would be one line.
+    // A lone carriage return is refused: the YAML library does not treat it as a line end, so all text would
+    // be one line.
     const bool line_end = c == '\r' && text.substr(i + 1).starts_with('\n');
     const std::size_t length = is_plain(c) || line_end ? 1 : c < 0x80 ? 0 : text::utf8_length(text.substr(i));
     if (length == 0) return TextFault{mark_at(text, i), message_for(c)};

@@ -9,14 +9,14 @@
 
 namespace stepwire::yaml {
 
-/// What makes a text no text: where, and what is wrong with it.
+/// Location of invalid text, and the message about it.
 struct TextFault {
   Mark mark;
   std::string message;
 };
 
-/// The first byte that no YAML file can have: a control character, or what is not UTF-8. Nothing if the text
-/// is sound.
+/// Returns the first byte that YAML does not allow, a control character or invalid UTF-8; std::nullopt for a
+/// valid text.
 std::optional<TextFault> check_text(std::string_view text);
 
 }  // namespace stepwire::yaml

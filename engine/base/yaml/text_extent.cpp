@@ -32,7 +32,7 @@ std::size_t quoted_end(std::string_view text, std::size_t start) {
   return text.size();
 }
 
-/// Behind the last character of `value`, of which the text has all but the blanks as they are.
+/// Returns the end of `value` in the text, which has the same characters but possibly other blanks.
 std::size_t matched_end(std::string_view text, std::size_t start, std::size_t at, std::string_view value) {
   std::size_t end = start;
   for (const char c : value) {
@@ -44,7 +44,7 @@ std::size_t matched_end(std::string_view text, std::size_t start, std::size_t at
   return end;
 }
 
-/// Blanks and comments, and of `further` what stands alone.
+/// Skips blanks, comments and the characters in `further`.
 std::size_t skipped(std::string_view text, std::size_t at, std::string_view further) {
   while (at < text.size()) {
     if (text[at] == '#')
@@ -78,7 +78,7 @@ std::size_t scalar_end(std::string_view text, std::size_t start, std::string_vie
 
 std::size_t bracket_end(std::string_view text, std::size_t last) {
   std::size_t at = skipped(text, last, ",:?");
-  while (at < text.size() && (text[at] == '&' || text[at] == '!'))  // of a value that is left out
+  while (at < text.size() && (text[at] == '&' || text[at] == '!'))  // of an omitted value
     at = skipped(text, word_end(text, at), ",:?");
   return at < text.size() && is_bracket(text[at]) ? at + 1 : last;
 }

@@ -38,7 +38,7 @@ std::optional<int> LineIndex::tab_in_indentation(std::size_t position) {
   return static_cast<int>(first) + 1;
 }
 
-// Positions come mostly in order: the line of the last one is looked at first.
+// Returns the line of a position. It tries the previous line first, since positions are mostly in order.
 std::size_t LineIndex::line_of(std::size_t position) {
   const bool same = lines_[last_line_] <= position &&
                     (last_line_ + 1 == lines_.size() || position < lines_[last_line_ + 1]);
@@ -49,7 +49,8 @@ std::size_t LineIndex::line_of(std::size_t position) {
   return last_line_;
 }
 
-// Positions come mostly in order, so that a long line is counted once and not once per position.
+// Counts characters. Positions are mostly in order, so the previous count continues instead of starting
+// again.
 int LineIndex::characters(std::size_t from, std::size_t to) {
   if (from != counted_from_ || to < counted_to_) {
     counted_from_ = counted_to_ = from;

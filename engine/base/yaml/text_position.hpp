@@ -9,19 +9,19 @@
 
 namespace stepwire::yaml {
 
-/// Turns positions in a text, in bytes from its start, into the marks that a person sees: characters, counted
-/// from 1.
+/// Converts byte positions in a text to marks (line and character, counted from 1) and back.
 class LineIndex {
  public:
   explicit LineIndex(std::string_view text);
 
-  /// Of a position, or of the end where it lies behind that. Positions in order cost the least.
+  /// Returns the mark of a position; the end of the text for a position beyond it. Ascending positions are
+  /// fastest.
   Mark mark(std::size_t position);
-  /// The position of a mark; the end of its line, or of the text, where it lies behind that.
+  /// Returns the position of a mark; the end of its line or of the text for a mark beyond it.
   std::size_t position(const Mark& mark) const;
   std::string_view text() const { return text_; }
   std::string_view text_at(std::size_t position) const;
-  /// Column of the first tab among the blanks that start the line.
+  /// Returns the column of the first tab in the indentation of the line; std::nullopt without one.
   std::optional<int> tab_in_indentation(std::size_t position);
 
  private:
@@ -29,16 +29,16 @@ class LineIndex {
   int characters(std::size_t from, std::size_t to);
 
   std::string_view text_;
-  std::vector<std::size_t> lines_;  ///< where each begins
+  std::vector<std::size_t> lines_;  ///< start of each line
   std::size_t last_line_ = 0;
   std::size_t counted_from_ = 0, counted_to_ = 0;
   int count_ = 0;
 };
 
-/// Whether a text begins with a null that somebody wrote, and not with whatever follows a value left out.
+/// True where a text begins with an explicit null; false for the text that follows an omitted value.
 bool starts_with_null(std::string_view text);
 
-/// Whether a text in quotes (perhaps after its anchor) goes on to the end of the file.
+/// True where a quoted text (possibly after its anchor) extends to the end of the file.
 bool lacks_closing_quote(std::string_view text);
 
 }  // namespace stepwire::yaml

@@ -5,7 +5,8 @@
 namespace stepwire::yaml {
 namespace {
 
-// A list in brackets of about this many numbers can be read; its tokens then take less than 100 MB.
+// Most characters that can make a token between two events. A flow list of about this many numbers is
+// readable; its tokens take less than 100 MB.
 constexpr std::size_t max_signs = 250'000;
 
 bool makes_token(char c) {
@@ -16,7 +17,7 @@ bool makes_token(char c) {
 }  // namespace
 
 TextSource::TextSource(std::string_view text) {
-  char* begin = const_cast<char*>(text.data());  // a stream buffer wants it so; nothing writes
+  char* begin = const_cast<char*>(text.data());  // required by std::streambuf, which does not write here
   setg(begin, begin, begin + text.size());
 }
 

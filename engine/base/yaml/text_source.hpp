@@ -5,16 +5,16 @@
 
 namespace stepwire::yaml {
 
-/// Hands a text to a stream reader without a copy, and counts what it takes to keep the reader from running
-/// ahead: a scanner that must see the end of a flow list first piles up tokens, each many times larger than
-/// its character.
+/// Stream buffer over a text that bounds the memory of the YAML scanner. A scanner that searches the end of a
+/// flow list accumulates tokens, each much larger than its character. The buffer counts the token characters
+/// read since the last progress().
 class TextSource : public std::streambuf {
  public:
   explicit TextSource(std::string_view text);
 
-  /// The reader has made something of what it took.
+  /// Resets the count, after the parser has emitted an event.
   void progress() { signs_ = 0; }
-  /// Thrown out of a read when the reader took too much without making anything of it.
+  /// Thrown from a read after too many token characters without progress().
   struct TooFarAhead {};
 
  protected:

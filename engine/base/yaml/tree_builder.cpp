@@ -11,8 +11,8 @@
 namespace stepwire::yaml {
 namespace {
 
-constexpr std::size_t characters_per_node = 32;  // so that copies of one long text cost what they take
-constexpr std::size_t nodes_per_anchor = 8;      // about what keeping the way to it takes
+constexpr std::size_t characters_per_node = 32;  // bounds copies of long texts by aliases
+constexpr std::size_t nodes_per_anchor = 8;      // approximate cost of storing the path to an anchor
 
 struct Size {
   std::size_t cost = 0;
@@ -102,7 +102,7 @@ void TreeBuilder::alias(Mark mark, std::size_t anchor) {
   }
   const auto known = anchors_.find(anchor);
   if (known == anchors_.end())
-    return empty({mark, mark}, true, 0);  // its anchor stood on a key: a fault already
+    return empty({mark, mark}, true, 0);  // its anchor was on a key, which is already a fault
   const Node& meant = at(known->second);
   const bool is_open =
       std::any_of(open_.begin(), open_.end(), [&](auto& level) { return level.node == &meant; });

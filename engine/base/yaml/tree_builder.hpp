@@ -9,35 +9,35 @@
 
 namespace stepwire::yaml {
 
-/// From the first character of a value to just behind its last one.
+/// Range from the first character of a value to just after its last one.
 struct MarkRange {
   Mark mark, end;
 };
 
-/// A tree of nodes that grows with what a reader finds from top to bottom. It checks keys, expands aliases
-/// and keeps the limits on depth and size. `anchor` is 0 where a value has none.
+/// Builds a tree of nodes from parser events. It checks keys, expands aliases and enforces the limits on
+/// depth and size. `anchor` is 0 for a value without one.
 class TreeBuilder {
  public:
   TreeBuilder(std::string file, const DocumentLimits& limits);
 
   void open(Node::Kind kind, Mark mark, std::size_t anchor);
-  /// Ends the list or map that was opened last; `end` is just behind it.
+  /// Closes the innermost open list or map; `end` is just after it.
   void close(Mark end);
   void scalar(const MarkRange& place, const std::string& text, bool quoted, std::size_t anchor);
-  /// A value that is written as null, or one that is absent: that has no place but the one of its key.
+  /// Adds a written null or an omitted value; the latter has the location of its key.
   void empty(const MarkRange& place, bool written, std::size_t anchor);
   void alias(Mark mark, std::size_t anchor);
 
-  /// Is what comes next the key of a map?
+  /// True where the next value is the key of a map.
   bool awaits_key() const;
-  /// Where the list or map starts that is read just now.
+  /// Returns the start of the innermost open list or map.
   Mark innermost() const;
 
-  /// Notes a fault after which reading goes on; ends the reading if there are too many.
+  /// Records a fault and continues; throws Error after too many.
   void fault(Mark mark, Message message);
-  /// Ends the reading with all that was found.
+  /// Throws Error with this fault and all earlier ones.
   [[noreturn]] void fail(Mark mark, Message message);
-  /// The finished tree; throws Error if there were faults.
+  /// Returns the finished tree; throws Error if there were faults.
   Node take();
 
  private:
@@ -57,7 +57,7 @@ class TreeBuilder {
   std::string file_;
   DocumentLimits limits_;
   Node root_;
-  std::vector<Level> open_;  // pointers stay good: a vector grows only while none of its elements is open
+  std::vector<Level> open_;  // pointers remain valid: a vector grows only while none of its elements is open
   std::unordered_map<std::size_t, Path> anchors_;
   std::size_t cost_ = 0;
   Faults faults_;

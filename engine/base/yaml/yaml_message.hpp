@@ -5,7 +5,7 @@
 
 namespace stepwire::yaml {
 
-/// What the YAML library complains about, in words that help: its terms are those of a parser's author.
+/// Rewrites an error message of the YAML library, which uses terms of parser authors, for users.
 std::string yaml_message(std::string_view library_message);
 
 }  // namespace stepwire::yaml

@@ -22,13 +22,13 @@
 namespace stepwire::yaml {
 namespace {
 
-// A mark of the library in our words; where it has none, the file starts.
+// Returns the position of a mark of the library; 0 for a null mark.
 std::size_t spot_of(const YAML::Mark& mark) {
   return mark.is_null() ? 0 : static_cast<std::size_t>(mark.pos);
 }
 
-/// The library makes one byte each of the escapes \N and \_, which stand for U+0085 and U+00A0. What the file
-/// itself holds is UTF-8.
+/// Repairs the escapes \N and \_, of which the library makes the single bytes 0x85 and 0xA0 instead of UTF-8.
+/// The file itself is valid UTF-8.
 std::string with_whole_escapes(const std::string& text) {
   const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
   if (std::ranges::all_of(text, is_ascii)) return text;
@@ -42,17 +42,18 @@ std::string with_whole_escapes(const std::string& text) {
   return result;
 }
 
-// Everything that the library finds ends up in the tree. Its recursion is bounded by the depth of the tree,
-// since it goes no level deeper without opening a list or a map.
+// Forwards the library's events to the tree. The recursion of the library is bounded by the depth limit of
+// the tree, since each level opens a list or a map.
 class Events : public YAML::EventHandler {
  public:
   Events(TreeBuilder& tree, TextSource& source, LineIndex& spots)
       : tree_(tree), source_(source), spots_(spots) {}
 
-  /// Where the last value was found.
+  /// Returns the location of the last value.
   Mark last() { return place(last_); }
 
-  /// The library takes the end of the file for a closing quote; only the last text can run into it.
+  /// Refuses a missing closing quote, which the library ignores at the end of the file; only the last text
+  /// can lack it.
   void check_last_quote() {
     if (lacks_closing_quote(last_text_))
       tree_.fail(place(last_), "the closing quote of this text is missing");
@@ -105,7 +106,7 @@ class Events : public YAML::EventHandler {
     last_ = mark;
     source_.progress();
   }
-  /// Notes where what was read last ends.
+  /// Records where the last value ends.
   MarkRange extent(std::size_t start, std::size_t end) {
     const Mark mark = spots_.mark(start);
     behind_ = end;
@@ -126,8 +127,8 @@ class Events : public YAML::EventHandler {
     in_brackets_.pop_back();
     tree_.close(spots_.mark(behind_));
   }
-  // "?" is the library's word for no tag, and "!" for one in quotes or an explicit "!", which says nothing
-  // more.
+  // Refuses written tags. The library uses "?" for no tag, and "!" for a quoted scalar as well as an explicit
+  // "!".
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
     const bool written =
         tag != "" && tag != "?" && (tag != "!" || spots_.text_at(spot_of(mark)).starts_with('!'));
@@ -138,14 +139,15 @@ class Events : public YAML::EventHandler {
   TextSource& source_;
   LineIndex& spots_;
   YAML::Mark last_;
-  std::vector<bool> in_brackets_;  ///< of each list and map that is open
-  std::size_t behind_ = 0;         ///< the end of what was read last
+  std::vector<bool> in_brackets_;  ///< of each open list and map
+  std::size_t behind_ = 0;         ///< end of the last value
   std::string_view last_text_;
   int documents_ = 0;
 };
 
-// A parser's word is about where a bracket or quote should end, a person looks for its start; and a tab looks
-// like blanks.
+// Throws the error of the library with a helpful location. The parser points to where a bracket or quote
+// should end; the user needs its start. Tabs in the indentation are reported first, since they look like
+// blanks.
 [[noreturn]] void explain(TreeBuilder& tree, LineIndex& spots, Mark last, const YAML::Exception& wrong) {
   const auto text = [](Mark mark) { return std::to_string(mark.line) + ":" + std::to_string(mark.column); };
   const Mark place = spots.mark(spot_of(wrong.mark));

@@ -7,7 +7,7 @@
 
 namespace stepwire::yaml {
 
-/// Reads one YAML document out of sound UTF-8 text into a tree; throws Error for all that is wrong with it.
+/// Parses one YAML document from valid UTF-8 text into a tree. Throws Error with all faults.
 Node read_yaml(std::string_view text, const std::string& file, const DocumentLimits& limits);
 
 }  // namespace stepwire::yaml

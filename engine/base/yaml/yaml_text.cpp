@@ -12,13 +12,13 @@
 namespace stepwire::yaml {
 namespace {
 
-constexpr std::size_t longest_line = 100;  // [characters] of what stands in brackets
+constexpr std::size_t longest_line = 100;  // [characters] of a value in brackets
 
 bool is_null(const std::string& text) {
   return text == "null" || text == "Null" || text == "NULL" || text == "~";
 }
 
-/// Has such a text the same meaning without quotes, wherever it stands?
+/// True where a text has the same meaning without quotes in every context.
 bool is_plain(const std::string& text) {
   constexpr std::string_view special = ",[]{}:#\"'`\\", special_at_start = "&*!|>%@?- ";
   if (text.empty() || is_null(text) || text.back() == ' ') return false;
@@ -34,7 +34,7 @@ std::string in_quotes(const std::string& text) {
     if (c == '"' || c == '\\') result += '\\';
     result += c;
   }
-  return text::visible(result) + '"';  // what visible() writes is what YAML reads as these characters
+  return text::visible(result) + '"';  // the escapes of visible() are valid in YAML
 }
 
 std::string scalar_text(const Node& node) {
@@ -78,7 +78,8 @@ class Writer {
     lines(node, indent + 2);
   }
 
-  /// False, and something half done at the end, where the text would get longer than `most`.
+  /// Appends a value in flow style. Returns false, with a partial text, where it would exceed `most`
+  /// characters.
   bool in_brackets(const Node& node, std::size_t most) {
     if (!node.is_list() && !node.is_map()) {
       text_ += scalar_text(node);

@@ -6,11 +6,11 @@
 
 namespace stepwire::yaml {
 
-/// A tree as YAML that reads back to the same tree, places aside: what is short stands on one line in
-/// brackets, the rest on lines of its own. A text without quotes gets them where it cannot stand without.
+/// Writes a tree as YAML that parses to the same tree, except for locations. Short values are in flow style
+/// on one line, others in block style. Texts are quoted where necessary.
 std::string yaml_text(const Node& root);
 
-/// The same on one line, in brackets: `[1, 2]`.
+/// Writes a tree in flow style on one line: `[1, 2]`.
 std::string yaml_line(const Node& root);
 
 }  // namespace stepwire::yaml

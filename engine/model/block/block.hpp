@@ -1,7 +1,6 @@
 #pragma once
 
-// What the header of a block needs. How blocks are declared and configured is for their .cpp files: see
-// declare.hpp.
+// Base header of blocks. Only their .cpp files need the declaration and configuration, see declare.hpp.
 #include "engine/model/block/crossings.hpp"
 #include "engine/model/signal/clock.hpp"
 #include "engine/model/signal/diagnostic.hpp"

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A path that may stand between the quotes of an #include.
+/// True for a path that can be quoted in an #include.
 bool can_be_included(const std::string& path) {
   return path.find_first_of("\"\\\n\r") == path.npos;
 }
@@ -27,7 +27,8 @@ bool is_header(const fs::path& file) {
   return ending == ".hpp" || ending == ".h" || ending == ".hh" || ending == ".hxx";
 }
 
-/// The header that goes with a source, where there is one.
+/// Returns the header of a source: the named one, the source itself if it is a header, or one of its name
+/// beside it. Returns an empty path if there is none.
 fs::path header_file(const fs::path& source, const std::string& named) {
   if (!named.empty()) return source.parent_path() / named;
   if (is_header(source)) return source;
@@ -38,14 +39,13 @@ fs::path header_file(const fs::path& source, const std::string& named) {
 
 }  // namespace
 
-// "blocks/math/gain.hpp" for what "blocks/math/gain.cpp" of the library declares. For what the full path of
-// another source declares, the full path of its header: the one that is named, the source itself where it is
-// a header, or one of its name beside it. Empty where there is none.
-// Empty, too, for a struct in a function or in a namespace without a name.
+// Returns "blocks/math/gain.hpp" for blocks that the library declares in "blocks/math/gain.cpp". For other
+// sources, given by their full path, it returns the full path of the header found by header_file(). Returns
+// an empty text without such a header, and for a struct in a function or in an unnamed namespace.
 std::string detail::header_of(std::string_view source, const std::string& named,
                               std::string_view struct_name) {
   if (!has_name_outside(struct_name)) return "";
-  if (source.starts_with("blocks/"))  // our own sources are compiled under their path from the root
+  if (source.starts_with("blocks/"))  // the library is compiled with paths relative to its root
     return fs::path(source).replace_extension(".hpp").string();
   if (!source.starts_with('/')) return "";
   std::error_code none;

@@ -15,30 +15,30 @@ namespace stepwire {
 
 struct Outline;
 
-/// When a block runs unless its file says `every`.
+/// Timing of a block without `every` in its file.
 enum class Timing {
-  inherited,   ///< at the rate of its inputs; once at the start if it has none
-  continuous,  ///< follows time itself (sources) or has continuous states
-  discrete     ///< acts at ticks; without `every` at its inputs' period, or at every step where those are
-               ///< continuous
+  inherited,   ///< At the rate of its inputs; once at the start without inputs.
+  continuous,  ///< For sources that are functions of time, and blocks with continuous states.
+  discrete     ///< At ticks; without `every` at the period of its inputs, or at every step where those are
+               ///< continuous.
 };
 
-/// Everything known of a kind of block, from its declaration alone.
+/// Description of a kind of block, derived from its declaration alone.
 struct BlockType {
   std::string name;
   std::string doc;
-  std::string source;  ///< equation, paper or datasheet, if any
-  std::string folder;  ///< the family, e.g. "continuous"
+  std::string source;  ///< equation, paper or datasheet; may be empty
+  std::string folder;  ///< the family, such as "continuous"
   Symbol symbol;
   Timing timing = Timing::inherited;
   bool file_output = false;
-  std::string struct_name;  ///< in C++, with its namespace
-  std::string header;  ///< that declares the struct, from the root of the sources, or its full path where it
-                       ///< is none of ours; empty if there is none
-  std::string declared_at;    ///< "blocks/math/gain.cpp:12"
-  std::string not_real_time;  ///< why its steps are not fit for a real-time loop; empty: they are
-  std::string not_linear;     ///< why linear analyses refuse it; empty: they do not
-  std::string not_generated;  ///< why no code can be made of it, where that is no lack of a header
+  std::string struct_name;  ///< C++ name with its namespace.
+  std::string header;  ///< Header that declares the struct: relative to the root of the sources, or a full
+                       ///< path outside of the library. Empty without one.
+  std::string declared_at;    ///< Location of the declaration, "blocks/math/gain.cpp:12".
+  std::string not_real_time;  ///< Reason why a real-time loop refuses it; empty without one.
+  std::string not_linear;     ///< Reason why linear analyses refuse it; empty without one.
+  std::string not_generated;  ///< Reason, except a missing header, against code generation; may be empty.
 
   std::vector<ParameterSpec> parameters;
   std::vector<InputSpec> inputs;
@@ -46,12 +46,12 @@ struct BlockType {
   std::vector<StateSpec> states;
   std::vector<DiagnosticSpec> diagnostics;
   std::vector<CrossingSpec> crossings;
-  bool steady = false;     ///< are its outputs constant between crossings?
-  bool at_events = false;  ///< acts at located events though it crosses nothing
+  bool steady = false;     ///< its outputs are constant between crossings
+  bool at_events = false;  ///< acts at located events although it has no crossings
   bool smooth = false;     ///< outputs jump only where inputs do
-  bool torn = false;       ///< are algebraic loops through it solved for its outputs?
+  bool torn = false;       ///< algebraic loops through it are solved for its outputs
   std::vector<PresetSpec> presets;
-  std::vector<MemberSpec> members;  ///< that a run reads and never changes
+  std::vector<MemberSpec> members;  ///< members that a run reads and never changes
   std::vector<ClockSpec> clocks;
   std::vector<SizeSpec> sizes;
 
@@ -60,15 +60,15 @@ struct BlockType {
   Kernels run_outputs_at_instant;
   /// Replaces run_update at located events; empty for a block with one update().
   Kernels run_update_at_event;
-  /// Writes the numbers of all crossings; null where there are none.
+  /// Writes the values of all crossing functions; nullptr for a block without crossings.
   void (*run_crossings)(const void* block, double* numbers) = nullptr;
-  /// Time of the next jump or bend of an output after the present time, by the time alone [s]; infinite
-  /// without one. Null for a block that declares no edges.
+  /// Returns the time [s] of the next jump or bend of an output that is caused by time alone; infinity
+  /// without one. nullptr for a block that declares no edges.
   double (*run_next_edge)(const void* block) = nullptr;
   void (*configure)(void* block, Configure& is) = nullptr;
   void (*prepare)(void* block) = nullptr;
   void (*start)(void* block) = nullptr;
-  /// Adds the lines that a configured block offers to figures; null where it has none.
+  /// Adds the lines that a configured block offers to figures; nullptr for a block without any.
   void (*outline)(const void* block, Outline& lines) = nullptr;
 
   std::size_t bytes = 0, alignment = 0;
@@ -77,13 +77,13 @@ struct BlockType {
   void (*destroy)(void* block) = nullptr;
 
   const ParameterSpec* parameter(std::string_view key) const;
-  int input(std::string_view key) const;   ///< index, or -1
-  int output(std::string_view key) const;  ///< index, or -1
-  int state(std::string_view key) const;   ///< index, or -1
+  int input(std::string_view key) const;   ///< index; -1 if it is missing
+  int output(std::string_view key) const;  ///< index; -1 if it is missing
+  int state(std::string_view key) const;   ///< index; -1 if it is missing
   bool has_continuous_state() const;
 };
 
-/// Owns one block of a type known only at run time.
+/// Owner of one block whose type is known only at run time.
 class AnyBlock {
  public:
   explicit AnyBlock(const BlockType& type);

@@ -14,22 +14,22 @@
 
 namespace stepwire {
 
-/// What a block refuses about its own parameters; the loader adds the place.
+/// Thrown by configure() for an invalid parameter; the loader adds the location.
 class ParameterRefused : public std::runtime_error {
  public:
   ParameterRefused(std::string refused, const std::string& message, int at_line = 0, int at_column = 0)
       : std::runtime_error(message), parameter(std::move(refused)), line(at_line), column(at_column) {}
   std::string parameter;
-  int line, column;  ///< of the piece of a tree that is wrong; 0: the parameter as a whole
+  int line, column;  ///< of the invalid piece of a tree; 0 for the parameter as a whole
 };
 
-/// What a block says of itself in configure(): two blocks that say the same fit into the same plan.
+/// Answers of a block in configure(). Blocks with equal answers fit into the same plan.
 struct Configuration {
   std::map<std::string, Eigen::Index> sizes, min_sizes;
   std::map<std::string, std::string> units;
   std::map<std::pair<std::string, std::string>, bool> feedthrough;
-  std::vector<std::pair<std::string, std::string>> required;  ///< inputs, and why
-  /// State and input, where one is the other's derivative; both empty where there are none.
+  std::vector<std::pair<std::string, std::string>> required;  ///< inputs, with the reasons
+  /// State and input, where the input is the derivative of the state; both empty otherwise.
   std::pair<std::string, std::string> slope_source;
   bool skips_outputs = false, skips_update = false, skips_crossings = false;
   bool skips_instants = false, steady = false, smooth = false, keeps_to_ticks = false;
@@ -39,9 +39,9 @@ struct Configuration {
   bool operator==(const Configuration&) const = default;
 };
 
-/// Passed to a block's optional configure() once its parameters, connections and period are known and before
-/// shapes, order and memory are: here a block checks its parameters against each other, and says what its
-/// declaration left open.
+/// Interface passed to a block's optional configure(). It is called once the parameters, connections and
+/// period are known, before shapes, order and memory are determined. The block checks its parameters against
+/// each other and decides what its declaration left open.
 class Configure {
  public:
   Configure(std::set<std::string> connected, double period, std::map<std::string, Eigen::Index> counts = {},
@@ -54,21 +54,21 @@ class Configure {
         constants_(std::move(constants)),
         initial_(std::move(initial)) {}
 
-  /// The block's name in the diagram, "rig.wheel"; for messages alone.
+  /// Returns the block's name in the diagram, "rig.wheel"; for messages only.
   const std::string& name() const { return name_; }
 
-  /// Is this optional input fed?
+  /// True where this optional input is connected.
   template <auto input>
   bool connected() const {
     return connected_.contains(std::string(member_name<input>()));
   }
-  /// How many elements does this list of inputs have?
+  /// Returns the number of elements of this list of inputs.
   template <auto input>
   Eigen::Index count() const {
     const auto found = counts_.find(std::string(member_name<input>()));
     return found == counts_.end() ? 0 : found->second;
   }
-  /// The number that stands in the place of a wire; empty for a wire, and for several numbers.
+  /// Returns the constant given in place of a wire; std::nullopt for a wire and for several numbers.
   template <auto input>
   std::optional<double> constant() const {
     const auto found = constants_.find(std::string(member_name<input>()));
@@ -81,19 +81,18 @@ class Configure {
     answers_.asked_initial.insert(name);
     return initial_.contains(name);
   }
-  /// Time between two updates of this block [s].
+  /// Returns the time between two updates of this block [s].
   double period() const { return period_; }
 
-  /// Gives a size that no port or parameter determines, by its letter in the declared shapes.
+  /// Sets a size that no port or parameter determines, by its letter in the declared shapes.
   void size(const std::string& symbol, Eigen::Index elements) { answers_.sizes[symbol] = elements; }
-  /// Refuses a size, which comes from a wire, below this: there is no element `elements` to work on.
+  /// Requires at least this many elements of a size that a wire determines.
   void size_at_least(const std::string& symbol, Eigen::Index elements) {
     answers_.min_sizes[symbol] = elements;
   }
-  /// Says what a unit variable of the declaration is in this instance, e.g. ("'u", "mm") from a file's
-  /// header.
+  /// Sets a unit variable of the declaration for this instance, such as ("'u", "mm") from a file's header.
   void unit(const std::string& variable, const std::string& unit) { answers_.units[variable] = unit; }
-  /// Says whether this instance's output depends on this input at the same instant.
+  /// Sets whether this instance's output depends on this input at the same instant.
   template <auto input, auto output>
   void feedthrough(bool depends) {
     answers_.feedthrough[{std::string(member_name<input>()), std::string(member_name<output>())}] = depends;
@@ -105,30 +104,30 @@ class Configure {
   }
   /// Outputs that are states need no call of outputs() in this instance.
   void skip_outputs() { answers_.skips_outputs = true; }
-  /// This instance has nothing to do in update().
+  /// This instance needs no call of update().
   void skip_update() { answers_.skips_update = true; }
-  /// The states of this instance never change: it is what a block without states is.
+  /// The states of this instance never change; it is treated as a block without states.
   void remember_nothing() { answers_.remembers_nothing = true; }
-  /// The outputs of this instance are the same before and after update(), whatever states it changes.
+  /// The outputs of this instance are the same before and after update(), even where states change.
   void update_keeps_outputs() { answers_.update_keeps_outputs = true; }
-  /// This instance crosses nothing.
+  /// This instance has no crossings.
   void skip_crossings() { answers_.skips_crossings = true; }
   /// The outputs of this instance are the same at an instant as in the solver's stages.
   void skip_instants() { answers_.skips_instants = true; }
-  /// This instance acts at ticks alone, where others of its kind act at events, too.
+  /// This instance acts only at ticks, although its type acts at events as well.
   void keep_to_ticks() { answers_.keeps_to_ticks = true; }
   /// The outputs of this instance are constant between its crossings.
   void steady() { answers_.steady = true; }
   /// The outputs of this instance jump only where its inputs do; BlockOptions::smooth is the same for all
   /// instances.
   void smooth() { answers_.smooth = true; }
-  /// The slope of this state is this input as it stands, and derivatives() does nothing else: where the plan
-  /// lets the input's source write into the slope's place, nothing needs to be called.
+  /// The derivative of this state equals this input, and derivatives() has no other effect. The plan may let
+  /// the source of the input write the derivative directly and drop the call.
   template <auto state, auto input>
   void slope_is_input() {
     answers_.slope_source = {std::string(member_name<state>()), std::string(member_name<input>())};
   }
-  /// Refuses a parameter: what is wrong and what would be right.
+  /// Refuses a parameter with a message of the form "problem; cure".
   template <auto parameter>
   [[noreturn]] void refuse(const std::string& message) const {
     throw ParameterRefused(std::string(member_name<parameter>()), message);

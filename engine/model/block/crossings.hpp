@@ -2,8 +2,8 @@
 
 namespace stepwire {
 
-/// What crossings() of a block writes: numbers that pass through zero where the block begins to do something
-/// else, such as its input less a threshold; as many, and in this order, as its declaration has rows.
+/// Output of a block's crossings(): values that cross zero where its behaviour changes, such as its input
+/// less a threshold. Their number and order are those of the declaration.
 class Crossings {
  public:
   explicit Crossings(double* numbers) : next_(numbers) {}

@@ -18,12 +18,12 @@
 
 namespace stepwire {
 
-/// What a derived member follows from, where that is no parameter's number.
+/// Tag of a derived member that does not depend on the number of any parameter.
 enum class From { no_number };
 
 namespace detail {
 
-/// BlockType::header of a struct that a source declares, which may name the header.
+/// Returns BlockType::header of a struct declared in a source, which may name the header.
 std::string header_of(std::string_view source, const std::string& named, std::string_view struct_name);
 
 template <auto... from>
@@ -39,14 +39,15 @@ std::optional<std::vector<std::string>> names_of() {
 
 }  // namespace detail
 
-/// Collects what a block says of itself; `declare(Declare<Block>&)` names each member once.
+/// Collects the declaration of a block; `declare(Declare<Block>&)` names each member once.
 ///
-/// Units: a unit ("N", "mm/s"; numbers inside are SI all the same), "1" for none, "*" for anything, or with
-/// unit variables, which are what is wired to the block: "'u" (a name after a quote), "'u s", "'k 'u",
-/// "'a/'b", "'u^0.5". Shapes: a number, a letter that stands for the same size in the whole block, or "m x n"
-/// for matrices of m rows; numbers of a port lie column by column. A port with one letter passes matrices as
-/// their elements, and what has the same letter has the same rows and columns. A list has elements of one
-/// shape; where its shape is "+n", their elements together are n, and where it is "m x +n", their columns.
+/// Units: "N" or "mm/s" (numbers inside are SI), "1" for none, "*" for any. Unit variables are determined by
+/// the wires: "'u" (a name after a quote), "'u s", "'k 'u", "'a/'b", "'u^0.5".
+///
+/// Shapes: a number, a letter that denotes the same size in the whole block, or "m x n" for matrices of m
+/// rows in column-major order. A port with one letter passes matrices as their elements; all ports of that
+/// letter have the same rows and columns. The elements of a list have one shape. With the shape "+n" their
+/// elements together are n, with "m x +n" their columns.
 template <class Block>
 class Declare {
  public:
@@ -60,7 +61,7 @@ class Declare {
   }
 
   void block(std::string name, BlockOptions options,
-             const char* file = __builtin_FILE(),  // of the declaration; clang 14 has no std::source_location
+             const char* file = __builtin_FILE(),  // of the declaration; clang 14 lacks std::source_location
              int line = __builtin_LINE()) {
     type_.name = std::move(name);
     type_.struct_name = detail::type_name<Block>();
@@ -101,9 +102,9 @@ class Declare {
     type_.parameters.push_back(std::move(spec));
   }
 
-  /// A member that configure() or prepare() compute, and a run reads. `from` names the parameters whose
-  /// numbers it is computed from, From::no_number where wires, words and sizes decide; all parameters where
-  /// left out. They keep their values in a generated program, which cannot compute it again.
+  /// Declares a member that configure() or prepare() compute and a run reads. `from` names the parameters
+  /// whose numbers it depends on: all parameters if omitted, From::no_number if only wires, words and sizes
+  /// matter. These parameters are fixed in a generated program, which cannot compute the member again.
   template <auto member, auto... from>
   void derived() {
     type_.members.push_back({std::string(member_identifier<member>()),
@@ -115,8 +116,8 @@ class Declare {
                              detail::names_of<from...>()});
   }
 
-  /// A member of type Index that holds a size, by its letter in the declared shapes: the rows m of a port
-  /// "m x n", whose numbers lie column by column. It is set before prepare().
+  /// Declares a member of type Index that holds a size, by its letter in the declared shapes: the rows m of a
+  /// port "m x n". It is set before prepare().
   template <auto member>
   void size(std::string symbol) {
     derived<member, From::no_number>();
@@ -124,9 +125,9 @@ class Declare {
         {std::move(symbol), [](void* block, Eigen::Index elements) { of<member>(block) = elements; }});
   }
 
-  /// A derived member that prepare() computes inline, in the header: so generated code computes it again
-  /// where a parameter changes. `from` as for derived(): it counts where its numbers are too many for
-  /// a program that takes no memory.
+  /// Declares a derived member that prepare() computes inline in the header, so that generated code can
+  /// compute it again where a parameter changes. `from` is as for derived(). It applies where the member has
+  /// too many numbers for a program without heap memory.
   template <auto member, auto... from>
   void prepared() {
     using Parts = PreparedParts<MemberType<member>>;
@@ -174,8 +175,8 @@ class Declare {
          [](void* block, double* data, Eigen::Index size) { of<member>(block).bind(data, size); }});
   }
 
-  /// An output that is a continuous state: it needs no computation and no memory of its own, unless the block
-  /// also has outputs() and does not skip it in configure().
+  /// Declares an output that is a continuous state. It needs no computation and no memory of its own, unless
+  /// the block also has outputs() and does not skip it in configure().
   template <auto member, auto state>
   void output(OutputOptions is) {
     output<member>(std::move(is));
@@ -205,8 +206,9 @@ class Declare {
     type_.states.push_back(std::move(spec));
   }
 
-  /// `detail`, a std::string(const Block&), adds the names and numbers of the case; it may read parameters
-  /// and discrete states, which stay as they were when the diagnostic was raised.
+  /// Declares a diagnostic. `detail`, a std::string(const Block&), returns names and numbers for the message.
+  /// It may read parameters and discrete states, which still have their values of the instant at which it was
+  /// raised.
   template <auto member, auto detail = nullptr>
   void diagnostic(DiagnosticOptions is) {
     type_.diagnostics.push_back({std::string(member_name<member>()), is.doc,
@@ -218,15 +220,14 @@ class Declare {
       };
   }
 
-  /// A function that passes through zero where the block begins to do something else from one instant to the
-  /// next, with as many elements as `shape` has: crossings() adds its numbers, row by row. Of the inputs it
-  /// reads these alone.
+  /// Declares a function that crosses zero where the block's behaviour changes abruptly, with the elements of
+  /// `shape`. crossings() adds the values row by row. It reads only these inputs.
   template <auto... inputs>
   void crossing(std::string doc, std::string shape = "n") {
     type_.crossings.push_back({std::move(doc), std::move(shape), {std::string(member_name<inputs>())...}});
   }
 
-  /// Gives the block the time, or the time between its updates.
+  /// Declares a member that is bound to the time, or to the time between updates.
   template <auto member>
   void clock() {
     const std::string name(member_identifier<member>());
@@ -240,14 +241,15 @@ class Declare {
     }
   }
 
-  /// A named set of values: `set` changes the parameters' defaults; keys of the file still come on top.
+  /// Declares a named set of values: `set` changes the defaults of parameters, and keys of the file override
+  /// them.
   template <void (*set)(Block&)>
   void preset(std::string name, std::string doc) {
     type_.presets.push_back(
         {std::move(name), std::move(doc), [](void* block) { set(*detail::Called<Block>(block)); }});
   }
 
-  /// Is one of the states declared up to now continuous?
+  /// True where one of the states declared so far is continuous.
   bool has_continuous_state() const { return type_.has_continuous_state(); }
 
   BlockType take() { return std::move(type_); }

@@ -8,29 +8,30 @@
 
 namespace stepwire {
 
-// What a declaration says of a block and its members.
+// Properties of a block in its declaration; the following types are those of its members.
 
 struct BlockOptions {
   std::string doc;
   std::string source = "";
   Timing timing = Timing::inherited;
-  /// Why a real-time loop refuses the block: "reads a file at every step". Left out where no step allocates,
-  /// locks, calls the system, or takes a time that nothing bounds.
+  /// Reason why a real-time loop refuses the block: "reads a file at every step". Empty if no step allocates,
+  /// locks, makes a system call or has an unbounded duration.
   std::string not_real_time = "";
-  /// Why linear analyses refuse the block: what it does is no linear system of its states around a point.
+  /// Reason why linear analyses refuse the block: it is not linear in its states around a point.
   std::string not_linear = "";
   Symbol symbol{};
-  /// Are the outputs constant between crossings?
+  /// The outputs are constant between crossings.
   bool steady = false;
-  /// Lets a block that remembers act at located events, too, without `every`. It must not count
-  /// on its period.
+  /// Lets a block with memory act at located events as well, if it has no `every`. It must not rely on its
+  /// period.
   bool at_events = false;
-  /// Promises that outputs jump only where an input or a reset does, never by the time alone.
+  /// Promises that outputs jump only where an input or a reset does, never by time alone.
   bool smooth = false;
-  /// Are algebraic loops through it solved for its outputs? They begin with what start() leaves there.
+  /// Algebraic loops through the block are solved for its outputs. The iteration begins at the values that
+  /// start() sets.
   bool torn = false;
-  /// The header that declares the struct, from the folder of the source that declares the block; needed where
-  /// it has another name, or lies in another folder.
+  /// Header that declares the struct, relative to the folder of the declaring source. Needed for a header of
+  /// another name or folder.
   std::string header = "";
 };
 
@@ -41,12 +42,12 @@ struct ParameterOptions {
   std::optional<double> above{}, below{}, at_least{}, at_most{};
   std::vector<std::string> words{};
   bool required = false;
-  /// Do sizes or connections of the block follow from the number? Another one takes another plan then, and a
-  /// generated program keeps it.
+  /// Sizes or connections of the block depend on the number. A change needs a new plan, and a generated
+  /// program keeps the value.
   bool structural = false;
-  /// Keys of a tree whose texts, and those in a map there, are expressions; "to." for the map alone; {""}
-  /// where the text itself is one. Names of parameters in them are the parameters' numbers, but for those
-  /// that the block gives a meaning: its inputs, what `variables` lists, u1, u2, .. and time.
+  /// Keys of a tree whose texts, and those of a nested map, are expressions; "to." for the nested map alone;
+  /// {""} where the text itself is one. Names in them are parameters of the diagram, except for names that
+  /// the block defines: its inputs, the list `variables`, u1, u2, .. and time.
   std::vector<std::string> formulas{};
 };
 
@@ -71,14 +72,14 @@ struct StateOptions {
   std::string doc;
   double initial = 0.0;
   bool settable = true;
-  /// The state is 0 before the first instant and 1 from then on. A linear analysis takes it for 1.
+  /// The state is 0 before the first instant and 1 afterwards. A linear analysis treats it as 1.
   bool marks_start = false;
 };
 
 struct DiagnosticOptions {
   std::string doc;
   bool ends_run = false;
-  bool is_fault = true;  ///< false: the run that it ends is whole, as with `stop_when`
+  bool is_fault = true;  ///< false: the run that it ends is complete, as with `stop_when`
 };
 
 }  // namespace stepwire

@@ -8,8 +8,8 @@
 
 namespace stepwire {
 
-/// Declares the members of ResetInput, behind the states of the block. `what` goes back: "the integral".
-/// A reset of continuous states is located.
+/// Declares the members of ResetInput, after the states of the block. `what` names the reset quantity: "the
+/// integral". A reset of continuous states is a located event.
 template <class Block>
 void declare_reset_input(Declare<Block>& is, const std::string& what = "the states") {
   is.template parameter<&Block::trigger>(
@@ -28,7 +28,7 @@ void declare_reset_input(Declare<Block>& is, const std::string& what = "the stat
     is.template crossing<&Block::reset>("the reset signal becomes true or false", "1");
 }
 
-/// Declares the members of Resettable, of the unit and shape of the state that goes back.
+/// Declares the members of Resettable, with the unit and shape of the reset state.
 template <class Block>
 void declare_reset(Declare<Block>& is, const std::string& unit, const std::string& what = "the state",
                    const std::string& shape = "n") {
@@ -45,7 +45,7 @@ void declare_reset(Declare<Block>& is, const std::string& unit, const std::strin
   is.template state<&Block::home>({.unit = unit, .shape = shape, .doc = "initial value", .settable = false});
 }
 
-/// Without a reset a block without crossings of its own crosses nothing.
+/// Drops the crossing of the reset if it is not connected and the block has no crossings of its own.
 template <class Block>
 void configure_reset_crossing(Configure& is) {
   using Inherited = void (ResetInput::*)(Crossings&) const;
@@ -53,7 +53,7 @@ void configure_reset_crossing(Configure& is) {
     is.skip_crossings();
 }
 
-/// Finds, in configure(), whether anything resets; false: neither start() nor update() has anything to do.
+/// Determines in configure() whether a reset is connected. Without one, start() and update() can be skipped.
 template <class Block>
 bool configure_reset_input(Block& block, Configure& is) {
   configure_reset_crossing<Block>(is);

@@ -7,10 +7,10 @@
 
 namespace stepwire {
 
-/// Small matrices in memory that a block has already, column by column: nothing here allocates.
+/// Operations on small column-major matrices in the memory of a block; they do not allocate.
 namespace dense {
 
-/// to += matrix from, without a temporary.
+/// Adds sign * matrix * from to `to`, without a temporary.
 template <class From, class To>
 void add(const Matrix& matrix, const From& from, To& to, double sign = 1.0) {
   for (Index j = 0; j < matrix.columns(); ++j) {
@@ -19,7 +19,8 @@ void add(const Matrix& matrix, const From& from, To& to, double sign = 1.0) {
   }
 }
 
-/// out (rows x columns) = a (rows x inner) b (inner x columns); `a(i, k)` and `b(k, j)` are functions.
+/// Computes out (rows x columns) = a (rows x inner) b (inner x columns); `a(i, k)` and `b(k, j)` are
+/// functions.
 template <class A, class B>
 void multiply(Index rows, Index inner, Index columns, const A& a, const B& b, Lane out) {
   for (Index j = 0; j < columns; ++j)
@@ -30,14 +31,14 @@ void multiply(Index rows, Index inner, Index columns, const A& a, const B& b, La
     }
 }
 
-/// Numbers as a matrix with so many rows.
+/// View of numbers as a matrix with this many rows.
 struct View {
   Lane data;
   Index rows;
   double operator()(Index i, Index j) const { return data[j * rows + i]; }
 };
 
-/// The same, transposed.
+/// Transposed view of a matrix.
 template <class Of>
 struct Transposed {
   const Of& of;
@@ -48,8 +49,8 @@ Transposed<Of> transposed(const Of& of) {
   return {of};
 }
 
-/// Turns a symmetric positive definite matrix (n x n) into its Cholesky factor L, below and on the diagonal;
-/// false where it is none.
+/// Replaces a symmetric positive definite matrix (n x n) by its Cholesky factor L in the lower triangle.
+/// Returns false for a matrix that is not positive definite.
 inline bool factorize(Index n, Lane s) {
   for (Index j = 0; j < n; ++j) {
     for (Index k = 0; k < j; ++k)

@@ -43,7 +43,7 @@ void find_set_up(BlockType& type) {
     type.start = [](void* block) { Called<Block>(block)->start(); };
 }
 
-/// Finds which functions of a block a struct has.
+/// Detects the functions that a block's struct defines.
 template <class Block>
 void find_functions(BlockType& type) {
   find_phases<Block>(type);

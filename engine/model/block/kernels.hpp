@@ -11,25 +11,23 @@
 
 namespace stepwire {
 
-/// Runs one phase of the blocks of one type, at least one, that lie one behind the other in memory up to
-/// `end`.
+/// Runs one phase of one or more blocks of one type, which are contiguous in memory up to `end`.
 using Kernel = void (*)(void* first, void* end);
 
-/// What a kernel may take for granted of its blocks. The more is known, the less has to be asked at every
-/// step.
+/// Compile-time assumptions of a kernel about its blocks. They avoid checks at every step.
 enum class Specialization {
   nothing,
-  one_element,    ///< every port and state has one
-  two_in_list,    ///< as well, and the list of inputs `u` has two
-  three_in_list,  ///< or three
-  plain_slope,    ///< one element, and the slope is but the input: `slope_is_input` of the block is true
+  one_element,    ///< Every port and state has one element.
+  two_in_list,    ///< In addition, the list of inputs `u` has two elements.
+  three_in_list,  ///< In addition, it has three elements.
+  plain_slope,    ///< One element; the derivative equals the input (`slope_is_input` of the block).
   count
 };
 
-/// The kernels of one phase, by what they take for granted.
+/// Kernels of one phase, by their assumptions.
 class Kernels {
  public:
-  /// Null where the type has no such phase, or nothing of which that could be known.
+  /// Returns a kernel; nullptr where the type lacks this phase or the assumption does not apply to it.
   Kernel operator[](Specialization specialization) const {
     return kernels_[static_cast<std::size_t>(specialization)];
   }
@@ -47,16 +45,16 @@ class Kernels {
 
 namespace detail {
 
-/// Surrounds a call of a block's own function. Blocks from outside are foreign code: the sources of their
-/// folder are compiled with STEPWIRE_BLOCKS_FROM_OUTSIDE, and behind each call the floating-point state is as
-/// before. For blocks of the library it is empty.
+/// Guard around calls of a block's functions. External blocks are foreign code: their folder is compiled with
+/// STEPWIRE_BLOCKS_FROM_OUTSIDE, and the guard restores the floating-point state after each call. For blocks
+/// of the library it is empty.
 #ifdef STEPWIRE_BLOCKS_FROM_OUTSIDE
 using BlockCall = FloatingPointState;
 #else
 struct BlockCall {};
 #endif
 
-/// A block in an expression that calls one of its own functions.
+/// Access to a block for a call of one of its functions, guarded by BlockCall.
 template <class Block>
 class Called {
  public:
@@ -86,8 +84,8 @@ template <class Port>
     if (port.size() != 1) __builtin_unreachable();
 }
 
-/// Tells the compiler what is known. The ports and the state that most blocks have, with the names that they
-/// have by custom, are enough: sizes are asked of what is written.
+/// Passes the assumptions to the compiler. Sizes are assumed only for the conventional names u, y and x,
+/// which most blocks use.
 template <Specialization specialization, class Block>
 [[gnu::always_inline]] inline void assume(const Block& block) {
   if constexpr (specialization == Specialization::nothing) return;

@@ -7,7 +7,7 @@
 namespace stepwire {
 
 std::string order_problem(const PerElement& lower, const PerElement& upper, std::string_view upper_name) {
-  // A single number stands for all elements; two different lengths are refused elsewhere, by their shapes.
+  // A single number applies to all elements; the shape check refuses different lengths.
   const Index size = std::max(lower.size(), upper.size());
   for (Index i = 0; i < size; ++i) {
     const double low = lower[std::min(i, lower.size() - 1)], high = upper[std::min(i, upper.size() - 1)];

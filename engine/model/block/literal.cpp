@@ -27,7 +27,7 @@ std::string Literal<Matrix>::text(const Matrix& value, LiteralWriter& writer) {
 std::string Literal<Function>::text(const Function& value, LiteralWriter&) {
   if (!value.source()) return "Function()";
   const std::string code = value.source()->cpp();
-  const bool reads = code.find("v[") != std::string::npos;  // a name that nothing reads is warned of
+  const bool reads = code.find("v[") != std::string::npos;  // an unused parameter name would cause a warning
   return fmt::format("Function([](const double*{}) -> double {{ return {}; }})", reads ? " v" : "", code);
 }
 

@@ -14,7 +14,7 @@ namespace stepwire {
 
 namespace detail {
 
-/// "stepwire::Gain"
+/// Returns the C++ name of a type, "stepwire::Gain".
 template <class Type>
 std::string type_name() {
   constexpr std::string_view text = __PRETTY_FUNCTION__;
@@ -24,22 +24,22 @@ std::string type_name() {
 
 }  // namespace detail
 
-/// Writes numbers of a block as C++: as they are, or as places that a program reads them from.
+/// Writer of a block's numbers in C++: as literals, or as references to a table of the program.
 class LiteralWriter {
  public:
   virtual ~LiteralWriter() = default;
   virtual std::string number(double value) = 0;
   virtual std::string flag(bool value) = 0;
   virtual std::string enumerator(int value, const std::string& type) = 0;
-  /// A pointer to these numbers, one behind the other.
+  /// Returns a C++ pointer to these contiguous numbers.
   virtual std::string numbers(const double* values, Index size) = 0;
-  /// A whole number, such as a seed or how many rows there are.
+  /// Returns a whole number, such as a seed or a count.
   virtual std::string whole(std::int64_t value) = 0;
   virtual std::string natural(std::uint64_t value) = 0;
 };
 
-/// How the value of a member of type T is written as an expression of C++ that can be assigned to it. A type
-/// of a block's own has a specialisation beside the block's declaration.
+/// Writer of a member of type T as a C++ expression that can be assigned to it. Types of a block have a
+/// specialisation beside its declaration.
 template <class T>
 struct Literal;
 
@@ -83,7 +83,7 @@ template <>
 struct Literal<Matrix> {
   static std::string text(const Matrix& value, LiteralWriter& writer);
 };
-/// The function's code is written where it is assigned.
+/// Writes the function's code as a lambda at the assignment.
 template <>
 struct Literal<Function> {
   static std::string text(const Function& value, LiteralWriter& writer);

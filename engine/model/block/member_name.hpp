@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// The name of a member in C++, from its pointer: member_identifier<&Switch::else_>() is "else_".
+/// Returns the C++ name of a member from its pointer: member_identifier<&Switch::else_>() is "else_".
 template <auto member>
 constexpr std::string_view member_identifier() {
   constexpr std::string_view text = __PRETTY_FUNCTION__;
@@ -14,7 +14,7 @@ constexpr std::string_view member_identifier() {
   return text.substr(start, end - start);
 }
 
-/// Its name in a file: a trailing '_' (for names that are words of C++) is dropped.
+/// Returns its name in files: a trailing '_' (for names that are keywords of C++) is dropped.
 template <auto member>
 constexpr std::string_view member_name() {
   constexpr std::string_view name = member_identifier<member>();

@@ -13,7 +13,7 @@
 
 namespace stepwire {
 
-/// How a parameter of C++ type T is written in a file, and moved between it and a Value.
+/// Form of a parameter of C++ type T in a file, and its conversion from and to a Value.
 template <class T>
 struct ParameterAccess {
   static_assert(std::is_enum_v<T>,
@@ -37,7 +37,7 @@ struct ParameterAccess<std::int64_t> : StoredAs<std::int64_t, ParameterKind::int
 template <>
 struct ParameterAccess<bool> : StoredAs<bool, ParameterKind::flag> {};
 
-/// A list of numbers, which stands in a Value as a vector.
+/// A list of numbers, stored as a vector in a Value.
 template <class List, ParameterKind parameter_kind>
 struct StoredAsVector {
   static constexpr ParameterKind kind = parameter_kind;

@@ -23,7 +23,7 @@ struct PortSize<State<n>> : std::integral_constant<int, n> {};
 template <int n>
 struct PortSize<DiscreteState<n>> : std::integral_constant<int, n> {};
 
-/// A fixed size is known from the type; a free one is called n unless the declaration names it.
+/// Returns the shape of a port: its fixed size, else the declared shape, else "n".
 template <class Port>
 std::string shape_of(const std::string& given) {
   if constexpr (PortSize<Port>::value == any_size) {

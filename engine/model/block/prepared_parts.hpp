@@ -6,8 +6,8 @@
 
 namespace stepwire {
 
-/// The numbers of which a member of type T consists that prepare() computes. A type of a block's own has a
-/// specialisation beside the block's declaration.
+/// Access to the numbers of a member of type T that prepare() computes. Types of a block have a
+/// specialisation beside its declaration.
 template <class T>
 struct PreparedParts;
 
@@ -19,7 +19,7 @@ struct PreparedParts<double> {
   static void put(double& member, const double* numbers, Index) { member = *numbers; }
 };
 
-/// Prepared element by element, each in a block of one element, which takes no memory.
+/// Prepared element by element, each in a block of one element, which needs no heap memory.
 template <>
 struct PreparedParts<PerElement> {
   static constexpr bool by_element = true;

@@ -28,7 +28,7 @@ std::string Rational::problem_of(const Numbers& numerator, const Numbers& denomi
 Rational Rational::of(const Numbers& numerator, const Numbers& denominator) {
   const Index n = denominator.size() - 1;
   const Numbers above = without_leading_zeros(numerator);
-  const Index zeros = n + 1 - above.size();  // in front of the numerator's coefficients
+  const Index zeros = n + 1 - above.size();  // before the numerator's coefficients
   const auto b = [&](Index i) { return i < zeros ? 0.0 : above[i - zeros] / denominator[0]; };
   Rational made;
   made.a = Numbers(denominator.data() + 1, n).map([&](double one) { return one / denominator[0]; });

@@ -16,10 +16,10 @@ struct Rational {
   Numbers a, c;
   double direct = 0.0;
 
-  /// Coefficients stand highest power first and must have passed problem_of().
+  /// Makes it from coefficients, highest power first, which problem_of() must have accepted.
   static Rational of(const Numbers& numerator, const Numbers& denominator);
 
-  /// What is wrong with the coefficients; empty where nothing is.
+  /// Returns the problem of invalid coefficients; empty for valid ones.
   static std::string problem_of(const Numbers& numerator, const Numbers& denominator);
 
   Index order() const { return a.size(); }
@@ -34,7 +34,7 @@ struct Rational {
   double output(double u, const State& x) const {
     double y = c[0] * x[0];
     for (Index i = 1; i < c.size(); ++i) y += c[i] * x[i];
-    // Where nothing is passed straight through, u is not read: it may come later in the order of evaluation.
+    // Without direct feedthrough u is not read: it may be computed later in the order of evaluation.
     return direct == 0.0 ? y : y + direct * u;
   }
 };

@@ -11,10 +11,10 @@
 
 namespace stepwire {
 
-/// The kinds of block that diagram files may use, by name.
+/// Registered kinds of blocks, by name.
 class Registry {
  public:
-  /// Adds a kind. Throws std::logic_error for a second one of its name, or a symbol that cannot be drawn.
+  /// Adds a kind. Throws std::logic_error for a duplicate name or a symbol that cannot be drawn.
   template <class Block>
   void add(std::string folder) {
     Declare<Block> declaration;
@@ -24,9 +24,9 @@ class Registry {
     add(std::move(type));
   }
   void add(BlockType type);
-  /// Notes a folder outside of the library whose blocks are among these.
+  /// Records an external folder whose blocks are registered.
   void note_blockset(std::string folder) { blocksets_.push_back(std::move(folder)); }
-  /// Such folders, in the order in which they came.
+  /// Returns these folders, in the order of registration.
   const std::vector<std::string>& blocksets() const { return blocksets_; }
 
   const BlockType* find(std::string_view name) const;

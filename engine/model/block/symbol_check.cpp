@@ -13,7 +13,7 @@ namespace {
   throw std::logic_error("the symbol of " + type.name + " " + why);
 }
 
-/// What stands between the braces of one place: `name`, `name|else` or `name:s`.
+/// Checks a placeholder without its braces: `name`, `name|else` or `name:s`.
 void check_place(const BlockType& type, std::string_view place) {
   const std::string name(place.substr(0, std::min(place.find('|'), place.find(':'))));
   const ParameterSpec* spec = type.parameter(name);

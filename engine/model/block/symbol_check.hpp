@@ -4,8 +4,8 @@
 
 namespace stepwire {
 
-/// Checks that the places and signs of a kind's symbol are parameters that it has, so that whatever is
-/// declared can be drawn. Throws std::logic_error, which names the kind and the place.
+/// Checks that the placeholders and signs of a symbol name parameters of its kind, so that every declared
+/// block can be drawn. Throws std::logic_error that names the kind and the placeholder.
 void check_symbol(const BlockType& type);
 
 }  // namespace stepwire

@@ -7,15 +7,15 @@ namespace stepwire {
 struct Value;
 
 #ifdef STEPWIRE_GENERATED
-/// Nothing of it is left in generated code, which only steps.
+/// Empty in generated code, which only steps.
 class Tree {};
 #else
 
-/// Maps and lists that a block is given and reads before a run only: a parameter. What they are made of, a
-/// block's header need not know.
+/// Parameter of nested maps and lists, read only before a run. The header of a block does not need the
+/// definition of Value.
 class Tree {
  public:
-  /// An empty map.
+  /// Makes an empty map.
   Tree() = default;
   explicit Tree(const Value& value);
   Tree(const Tree& other);

@@ -7,15 +7,15 @@
 
 namespace stepwire {
 
-/// Gives the type of a block whose ports stand in a file, such as a unit of others: as the registered type of
-/// its name, with the ports of this file. `word` is the value of its key `interface`, or empty. The type
-/// lasts as long as the program. Throws std::runtime_error with what is wrong with the file.
+/// Function that returns the block type described by a file, such as an FMU. It is the registered type of its
+/// name, with the ports of this file. `word` is the value of its key `interface`, or empty. The type lives
+/// until the program ends. Throws std::runtime_error for an invalid file.
 using TypeOfFile = const BlockType& (*)(const std::string& file, const std::string& word);
 
-/// Notes that blocks of this name have the ports that their key `file` gives. Safe from several threads.
+/// Registers that blocks of this name have the ports described by their key `file`. Thread-safe.
 void note_typed_by_file(const std::string& name, TypeOfFile of);
 
-/// Null for blocks whose declaration has their ports.
+/// Returns the function of a name; nullptr for blocks with declared ports.
 TypeOfFile find_typed_by_file(std::string_view name);
 
 }  // namespace stepwire

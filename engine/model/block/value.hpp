@@ -10,14 +10,14 @@ namespace stepwire {
 
 struct ValueEntry;
 
-/// A parameter's value as a block receives it: SI numbers, text, or for a tree (states of a StateMachine)
-/// maps and lists of text as they stand in the file, with their places.
+/// Value of a parameter as a block receives it: SI numbers, text, or for a tree (states of a StateMachine)
+/// maps and lists of the original texts, with their locations.
 struct Value {
   using List = std::vector<Value>;
   using Map = std::vector<ValueEntry>;
   std::variant<double, bool, std::string, Eigen::VectorXd, Eigen::MatrixXd, List, Map>
-      content;   ///< the number 0 unless told
-  int line = 0;  ///< in the file that wrote it, from 1; 0 where no file did
+      content;   ///< the number 0 by default
+  int line = 0;  ///< in the file, from 1; 0 without a file
   int column = 0;
 
   const std::string* text() const { return std::get_if<std::string>(&content); }

@@ -26,13 +26,13 @@ bool holds(const std::string& bound, double number, double limit) {
   return bound == "below" ? number < limit : number <= limit;
 }
 
-/// "at least" of "at_least".
+/// Returns the words of a bound, "at least" for "at_least".
 std::string words_of(std::string bound) {
   std::replace(bound.begin(), bound.end(), '_', ' ');
   return bound;
 }
 
-/// Checks values of one definition.
+/// Checks of values of one definition.
 class Acceptance {
  public:
   Acceptance(const Definition& definition, const ParameterScope& scope, const std::string& full_name,
@@ -44,7 +44,7 @@ class Acceptance {
     const std::string complaint = unit_complaint(value.dimension, definition_.dimension);
     if (complaint.empty()) return;
     report_.add(origin, full_name_, fmt::format("{} {}", value.text, complaint));
-    value.dimension = definition_.dimension;  // so that its uses do not repeat the fault
+    value.dimension = definition_.dimension;  // prevents the same fault at all its uses
   }
 
   bool in_bounds(const WrittenValue& value, const Origin& origin) {

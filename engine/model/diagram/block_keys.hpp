@@ -7,16 +7,16 @@
 
 namespace stepwire::diagram {
 
-/// Every key that a block of this type may have in a file, `block` itself aside.
+/// Returns every key that a block of this type may have in a file, except `block` itself.
 std::vector<std::string> keys_of(const BlockType& type);
 
-/// The key that gives a state its initial value: `initial` for the only settable one, else `initial_x`.
+/// Returns the key of a state's initial value: `initial` for the only settable state, else `initial_x`.
 std::string initial_key(const BlockType& type, const StateSpec& state);
 
-/// The state to which such a key gives its initial value, or -1.
+/// Returns the state whose initial value such a key sets; -1 for other keys.
 int state_of_key(const BlockType& type, const std::string& key);
 
-/// May this key have a value, of a parameter or a state? An input of the same name takes a signal instead.
+/// True for a key of a parameter or a state. An input of the same name takes a signal instead.
 bool has_value(const BlockType& type, const std::string& key);
 
 }  // namespace stepwire::diagram

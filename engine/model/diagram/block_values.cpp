@@ -1,4 +1,4 @@
-// Values for parameters of blocks: converted to the kind that the block declares, range and unit checked.
+// Values of block parameters: conversion to the declared kind, checks of range and unit.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -62,8 +62,8 @@ std::string broken_bound(const Range& range, double value) {
   return "";
 }
 
-/// What stands behind a number as its unit and is none: "Ns/m" of "8 Ns/m"; empty where no number begins the
-/// text.
+/// Returns the invalid unit after a number, "Ns/m" of "8 Ns/m"; empty if the unit is valid or no number
+/// begins the text.
 std::string unknown_unit(const std::string& text) {
   char* end = nullptr;
   std::strtod(text.c_str(), &end);
@@ -72,8 +72,8 @@ std::string unknown_unit(const std::string& text) {
   return end == text.c_str() || unit.empty() || unit::parse_unit(unit) ? "" : unit;
 }
 
-/// The fault of a formula in the place of a number: an unknown parameter ("3*kk"), or a missing '='. Nullopt
-/// where the text is no formula.
+/// Returns the fault of a formula in the place of a number: an unknown parameter ("3*kk") or a missing '='.
+/// Returns std::nullopt for other texts.
 std::optional<yaml::Message> formula_fault(const std::string& text, const yaml::Node& node,
                                            const ParameterScope& parameters) {
   try {
@@ -99,7 +99,7 @@ yaml::Message other_word(const std::string& text, const std::vector<std::string>
   return fmt::format("'{}' is not allowed", text) + yaml::did_you_mean(text, words, choice);
 }
 
-/// What is wrong with a value that is none of the kind.
+/// Returns the fault of a value of the wrong kind.
 yaml::Message no_value(const ParameterSpec& spec, const WrittenValue& written, const yaml::Node& node,
                        const ParameterScope& parameters) {
   if (auto fault = formula_fault(written.text, node, parameters)) return *fault;

@@ -6,7 +6,7 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// Reads what is said of a field beside its signal.
+/// Reads the unit and shape of a field.
 BusField described(const std::string& name, const yaml::Entry& entry) {
   BusField field{name, nullptr, -1, {}, {}, entry.mark};
   if (!entry.value.is_map()) return field;

@@ -7,14 +7,14 @@
 
 namespace stepwire::diagram {
 
-/// The fields of a bus as a file writes them, {force: f, pose: {position: p}}, or {fields: {..}}. A field is
-/// a signal, a number, a list of numbers, {signal: f, unit: N, shape: 3}, or the map of a bus inside.
+/// Returns the fields of a bus in a file, {force: f, pose: {position: p}} or {fields: {..}}. A field is a
+/// signal, a number, a list of numbers, {signal: f, unit: N, shape: 3}, or the map of a nested bus.
 BusFields written_fields(const yaml::Node& map);
-/// The fields that a port declares: {force: N, pose: {position: {unit: m, shape: 3}}}.
+/// Returns the fields that a port declares: {force: N, pose: {position: {unit: m, shape: 3}}}.
 BusFields declared_fields(const yaml::Node& map);
-/// Reads "3" or "3 x 2" as rows and columns.
+/// Parses "3" or "3 x 2" as rows and columns.
 std::optional<std::pair<Eigen::Index, Eigen::Index>> parse_shape(const std::string& text);
-/// The names that begin with `start` and a dot, without it.
+/// Returns the remainders of the names that begin with `start` and a dot.
 std::vector<std::string> names_below(const std::vector<std::string>& names, const std::string& start);
 
 }  // namespace stepwire::diagram

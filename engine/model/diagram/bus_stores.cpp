@@ -12,13 +12,16 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// Does the only output have the unit and the shape of this input, whatever they are?
+/// True where the only output has the generic unit and the shape of this input.
 bool passes(const BlockType& type, std::size_t input) {
   const InputSpec& in = type.inputs[input];
   if (!has_one_output(type) || in.list || !in.unit.starts_with('\'')) return false;
   return in.unit == type.outputs[0].unit && in.shape == type.outputs[0].shape;
 }
 
+/// Finds the blocks whose inputs are buses, and copies each for every field. The fields of a block are those
+/// of its source, which may be another such block. They are determined recursively, and again until no more
+/// are found, since blocks may be in a loop.
 class BusStores {
  public:
   BusStores(Scope& root, std::deque<PendingInput>& pending, std::deque<yaml::Node>& written, Report& report)
@@ -36,8 +39,8 @@ class BusStores {
   }
 
  private:
-  /// Finds the fields that blocks pass on. True where there are more than before: then those of blocks that
-  /// follow each other in a loop may be known, too.
+  /// Determines the fields that blocks pass on. Returns true if there are more than before; fields of blocks
+  /// in a loop may then be known as well.
   bool find_fields() {
     const std::size_t before = fields_.size();
     for (int block = 0; block < static_cast<int>(report_.diagram().blocks.size()); ++block)
@@ -62,8 +65,8 @@ class BusStores {
 
   DiagramBlock& block_of(int index) { return report_.diagram().blocks[static_cast<std::size_t>(index)]; }
 
-  /// The fields of what feeds a block that passes them on; none where no bus does. A block that is fed by
-  /// itself has those of its other inputs.
+  /// Returns the fields of the source of a block that passes them on; an empty list without a bus. A block
+  /// with feedback has the fields of its other inputs.
   const std::vector<std::string>& fields_of(int block, int hops) {
     const auto [known, is_new] = fields_.try_emplace(block);
     if (!is_new) return known->second;
@@ -115,7 +118,7 @@ class BusStores {
     named.block = -1;
   }
 
-  /// An output of a part on condition that others read as "part.out.force".
+  /// Output of a conditional part, readable as "part.out.force".
   struct Shown {
     Scope::Guarded* guarded;
     std::string output;
@@ -128,7 +131,7 @@ class BusStores {
       shown.guarded->outputs[shown.output + "." + fields[k]] = copies[k];
   }
 
-  /// A value that follows from parameters does so in every copy.
+  /// Copies the bindings of values that depend on parameters, for each copy of the block.
   void copy_bindings(int from, int to) {
     auto& bindings = report_.bindings().bindings;
     const std::size_t count = bindings.size();
@@ -153,14 +156,14 @@ class BusStores {
       }
   }
 
-  /// An input that all fields share may have a number, or one signal for them all.
+  /// True for an input with a bus; an input common to all fields may have a number or a single signal.
   bool is_bus(const PendingInput& input) {
     const Resolver resolver(report_, [this](int other, int hops) { return fields_of(other, hops); });
     return passes(block_of(input.block).type(), static_cast<std::size_t>(input.input)) &&
            !resolver.fields(*input.node, *input.scope).empty();
   }
 
-  /// What stands for a field of a bus: "wrench.force", or what the map has for it.
+  /// Returns the source of one field: "wrench.force", or the value of the field in a map.
   const yaml::Node* field_of(const yaml::Node& node, const std::string& field) {
     if (!node.is_map()) return written(node, names_signal(node) ? node.text + "." + field : node.text);
     for (const BusField& one : written_fields(node)) {
@@ -183,9 +186,9 @@ class BusStores {
   std::map<int, std::vector<PendingInput>>
       carriers_;  ///< as written: the inputs through which a block passes a bus
   std::map<int, Scope::Named*> names_;
-  std::map<int, Shown> shown_;                      ///< blocks that stand for outputs while these are off
+  std::map<int, Shown> shown_;                      ///< blocks that replace outputs while these are inactive
   std::set<int> guarded_;                           ///< blocks with a condition of their own
-  std::map<int, std::vector<std::string>> fields_;  ///< of blocks that are looked at, or were
+  std::map<int, std::vector<std::string>> fields_;  ///< of visited blocks
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view by = " by ";
 
-/// The unit that each coefficient has more than the next one.
+/// Returns the quotient of the units of two consecutive coefficients.
 unit::Dimension step_of(const ParameterSpec& spec) {
   const auto unit = unit::parse_unit(std::string_view(spec.unit).substr(spec.unit.find(by) + by.size()));
   return unit ? unit->dimension : unit::Dimension{};

@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/expression/language.hpp"  // for formulas that are code
+#include "engine/base/expression/language.hpp"  // for compiled formulas
 #include "engine/base/math/function.hpp"
 #include "engine/model/block/block.hpp"
 
 namespace stepwire::diagram {
 
-/// What `enable` or `trigger` say where that is a formula of signals: "door.angle > 5 deg && time > 2 s". It
-/// crosses where its truth changes.
+/// Block for `enable` or `trigger` with a formula of signals: "door.angle > 5 deg && time > 2 s". It has a
+/// crossing where its truth changes.
 struct Condition {
   static constexpr Index max_inputs = 64;
 
@@ -19,7 +19,7 @@ struct Condition {
   Inputs u{};
   Output<1> y{};
   Time time{};
-  Function formula{}, margin{};  ///< of the inputs, and the time behind them
+  Function formula{}, margin{};  ///< of the inputs, followed by the time
 
   void outputs() { y = value_of(formula); }
   void crossings(Crossings& zero) const { zero.add(value_of(margin)); }

@@ -13,9 +13,9 @@ namespace stepwire::diagram {
 
 namespace {
 
-constexpr std::size_t longest_chain = 1000;  // of parameters that each use one further down
+constexpr std::size_t longest_chain = 1000;  // of parameters that each use a later one
 
-/// Evaluates definitions on demand, so that they may stand in any order.
+/// Evaluates definitions on demand, so that their order in the file is free.
 class Definitions {
  public:
   Definitions(Scope& scope, const Overrides& overrides, Settings& settings, Report& report)
@@ -61,7 +61,7 @@ class Definitions {
     }
   }
 
-  /// Of the parameter that was listed last.
+  /// Returns the index of the last added parameter.
   int last_index() const { return static_cast<int>(report_.diagram().parameters.size()) - 1; }
 
   void fail(const yaml::Entry& entry, const yaml::Message& message) {
@@ -74,7 +74,7 @@ class Definitions {
     return value ? *value : entry.value;
   }
 
-  /// Every name of this file that occurs in the text as a word; that is more than is needed at worst.
+  /// Defines every name of this file that occurs as a word in the text; that may include unneeded ones.
   void define_what_it_uses(const yaml::Node& node, bool in_matrix = false) {
     for (const yaml::Node& item : node.items) define_what_it_uses(item, in_matrix || has_number(node));
     for (const yaml::Entry& entry : node.entries)
@@ -91,7 +91,7 @@ class Definitions {
     }
   }
 
-  /// Of words and texts no name is one of a parameter.
+  /// True where names can be parameters; words and texts contain none.
   static bool may_use_others(const yaml::Node& node, bool only_numbers) {
     return only_numbers || node.text.starts_with('=') || node.text.starts_with('$');
   }
@@ -104,7 +104,7 @@ class Definitions {
 
   static bool is_bound(const std::string& key) { return std::ranges::count(bound_keys, key) > 0; }
 
-  /// Checks the keys of a parameter that is a map; false where none of them is its value.
+  /// Checks the keys of a parameter given as a map; returns false without a value.
   bool holds_value(const yaml::Entry& entry, const std::string& full) {
     if (!entry.value.is_map()) return true;
     HeadReading(full, scope_, report_).check(entry.value, parameter_form().of.back());
@@ -137,7 +137,7 @@ class Definitions {
     return written;
   }
 
-  /// The definition without what is said about it, as {value: .., unit: ..}.
+  /// Returns a definition reduced to {value: .., unit: ..}.
   static yaml::Node stripped(const yaml::Node& node) {
     if (!node.is_map()) return node;
     yaml::Node result = node;
@@ -154,8 +154,8 @@ class Definitions {
     return bounds;
   }
 
-  /// Reads what the using file and the call put in the place of the file's own value; says whether the call
-  /// did.
+  /// Reads the values that the using file and the call give in place of the file's own. Returns true if the
+  /// call gave one.
   bool replace(const yaml::Entry& entry, const std::string& full, Definition& made,
                std::optional<WrittenValue>& written) {
     value_origin_ = scope_.at(definition(entry).mark);
@@ -189,7 +189,7 @@ class Definitions {
   Settings& settings_;
   Report& report_;
   std::map<std::string, const yaml::Entry*> entries_;
-  std::vector<std::string> open_;  ///< what is being defined, the outermost first
+  std::vector<std::string> open_;  ///< definitions in progress, outermost first
   std::set<std::string> failed_;
   Origin value_origin_;
 };

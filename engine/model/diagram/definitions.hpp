@@ -8,14 +8,14 @@
 
 namespace stepwire::diagram {
 
-/// What the using file gives to a part's parameters: the node and how that file reads it.
+/// Values of a part's parameters given by the using file, and the scope for reading them.
 struct Overrides {
   const Scope* from = nullptr;
   std::map<std::string, const yaml::Node*> values;
 };
 
-/// Evaluates `parameters:` of a scope in the order of their dependence, with what the using file and `--set`
-/// put in their place, defines them in the scope and lists them in the Diagram.
+/// Evaluates `parameters:` of a scope in the order of their dependences, with the replacements by the using
+/// file and `--set`. Defines them in the scope and lists them in the Diagram.
 void define_parameters(Scope& scope, const Overrides& overrides, Settings& settings, Report& report);
 
 }  // namespace stepwire::diagram

@@ -6,7 +6,7 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// The number at the end of a dotted name, taken off; 0 where there is none.
+/// Removes the number at the end of a dotted name and returns it; 0 without one.
 Eigen::Index take_number(std::string& name) {
   const std::size_t dot = name.rfind('.');
   const std::string digits = dot == std::string::npos ? "" : name.substr(dot + 1);

@@ -6,10 +6,10 @@
 
 namespace stepwire::diagram {
 
-/// Takes the numbers of an element off the end of a name, "rig.position.1" or "R.2.3"; the whole signal where
-/// there are none.
+/// Removes the element indices from the end of a name, "rig.position.1" or "R.2.3", and returns them; the
+/// whole signal without indices.
 ElementIndex take_element(std::string& name);
-/// ".2", ".2.3", or nothing for the whole signal.
+/// Returns ".2", ".2.3", or "" for the whole signal.
 std::string element_text(const ElementIndex& element);
 
 }  // namespace stepwire::diagram

@@ -8,37 +8,37 @@
 
 namespace stepwire::diagram {
 
-/// Some elements of a signal, from 0.
+/// A range of elements of a signal, counted from 0.
 struct ElementRange {
   std::size_t first = 0;
   std::size_t count = 0;  ///< 0: the whole signal
-  bool known = true;      ///< false: one element, of which is not known which it is
+  bool known = true;      ///< false: one element of unknown index
 
   bool is_whole() const { return known && count == 0; }
 };
 
-/// The unit of a signal: one for all elements, or one for each. The unit of an element may be unknown.
+/// Unit of a signal: one for all elements, or one for each. The unit of an element may be unknown.
 class ElementUnits {
  public:
   using Each = std::vector<std::optional<unit::Dimension>>;
 
   ElementUnits(const unit::Dimension& one = {}) : each_{one} {}
-  /// Elements of one unit become one unit for all.
+  /// Makes one common unit if all elements have the same.
   explicit ElementUnits(Each each);
-  /// No element has a known unit.
+  /// Makes a unit that is unknown for all elements.
   static ElementUnits unknown() { return ElementUnits(Each{std::nullopt}); }
 
   /// True where every element has the same unit, or none has a known one.
   bool is_one() const { return each_.size() == 1; }
-  /// The unit of every element; nullopt where they differ or are unknown.
+  /// Returns the unit of every element; std::nullopt if they differ or are unknown.
   std::optional<unit::Dimension> one() const { return is_one() ? each_.front() : std::nullopt; }
   const Each& each() const { return each_; }
   std::optional<unit::Dimension> of(std::size_t element) const;
 
   ElementUnits elements(const ElementRange& range) const;
-  /// This times other^exponent, element by element. Signals of different sizes give an unknown unit.
+  /// Returns this times other^exponent, element by element. Signals of different sizes give an unknown unit.
   ElementUnits times(const ElementUnits& other, double exponent) const;
-  /// The first element that has a unit other than 1, with it.
+  /// Returns the first unit of an element that is not 1; std::nullopt without one.
   std::optional<unit::Dimension> other_than_one() const;
 
  private:

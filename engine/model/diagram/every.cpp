@@ -98,7 +98,7 @@ void Opener::read_period_of_part(const Scope& scope, const yaml::Entry& entry, c
   }
 }
 
-/// Times inside a part count from the first run of the part.
+/// Shifts times inside of a part, which are relative to the part's first run.
 void Opener::join_with_part(const Scope& scope, const Origin& origin, const std::string& name, Every& every) {
   if (!scope.every) return;
   const auto require_multiple = [&](double time, double least) {

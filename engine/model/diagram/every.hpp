@@ -4,7 +4,7 @@
 
 namespace stepwire::diagram {
 
-/// The times at which sampled blocks run: `offset`, and each `period` after it [s].
+/// Times at which sampled blocks run: `offset`, and each `period` after it [s].
 struct Every {
   double period = 0.0;  ///< above 0
   double offset = 0.0;  ///< at least 0, below the period
@@ -12,7 +12,7 @@ struct Every {
   bool operator==(const Every&) const = default;
 };
 
-/// The key `every` of a block or part: a period, or `{period: 3 ms, offset: 1 ms}`.
+/// Returns the form of the key `every` of a block or part: a period, or `{period: 3 ms, offset: 1 ms}`.
 yaml::Key every_key(const std::string& doc);
 
 }  // namespace stepwire::diagram

@@ -4,8 +4,8 @@
 
 namespace stepwire::diagram {
 
-/// An input of a diagram that is run by itself: whoever runs it writes the value, before a tick is evaluated.
-/// Until then it holds the `default` of the file.
+/// Input of a diagram that runs by itself. The caller of the run may write its value before a tick is
+/// evaluated; until then it holds the `default` of the file.
 struct ExternalInput {
   PerElement value = 0.0;
   Output<> y{};
@@ -15,7 +15,7 @@ struct ExternalInput {
   static void declare(Declare<ExternalInput>& is);
 };
 
-/// The type of such blocks; no diagram file can name it.
+/// Returns the type of such blocks; diagram files cannot name it.
 const BlockType& external_input_type();
 
 }  // namespace stepwire::diagram

@@ -23,10 +23,10 @@ namespace {
 
 constexpr unit::Dimension time_dimension{{0.0, 0.0, 1.0}};
 
-/// Who reads the text: a person or this program, or the hash, which sees only what decides on numbers.
+/// Purpose of the text. The hash covers only data that determine numbers.
 enum class Reader { anyone, hash };
 
-/// A diagram as the tree of its flattened file.
+/// Builder of the tree of a diagram's flattened file.
 class Flattener {
  public:
   Flattener(const Diagram& diagram, const FileName& file_name, Reader reader)
@@ -163,7 +163,7 @@ class Flattener {
     return map;
   }
 
-  /// What ports of parts demanded of their signals.
+  /// Returns the units that ports of parts require of their signals.
   yaml::Node units() const {
     yaml::Node map;
     std::set<std::string> said;

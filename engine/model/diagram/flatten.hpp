@@ -8,24 +8,26 @@
 
 namespace stepwire::diagram {
 
-/// What a data file is called in a flattened diagram, by the path at which it is found.
+/// Function that returns the name of a data file in a flattened diagram from its path.
 using FileName = std::function<std::string(const std::string& path)>;
 
-/// The path from the root of the file system, so that it is found from anywhere on this machine.
+/// Returns the absolute path, which is valid everywhere on this machine.
 std::string absolute_path(const std::string& path);
 
-/// A diagram as the text of one file that does the same, to the last bit: parts opened, parameters and
-/// expressions replaced by their SI numbers, wires and recorded signals by the full names of blocks.
-/// Names and units of recorded columns stay. What is not of the run is left out: sweep, figure, claims.
+/// Returns a diagram as the text of one file with the same results to the last bit. Parts are opened,
+/// parameters and expressions are replaced by their SI numbers. Wires and recorded signals use the full names
+/// of blocks. Names and units of recorded columns stay. Sections that do not affect a run are left out:
+/// sweep, figure, claims.
 std::string flattened_text(const Diagram& diagram, const FileName& file_name = absolute_path);
 
-/// The value of a block as the flattened diagram has it; nothing where only a default can be.
+/// Returns the value of a block in the flattened diagram; std::nullopt where the file could only leave the
+/// default.
 std::optional<yaml::Node> flattened_value(const Diagram& diagram, const Target& target,
                                           const FileName& file_name);
 
-/// Hash of all that decides what a diagram computes, the contents of its data files included; 16 hexadecimal
-/// digits (FNV-1a, 64 bits). The same for two files that differ only in layout, units, names of files, or
-/// parts opened by hand. Throws EnvironmentError where a data file cannot be read.
+/// Returns a hash of all that determines the results of a diagram, including the contents of its data files.
+/// It has 16 hexadecimal digits (FNV-1a, 64 bits). Files that differ only in layout, units, names of files,
+/// or parts opened by hand have the same hash. Throws EnvironmentError for an unreadable data file.
 std::string diagram_hash(const Diagram& diagram);
 
 }  // namespace stepwire::diagram

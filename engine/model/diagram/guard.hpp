@@ -4,8 +4,9 @@
 
 namespace stepwire::diagram {
 
-/// Decides at every tick whether what it guards is active: the blocks of a part, or a block. It is active
-/// while `enable` is above 0; with a `trigger`, at the ticks at which that crosses 0 meanwhile.
+/// Internal block that determines at every tick whether its blocks are active: those of a part, or a single
+/// one. They are active while `enable` is above 0; with a `trigger`, only at the ticks at which that crosses
+/// 0 meanwhile.
 struct Guard {
   enum class Edge { rising, falling, either };
   enum class States { held, reset };
@@ -14,7 +15,7 @@ struct Guard {
   States states = States::held;
   Input<1> enable{}, trigger{};
   Output<1> active{};
-  DiscreteState<1> seen{}, high{};  ///< was there a tick before, and was the trigger above 0 then?
+  DiscreteState<1> seen{}, high{};  ///< 1 after the first tick; truth of the trigger at the last tick
 
   void outputs() {
     const bool enabled = !enable.connected() || enable > 0.0;

@@ -11,29 +11,29 @@
 
 namespace stepwire::diagram {
 
-/// The keys that a part, and a block, may have beside its own, to run on condition: `enable`, `trigger`, and
-/// `guard`, by which a flattened file names the Guard itself.
+/// Returns the keys by which a part or block runs on a condition: `enable`, `trigger`, and `guard`, by which
+/// a flattened file names the Guard itself.
 const std::vector<yaml::Key>& guard_keys();
 bool is_guard_key(std::string_view key);
-/// Is it a condition also where the block or part has a key of this name itself? `trigger: {when: index}`
-/// beside the `trigger: rising` of a reset.
+/// True where the key is a condition although the block or part has a key of this name itself: `trigger:
+/// {when: index}` beside the `trigger: rising` of a reset.
 bool is_condition(std::string_view key, const yaml::Node& value);
 
-/// What stands at `enable` or `trigger`: a condition, or {when: condition, states: reset, outputs: held}.
+/// Value of `enable` or `trigger`: a condition, or {when: condition, states: reset, outputs: held}.
 struct GuardOptions {
   const yaml::Node* when = nullptr;
   std::optional<int> edge, states;      ///< Guard::Edge, Guard::States
-  const yaml::Node* outputs = nullptr;  ///< `reset`, or a value; null where they are held
+  const yaml::Node* outputs = nullptr;  ///< `reset`, or a value; nullptr if outputs are held
 };
 
-/// The names in a condition as it is written: of its signals, and of the parameters that it names bare.
+/// Returns the names in a condition, both of signals and of parameters without '$'.
 std::vector<std::string> signals_of_condition(const yaml::Node& condition);
-/// Is it a formula, and neither the name of a signal ("door", "rig.force.2") nor a number or parameter?
+/// True for a formula; false for the name of a signal ("door", "rig.force.2"), a number or a parameter.
 bool is_formula(const yaml::Node& condition);
-/// A formula without the '=' before it, and without the '$' before names of parameters.
+/// Returns a formula without its leading '=', and without '$' before names of parameters.
 std::string plain_formula(std::string text);
 
-/// `owner` is the part or block that has the key.
+/// Reads the value of such a key; `owner` is the part or block that has it.
 GuardOptions read_guard_options(const yaml::Node& node, const std::string& key, const Scope& scope,
                                 const std::string& owner, Report& report);
 

@@ -7,18 +7,18 @@
 
 namespace stepwire::diagram {
 
-// Types of the blocks that the loader adds for `enable` and `trigger`. They are no blocks of the library; a
-// flattened file names them.
+// Types of the blocks that the loader adds for `enable` and `trigger`. They are not part of the library, but
+// a flattened file names them.
 
 const BlockType& guard_type();
 const BlockType& condition_type();
 const BlockType& guarded_output_type();
-/// Of what records a parameter.
+/// Returns the type of the blocks that record parameters.
 const BlockType& parameter_value_type();
 
-/// All of them.
+/// Returns all these types.
 const std::vector<const BlockType*>& guard_types();
-/// One of them by its name; null if there is none.
+/// Returns one of these types by its name; nullptr if there is none.
 const BlockType* find_guard_type(std::string_view name);
 
 }  // namespace stepwire::diagram

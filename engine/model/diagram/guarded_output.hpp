@@ -4,8 +4,8 @@
 
 namespace stepwire::diagram {
 
-/// What others read of an output of a part or block with `outputs: reset`: the output while that is active,
-/// and a value of its own meanwhile.
+/// Output of a part or block with `outputs: reset`, as other blocks read it. It passes the output through
+/// while active, and has the value `off` otherwise.
 struct GuardedOutput {
   PerElement off = 0.0;
   Input<> u{};

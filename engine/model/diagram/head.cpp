@@ -11,7 +11,7 @@ namespace stepwire::diagram {
 
 namespace {
 
-constexpr double max_steps = 9e15;  // whole numbers beyond are not exact in a double
+constexpr double max_steps = 9e15;  // larger whole numbers are not exact in a double
 
 void read_version(const Scope& scope, Report& report) {
   const yaml::Node& root = scope.document->root;
@@ -24,7 +24,7 @@ void read_version(const Scope& scope, Report& report) {
                yaml::fault_text("format '{}' is not known; this program reads format 1", version->text));
 }
 
-/// Sets what a row has in the file, or what the call sets in its place.
+/// Sets the value of a row from the file, or from a setting of the call.
 void read_row(const yaml::KeyRow<Diagram, HeadReading>& row, const Scope& scope, Settings& settings,
               Report& report) {
   static const std::vector<std::string> settable{"step", "stop", "solver", "tolerance"};

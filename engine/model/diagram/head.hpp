@@ -6,25 +6,25 @@
 
 namespace stepwire::diagram {
 
-/// Reads title, step, stop, solver, thesis, caption of the diagram itself. Settings may replace step, stop
+/// Reads title, step, stop, solver, thesis and caption of the diagram itself. Settings may replace step, stop
 /// and solver.
 void read_head(const Scope& scope, Settings& settings, Report& report);
-/// Reads what is of the file and of no single run: sweep, figures, claims.
+/// Reads the sections that concern the file instead of a single run: sweep, figures, claims.
 void read_head_of_file(const Scope& scope, Report& report);
 
 /// Reads the sweep: lists of values, and ranges of them.
 void read_sweep(const Scope& scope, Report& report);
 
-/// Refuses keys that no diagram file has; also asked of parts.
+/// Refuses unknown keys at the top level of a diagram file or part.
 void check_head_keys(const Scope& scope, Report& report);
 
-/// Reads `record` and `stop_when`, once the names are known.
+/// Reads `record` and `stop_when`, once all names are known.
 void read_record(const Scope& scope, const Resolver& resolver, Report& report);
 void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& report);
 
-/// Refuses a `stop_when` whose units do not fit each other, once those of the signals are known.
+/// Refuses a `stop_when` with incompatible units, once those of the signals are known.
 void check_stop_condition(Report& report);
-/// The same of the formulas of `enable` and `trigger`.
+/// Refuses such formulas of `enable` and `trigger`.
 void check_conditions(Report& report);
 
 }  // namespace stepwire::diagram

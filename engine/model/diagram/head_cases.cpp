@@ -1,4 +1,4 @@
-// Cases in each of which the other values of a sweep are run.
+// Cases of a sweep; the other swept values are run in each of them.
 #include "engine/model/diagram/head_cases.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ class CasesReading {
     return std::ranges::find(sweep_.axes, parameter, &Sweep::Axis::parameter);
   }
 
-  /// The values of a parameter in all cases, at the first case that sets it.
+  /// Adds an axis with the values of one parameter in all cases, at the first case that sets it.
   void add_axis(const yaml::Entry& first) {
     if (find(first.key) != sweep_.axes.end()) return;
     Sweep::Axis axis{first.key, {}, scope_.at(first.mark), false, Sweep::Group::cases};

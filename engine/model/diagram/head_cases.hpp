@@ -8,11 +8,11 @@
 
 namespace stepwire::diagram {
 
-/// A swept value as a setting writes it.
+/// Returns a swept value as the text of a setting.
 std::string setting_text(const yaml::Node& node);
 
-/// The file's own value of what an axis sets, as a setting writes it. Where there is none, a fault of
-/// `subject` and an empty text.
+/// Returns the file's own value for an axis as the text of a setting. Without one it adds a fault of
+/// `subject` and returns an empty text.
 std::string base_value(const Sweep::Axis& axis, const std::string& subject, Report& report);
 
 /// Reads the key `cases` of a sweep, {NO: {}, H: {haptic: 1}}: an axis for each parameter that a case sets,

@@ -1,4 +1,4 @@
-// Where the points of a sweep lie that are drawn.
+// Sampled points of a sweep.
 #include "engine/model/diagram/head_design.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// Reads how drawn numbers are correlated: a matrix of all that are drawn, in their order, or pairs.
+/// Reads the correlations of sampled numbers: a matrix over all sampled axes in their order, or pairs.
 class CorrelationReading {
  public:
   CorrelationReading(const yaml::Node& node, const std::vector<DrawnAxis>& drawn, const Sweep& sweep,
@@ -25,7 +25,7 @@ class CorrelationReading {
     matrix_ = Eigen::MatrixXd::Identity(count, count);
   }
 
-  /// The factor that correlates the drawn axes; nothing where there is a fault.
+  /// Returns the factor that correlates the sampled axes; std::nullopt after a fault.
   std::optional<Eigen::MatrixXd> factor() {
     const std::size_t before = read_.report.faults().size();
     if (node_.is_map())
@@ -44,7 +44,7 @@ class CorrelationReading {
  private:
   const std::string& name(std::size_t drawn) const { return sweep_.axes[drawn_[drawn].axis].parameter; }
 
-  /// Which of the drawn axes has this name and is no words.
+  /// Returns the sampled axis of numbers with this name; adds a fault for an axis of words.
   std::optional<Eigen::Index> find(const yaml::Entry& entry) const {
     for (std::size_t i = 0; i < drawn_.size(); ++i) {
       if (name(i) != entry.key) continue;
@@ -130,7 +130,7 @@ bool is_for_sensitivity(const sampling::Design& design) {
   return design.layout == sampling::Layout::saltelli || design.layout == sampling::Layout::morris;
 }
 
-/// Checks what a design asks of what is drawn.
+/// Checks the requirements of a design on the sampled axes.
 void check_design(const sampling::Design& design, std::size_t dimensions, const yaml::Node& section,
                   const HeadReading& read) {
   const bool is_sobol =

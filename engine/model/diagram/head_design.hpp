@@ -6,13 +6,13 @@
 
 namespace stepwire::diagram {
 
-/// A parameter of a sweep that is drawn.
+/// A sampled parameter of a sweep.
 struct DrawnAxis {
-  std::size_t axis = 0;  ///< in Sweep::axes, where its values are still missing
+  std::size_t axis = 0;  ///< index in Sweep::axes; its values are not yet set
   SpreadParameter spread;
 };
 
-/// Reads the keys `design` and `correlation` of a sweep, and draws the values of its axes by them.
+/// Reads the keys `design` and `correlation` of a sweep, and samples the values of its axes.
 void draw_axes(const yaml::Node& section, const std::vector<DrawnAxis>& drawn, const Scope& scope,
                Sweep& sweep, Report& report);
 

@@ -1,4 +1,4 @@
-// How numbers and words of a sweep are spread.
+// Distributions of swept numbers and words.
 #include "engine/model/diagram/head_distribution.hpp"
 
 #include <fmt/format.h>
@@ -16,8 +16,8 @@ namespace {
 
 using Kind = sampling::Distribution::Kind;
 
-/// What the numbers of a distribution are called, and whether one stands for a way, not for a place: a
-/// deviation in kelvin is one in degrees Celsius as well.
+/// Argument of a distribution: its name and kind. A difference such as a standard deviation is converted
+/// without the offset of its unit: a deviation in kelvin is the same in degrees Celsius.
 struct Argument {
   const char* name;
   enum class Of { place, way, ratio } of = Of::place;
@@ -38,7 +38,7 @@ const std::vector<Row>& rows() {
   return all;
 }
 
-/// Reads the list of numbers of one distribution.
+/// Reader of the list of numbers of one distribution.
 class NumbersReading {
  public:
   NumbersReading(const yaml::Node& list, const Row& row, const std::string& name, const Scope& scope,
@@ -77,7 +77,7 @@ class NumbersReading {
     return refuse(node.mark, yaml::fault_text("'{}' is no number", written->text));
   }
 
-  /// The unit of the first number, as it is written or that of SI.
+  /// Reads the unit of the first number, as written or in SI.
   bool take_unit() {
     const yaml::Node& first = list_.items.front();
     const auto value = value_of(first);
@@ -109,7 +109,7 @@ class NumbersReading {
     return true;
   }
 
-  /// A number in the unit of the first; a bare one beside a unit is in SI.
+  /// Returns a number in the unit of the first one; a bare number beside a unit is in SI.
   double in_unit(const yaml::Node& node, double si, const std::optional<unit::Dimension>& dimension,
                  const Argument& argument) const {
     const auto written = written_number(node);
@@ -128,7 +128,7 @@ class NumbersReading {
     return false;
   }
 
-  /// Is one number below another one, or equal where it may be?
+  /// True where one number is below another one, or equal if allowed; otherwise adds a fault.
   bool in_order(std::size_t low, std::size_t high, bool may_be_equal) {
     if (number(low) < number(high) || (may_be_equal && number(low) == number(high))) return true;
     refuse(list_.items[high].mark,

@@ -16,7 +16,7 @@ using ThesisTable = yaml::KeyTable<ThesisReference, HeadReading>;
 const char* const name_pattern = "^[A-Za-z_][A-Za-z0-9_]*$";
 const char* const dotted_pattern = "^[A-Za-z_][A-Za-z0-9_]*([.][A-Za-z_][A-Za-z0-9_]*)*$";
 
-constexpr double highest_number = 999'999;  // of a figure
+constexpr double highest_number = 999'999;  // largest number of a figure
 
 yaml::Key time_form() {
   return form::above_zero(form::number("s"));

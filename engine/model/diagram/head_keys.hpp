@@ -8,8 +8,8 @@
 
 namespace stepwire::diagram {
 
-/// What the head of a file is read with: faults have the places of its scope, or of the setting that stands
-/// in place of a value.
+/// Context for reading the head of a file. Faults are located in its scope, or in the setting that replaces a
+/// value.
 struct HeadReading : yaml::SectionReading {
   const Scope& scope;
   Report& report;
@@ -17,35 +17,35 @@ struct HeadReading : yaml::SectionReading {
 
   HeadReading(std::string subject, const Scope& scope, Report& report)
       : HeadReading(std::move(subject), scope, report, scope.at({})) {}
-  /// Of a value that stands at `origin`.
+  /// Makes the context of a value written at `origin`.
   HeadReading(std::string subject, const Scope& scope, Report& report, const Origin& origin);
 
   using yaml::SectionReading::take;
   void take(const yaml::Node& node, const yaml::Key& key, std::string& text) const;
 
  protected:
-  /// A number in the unit of the key, `$name` or `= expression`.
+  /// Reads a number in the unit of the key, `$name` or `= expression`.
   std::optional<double> read_number(const yaml::Node& node, const yaml::Key& key) const override;
 };
 
-/// The rows of the head that set something in the diagram; the form has all its keys.
+/// Rows of the head that set members of the diagram; head_form() has all keys.
 const std::vector<yaml::KeyRow<Diagram, HeadReading>>& head_rows();
 const yaml::Key& head_form();
 
-/// What stands behind names under `parameters`, `inputs` and `outputs`, in `record` and in `sweep`.
+/// Forms of the values under `parameters`, `inputs` and `outputs`, in `record` and in `sweep`.
 const yaml::Key& parameter_form();
 const yaml::Key& input_form();
 const yaml::Key& output_form();
 const yaml::Key& record_form();
 const yaml::Key& sweep_form();
-/// A range of swept values, and how one is spread that is drawn.
+/// Forms of a range of swept values, and of a distribution.
 const yaml::Key& range_form();
 const yaml::Key& distribution_form();
-/// What stays of each run, as a word.
+/// Form of the word that selects the results kept of each run.
 const yaml::Key& keep_word_form();
-/// Of which runs the rows stay beside the numbers that are kept.
+/// Table of the runs whose rows are kept beside the reduced numbers.
 const yaml::KeyTable<Sweep, HeadReading>& recorded_runs_table();
-/// Where drawn values lie.
+/// Table of a sampling design.
 const yaml::KeyTable<sampling::Design, HeadReading>& design_table();
 
 }  // namespace stepwire::diagram

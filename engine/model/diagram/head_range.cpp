@@ -13,15 +13,15 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// Value i of a range of n + 1: multiplied first, so that whole ends give whole values in between, and the
-/// last is `to` itself.
+/// Returns value i of a range of n + 1. It multiplies first, so that whole ends give whole values in between;
+/// the last value is exactly `to`.
 double value_of_range(double from, double to, double i, double n) {
   if (i == n) return to;
   const double rise = i * (to - from);
   return std::isfinite(rise) ? from + rise / n : from * (1.0 - i / n) + to * (i / n);
 }
 
-/// Reads {from: .., to: .., count: ..}; gives no values where there is a fault.
+/// Reader of {from: .., to: .., count: ..}; returns no values after a fault.
 class RangeReading {
  public:
   RangeReading(const yaml::Node& map, const std::string& name, const Scope& scope, Report& report)
@@ -40,7 +40,7 @@ class RangeReading {
                     fmt::format("'count' must be a whole number from 2 to {}", max_runs));
     const auto written_from = written_number(*map_.find("from")),
                written_to = written_number(*map_.find("to"));
-    // 1 mm to 9 mm is whole in millimetres, not in metres.
+    // Computes in the written unit: 1 mm to 9 mm is whole in millimetres, not in metres.
     if (written_from && written_to && written_from->unit == written_to->unit)
       return numbers(written_from->number, written_to->number, count->value, written_from->unit);
     const auto& dimension = from->dimension ? from->dimension : to->dimension;

@@ -8,10 +8,10 @@
 
 namespace stepwire::diagram {
 
-/// Runs of a sweep, at most: each is checked before the first one starts.
+/// Most runs of a sweep: all are checked before the first one starts.
 inline constexpr std::size_t max_runs = 10'000'000;
 
-/// Reads {from: .., to: .., count: ..}; gives no values where there is a fault.
+/// Reads {from: .., to: .., count: ..}; returns no values after a fault.
 SweptValues read_range(const yaml::Node& map, const std::string& name, const Scope& scope, Report& report);
 
 }  // namespace stepwire::diagram

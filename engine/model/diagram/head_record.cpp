@@ -1,4 +1,4 @@
-// What a file asks to be recorded, and the condition that ends its run.
+// Recorded signals of a file, and the condition that ends its run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// The fields of a bus, or the signal of a name that is none.
+/// Records the fields of a bus, or the signal of another name.
 void record_named(const std::string& name, const yaml::Node& node, const Scope& scope,
                   const Resolver& resolver, RecordRequest& request, Report& report) {
   if (node.text.starts_with('$'))
@@ -44,7 +44,7 @@ void record_all(const Scope& scope, const std::string& prefix, const Origin& ori
     for (const BusField& field : named.bus)
       if (field.block >= 0)
         request.signals.push_back({prefix + name + "." + field.name, {field.block, 0, -1}, origin});
-    if (named.block < 0) continue;  // fields of a bus are signals of others
+    if (named.block < 0) continue;  // fields of a bus are signals of other blocks
     const BlockType& type = diagram.blocks[static_cast<std::size_t>(named.block)].type();
     for (std::size_t i = 0; i < type.outputs.size(); ++i)
       if (!is_bare_state(type, i))
@@ -53,7 +53,7 @@ void record_all(const Scope& scope, const std::string& prefix, const Origin& ori
   }
 }
 
-/// All signals, and of what is off at times that which others read of it.
+/// Records all signals; of a conditional block it records the output that other blocks read.
 void record_all(const Scope& scope, const Origin& origin, const Resolver& resolver, RecordRequest& request,
                 Report& report) {
   const std::vector<DiagramBlock>& blocks = report.diagram().blocks;
@@ -68,13 +68,13 @@ void record_all(const Scope& scope, const Origin& origin, const Resolver& resolv
       request.signals[i].signal = *signal;
 }
 
-/// A name that a column may have: "x" or "rig.x", "rig.x.2" as an element has it.
+/// True for a valid name of a column: "x", "rig.x", or "rig.x.2" of an element.
 bool may_name_column(std::string name) {
   take_element(name);
   return is_dotted_name(name) && name != "time";
 }
 
-/// Signals under names of the file's own: {position: rig.x, force: push.force}.
+/// Reads signals with names given by the file: {position: rig.x, force: push.force}.
 void read_named(const yaml::Node& map, const Scope& scope, const Resolver& resolver, RecordRequest& request,
                 Report& report) {
   for (const yaml::Entry& entry : map.entries) {
@@ -102,7 +102,7 @@ void read_signal(const yaml::Node& node, const Scope& scope, const Resolver& res
   record_named(node.text, node, scope, resolver, request, report);
 }
 
-/// Signals of the same period belong to one recording, and those of all instants.
+/// Returns the recording for signals of this period, or the one for all instants.
 RecordRequest& request_for(std::optional<double> every, bool instants, const Origin& origin,
                            std::vector<RecordRequest>& requests) {
   for (RecordRequest& request : requests)
@@ -110,7 +110,7 @@ RecordRequest& request_for(std::optional<double> every, bool instants, const Ori
   return requests.emplace_back(RecordRequest{every, instants, origin, {}});
 }
 
-/// Refuses both sides of instants beside what sets a period, or needs rows of several runs at the same times.
+/// Refuses `instants` beside a period, and beside sections that need rows of several runs at the same times.
 void check_instants(const yaml::Node& instants, const yaml::Node& entry, const Scope& scope, Report& report) {
   const Origin origin = scope.at(instants.mark);
   if (entry.find("every")) report.add(origin, "record", "'instants' has rows of its own; leave 'every' out");
@@ -143,7 +143,7 @@ void read_entry(const yaml::Node& node, const Scope& scope, const Resolver& reso
   for (const yaml::Node& item : signals->as_list()) read_signal(item, scope, resolver, request, report);
 }
 
-/// Is the signal an element of one that is recorded under the same name, whose column it would be?
+/// True for an element whose column already comes from its whole signal, recorded under the same name.
 bool comes_with_whole(const RecordedSignal& signal, const RecordRequest& request) {
   if (signal.signal.element.is_whole()) return false;
   SignalRef whole = signal.signal;
@@ -153,7 +153,7 @@ bool comes_with_whole(const RecordedSignal& signal, const RecordRequest& request
   });
 }
 
-/// Columns of a whole signal "v" are "v.1", "v.2" and so on: no other signal may be named so.
+/// Refuses signals named like the elements "v.1", "v.2" of a recorded signal "v".
 void refuse_names_of_elements(const RecordRequest& request, Report& report) {
   for (const RecordedSignal& signal : request.signals) {
     std::string whole = signal.name;
@@ -167,7 +167,7 @@ void refuse_names_of_elements(const RecordRequest& request, Report& report) {
   }
 }
 
-/// Keeps a signal once in a recording, however often it is named; two signals cannot have one name.
+/// Removes repeated signals of a recording; refuses two signals of one name.
 void drop_repeated(RecordRequest& request, Report& report) {
   std::map<std::string, SignalRef> seen;
   std::erase_if(request.signals,
@@ -181,7 +181,7 @@ void drop_repeated(RecordRequest& request, Report& report) {
   });
 }
 
-/// A swept parameter is a column, too, and columns are told apart by their names.
+/// Refuses recorded signals named like a swept parameter, which is a column as well.
 void refuse_swept_names(Report& report) {
   const Diagram& diagram = report.diagram();
   if (!diagram.sweep) return;
@@ -251,7 +251,7 @@ void check_stop_condition(Report& report) {
 
 namespace {
 
-/// Of what a condition calls by this name.
+/// Returns the unit of a name in a condition.
 std::optional<unit::Dimension> dimension_of_name(const std::string& name, const DiagramBlock& block,
                                                  const Diagram& diagram) {
   const auto& variables = static_cast<const Condition*>(block.block.get())->variables;

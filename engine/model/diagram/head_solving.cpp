@@ -1,4 +1,4 @@
-// What becomes of a step in which outputs depend on themselves, or something crosses a threshold.
+// Treatment of algebraic loops and of threshold crossings in a step.
 #include "engine/model/diagram/head_solving.hpp"
 
 namespace stepwire::diagram {
@@ -25,7 +25,7 @@ const LoopsTable& loops_table() {
   return table;
 }
 
-/// The form of `algebraic_loops`: a word, or how they are solved.
+/// Returns the form of `algebraic_loops`: a word, or the options of their solution.
 const yaml::Key& loops_form() {
   static const yaml::Key words =
       form::words({{"refuse", "an error that names every block of the loop"},
@@ -39,7 +39,7 @@ void read_loops(Diagram& diagram, const yaml::Node& node, const HeadReading& rea
   diagram.algebraic_loops.solve = loops_table().read(node, diagram.algebraic_loops, read);
 }
 
-/// Keys of a map at `solver`.
+/// Values of a map at `solver`.
 struct ControlledSolver {
   std::string name;
   double relative = ErrorControl{}.relative, absolute = ErrorControl{}.absolute;
@@ -95,7 +95,7 @@ const EventsTable& events_table() {
   return table;
 }
 
-/// The form of `events`: a word, or how they are located.
+/// Returns the form of `events`: a word, or the options of their location.
 const yaml::Key& events_form() {
   static const yaml::Key words =
       form::words({{"tick", "what crosses a threshold is found at the next tick"},

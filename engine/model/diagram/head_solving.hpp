@@ -4,7 +4,7 @@
 
 namespace stepwire::diagram {
 
-/// The rows `solver`, `algebraic_loops` and `events` of the head.
+/// Rows `solver`, `algebraic_loops` and `events` of the head.
 yaml::KeyRow<Diagram, HeadReading> solver_row();
 yaml::KeyRow<Diagram, HeadReading> loops_row();
 yaml::KeyRow<Diagram, HeadReading> events_row();

@@ -1,4 +1,4 @@
-// The values that a file runs itself for.
+// Swept values that a file defines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,12 +36,13 @@ void read_axis(const yaml::Entry& entry, Sweep& sweep, const Scope& scope, Repor
   sweep.axes.push_back(std::move(axis));
 }
 
-/// A column of words about the points of a sweep.
+/// Returns a label axis: a column of words about the points of a sweep.
 Sweep::Axis label(const char* name, SweptValues words, const Origin& origin) {
   return {name, std::move(words), origin, true};
 }
 
-/// Values of which the first `before` points have the base, the next one each, and the others the base.
+/// Returns values that are the base at all points except a range of one point for each value, after the first
+/// `before` points.
 SweptValues apart(const Sweep::Axis& axis, const std::string& base, std::size_t before, std::size_t points) {
   std::vector<std::string> texts{base};
   std::vector<yaml::Mark> marks{axis.origin.mark};
@@ -54,7 +55,8 @@ SweptValues apart(const Sweep::Axis& axis, const std::string& base, std::size_t 
   return SweptValues(std::move(texts), std::move(marks), std::move(which));
 }
 
-/// Pairs the values of the axes: at the first point all are the file's own, at each other one differs.
+/// Arranges the axes one at a time: the first point has all own values of the file, each other one differs in
+/// one value.
 void set_apart(Sweep& sweep, const Origin& origin, Report& report) {
   std::vector<std::string> names{nothing_differs}, to{""};
   std::vector<std::uint32_t> which{0};
@@ -77,7 +79,7 @@ void set_apart(Sweep& sweep, const Origin& origin, Report& report) {
   sweep.axes.push_back(label(differs_to_label, SweptValues(std::move(to), marks), origin));
 }
 
-/// A word, or reductions by name.
+/// Reads `keep`: a word, or named reductions.
 void read_keep(const yaml::Node& section, Sweep& sweep, const Scope& scope, Report& report) {
   const yaml::Node* keep = section.find("keep");
   if (!keep) return;
@@ -88,7 +90,7 @@ void read_keep(const yaml::Node& section, Sweep& sweep, const Scope& scope, Repo
   if (keep->entries.empty()) read.fault(keep->mark, "names no number of a run: {peak: max(x)}");
 }
 
-/// The runs whose rows stay beside numbers that are kept.
+/// Reads the runs whose rows are kept beside the reduced numbers.
 void read_recorded_runs(const yaml::Node& section, Sweep& sweep, const Scope& scope, Report& report) {
   const yaml::Node* record = section.find("record");
   if (!record) return;
@@ -133,13 +135,13 @@ bool is_axis(const yaml::Entry& entry) {
   return !sweep_form().find(entry.key);
 }
 
-/// A map that is no list of values and no range.
+/// True for a map that is neither a list of values nor a range.
 bool is_drawn(const yaml::Node& node) {
   const auto has = [&](const yaml::Key& key) { return node.find(key.name) != nullptr; };
   return node.is_map() && !node.find("values") && std::ranges::none_of(range_form().of, has);
 }
 
-/// Reads and draws the values of all axes. Says whether their runs are not too many.
+/// Reads and samples the values of all axes. Adds a fault and returns false for too many runs.
 bool read_axes(const yaml::Node& section, Sweep& sweep, const Scope& scope, Report& report) {
   const std::size_t before = report.faults().size();
   const auto refuse = [&] {

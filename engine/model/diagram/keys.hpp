@@ -4,11 +4,11 @@
 
 namespace stepwire::diagram {
 
-/// Is this a name that a block, part, port or parameter may have? Letters, digits and '_', not beginning with
-/// a digit.
+/// True for a valid name of a block, part, port or parameter: letters, digits and '_', not beginning with a
+/// digit.
 bool is_name(const std::string& text);
 
-/// Such names with dots between them: "rig.carriage".
+/// True for such names joined by dots: "rig.carriage".
 bool is_dotted_name(const std::string& text);
 
 }  // namespace stepwire::diagram

@@ -6,7 +6,7 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// The number of a value that is one for all elements.
+/// Returns the number of a value that is the same for all elements; std::nullopt for other values.
 std::optional<double> number_of(const Value& value) {
   if (const double* number = std::get_if<double>(&value.content)) return *number;
   const auto* numbers = std::get_if<Eigen::VectorXd>(&value.content);

@@ -6,8 +6,8 @@
 
 namespace stepwire::diagram {
 
-/// True for a number that the file leaves out and that has the value of its type. A gain that is
-/// left out is a pure number; one in the file may have any unit.
+/// True for a number that the file omits and that equals the default of its type. An omitted gain is a pure
+/// number; a gain in the file may have any unit.
 bool is_left_out(const DiagramBlock& block, std::size_t parameter);
 
 }  // namespace stepwire::diagram

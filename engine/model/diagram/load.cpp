@@ -49,7 +49,7 @@ void require_inputs(Report& report) {
     }
 }
 
-/// Takes what the parameters of a file and its parts are, by the index of their scopes.
+/// Moves the parameters of a file and its parts to the bindings, by the index of their scopes.
 void take_parameters(Scope& scope, Bindings& bindings) {
   bindings.scopes[static_cast<std::size_t>(scope.index)] = std::move(scope.parameters);
   for (auto& [name, named] : scope.names)
@@ -58,7 +58,7 @@ void take_parameters(Scope& scope, Bindings& bindings) {
 
 enum class Extent { whole_file, one_run };
 
-/// Reads the blocks of a file and of its parts, and all that refers to them.
+/// Reads the blocks of a file and its parts, and all that refers to them.
 void read_sections(Scope& root, Opener& opener, Settings& settings, Report& report, Extent extent) {
   opener.open(root, {});
   opener.join_guards();
@@ -73,10 +73,10 @@ void read_sections(Scope& root, Opener& opener, Settings& settings, Report& repo
   read_stop_condition(root, resolver, report);
   demand_units_and_shapes(root, resolver, report);
   settings.report_unused(report);
-  if (report.faults().empty()) refuse_unused_parameters(root, report);  // else it may follow from a fault
+  if (report.faults().empty()) refuse_unused_parameters(root, report);  // a fault may hide uses
 }
 
-/// A diagram while it is made of its document.
+/// A diagram under construction from its document.
 class Building {
  public:
   explicit Building(const yaml::Document& document) : report_(diagram_) {
@@ -86,7 +86,7 @@ class Building {
   }
   Building(const Building&) = delete;
 
-  /// Gathers what is wrong; throws Error with it where nothing can follow.
+  /// Reads the document and collects its faults; throws Error after faults that prevent further reading.
   void read(Loader& loader, const std::vector<Setting>& given, Extent extent) {
     Settings settings(given, report_);
     check_head_keys(root_, report_);
@@ -160,7 +160,7 @@ UnfinishedDiagram Loader::draft(const std::string& path) {
   Report units(draft.diagram);
   try {
     draft.input_units = infer_input_units(units);
-  } catch (const yaml::Error&) {  // more units disagree than are told
+  } catch (const yaml::Error&) {  // more units disagree than a list of faults may have
   }
   if (draft.faults.empty()) draft.faults = yaml::Error(units.faults().list()).faults();
   return draft;

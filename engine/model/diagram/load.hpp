@@ -13,54 +13,54 @@
 
 namespace stepwire::diagram {
 
-/// One `--set name=value`, or a value of a sweep; the name reaches into parts ("rig.mass") and blocks
+/// A value set by `--set name=value` or by a sweep. The name may refer to parts ("rig.mass") and blocks
 /// ("lag.tau").
 struct Setting {
   std::string name;
   std::string value;
-  std::string written = "--set " + name + "=" + value;  ///< how messages call it: the call, or a file
-  yaml::Mark mark{};                                    ///< where in that file
+  std::string written = "--set " + name + "=" + value;  ///< its text in messages: the call, or a file
+  yaml::Mark mark{};                                    ///< in that file
 };
 
-/// Gives the document of a path, from wherever its text is. Throws Error as read_document() does.
+/// Function that returns the document of a path from any storage. Throws Error as read_document() does.
 using DocumentReader = std::function<std::shared_ptr<const yaml::Document>(
     const std::string& path, const yaml::DocumentLimits& limits)>;
 
-/// What a file is as far as it can be read, and all that is wrong with it.
+/// An incomplete diagram with all faults of its file.
 struct UnfinishedDiagram {
   Diagram diagram;
   std::vector<yaml::Fault> faults;
   PortUnits input_units{};
 };
 
-/// Turns diagram files into checked diagrams. Files are read once, however often they are used.
+/// Loads diagram files and checks them. Each file is read only once.
 class Loader {
  public:
-  /// The registry must outlive the diagrams, too, whose blocks know their types by it.
-  /// Without a reader documents are files.
+  /// The registry must also outlive the diagrams, whose blocks refer to its types. Without a reader,
+  /// documents are files.
   explicit Loader(const Registry& registry, yaml::DocumentLimits limits = {}, DocumentReader reader = {})
       : registry_(registry), limits_(limits), reader_(std::move(reader)) {}
   explicit Loader(Registry&&, yaml::DocumentLimits = {}, DocumentReader = {}) = delete;
 
-  /// Reads and checks a file. Throws Error with everything that is wrong; EnvironmentError where a block
-  /// needs the data folder (STEPWIRE_DATA) and it is not there.
+  /// Loads and checks a file. Throws Error with all faults. Throws EnvironmentError where a block needs the
+  /// data folder (STEPWIRE_DATA) and it is missing.
   Diagram load(const std::string& path, const std::vector<Setting>& settings = {});
-  /// The same for one run of the file's sweep: without what only the file as a whole needs (sweep, figures,
+  /// Loads a file for one run of its sweep, without the sections of the file as a whole (sweep, figures,
   /// claims).
   Diagram load_point(const std::string& path, const std::vector<Setting>& settings);
-  /// The same for text; parts and data files are looked for beside `file`.
+  /// Loads a diagram from text; parts and data files are searched beside `file`.
   Diagram load_text(std::string_view text, const std::string& file,
                     const std::vector<Setting>& settings = {});
 
-  /// The same for an editor, which shows what there is of a file with faults. Units are inferred as far as
-  /// they follow. Throws Error where the file itself is no YAML.
+  /// Loads a file for an editor, which also shows files with faults. Units are inferred as far as possible.
+  /// Throws Error for a file that is not YAML.
   UnfinishedDiagram draft(const std::string& path);
 
   const Registry& registry() const { return registry_; }
   const yaml::Document& document(const std::string& path);
-  /// Takes a document for the file that it names; no such file needs to be there.
+  /// Uses a document in place of the file that it names, which may be missing.
   void add(yaml::Document document);
-  /// The paths of all documents that were read or added, and of those that could not be read.
+  /// Returns the paths of all documents that were read or added, and of unreadable ones.
   std::vector<std::string> paths() const;
 
  private:

@@ -6,7 +6,7 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// "u", "u2", "time", an input, or a name that a block has for one.
+/// True for "u", "u2", "time", an input, or a block's name for one.
 bool is_of_block(const std::string& name, const BlockType& type) {
   if (name == "time" || name == "u" || type.input(name) >= 0 || type.output(name) >= 0) return true;
   return name.size() > 1 && name[0] == 'u' && name.find_first_not_of("0123456789", 1) == std::string::npos;
@@ -54,7 +54,8 @@ yaml::Node name_parameters(const yaml::Node& node, const std::vector<std::string
   if (node.is_scalar() && is_among(keys, ""))
     result.text = name_parameters(node.text, parameters, has_meaning);
   for (yaml::Node& item : result.items) item = name_parameters(item, keys, type, words, parameters);
-  // What stands in a map of formulas, as a guard below its target, is a formula whatever its name.
+  // All values of a map of formulas are formulas, whatever their keys; an example is a guard below its
+  // target.
   const bool all = node.is_map() && is_among(keys, "");
   for (yaml::Entry& entry : result.entries) {
     const bool are_formulas = all || (!entry.value.is_list() && is_among(keys, entry.key)) ||

@@ -7,8 +7,8 @@
 
 namespace stepwire::diagram {
 
-/// All signals of a diagram by the names that may be given to them from outside: outputs of the diagram,
-/// ports of parts, outputs and states of blocks.
+/// Returns all signals of a diagram by their external names: outputs of the diagram, ports of parts, outputs
+/// and states of blocks.
 std::map<std::string, SignalRef> named_signals(const Diagram& diagram);
 
 }  // namespace stepwire::diagram

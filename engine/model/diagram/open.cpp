@@ -25,8 +25,8 @@ yaml::Message no_block_type(const std::string& name, const Registry& registry) {
   return message + yaml::did_you_mean(name, registry.names(), "'stepwire blocks' lists them");
 }
 
-/// What is wrong with the word of a key that is a condition elsewhere: `trigger: index` of a block whose
-/// reset has a trigger. Empty where nothing is.
+/// Returns the fault of a word that would be a condition for another block: `trigger: index` of a block whose
+/// reset has a `trigger`. Empty for other words.
 std::string meant_as_condition(const ParameterSpec& spec, const yaml::Node& node) {
   const std::string& text = node.text;
   if (!is_guard_key(spec.name) || spec.words.empty() || !node.is_scalar() || text.starts_with('$') ||
@@ -38,7 +38,8 @@ std::string meant_as_condition(const ParameterSpec& spec, const yaml::Node& node
       text, fmt::join(spec.words, ", "));
 }
 
-/// The text with a '$' before names of parameters, and a '=' before formulas, where only these can stand.
+/// Returns the text with '$' before names of parameters, and '=' before formulas, where only these are
+/// possible.
 yaml::Node with_named_parameters(const ParameterSpec& spec, const BlockType& type,
                                  const std::vector<std::string>& words, const yaml::Node& text,
                                  const ValueReader& reader, const ParameterScope& parameters) {
@@ -61,7 +62,7 @@ void Opener::open(Scope& scope, const Overrides& overrides) {
   if (!blocks || !blocks->is_map() || blocks->entries.empty()) {
     report_.add(scope.at(blocks ? blocks->mark : root.mark), scope.prefix.empty() ? "" : "blocks",
                 "blocks are missing; a diagram has 'blocks:' with a map of name: {block: ..}");
-    report_.faults().throw_if_any();  // every name would be unknown
+    report_.faults().throw_if_any();  // without the blocks all names would be unknown
   }
   if (scope.index == 0) report_.diagram().blocks.reserve(blocks->entries.size());
   for (const yaml::Entry& entry : blocks->entries) open_block(scope, entry);
@@ -80,7 +81,7 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
         scope, entry, entry.mark,
         "is no name for a block; use letters, digits and '_' ('time' and 'all' have a meaning of their own)");
   const yaml::Node *kind = map.find("block"), *part = map.find("diagram");
-  const bool is_hidden = kind && find_guard_type(kind->text);  // in a flattened file beside what it guards
+  const bool is_hidden = kind && find_guard_type(kind->text);  // beside its blocks in a flattened file
   if (const std::string rival = scope.rival_of(entry.key);
       !rival.empty() && !is_hidden && !hidden(scope, rival))
     return fail(scope, entry, entry.mark,
@@ -101,7 +102,7 @@ void Opener::open_block(Scope& scope, const yaml::Entry& entry) {
   if ((type = type_by_file(*type, entry, scope, report_))) make_block(scope, entry, *type);
 }
 
-/// Is this a block that other files have for an `enable` or `trigger`?
+/// True for a hidden block, which in other files an `enable` or `trigger` creates.
 bool Opener::hidden(const Scope& scope, const std::string& name) const {
   const auto found = scope.names.find(name);
   return found != scope.names.end() && found->second.block >= 0 &&
@@ -150,8 +151,8 @@ void Opener::apply_preset(Scope& scope, const yaml::Node& map, DiagramBlock& blo
           yaml::did_you_mean(*wanted, names, fmt::format("{} has: {}", type.name, fmt::join(names, ", "))));
 }
 
-/// A key that may have a value or a signal, as `lower: -1` and `lower: floor`, feeds an input where it names
-/// a signal.
+/// True for a key that connects an input: of a key that may have a value or a signal, as `lower: -1` and
+/// `lower: floor`, one that names a signal.
 bool Opener::is_fed(const Scope& scope, const yaml::Entry& key, const BlockType& type) const {
   if (!has_value(type, key.key)) return true;
   if (!names_signal(key.value)) return false;
@@ -159,7 +160,7 @@ bool Opener::is_fed(const Scope& scope, const yaml::Entry& key, const BlockType&
   for (std::string name = key.value.text; !name.empty();
        name.resize(name.find('.') == std::string::npos ? 0 : name.rfind('.')))
     if (scope.inputs.contains(name) || (blocks && blocks->is_map() && blocks->find(name))) return true;
-  // A name that stands for nothing is more likely a signal that is not there than a number.
+  // An unknown name is more likely a missing signal than a number.
   const std::string& text = key.value.text;
   const bool constant = text == "pi" || text == "e";
   return is_dotted_name(text) && !constant && !scope.parameters.defined(text.substr(0, text.find('.')));
@@ -244,7 +245,7 @@ void Opener::bind(const Target& target, ValueText text, ParameterUses uses) {
   auto& bindings = report_.bindings().bindings;
   for (std::size_t b = bindings.size(); b-- > 0 && bindings[b].target.block == target.block;)
     if (bindings[b].target == target)
-      bindings.erase(bindings.begin() + static_cast<std::ptrdiff_t>(b));  // a setting comes after the file
+      bindings.erase(bindings.begin() + static_cast<std::ptrdiff_t>(b));  // a setting overrides the file
   if (!uses.empty()) bindings.push_back({target, std::move(text), std::move(uses)});
 }
 

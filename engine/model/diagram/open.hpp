@@ -14,7 +14,7 @@
 
 namespace stepwire::diagram {
 
-/// An input as a file wrote it, to be resolved once all names are known.
+/// An input as written in a file; it is resolved once all names are known.
 struct PendingInput {
   int block;
   int input;
@@ -22,37 +22,36 @@ struct PendingInput {
   const Scope* scope;
 };
 
-/// Opens a file and its parts: parameters evaluated, blocks made with their parameters, names gathered.
-/// Inputs are left pending.
+/// Opens a file and its parts: evaluates parameters, creates blocks with their parameters, and collects
+/// names. Inputs stay pending.
 class Opener {
  public:
   Opener(Loader& loader, Settings& settings, Report& report)
       : loader_(loader), settings_(settings), report_(report) {}
 
   void open(Scope& scope, const Overrides& overrides);
-  /// Copies blocks that are fed buses for every field; before inputs are resolved.
+  /// Copies blocks with buses at their inputs for every field; called before inputs are resolved.
   void copy_for_buses(Scope& root);
   const std::deque<PendingInput>& pending() const { return pending_; }
-  /// Gives each block that names its Guard the block that this is, once all names are known.
+  /// Connects blocks to the Guards that they name, once all names are known.
   void join_guards();
 
  private:
-  /// What `enable` and `trigger` of a part or block say.
+  /// Result of `enable` and `trigger` of a part or block.
   struct Guarding {
-    int guard = -1;  ///< the block that they make; -1: there is none of them
+    int guard = -1;  ///< the block that they create; -1 without such keys
     int edge = 0, states = 0;
     const yaml::Node* outputs = nullptr;  ///< see GuardOptions
   };
-  /// Is a key one of the part's or block's own?
+  /// Predicate: True for a key that the part or block itself has.
   using KeyTaken = std::function<bool(const char* key)>;
   void declare_ports(Scope& scope);
-  /// Reports what is wrong with a block or part that cannot be made, and keeps silent about what is wired to
-  /// it.
+  /// Adds the fault of a block or part that cannot be created, and suppresses faults of the wires to it.
   void fail(Scope& scope, const yaml::Entry& entry, const yaml::Mark& mark, yaml::Message message);
   void open_block(Scope& scope, const yaml::Entry& entry);
   void declare_input(Scope& scope, const yaml::Entry& port);
   void declare_output(Scope& scope, const yaml::Entry& port);
-  /// Makes a block for each input of the diagram itself whose `default` is a value.
+  /// Creates a block for each input of the diagram itself whose `default` is a value.
   void make_inputs(Scope& scope);
   void split_inputs(Scope& scope);
   std::optional<unit::Dimension> declared_unit(const Scope& scope, const yaml::Entry& port);
@@ -61,9 +60,9 @@ class Opener {
   void open_part(Scope& scope, const yaml::Entry& entry, const yaml::Node& path);
   bool refuse_nesting(Scope& scope, const yaml::Entry& entry, const yaml::Node& path,
                       const std::string& file);
-  /// Reads the part's file; false, and a fault, where that cannot be.
+  /// Reads the part's file; adds a fault and returns false if that fails.
   bool read_part(Scope& scope, const yaml::Entry& entry, const yaml::Node& path, Scope& part);
-  /// Hands the keys of the using file to the part's inputs, and returns those for its parameters.
+  /// Assigns the keys of the using file to the part's inputs, and returns those for its parameters.
   Overrides feed(const Scope& scope, const yaml::Entry& entry, const yaml::Node& path, Scope& part);
   void make_block(Scope& scope, const yaml::Entry& entry, const BlockType& type);
   void make_bus(Scope& scope, const yaml::Entry& entry);
@@ -74,18 +73,18 @@ class Opener {
                       std::size_t parameter);
   void read_initial(const Scope& scope, const yaml::Node& node, DiagramBlock& block, int state);
   int index_of(const DiagramBlock& block);
-  /// Keeps the text of a value that follows from parameters.
+  /// Stores the text of a value that depends on parameters.
   void bind(const Target& target, ValueText text, ParameterUses uses);
   void read_period(const Scope& scope, const yaml::Node& node, DiagramBlock& block);
   void require_parameters(const Scope& scope, const yaml::Node& map, const DiagramBlock& block);
   bool is_fed(const Scope& scope, const yaml::Entry& key, const BlockType& type) const;
 
   bool hidden(const Scope& scope, const std::string& name) const;
-  /// A block that no file names.
+  /// Adds a block that files cannot name.
   int add_hidden(const Scope& scope, const std::string& name, const BlockType& type, const yaml::Mark& mark);
   static void make_room(DiagramBlock& block);
   void feed_hidden(int block, int input, int from, const Origin& origin);
-  /// `active` is what the guard is called behind the name of its part or block.
+  /// `active` is the guard's name after that of its part or block.
   Guarding open_guard(Scope& scope, const yaml::Entry& entry, const KeyTaken& is_own, const char* active);
   void feed_guard(Scope& scope, const std::string& owner, const char* key, const yaml::Node& node, int guard);
   int add_condition(Scope& scope, const std::string& name, const yaml::Node& node);
@@ -94,7 +93,7 @@ class Opener {
                   const yaml::Mark& mark);
   void show_outputs(Scope& scope, const yaml::Entry& entry, const Guarding& guarding, int block);
   void show_outputs(Scope& scope, const yaml::Entry& entry, const Guarding& guarding, Scope& part);
-  /// `every` of a part, which its blocks without one have.
+  /// Reads `every` of a part, the default of its blocks.
   void read_period_of_part(const Scope& scope, const yaml::Entry& entry, const KeyTaken& is_own, Scope& part);
   void take_period_of_part(const Scope& scope, DiagramBlock& block);
   void join_with_part(const Scope& scope, const Origin& origin, const std::string& name, Every& every);
@@ -111,10 +110,10 @@ class Opener {
     const Scope* scope;
   };
   std::vector<Within> within_;
-  std::deque<yaml::Node> made_;  ///< what is wired to hidden blocks
-  std::deque<yaml::Node> written_;  ///< what stands for the fields of buses that blocks are fed
+  std::deque<yaml::Node> made_;  ///< sources of hidden blocks
+  std::deque<yaml::Node> written_;  ///< sources of the fields of buses at inputs
   std::vector<std::string> open_files_;
-  std::vector<std::string> block_words_;  ///< lists of names that the block being made is given
+  std::vector<std::string> block_words_;  ///< lists of names given to the block under construction
 };
 
 }  // namespace stepwire::diagram

@@ -1,4 +1,4 @@
-// Buses: signals under names of their own, which stand in a file like a block.
+// Buses: named groups of signals, written in a file like a block.
 #include <fmt/format.h>
 
 #include "engine/model/diagram/bus_fields.hpp"
@@ -10,7 +10,7 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// Refuses what is no field, and what is said of one that cannot be read.
+/// Refuses invalid fields, and invalid properties of fields.
 void check_fields(const Scope& scope, const std::string& bus, const yaml::Node& map, Report& report) {
   if (!map.is_map() || map.entries.empty())
     return report.add(scope.at(map.mark), bus, "a bus has fields, as {fields: {force: f, torque: t}}");

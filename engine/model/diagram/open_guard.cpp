@@ -1,4 +1,4 @@
-// `every`, `enable` and `trigger` of parts and blocks: the hidden blocks that decide when these are active.
+// Keys `every`, `enable` and `trigger` of parts and blocks: creates the hidden blocks that activate them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ void Opener::feed_hidden(int block, int input, int from, const Origin& origin) {
   fed.input_marks[static_cast<std::size_t>(input)] = origin.mark;
 }
 
-/// A wire or a number feeds the guard itself, a formula a block of its own.
+/// Connects a condition: a wire or a number to the guard itself, a formula through a block of its own.
 void Opener::feed_guard(Scope& scope, const std::string& owner, const char* key, const yaml::Node& node,
                         int guard) {
   const int input = guard_type().input(key);
@@ -104,7 +104,7 @@ int Opener::add_condition(Scope& scope, const std::string& name, const yaml::Nod
   return index;
 }
 
-/// What is wired to a condition for a name in it: a parameter, or else a signal.
+/// Returns the source of a name in a condition: a parameter, or else a signal.
 yaml::Node Opener::source_of_variable(const Scope& scope, const std::string& variable,
                                       const yaml::Mark& mark) {
   const bool is_parameter = scope.parameters.defined(variable);
@@ -151,7 +151,7 @@ int Opener::show_output(Scope& scope, const std::string& owner, const std::strin
   return shown;
 }
 
-/// `outputs: reset` of a block.
+/// Adds the outputs for `outputs: reset` of a block.
 void Opener::show_outputs(Scope& scope, const yaml::Entry& entry, const Guarding& guarding, int block) {
   if (!guarding.outputs) return;
   const BlockType& type = report_.diagram().blocks[static_cast<std::size_t>(block)].type();
@@ -165,7 +165,7 @@ void Opener::show_outputs(Scope& scope, const yaml::Entry& entry, const Guarding
   }
 }
 
-/// The same of a part, whose ports may have a `safe` value.
+/// Adds those of a part, whose ports may have a `safe` value.
 void Opener::show_outputs(Scope& scope, const yaml::Entry& entry, const Guarding& guarding, Scope& part) {
   if (!guarding.outputs) return;
   for (const auto& [name, out] : part.outputs) {

@@ -1,4 +1,4 @@
-// Parts: a file with ports that stands in another file like a block.
+// Parts: files with ports, used in another file like a block.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace stepwire::diagram {
 namespace {
 
 constexpr std::size_t deepest_nesting = 32;
-constexpr std::size_t max_parts = 100'000;  // parts that use parts twice grow without end
+constexpr std::size_t max_parts = 100'000;  // bounds the growth of parts that use parts twice
 
 std::vector<std::string> keys_of_map(const yaml::Node& root, const char* key) {
   std::vector<std::string> names;
@@ -33,7 +33,7 @@ std::string doc_of(const yaml::Entry& port) {
   return doc ? doc->text : "";
 }
 
-/// Is a default the map of a bus, not a number with its unit?
+/// True for a default that is the map of a bus; false for a number with its unit.
 bool is_bus(const yaml::Node& node) {
   return node.is_map() && !node.find("value");
 }
@@ -42,12 +42,12 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Is a key of a part an input or a parameter of its file?
+/// True for a key that is an input or a parameter of the part's file.
 bool is_port_or_parameter(const yaml::Node& root, const std::string& key) {
   return contains(keys_of_map(root, "inputs"), key) || contains(keys_of_map(root, "parameters"), key);
 }
 
-/// A scope for a part, which is listed in the diagram.
+/// Makes the scope of a part and lists it in the diagram.
 std::unique_ptr<Scope> scope_of_part(Scope& user, const yaml::Entry& entry, const Origin& origin,
                                      const std::string& file, Diagram& diagram) {
   auto part = std::make_unique<Scope>();
@@ -131,7 +131,7 @@ void Opener::declare_output(Scope& scope, const yaml::Entry& port) {
     scope.outputs[port.key].fields = declared_fields(*fields);
 }
 
-/// An input of the diagram itself that is a bus has an input for each field.
+/// Splits an input of the diagram itself that is a bus into one input for each field.
 void Opener::split_inputs(Scope& scope) {
   std::map<std::string, Scope::Port, std::less<>> fields;
   for (const auto& [name, port] : scope.inputs) {
@@ -179,13 +179,13 @@ bool Opener::refuse_nesting(Scope& scope, const yaml::Entry& entry, const yaml::
                      fmt::join(circle, open_files_.end(), " -> "), file));
   } else if (open_files_.size() >= deepest_nesting) {
     fail(scope, entry, path.mark, fmt::format("parts are nested more than {} deep here", deepest_nesting));
-    report_.faults().throw_if_any();  // parts that use parts twice would say so without end
+    report_.faults().throw_if_any();  // stops here: recursive parts would repeat the fault
   } else if (report_.diagram().scopes.size() > max_parts) {
     fail(scope, entry, path.mark, fmt::format("the diagram has more than {} parts here", max_parts));
-    report_.faults().throw_if_any();  // each of the rest would say the same
+    report_.faults().throw_if_any();  // stops here: each further part would repeat the fault
   } else if (std::error_code none; std::filesystem::is_other(std::filesystem::status(file, none))) {
     fail(scope, entry, path.mark,
-         fmt::format("{} is no file", file));  // a pipe or a device would keep us waiting
+         fmt::format("{} is no file", file));  // reading a pipe or a device would block
   } else {
     return false;
   }

@@ -10,22 +10,22 @@
 
 namespace stepwire::diagram {
 
-/// Unit variables of outputs whose block does not know their unit: one for the whole output, and one for each
-/// element that is read by itself. They get their units from the section `units`, from ports of parts, and
-/// from the inputs that they feed.
+/// Unit variables of outputs with a unit unknown to their block: one for the whole output, and one for each
+/// element that is read separately. Their units follow from the section `units`, from ports of parts, and
+/// from the inputs that read them.
 class OpenUnits {
  public:
   OpenUnits(const OutputShapes& shapes, std::size_t& variables) : shapes_(shapes), variables_(variables) {}
 
-  /// Gives the elements of this output units of their own, whatever its block declares.
+  /// Gives the elements of this output units of their own, overriding its block's declaration.
   void open(int block, int output) { opened_.insert({block, output}); }
   bool is_opened(int block, int output) const { return opened_.contains({block, output}); }
-  /// The variable of an output or an element of one.
+  /// Returns the variable of an output or one of its elements.
   int variable(const Source& source);
   int whole(int block, int output) { return variable_of({block, output}, -1); }
-  /// The variable of the whole output; -1 where there is none.
+  /// Returns the variable of the whole output; -1 without one.
   int find(int block, int output) const;
-  /// Joins the elements of each output to the whole.
+  /// Adds equations that join the elements of each output to the whole.
   void join(UnitEquations& equations);
 
   ElementRange range(const Source& source) const;

@@ -4,7 +4,7 @@
 
 namespace stepwire::diagram {
 
-/// A place in one of the files of a diagram: `scope` says in which file, and who uses it.
+/// Location in a file of a diagram: `scope` identifies the file and its user.
 struct Origin {
   int scope = 0;
   yaml::Mark mark;

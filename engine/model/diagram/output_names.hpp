@@ -6,14 +6,14 @@
 
 namespace stepwire::diagram {
 
-/// Does this output show the state that the first output shows, too? Then it is that state as it is, also
-/// where outputs() computes the first one: Integrator.before.
+/// True for a further output of the state that the first output already shows. It is the state itself, even
+/// where outputs() computes the first output: Integrator.before.
 inline bool is_bare_state(const BlockType& type, std::size_t output) {
   return output > 0 && !type.outputs[output].state.empty() &&
          type.outputs[output].state == type.outputs[0].state;
 }
 
-/// Does the name of a block alone stand for its first output?
+/// True where the name of the block alone denotes its first output.
 inline bool has_one_output(const BlockType& type) {
   if (type.outputs.empty()) return false;
   for (std::size_t o = 1; o < type.outputs.size(); ++o)
@@ -21,7 +21,7 @@ inline bool has_one_output(const BlockType& type) {
   return true;
 }
 
-/// The name of an output as others read it: "lag", "rig.position".
+/// Returns the name of an output for readers: "lag", "rig.position".
 inline std::string output_name(const std::string& block, const BlockType& type, std::size_t output) {
   return output == 0 && has_one_output(type) ? block : block + "." + type.outputs[output].name;
 }

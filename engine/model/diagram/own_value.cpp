@@ -9,7 +9,8 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// What follows from others is their number, so that it stays where they differ.
+/// Returns the value of a parameter as text. One that depends on others is a number, so that it is fixed
+/// where they differ.
 std::string of_parameter(const DiagramParameter& parameter) {
   const double* number = std::get_if<double>(&parameter.value.content);
   if (!number || unit::parse_quantity(parameter.text)) return parameter.text;

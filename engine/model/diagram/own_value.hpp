@@ -8,15 +8,15 @@
 
 namespace stepwire::diagram {
 
-/// What a name is in a diagram; nothing where nothing has it.
+/// Finds a name in a diagram; std::nullopt if it does not exist.
 std::optional<Variation::Name> find_name(const Diagram& diagram, const std::string& text);
 
-/// The nearest name that something has, as the cure: "did you mean 'rig.mass'?"
+/// Returns the nearest existing name as the cure: "did you mean 'rig.mass'?".
 yaml::Message nearest_name(const Diagram& diagram, const std::string& text);
 
-/// The value that a diagram has of what a name stands for (a parameter, a value or an initial value of a
-/// block, a time or the method of the file itself), as a setting of that name writes it; nothing where no
-/// setting could: a default that is not finite, a solver that the file does not name.
+/// Returns the value of a name in a diagram as the text of a setting. The name is a parameter, a value or
+/// initial value of a block, or a time or method of the file itself. Returns std::nullopt if no setting could
+/// express the value: a default that is not finite, or a solver that the file does not name.
 std::optional<std::string> own_value(const Diagram& diagram, const Variation::Name& name);
 
 }  // namespace stepwire::diagram

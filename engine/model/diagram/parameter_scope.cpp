@@ -64,7 +64,7 @@ const expression::Expression* ParameterScope::expression(const std::string& text
     found->second.emplace(text, known);
   } catch (const expression::ExpressionError&) {
     expressions_.erase(found);
-    matrix_expression(text);  // throws where it is none of both
+    matrix_expression(text);  // throws for an invalid matrix expression as well
     expressions_.try_emplace(text);
     return nullptr;
   }

@@ -27,7 +27,7 @@ void add(std::vector<T>& all, const T& one) {
 
 }  // namespace
 
-/// One call of set().
+/// Evaluation of one call of set().
 class ParameterState::Evaluation {
  public:
   explicit Evaluation(ParameterState& state)

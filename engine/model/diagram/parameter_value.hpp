@@ -4,7 +4,7 @@
 
 namespace stepwire::diagram {
 
-/// A parameter that is recorded as a signal.
+/// Block that makes a parameter recordable as a signal.
 struct ParameterValue {
   PerElement value = 0.0;
   Output<> y{};

@@ -21,7 +21,7 @@ yaml::Message no_parameter(const std::string& name, const ParameterScope& parame
   return fmt::format("there is no parameter '{}'", name) + yaml::did_you_mean(name, parameters.names());
 }
 
-/// The letters, digits and underscores from here on.
+/// Returns the letters, digits and underscores from `begin` on.
 std::string word_at(const std::string& text, std::size_t begin) {
   std::size_t end = begin;
   while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_'))
@@ -29,7 +29,8 @@ std::string word_at(const std::string& text, std::size_t begin) {
   return text.substr(begin, end - begin);
 }
 
-/// The unit of the elements of a matrix; none where two have others, as the rows of a system may.
+/// Common unit of the elements of a matrix; std::nullopt if elements differ, as rows of a state-space system
+/// may.
 class MatrixUnit {
  public:
   void add(const std::optional<unit::Dimension>& dimension) {
@@ -44,7 +45,7 @@ class MatrixUnit {
   bool differs_ = false;
 };
 
-/// A number or a word as it stands inside of a text; nothing for any other value.
+/// Returns a number or word for insertion into a text; std::nullopt for any other value.
 std::optional<std::string> inserted_text(const Value& value) {
   if (const double* number = std::get_if<double>(&value.content))
     return *number < 0 ? fmt::format("({})", *number) : fmt::format("{}", *number);
@@ -99,7 +100,7 @@ std::optional<WrittenValue> ValueReader::read(const yaml::Node& written, const s
 std::optional<WrittenValue> ValueReader::read_scalar(const yaml::Node& node,
                                                      const std::string& subject) const {
   const std::string& text = node.text;
-  // An expression with a comma, a colon or a quotation mark in it needs quotes around it.
+  // Quotes do not prevent an expression: one with a comma, a colon or a quotation mark needs them.
   if (node.quoted && !text.starts_with('=')) return WrittenValue{{text}, {}, text};
   if (text.starts_with('$')) {
     if (parameters_.failed(text.substr(1))) return std::nullopt;

@@ -13,60 +13,60 @@ namespace stepwire::diagram {
 
 class FaultReport;
 
-/// Who gave a parameter another value than its definition: the call, or the file that uses its part.
+/// Origin of a value that replaces a definition's own: the call, or the file that uses the part.
 struct GivenBy {
   Origin origin;
-  std::string name;  ///< of the parameter: "rig.mass"
-  std::string unit;  ///< of its definition, with a blank in front: " kg"
+  std::string name;  ///< full name of the parameter: "rig.mass"
+  std::string unit;  ///< of its definition, with a leading blank: " kg"
 };
 
-/// A value as a file writes it, before it is known what it is for.
+/// A value as written in a file, before its purpose is known.
 struct WrittenValue {
-  Value value;  ///< a number, vector or matrix in SI; a flag; text; a list of text
+  Value value;  ///< a number, vector or matrix in SI; a flag; text; a list of texts
   std::optional<unit::Dimension> dimension;
   std::string text;     ///< as written, for messages
-  bool failed = false;  ///< stands for a definition that was refused; what uses it stays silent
-  std::optional<GivenBy> given{};  ///< of a text
-  Eigen::Index columns = 1;  ///< of a matrix that is read as its elements, column by column
+  bool failed = false;  ///< replaces a refused definition; its uses add no further faults
+  std::optional<GivenBy> given{};  ///< set for a text
+  Eigen::Index columns = 1;  ///< of a matrix in column-major order
 };
 
-/// Parameters that a value was read from, by their index in Diagram::parameters.
+/// Parameters used by a value, as indices in Diagram::parameters.
 using ParameterUses = std::vector<int>;
 
-/// The parameters that expressions and `$name` of one file see.
+/// Parameters visible to expressions and `$name` of one file.
 class ParameterScope {
  public:
-  /// The value of a parameter, and notes that something uses it; nullptr if there is none. `uses` gathers
-  /// what can be evaluated again; without it the parameter decides what the diagram is made of, see
-  /// is_structural.
+  /// Returns the value of a parameter and records its use; nullptr if it is missing. `uses` collects the
+  /// parameters of a value that can be evaluated again. Without it the parameter determines the structure of
+  /// the diagram, see is_structural.
   const WrittenValue* find(const std::string& name, ParameterUses* uses) const;
   bool defined(const std::string& name) const { return values_.contains(name); }
   void define(const std::string& name, WrittenValue value, int index = -1);
-  /// Puts another value in the place of one that is defined, and returns the former.
+  /// Replaces the value of a defined parameter and returns the previous one.
   WrittenValue replace(const std::string& name, WrittenValue value);
-  /// The value of a parameter that is defined, which is no use of it; else nullptr.
+  /// Returns the value of a defined parameter without recording a use; nullptr if it is missing.
   const Value* value(const std::string& name) const;
   std::vector<std::string> names() const;
   bool failed(const std::string& name) const;
-  /// Does anything use it?
+  /// True where the parameter has a use.
   bool used(const std::string& name) const;
-  /// Does anything use it that is not evaluated again: a file's times, records, words of presets?
+  /// True where it has a use that is never evaluated again: times of a file, records, words of presets.
   bool is_structural(const std::string& name) const;
-  /// Does an expression of this file know the name: a parameter, or an element of one, "K.1.2"?
+  /// True for a parameter, or an element of one, "K.1.2", as a name in an expression.
   bool knows(const std::string& name) const;
-  /// The expression of a text that follows its '='; each text is parsed once. Null where it has brackets or
-  /// functions of matrices. Throws ExpressionError.
+  /// Returns the parsed expression of a text after its '='; each text is parsed only once. Returns nullptr
+  /// for a text with brackets or matrix functions. Throws ExpressionError.
   const expression::Expression* expression(const std::string& text) const;
   const expression::MatrixExpression& matrix_expression(const std::string& text) const;
 
  private:
   struct Entry {
     WrittenValue value;
-    int index = -1;  ///< in Diagram::parameters
+    int index = -1;  ///< index in Diagram::parameters
     mutable bool used = false, structural = false;
   };
   std::map<std::string, Entry> values_;
-  // No value depends on what is parsed already.
+  // Caches of parsed expressions; they have no influence on values.
   mutable std::map<std::string, std::optional<expression::Expression>> expressions_;
   mutable std::map<std::string, expression::MatrixExpression> matrix_expressions_;
 };
@@ -74,27 +74,27 @@ class ParameterScope {
 /// Reads values of one file: numbers with units, `$name`, `= expression`, vectors, matrices, text.
 class ValueReader {
  public:
-  /// `uses` gathers the parameters that are read, where the reader of the values keeps how to read them
-  /// again.
+  /// `uses` collects the parameters that are read, for values that can be read again.
   ValueReader(const ParameterScope& parameters, FaultReport& report, int scope, ParameterUses* uses = nullptr)
       : parameters_(parameters), report_(report), scope_(scope), uses_(uses) {}
 
-  /// A value whose purpose is open (a parameter's definition). Nothing, and a fault, if it cannot be read.
+  /// Reads a value of any kind, as for the definition of a parameter. Adds a fault and returns std::nullopt
+  /// for an invalid one.
   std::optional<WrittenValue> read(const yaml::Node& node, const std::string& subject) const;
-  /// A value for a parameter of a block: converted to its kind, its unit and range checked. `demanded` is the
-  /// dimension of a fixed unit; nothing lets any unit pass.
+  /// Reads a value of a block's parameter: converts it to its kind and checks unit and range. `demanded` is
+  /// the dimension of a fixed unit; std::nullopt allows any unit.
   std::optional<WrittenValue> read_for(const ParameterSpec& spec,
                                        const std::optional<unit::Dimension>& demanded, const yaml::Node& node,
                                        const std::string& subject) const;
-  /// One finite number of the given dimension.
+  /// Reads one finite number of the given dimension.
   std::optional<double> read_number(const yaml::Node& node, const unit::Dimension& demanded,
                                     const std::string& subject) const;
   /// Replaces each `$name` inside of a text by that parameter's number or text, and `$$` by `$`.
   std::optional<std::string> fill_in(const yaml::Node& node, const std::string& subject) const;
 
   Origin at(const yaml::Mark& mark) const { return {scope_, mark}; }
-  /// The value with a '=' before what can only be a formula of parameters: 2*k, and in rows of a matrix and
-  /// where only numbers stand also k.
+  /// Returns the value with '=' before texts that can only be formulas of parameters: 2*k. In rows of a
+  /// matrix and in lists of numbers, k alone is a formula, too.
   yaml::Node with_formulas(const yaml::Node& node, bool only_numbers) const;
 
  private:
@@ -117,7 +117,8 @@ class ValueReader {
                 const std::string& subject) const;
   std::string resolve_file(const std::string& text, const yaml::Node& node, const std::string& subject) const;
   std::nullopt_t refuse(const yaml::Node& node, const std::string& subject, yaml::Message message) const;
-  /// Is it a text that somebody gave to a parameter of which a number is used? Then the fault is theirs.
+  /// Adds the fault at the origin of a text that was given to a parameter in place of a number. Returns false
+  /// for other values.
   bool refuse_given(const WrittenValue& written) const;
 
   const ParameterScope& parameters_;
@@ -126,16 +127,18 @@ class ValueReader {
   ParameterUses* uses_;
 };
 
-/// The dimension of a parameter with a fixed unit; nothing where any unit passes, or one that wires decide.
+/// Returns the dimension of a parameter with a fixed unit; std::nullopt if any unit is allowed, or wires
+/// determine it.
 std::optional<unit::Dimension> demanded_dimension(const ParameterSpec& spec);
 
-/// The form of numbers that a wire or a state has: one or several, of any unit.
+/// Returns the form of numbers on a wire or in a state: one or several, of any unit.
 const ParameterSpec& numbers_of_any_unit();
 
-/// Is this how YAML or C writes a number that is not finite (.inf, -nan, 1e999)?
+/// True for a non-finite number in the notation of YAML or C (.inf, -nan, 1e999).
 bool means_not_finite(const std::string& text);
 
-/// Checks that a dimension is the demanded one; a bare number always is. Says what is wrong otherwise.
+/// Returns a complaint if a dimension differs from the demanded one; empty if they agree and for a bare
+/// number.
 std::string unit_complaint(const std::optional<unit::Dimension>& written,
                            const std::optional<unit::Dimension>& demanded);
 

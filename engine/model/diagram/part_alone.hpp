@@ -6,11 +6,10 @@
 
 namespace stepwire::diagram {
 
-/// Is a file to be used in other files only? It does not say for how long it runs, or nothing feeds one of
-/// its inputs.
+/// True for a file that can only be used as a part: it has no stop time, or an input without a source.
 bool is_part(const yaml::Node& root);
 
-/// A diagram, in no file, that consists of one part, whose inputs are fed by zeros. `path` is the part's
+/// Returns the document of a diagram that consists of one part with zeros at its inputs. `path` is the part's
 /// file.
 yaml::Document user_of_part(const std::string& path, const yaml::Node& part);
 

@@ -31,7 +31,8 @@ std::vector<std::string> part_folders() {
   return folders;
 }
 
-/// Of a part that comes with the program; empty for another path, and where there are none.
+/// Returns the file of a part that comes with the program; empty for other paths, and if such parts are not
+/// installed.
 std::string own_part(const std::string& path) {
   if (!path.starts_with(own_parts)) return "";
   const std::string diagrams = io::find_resource("diagrams");

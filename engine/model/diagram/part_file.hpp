@@ -4,12 +4,13 @@
 
 namespace stepwire::diagram {
 
-/// The file that a diagram names by `diagram:`. The first of these that exists: the path beside the file that
-/// names it; for "stepwire/oscillator" the part of that name that comes with the program; the path in each
-/// folder of $STEPWIRE_PARTS, which ':' separates. Where none exists, the one beside.
+/// Returns the file that a diagram names by `diagram:`. Candidates are the path beside the using file, then
+/// for "stepwire/oscillator" the part of that name that comes with the program. Last is the path in each
+/// folder of $STEPWIRE_PARTS, separated by ':'. The first existing file is returned, else the path beside the
+/// using file.
 std::string part_file(const std::string& user, const std::string& path);
 
-/// The places other than beside the file where a part was looked for, as the end of a message.
+/// Returns the other searched locations, as the end of a message.
 std::string other_part_places(const std::string& path);
 
 }  // namespace stepwire::diagram

@@ -10,7 +10,7 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// Units that a file says its signals have.
+/// Adds the units that the section `units` requires of signals.
 void demand_named_units(const Scope& scope, const Resolver& resolver, Report& report) {
   const yaml::Node* units = scope.document->root.find("units");
   if (!units) return;
@@ -28,7 +28,7 @@ void demand_named_units(const Scope& scope, const Resolver& resolver, Report& re
   }
 }
 
-/// What passes a port or a field must have the unit and the shape that are declared, if any are.
+/// Adds the declared unit and shape of a port or field as demands on its source.
 template <class Declared>
 void demand(const Declared& declared, const std::optional<Source>& source, const std::string& name,
             const Origin& origin, Diagram& diagram) {
@@ -43,7 +43,7 @@ bool demands_any(const Declared& declared) {
   return declared.dimension || declared.shape;
 }
 
-/// The fields that a port declares are there, and each is as declared.
+/// Checks that all declared fields of a port exist, and adds their demands.
 void demand_fields(const BusFields& fields, const yaml::Node& node, const Scope& scope,
                    const std::string& name, const Resolver& resolver, Report& report) {
   for (const BusField& field : fields)
@@ -83,7 +83,7 @@ void demand_of_buses(const Scope& scope, const Resolver& resolver, Report& repor
     }
 }
 
-/// The output of the diagram itself of this name, or of a field of it.
+/// Reads the output of the diagram itself of this name, or of one of its fields.
 void read_output(const std::string& name, const std::string& reference, const Scope::Out& out,
                  const yaml::Node* safe, const Scope& root, const Resolver& resolver, Report& report) {
   const auto signal = resolver.signal(reference, root, root.at(out.signal->mark), name);
@@ -98,7 +98,7 @@ void read_output(const std::string& name, const std::string& reference, const Sc
   report.diagram().outputs.push_back(std::move(output));
 }
 
-/// The value of a field in the map of a bus of values; null where there is none.
+/// Returns the value of a field in the map of a bus of values; nullptr if it is missing.
 const yaml::Node* value_of_field(const yaml::Node* values, const std::string& name) {
   if (!values || !values->is_map() || values->find("value")) return values;
   for (const BusField& field : written_fields(*values))
@@ -131,7 +131,7 @@ void read_outputs(const Scope& root, const Resolver& resolver, Report& report) {
 
 namespace {
 
-/// The signals of a name that is a bus, or the signal of one that is none.
+/// Returns the signals of the fields of a bus; an empty list for other names.
 std::vector<std::pair<std::string, SignalRef>> signals_of(const yaml::Node& node, const Scope& scope,
                                                           const Resolver& resolver) {
   std::vector<std::pair<std::string, SignalRef>> signals;
@@ -154,7 +154,7 @@ void name_bus(const std::string& reference, const std::string& full, const Scope
   if (!fields.empty()) diagram.buses.push_back({full, std::move(fields)});
 }
 
-/// `reference` is what the port is called in `scope`.
+/// Lists a port; `reference` is its name in `scope`.
 void name_port(const std::string& reference, const std::string& full, const Scope& scope,
                const Resolver& resolver, Diagram& diagram) {
   if (!resolver.fields(named(reference), scope).empty())

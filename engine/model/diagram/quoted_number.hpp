@@ -6,7 +6,7 @@
 
 namespace stepwire::diagram {
 
-/// What is wrong with a number in quotes where a number is meant.
+/// Returns the message about a quoted number in the place of a number.
 inline yaml::Message quoted_number(const std::string& text) {
   return yaml::fault_text("'{}' is text because of its quotes; leave them out for a number", text);
 }

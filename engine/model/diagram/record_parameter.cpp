@@ -9,7 +9,8 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// The block that has the value of a parameter; -1, and a fault, where it is no number.
+/// Returns the block with the value of a parameter; adds a fault and returns -1 for a parameter that is not
+/// numeric.
 int block_of_parameter(const yaml::Node& node, const std::string& name, const Scope& scope, Report& report) {
   std::vector<DiagramBlock>& blocks = report.diagram().blocks;
   const auto known = std::ranges::find(blocks, name, &DiagramBlock::name);

@@ -8,10 +8,10 @@
 
 namespace stepwire::diagram {
 
-/// The scope of a value that a call gives while the diagram is there, in no file of it.
+/// Scope of a value that a call sets during a run, in no file of the diagram.
 constexpr int given_origin = -1;
 
-/// Gathers what is wrong with values of a diagram, with the places of its files.
+/// Collects faults of the values of a diagram, with their locations in its files.
 class FaultReport {
  public:
   explicit FaultReport(const Diagram& diagram) : about_(diagram) {}
@@ -23,9 +23,9 @@ class FaultReport {
     if (origin.scope != given_origin) return about_.fault(origin, std::move(subject), std::move(message));
     return {{given_, origin.mark}, std::move(subject), std::move(message), {}};
   }
-  /// What is named as the place of given_origin from now on.
+  /// Sets the text that messages show as the location of given_origin.
   void call_given(std::string place) { given_ = std::move(place); }
-  /// The file of a scope, beside which files are looked for.
+  /// Returns the file of a scope, beside which other files are searched.
   const std::string& file_of(int scope) const {
     return scope == given_origin ? given_ : about_.scopes[static_cast<std::size_t>(scope)].file;
   }
@@ -39,13 +39,13 @@ class FaultReport {
   yaml::Faults faults_;
 };
 
-/// The same while a diagram is built.
+/// FaultReport for a diagram under construction.
 class Report : public FaultReport {
  public:
   explicit Report(Diagram& diagram) : FaultReport(diagram), diagram_(diagram) {}
 
   Diagram& diagram() { return diagram_; }
-  /// How the diagram's values are read again.
+  /// Returns the texts for reading the diagram's values again.
   Bindings& bindings() { return bindings_; }
 
  private:

@@ -19,7 +19,8 @@ std::vector<std::string> output_names(const BlockType& type) {
   return names;
 }
 
-/// A reference may be to a block itself or to one of its outputs, and names of blocks may have dots.
+/// Returns the message about an unknown block. A reference may be a block or one of its outputs, and names of
+/// blocks may have dots.
 yaml::Message no_block(const std::string& text, const Scope& scope) {
   std::vector<std::string> plain, dotted;
   for (std::string& name : scope.block_names())
@@ -64,7 +65,7 @@ std::string wired_to_itself(const std::string& text) {
   return fmt::format("'{}' is wired to itself through ports only, with no block in between", text);
 }
 
-// A state is carried in a Source as an output number below -1.
+// Encodes a state in a Source as an output number below -1.
 int encode_state(int state) {
   return -2 - state;
 }
@@ -133,11 +134,11 @@ std::optional<Source> Resolver::reference(const std::string& text, const Scope& 
     return picked(reference(whole, scope, query), index, text, query);
   if (const std::string_view port = scope.input_of(text); !port.empty())
     return field_of_port(scope, std::string(port), text.substr(port.size() + 1), std::move(query));
-  // In a flattened file what is hidden elsewhere stands beside what it guards: ctrl, ctrl.active.
+  // In a flattened file hidden blocks are beside the blocks that they guard: ctrl, ctrl.active.
   const std::string_view name = scope.names.contains(text) ? std::string_view(text) : scope.start_of(text);
   if (name.empty()) return refuse(query, no_block(text, scope));
   const auto found = scope.names.find(name);
-  if (found == scope.names.end()) return std::nullopt;  // it could not be made, which has been told
+  if (found == scope.names.end()) return std::nullopt;  // its fault is already reported
   const std::string rest = name.size() == text.size() ? "" : text.substr(name.size() + 1);
   const auto of_named = [&]() -> std::optional<Source> {
     if (found->second.part) return of_part(rest, *found->second.part, std::move(query));
@@ -185,7 +186,7 @@ std::optional<Source> Resolver::output_source(int block, const Query& query) {
 std::optional<Source> Resolver::picked(std::optional<Source> source, const ElementIndex& element,
                                        const std::string& text, const Query& query) const {
   if (!source) return std::nullopt;
-  // An element is a signal of one element, whose first it is.
+  // An element is a scalar signal; its only valid element is 1.
   const bool is_single = source->block >= 0 && !source->element.is_whole();
   if (is_single && element != ElementIndex{1, 0})
     return refuse(query, fmt::format("there is no '{}'; it is an element of one element", text));
@@ -196,7 +197,7 @@ std::optional<Source> Resolver::picked(std::optional<Source> source, const Eleme
 std::optional<Source> Resolver::port(const Scope& scope, const std::string& name, Query query) const {
   const Scope::Port& port = scope.inputs.at(name);
   if (port.fed_by) {
-    // What the using file wires to a part is to be mended there.
+    // Faults of a part's input are located at the wire in the using file.
     query.origin = query.wire = scope.parent->at(port.fed_by->mark);
     query.subject = scope.prefix + name;
     return element(*port.fed_by, *scope.parent, std::move(query));
@@ -209,7 +210,8 @@ std::optional<Source> Resolver::port(const Scope& scope, const std::string& name
     return source;
   }
   if (port.fallback) return element(*port.fallback, scope, std::move(query));
-  // A part that is not fed has been reported where it is used; a file that is run by itself has not.
+  // A part's input without a source is reported where the part is used; one of a file that runs by itself is
+  // reported here.
   if (!scope.parent)
     report_.add(scope.at(port.mark), name,
                 "nothing feeds this input; use this file as a part, or give it a 'default:'");
@@ -245,7 +247,7 @@ std::optional<Source> Resolver::of_part(const std::string& rest, const Scope& pa
   const auto out = rest.empty() && names.size() == 1 ? part.outputs.begin() : part.outputs.find(rest);
   if (out != part.outputs.end()) {
     if (!out->second.signal) return std::nullopt;
-    // What is wrong inside of a part is to be mended in the part's file.
+    // Faults inside of a part are located in the part's file.
     query.origin = part.at(out->second.signal->mark);
     query.subject = part.prefix + out->first;
     return reference(out->second.signal->text, part, std::move(query));

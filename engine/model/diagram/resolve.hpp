@@ -12,49 +12,51 @@ namespace stepwire::diagram {
 
 class Report;
 
-/// Is this the name of a signal, not a number, `$name`, `= expression`, list or map?
+/// True for the name of a signal; false for a number, `$name`, `= expression`, list or map.
 bool names_signal(const yaml::Node& node);
 
-/// Finds what a reference such as "lag", "lag.y" or "rig.x" means in a file, through the ports of parts.
-/// In resolve.cpp what is one signal, in resolve_bus.cpp what buses are.
+/// Resolves references such as "lag", "lag.y" or "rig.x" in a file, through the ports of parts. Single
+/// signals are in resolve.cpp, buses in resolve_bus.cpp.
 class Resolver {
  public:
-  /// The fields of blocks that are not yet copied for each.
+  /// Function that returns the fields of blocks that are not yet copied for each field.
   using Stores = std::function<std::vector<std::string>(int block, int hops)>;
 
   explicit Resolver(Report& report, Stores stores = {}) : report_(report), stores_(std::move(stores)) {}
 
-  /// What one element of an input is fed by: a reference, a number, `$name` or `= expression`.
+  /// Returns the source of one element of an input: a reference, a number, `$name` or `= expression`.
   std::optional<Source> source(const yaml::Node& node, const Scope& scope, const std::string& subject) const;
-  /// The same for the name of a signal.
+  /// Returns the source for the name of a signal.
   std::optional<Source> source(const std::string& name, const Scope& scope, const Origin& origin,
                                const std::string& subject) const;
-  /// A signal by name; states and what lies inside of parts may be named too. `origin` is for messages.
+  /// Returns a signal by name; states and signals inside of parts are allowed as well. `origin` is for
+  /// messages.
   std::optional<SignalRef> signal(const std::string& text, const Scope& scope, const Origin& origin,
                                   const std::string& subject) const;
-  /// The fields of what a wire names, "force", "pose.position"; none where it is no bus.
+  /// Returns the fields of the bus that a wire names, "force", "pose.position"; an empty list for other
+  /// names.
   std::vector<std::string> fields(const yaml::Node& node, const Scope& scope, int hops = 0) const;
-  /// One field of what a wire names.
+  /// Returns one field of the bus that a wire names.
   std::optional<Source> field(const yaml::Node& node, const Scope& scope, const std::string& name,
                               const std::string& subject) const;
 
  private:
-  // More ports than this cannot lie one behind the other: parts are nested at most 32 deep.
+  // Bound on the ports that one reference passes through: parts are nested at most 32 deep.
   static constexpr int max_hops = 256;
 
   struct Query {
-    Origin origin;  ///< what to blame where a name means nothing
-    Origin wire;    ///< what to blame where the ends do not fit
+    Origin origin;  ///< location of the fault for an unknown name
+    Origin wire;    ///< location of the fault for incompatible ends
     std::string subject;
-    bool look_inside;  ///< may states and the inside of parts be named?
+    bool look_inside;  ///< allows states and signals inside of parts
     int hops = 0;
   };
   std::optional<Source> element(const yaml::Node& node, const Scope& scope, Query query) const;
   std::optional<Source> reference(const std::string& text, const Scope& scope, Query query) const;
-  /// An element of what was found.
+  /// Returns an element of a resolved source.
   std::optional<Source> picked(std::optional<Source> source, const ElementIndex& element,
                                const std::string& text, const Query& query) const;
-  /// One field of what a wire names.
+  /// Returns one field of the bus that a wire names.
   std::optional<Source> field(const yaml::Node& node, const Scope& scope, const std::string& name,
                               Query query) const;
   std::optional<Source> of_bus(const BusFields& bus, const Scope& scope, const std::string& name,
@@ -67,13 +69,13 @@ class Resolver {
   std::optional<Source> port(const Scope& scope, const std::string& name, Query query) const;
   std::optional<Source> of_block(const std::string& rest, int block, const Query& query) const;
   std::optional<Source> of_part(const std::string& rest, const Scope& part, Query query) const;
-  /// The output of a block or part that is meant; empty where none is.
+  /// Returns the output of a block or part that a reference denotes; empty if there is none.
   std::string output_of(const std::string& rest, const Scope::Named& named) const;
-  /// "out.force" for "force", where the part has an output only; else the same.
+  /// Returns "out.force" for "force" of a part with a single output; else the name unchanged.
   static std::string field_of_output(const std::string& rest, const Scope::Named& named);
-  /// The only output of a part, where it is a bus with this field; else null.
+  /// Returns the only output of a part, if it is a bus with this field; nullptr otherwise.
   const yaml::Node* only_bus(const Scope& part, const std::string& field, int hops) const;
-  /// The only output of a block.
+  /// Returns the only output of a block.
   static std::optional<Source> output_source(int block, const Query& query);
   std::nullopt_t refuse(const Query& query, yaml::Message message) const;
 

@@ -1,4 +1,4 @@
-// What names mean where buses are among them.
+// Resolution of names of buses and their fields.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -94,7 +94,7 @@ std::vector<std::string> Resolver::fields_of_bus(const BusFields& bus, const Sco
                 fmt::format("is in a bus of more than {} fields, those of the buses in it among them; name "
                             "those that are needed",
                             max_fields));
-    report_.faults().throw_if_any();  // each bus that holds this one would take twice as long
+    report_.faults().throw_if_any();  // stops here: each enclosing bus would double the work
   }
   return all;
 }

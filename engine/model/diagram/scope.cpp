@@ -4,7 +4,7 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// The first start of a dotted text that fits: of "a.b.c" it is asked for "a", "a.b" and "a.b.c".
+/// Returns the shortest matching prefix of a dotted text: of "a.b.c" it tries "a", "a.b" and "a.b.c".
 template <class Fits>
 std::string_view first_start(std::string_view text, const Fits& fits) {
   for (std::size_t dot = text.find('.');; dot = text.find('.', dot + 1)) {

@@ -14,26 +14,26 @@
 
 namespace stepwire::diagram {
 
-/// A field of a bus, or of a port that is one; those of buses inside have dotted names.
+/// A field of a bus, or of a port with a bus; fields of nested buses have dotted names.
 struct BusField {
   std::string name;
-  const yaml::Node* signal = nullptr;  ///< what the file writes for it: a signal, a number, or another bus
-  int block = -1;                      ///< the copy of a block for this field, where there is no signal
+  const yaml::Node* signal = nullptr;  ///< its value in the file: a signal, a number, or another bus
+  int block = -1;                      ///< the copy of a block for this field, if `signal` is nullptr
   std::optional<unit::Dimension> dimension;
   std::optional<std::pair<Eigen::Index, Eigen::Index>> shape;  ///< rows and columns
   yaml::Mark mark;
 };
 using BusFields = std::vector<BusField>;
 
-/// One file at one place of the diagram while it is built: what its names mean.
+/// Names of one file at one place of the diagram under construction.
 struct Scope {
-  int index = 0;  ///< in Diagram::scopes
+  int index = 0;  ///< index in Diagram::scopes
   const yaml::Document* document = nullptr;
   Scope* parent = nullptr;
   ParameterScope parameters;
   std::string prefix;
 
-  /// What a name stands for: a block of the diagram, a part, or a bus.
+  /// Meaning of a name: a block of the diagram, a part, or a bus.
   struct Named {
     int block = -1;
     std::unique_ptr<Scope> part;
@@ -41,31 +41,32 @@ struct Scope {
     BusFields bus{};  ///< of a bus, or of a block with a copy for each field; empty otherwise
   };
   std::map<std::string, Named, std::less<>> names;
-  /// Names whose block or part could not be made: reported once, so what is wired to them stays silent.
+  /// Names whose block or part could not be created. Their fault is reported once; wires to them add no
+  /// further faults.
   std::set<std::string, std::less<>> failed;
 
-  /// A port of this part: what the using file wrote at it, and what may pass.
+  /// An input port of this part: its source in the using file, and its declared properties.
   struct Port {
     const yaml::Node* fed_by = nullptr;  ///< in the parent's file
     const yaml::Node* fallback = nullptr;
     std::optional<unit::Dimension> dimension;
     std::string doc;
-    int block = -1;  ///< that stands for it in the diagram itself, which nobody uses
+    int block = -1;  ///< block of the input in the diagram itself, where no file uses it
     yaml::Mark mark;
-    BusFields fields;  ///< of a bus, where they are declared
+    BusFields fields;  ///< declared fields of a bus
     std::optional<std::pair<Eigen::Index, Eigen::Index>> shape;
   };
   std::map<std::string, Port, std::less<>> inputs;
 
-  int guard = -1;               ///< the block by which the blocks of this part are active; -1: always
-  std::optional<Every> every;   ///< of this part's blocks that have none
+  int guard = -1;               ///< block that activates the blocks of this part; -1: always active
+  std::optional<Every> every;   ///< default for this part's blocks
   Origin every_origin;
-  /// What `enable` and `trigger` add to a block or part of this file.
+  /// Additions of `enable` and `trigger` to a block or part of this file.
   struct Guarded {
     int guard = -1;                                   ///< the block whose output is `NAME.active`
-    std::map<std::string, int, std::less<>> outputs;  ///< blocks that others read in the place of an output
+    std::map<std::string, int, std::less<>> outputs;  ///< blocks read in place of an output
 
-    /// The one for an output, or for its field ("out.force"); -1 if there is none.
+    /// Returns the block for an output or its field ("out.force"); -1 if there is none.
     int shown(std::string_view output) const {
       const auto found = outputs.find(output);
       return found == outputs.end() ? -1 : found->second;
@@ -73,31 +74,31 @@ struct Scope {
   };
   std::map<std::string, Guarded, std::less<>> guarded;  ///< by the name of the block or part
 
-  /// An output of this part: the signal that it is, written in this part's file.
+  /// An output port of this part: its signal, written in this part's file.
   struct Out {
     const yaml::Node* signal = nullptr;
     const yaml::Node* safe = nullptr;
     std::optional<unit::Dimension> dimension;
     std::string doc;
     yaml::Mark mark;
-    BusFields fields;  ///< of a bus, where they are declared
+    BusFields fields;  ///< declared fields of a bus
     std::optional<std::pair<Eigen::Index, Eigen::Index>> shape;
   };
   std::map<std::string, Out, std::less<>> outputs;
 
   Origin at(const yaml::Mark& mark) const { return {index, mark}; }
-  /// The name of a block or part with which a reference begins: "rig.carriage" of "rig.carriage.position"
-  /// where there is such a block, since names of blocks may have dots; empty where there is none.
+  /// Returns the block or part with which a reference begins; empty if there is none. It is "rig.carriage" of
+  /// "rig.carriage.position" if that block exists, since names of blocks may have dots.
   std::string_view start_of(std::string_view reference) const;
-  /// The block, part or input of which `name` would be a signal, or whose name would be a signal of `name`;
-  /// empty where there is none.
+  /// Returns a block, part or input whose name conflicts with `name`, since one would be a signal of the
+  /// other; empty if there is none.
   std::string rival_of(const std::string& name) const;
-  /// The input with which a reference begins: "wrench" of "wrench.force"; empty where there is none.
+  /// Returns the input with which a reference begins, "wrench" of "wrench.force"; empty if there is none.
   std::string_view input_of(std::string_view reference) const;
   std::vector<std::string> block_names() const;
 };
 
-/// Ports by their name, as their file lists them.
+/// Returns ports in the order of their file.
 template <class Ports>
 auto in_order_of_file(Ports& ports) {
   std::vector<decltype(&*ports.begin())> all;

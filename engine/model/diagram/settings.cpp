@@ -12,7 +12,7 @@ Settings::Settings(const std::vector<Setting>& settings, Report& report) {
     const Origin origin{static_cast<int>(scopes.size()) - 1, setting.mark};
     try {
       yaml::Document document = yaml::parse_document(setting.value, source);
-      // The place of a setting is the setting itself, not a column of its text.
+      // The location of a setting is the whole setting, not a column of its text.
       document.root.mark = setting.mark;
       entries_[setting.name] = {std::move(document), origin, false};
     } catch (const yaml::Error& error) {

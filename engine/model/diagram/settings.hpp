@@ -9,7 +9,7 @@
 
 namespace stepwire::diagram {
 
-/// The `--set` of a call, read as YAML values; each must be used by something.
+/// Values of `--set` in a call, parsed as YAML; each one must be used.
 class Settings {
  public:
   Settings(const std::vector<Setting>& settings, Report& report);
@@ -19,12 +19,11 @@ class Settings {
     Origin origin;  ///< its own scope, so that messages name the setting
     bool used = false;
   };
-  /// The setting for a full name ("rig.mass"), marked as used; or nullptr.
+  /// Returns the setting of a full name ("rig.mass") and marks it as used; nullptr if there is none.
   Entry* take(const std::string& full_name);
-  /// Notes a name that could have been set, for suggestions; cheap where nothing is set.
+  /// Records a settable name for suggestions; cheap without settings.
   void offer(const std::string& full_name);
-  /// Names of blocks and parts under `prefix` that settings ask for: "tau" for prefix "lag." of
-  /// "lag.tau".
+  /// Returns the keys below `prefix` that settings name: "tau" for prefix "lag." of "lag.tau".
   std::vector<std::string> keys_of(const std::string& prefix) const;
   void report_unused(Report& report) const;
 

@@ -7,8 +7,9 @@
 
 namespace stepwire::diagram {
 
-/// Words that the numbers 0, 1, ... of a signal stand for, as the output `state` of a block with `states`:
-/// their names in the order of the file, each with those that hold it ("on.fast"). Empty for other signals.
+/// Returns the words coded by the numbers 0, 1, ... of a signal; an empty list for other signals. The output
+/// `state` of a block with `states` has the names of these in the order of the file, each after its enclosing
+/// states ("on.fast").
 std::vector<std::string> signal_words(const Diagram& diagram, const SignalRef& signal);
 
 }  // namespace stepwire::diagram

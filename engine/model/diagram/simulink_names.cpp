@@ -8,7 +8,7 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// Names of Simulink's blocks in small letters, with blanks between them, and what there is here.
+/// Names of Simulink blocks in lower case, separated by blanks, and their counterpart here.
 struct Answer {
   std::string_view names, answer;
 };

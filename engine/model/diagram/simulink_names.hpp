@@ -4,8 +4,8 @@
 
 namespace stepwire::diagram {
 
-/// What there is here for a block of Simulink, as a sentence: "use `record` and `figure`"; empty for a name that
-/// is none of Simulink's. Capitals, blanks and signs between words do not count.
+/// Returns a hint for the name of a Simulink block, as "use `record` and `figure`"; empty for other names.
+/// Case, blanks and punctuation are ignored.
 std::string answer_to_simulink(const std::string& name);
 
 }  // namespace stepwire::diagram

@@ -6,7 +6,7 @@ namespace stepwire::diagram {
 
 namespace {
 
-/// Is it an axis of the grid: alone, or the last of its group?
+/// True for an axis of the grid: one without a group, or the last axis of its group.
 bool counts(const std::vector<Sweep::Axis>& axes, std::size_t axis) {
   const Sweep::Group group = axes[axis].group;
   const auto behind = axes.begin() + static_cast<std::ptrdiff_t>(axis) + 1;
@@ -54,7 +54,7 @@ std::vector<std::string> Sweep::cases() const {
 
 namespace {
 
-/// Rows of a table, evenly chosen: the first and the last one among them.
+/// Evenly chosen rows of a table, including the first and the last one.
 struct ChosenRows {
   std::size_t rows, chosen;
 

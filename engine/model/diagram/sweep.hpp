@@ -11,15 +11,15 @@
 
 namespace stepwire::diagram {
 
-/// What a file asks to be varied: each point sets these parameters to one value each.
+/// Parameter variations defined by a file: each point sets one value for each of these parameters.
 struct Sweep {
-  /// Axes whose values are paired: all of them are one axis of the grid.
+  /// Groups of axes whose values are paired: all axes of a group are one axis of the grid.
   enum class Group : unsigned char { none, samples, cases };
   struct Axis {
     std::string parameter;
     SweptValues values;
     Origin origin;
-    bool label = false;  ///< a column of words about the points, which sets nothing
+    bool label = false;  ///< a column of words about the points; it sets no parameter
     Group group = Group::none;
 
     bool sampled() const { return group == Group::samples; }
@@ -28,38 +28,37 @@ struct Sweep {
     std::string text(std::size_t value) const { return values.text(value); }
     yaml::Mark mark(std::size_t value) const { return values.mark(value); }
   };
-  /// What stays of a run.
+  /// Results that are kept of a run.
   enum class Keep {
-    rows,    ///< all that is recorded
+    rows,    ///< all recorded rows
     final,   ///< the last recorded row
     numbers  ///< one row of reductions
   };
   std::vector<Axis> axes;
   bool together = false;                     ///< all axes are paired
-  std::optional<sampling::Design> design{};  ///< by which sampled axes are drawn
+  std::optional<sampling::Design> design{};  ///< of the sampled axes
   Keep keep = Keep::rows;
-  yaml::Node kept{};  ///< the reductions by name, as written
-  std::size_t recorded_runs =
-      0;  ///< number of runs of each case that are recorded over time beside the numbers
+  yaml::Node kept{};              ///< the named reductions, as written
+  std::size_t recorded_runs = 0;  ///< number of runs of each case whose rows are kept beside the numbers
 
-  /// How many points there are; a double, since a grid may be larger than anything.
+  /// Returns the number of points; a double, since a grid may exceed every integer type.
   double count() const;
-  /// Which value each axis has at a point: the last axis of a grid runs fastest. Those of a group are one
-  /// axis of it, where the last of them stands.
+  /// Returns the index of each axis' value at a point. The last axis of a grid varies fastest. The axes of a
+  /// group form one axis at the position of the last one.
   std::vector<std::size_t> indices(std::size_t point) const;
-  /// The names of the cases, in each of which all other values are run; none without.
+  /// Returns the names of the cases, each combined with all other values; an empty list without cases.
   std::vector<std::string> cases() const;
-  /// The points, ascending, of which rows stay beside the numbers that are kept: evenly chosen, the first and
-  /// the last one among them.
+  /// Returns the points, ascending, whose rows are kept beside the reduced numbers: evenly chosen, including
+  /// the first and the last one.
   std::vector<std::size_t> recorded_points() const;
   bool records_rows_of(std::size_t point) const;
 };
 
-/// Labels of a sweep of one parameter at a time: which one differs from the file's value (at the first point
-/// none, and the word is `base`), and to what.
+/// Labels of a sweep of one parameter at a time: the parameter that differs from the file's value, and its
+/// value. The first point has the word `base`.
 inline constexpr const char *differs_label = "differs", *differs_to_label = "differs_to",
                             *nothing_differs = "base";
-/// The label of cases.
+/// Label of the cases.
 inline constexpr const char* case_label = "case";
 
 }  // namespace stepwire::diagram

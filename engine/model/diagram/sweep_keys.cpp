@@ -1,4 +1,4 @@
-// The keys of a sweep.
+// Keys of a sweep.
 #include "engine/model/diagram/head_keys.hpp"
 #include "engine/model/diagram/head_range.hpp"
 

@@ -9,32 +9,34 @@
 
 namespace stepwire::diagram {
 
-/// The values of one axis of a sweep, each of them as the text that a setting has. They are few texts with
-/// their places, each of which may stand at several points (4 bytes a point), or numbers in one unit, which
-/// all come from one place (8 bytes a point).
+/// Values of one axis of a sweep, each as the text of a setting. They are a few texts with locations, each
+/// possibly at several points (4 bytes a point). Or they are numbers in one unit with a common location (8
+/// bytes a point).
 class SweptValues {
  public:
   SweptValues() = default;
-  /// Texts at these places, or at none. `which` says which of them each value is; without it each is one.
+  /// Makes values of texts with optional locations. `which` has the index of each value's text; without it
+  /// each text is one value.
   explicit SweptValues(std::vector<std::string> texts, std::vector<yaml::Mark> marks = {},
                        std::vector<std::uint32_t> which = {});
-  /// Numbers in a unit, which may be empty.
+  /// Makes values of numbers in a unit, which may be empty.
   SweptValues(std::vector<double> numbers, const std::string& unit, const yaml::Mark& mark);
 
   std::size_t size() const;
   bool empty() const { return size() == 0; }
-  /// Of a number the shortest text that reads back as the same double, and its unit.
+  /// Returns the text of a value: for a number the shortest digits that read back to the same double, and its
+  /// unit.
   std::string text(std::size_t value) const;
   yaml::Mark mark(std::size_t value) const;
 
   bool are_numbers() const { return texts_.empty() && !numbers_.empty(); }
-  /// A value in SI, where they are numbers.
+  /// Returns a numeric value in SI.
   double number(std::size_t value) const;
-  /// The unit of the first value that is written with one.
+  /// Returns the unit of the first value with one.
   std::optional<unit::Dimension> dimension() const;
-  /// The texts, where they are none.
+  /// Returns the texts; an empty list for numbers.
   const std::vector<std::string>& texts() const { return texts_; }
-  /// Which of the texts a value is.
+  /// Returns the index of a value's text.
   std::size_t which(std::size_t value) const { return which_.empty() ? value : which_[value]; }
 
  private:

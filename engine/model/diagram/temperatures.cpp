@@ -1,8 +1,10 @@
-// A signal in kelvin has a number of zeros, those of the scales (degC) that were added up in it. A
+// Each signal in kelvin has a number of zeros: the count of temperature scales (degC) added up in it. A
 // temperature has 1, a difference of two has 0. A sum adds the zeros of its inputs, a gain multiplies them. A
-// mean of temperatures has 1 again. Any other number at the end of a chain has no meaning: 20 degC plus 30
-// degC is 596 K. Values spread forward from numbers that are written in degC or delta_degC. Within a block
-// all ports with the same declared unit have the same zeros.
+// mean of temperatures has 1 again. Any other number at the end of a chain is meaningless: 20 degC plus 30
+// degC is 596 K.
+//
+// Zeros spread forward from numbers written in degC or delta_degC. Within a block all ports with the same
+// declared unit have the same zeros.
 #include "engine/model/diagram/temperatures.hpp"
 
 #include <fmt/format.h>
@@ -27,14 +29,14 @@ Zeros zeros_of(const std::optional<unit::Dimension>& dimension) {
   return dimension ? dimension->zeros : std::nullopt;
 }
 
-/// Something at a port of a block whose zeros are known.
+/// A port or value of a block with known zeros.
 struct Known {
   Origin origin;
   std::string port, what;
   double zeros = 0.0;
 };
 
-/// The known ports of one unit of one block.
+/// Known ports of one unit of one block.
 using Group = std::vector<Known>;
 
 class Temperatures {
@@ -55,7 +57,7 @@ class Temperatures {
  private:
   const DiagramBlock& block(std::size_t index) const { return diagram_.blocks[index]; }
 
-  /// The unit that the section `units` gives to an output is known with its zeros.
+  /// Sets the zeros of a unit that the section `units` gives to an output.
   void take(const UnitDemand& demand) {
     if (demand.source.block >= 0 && demand.dimension.zeros)
       set(static_cast<std::size_t>(demand.source.block), static_cast<std::size_t>(demand.source.output),
@@ -81,7 +83,7 @@ class Temperatures {
     return output_name(owner.name, owner.type(), static_cast<std::size_t>(source.output));
   }
 
-  /// The known ports whose unit is declared by this text.
+  /// Returns the known ports whose declared unit is this text.
   Group known(std::size_t index, const std::string& unit) const {
     const DiagramBlock& block = this->block(index);
     Group group;
@@ -137,7 +139,8 @@ class Temperatures {
     return sum;
   }
 
-  /// Of an output that is declared as a product of an input and a parameter, which is a pure number here.
+  /// Returns the zeros of an output declared as the product of an input and a parameter, which is a pure
+  /// number here.
   Zeros zeros_of_gain(std::size_t index, const std::string& unit) const {
     const DiagramBlock& block = this->block(index);
     for (std::size_t p = 0; p < block.type().parameters.size(); ++p) {
@@ -160,7 +163,7 @@ class Temperatures {
     return alike ? Zeros((*list)[0]) : std::nullopt;
   }
 
-  /// A sum and a gain take what has another number of zeros.
+  /// True for sums and gains, whose inputs may have any number of zeros.
   bool takes_any_zeros(std::size_t index) const {
     const BlockType& type = block(index).type();
     if (!type.symbol.signs.empty()) return true;
@@ -192,7 +195,8 @@ class Temperatures {
     for (const Known& one : group) complain(one, wanted, index);
   }
 
-  /// A factor is neither a temperature nor a difference; one in degC is meant as a difference.
+  /// Refuses factors with temperature units: a factor is neither a temperature nor a difference, and one in
+  /// degC is likely a difference.
   void check_factors(std::size_t index) {
     const DiagramBlock& block = this->block(index);
     const BlockType& type = block.type();
@@ -230,7 +234,7 @@ class Temperatures {
       report_.add(demand.origin, demand.port, fmt::format("{} {}", name_of(demand.source), other));
   }
 
-  /// Refuses the last of a chain of sums and gains that is neither a temperature nor a difference.
+  /// Refuses the end of a chain of sums and gains that is neither a temperature nor a difference.
   void check_ends() {
     std::vector<std::vector<bool>> goes_on(diagram_.blocks.size());
     for (std::size_t i = 0; i < goes_on.size(); ++i) goes_on[i].resize(diagram_.output_dimensions[i].size());

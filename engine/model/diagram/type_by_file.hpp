@@ -6,8 +6,9 @@
 
 namespace stepwire::diagram {
 
-/// The type of a block as its file gives it, where its ports stand in the file that its key `file` names, and
-/// `type` itself for all others. Null, a fault with the line, and a name that has failed, where the file cannot be used.
+/// Returns the type of a block whose ports are described by the file under its key `file`; `type` itself for
+/// all others. For an unusable file it adds a fault with the line, marks the name as failed, and returns
+/// nullptr.
 const BlockType* type_by_file(const BlockType& type, const yaml::Entry& entry, Scope& scope, Report& report);
 
 }  // namespace stepwire::diagram

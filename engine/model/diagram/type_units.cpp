@@ -39,7 +39,8 @@ void TypeUnits::take_products() {
   }
 }
 
-/// A variable has a unit for each element where all of its ports have one shape.
+/// Returns the treatment of a variable's elements: it has a unit for each element if all of its ports have
+/// one shape.
 Elements TypeUnits::elements_of(const std::string& variable, const BlockType& type) const {
   std::set<std::string> shapes;
   for (std::size_t i = 0; i < inputs.size(); ++i) {

@@ -12,8 +12,8 @@ namespace stepwire::diagram {
 /// True for a list whose elements are joined to one vector.
 bool joins_pieces(const InputSpec& spec);
 
-/// Declared units of one kind of block, read once; its unit variables are numbered from 0. An output that is
-/// declared as a product has a variable of its own, whose unit may follow from the inputs that it feeds.
+/// Declared units of one kind of block, parsed once; its unit variables are numbered from 0. An output
+/// declared as a product has a variable of its own, whose unit may follow from the inputs that read it.
 struct TypeUnits {
   struct Product {
     std::size_t output = 0;

@@ -53,8 +53,8 @@ void UnitEquations::set(int variable, ElementUnits units) {
   }
 }
 
-/// Lets numbers that are a pure ratio or a rate be angles where their equations hold only so: rad is 1, so
-/// that no equation is wrong without. Each becomes one once.
+/// Marks pure ratios and rates as angles if their equations then hold for angles. The radian is 1, so no
+/// equation is wrong without this step. Each value changes at most once.
 void UnitEquations::find_angles() {
   std::deque<int> queue;
   for (std::size_t i = 0; i < equations_.size(); ++i) queue.push_back(static_cast<int>(i));
@@ -66,7 +66,7 @@ void UnitEquations::find_angles() {
   }
 }
 
-/// The variable that is an angle now; -1 where none is.
+/// Turns one variable of an equation into an angle and returns it; -1 without a suitable one.
 int UnitEquations::turn_to_angle(const UnitEquation& equation) {
   const auto product = dimension_of(equation);
   const auto sum = product ? product->one() : std::nullopt;
@@ -75,7 +75,7 @@ int UnitEquations::turn_to_angle(const UnitEquation& equation) {
     auto& value = values_[static_cast<std::size_t>(term.variable)];
     const auto unit = value->one();
     if (!unit || unit->angle != 0.0 || sum->angle + term.exponent != 0.0) continue;
-    if (unit->cycles != 0.0 && sum->cycles != 0.0) continue;  // of two rates of other meaning none is turned
+    if (unit->cycles != 0.0 && sum->cycles != 0.0) continue;  // two rates of different meaning stay unchanged
     unit::Dimension rate = *unit;
     rate.exponents[2] = 0.0;
     if (rate != unit::Dimension{} || unit->exponents[2] > 0.0) continue;
@@ -101,8 +101,8 @@ void UnitEquations::restrict_elements(int variable, Elements kind) {
   kinds_[static_cast<std::size_t>(variable)] = kind;
 }
 
-/// Solves for the only unknown variable and returns it; checks where none is unknown; -1 where nothing is
-/// learnt.
+/// Solves for the only unknown variable and returns it. Checks an equation without unknowns. Returns -1 if no
+/// variable was solved.
 int UnitEquations::step(UnitEquation& equation, const Complain& complain) {
   ElementUnits known = equation.constant;
   const UnitTerm* unknown = nullptr;
@@ -124,13 +124,13 @@ int UnitEquations::step(UnitEquation& equation, const Complain& complain) {
   return solve(equation, *unknown, known);
 }
 
-/// Gives the unknown of an equation the unit for which the known rest of the product is 1.
+/// Gives the unknown of an equation the unit for which the product is 1.
 int UnitEquations::solve(UnitEquation& equation, const UnitTerm& unknown, ElementUnits known) {
   const int solved = unknown.variable;
   const double exponent = unknown.exponent;
   const Elements kind = kinds_[static_cast<std::size_t>(solved)];
   if (!known.is_one() && kind == Elements::scaled) {
-    equation.terms.clear();  // the factor has other units for other elements
+    equation.terms.clear();  // the factor has different units for different elements
     equation.constant = {};
     known = ElementUnits();
   } else if (!known.is_one() && kind == Elements::alike) {
@@ -140,8 +140,8 @@ int UnitEquations::solve(UnitEquation& equation, const UnitTerm& unknown, Elemen
   return solved;
 }
 
-/// The units of a join; nullopt where they do not follow yet. With `all_known` the units of its pieces are
-/// all that will be known of them.
+/// Returns the units of a join; std::nullopt if they are not determined yet. `all_known` means that the units
+/// of its pieces are final.
 std::optional<ElementUnits> UnitEquations::joined(const UnitJoin& join, bool all_known) const {
   ElementUnits::Each each;
   std::optional<ElementUnits> common;
@@ -183,7 +183,7 @@ bool UnitEquations::join_rest() {
   return false;
 }
 
-/// Solves what was left to this stage.
+/// Solves the equations of a later stage.
 bool UnitEquations::solve_late(Stage stage, const Complain& complain) {
   bool any = false;
   stage_ = stage;
@@ -193,7 +193,7 @@ bool UnitEquations::solve_late(Stage stage, const Complain& complain) {
   return any;
 }
 
-/// Makes factors that no file gives pure numbers, where only they keep a product from being known.
+/// Makes factors without a value in the file pure numbers, if they are the only unknowns of a product.
 bool UnitEquations::assume_pure_factors() {
   bool any = false;
   const auto is_unknown = [&](int variable) { return !values_[static_cast<std::size_t>(variable)]; };
@@ -220,7 +220,8 @@ bool UnitEquations::is_due(const UnitEquation& equation, const UnitTerm& unknown
   return !is_defined || stage_ != Stage::whole;
 }
 
-/// Once a unit is in question, all that it is held against would be told as well.
+/// True where a variable of this equation already occurred in a reported one, and marks its variables. It
+/// suppresses faults that follow from an earlier one.
 bool UnitEquations::follows_from_another(const UnitEquation& equation) {
   bool known = false;
   for (const UnitTerm& term : equation.terms) {

@@ -13,37 +13,37 @@
 
 namespace stepwire::diagram {
 
-/// A power of a variable, or of some elements of it.
+/// A power of a variable, or of some of its elements.
 struct UnitTerm {
   int variable = -1;
   double exponent = 1.0;
   ElementRange elements{};
 };
 
-/// A product of powers that must be dimensionless: constant times variables.
+/// Equation: the product of a constant and powers of variables is dimensionless.
 struct UnitEquation {
   ElementUnits constant;
   std::vector<UnitTerm> terms;
   Origin origin;
-  int block = -1;  ///< whose port it is about; -1: `port` is the whole name
+  int block = -1;  ///< of the port concerned; -1: `port` is the whole name
   const char* port = "";
-  int state = -1;  ///< whose initial value it is about
+  int state = -1;  ///< whose initial value is concerned
 
   std::string what;          ///< name of the source
-  bool only_checks = false;  ///< gives no variable a unit
+  bool only_checks = false;  ///< determines no variable
 
-  int defines = -1;  ///< the variable of this product
-  int joins = -1;    ///< the join of which it is a piece
+  int defines = -1;  ///< variable of this product
+  int joins = -1;    ///< join of which it is a piece
 
   bool queued = true;
 };
 
-/// A signal that joins others one behind the other; they may have different units.
+/// A signal that concatenates others, possibly of different units.
 struct UnitJoin {
   struct Piece {
-    UnitEquation unit;     ///< the product that is its unit
+    UnitEquation unit;     ///< product that is its unit
     bool is_bare = false;  ///< a number without a unit
-    std::size_t size = 0;  ///< 0: not known
+    std::size_t size = 0;  ///< 0: unknown
   };
   int variable = -1;
   std::vector<Piece> pieces;
@@ -51,32 +51,34 @@ struct UnitJoin {
 
 /// Treatment of a variable whose signal has different units by element.
 enum class Elements {
-  own,     ///< it has a unit for each element
-  scaled,  ///< its ports have different shapes, and a factor of another variable takes up the units
-  alike    ///< its ports have different shapes, so that its unit is unknown then
+  own,     ///< one unit for each element
+  scaled,  ///< its ports have different shapes, and a factor of another variable absorbs the differences
+  alike    ///< its ports have different shapes, so that different units make it unknown
 };
 
-/// Equations of which each that has one unknown unit left gives that unit, and each that has none must hold.
+/// System of unit equations. An equation with one unknown unit determines it; one without unknowns is
+/// checked.
 ///
-/// First all is solved that follows from whole signals, then products get the units of what they feed. A join
-/// gets the units of its pieces: one for all where they agree, else one for each element. Last, a signal of
-/// which only an element has a unit gets that unit. Each of these stages is followed by the first one.
+/// Solving has stages. First come all equations of whole signals, then products get the units of the inputs
+/// that read them. A join gets the units of its pieces: one for all if they agree, else one for each element.
+/// Last, a signal with a unit for one element only gets that unit. Each of the later stages is followed by
+/// the first one.
 class UnitEquations {
  public:
-  /// `complain` gets an equation that does not hold, and what its product is in; where the dimensions are
-  /// equal, an angle per time meets a frequency.
+  /// Callback for an equation that does not hold; `wrong` is the unit of its product. For equal dimensions an
+  /// angle per time meets a frequency.
   using Complain = std::function<void(const UnitEquation& equation, const unit::Dimension& wrong)>;
 
   void add(UnitEquation equation, std::string what);
   void add(UnitJoin join) { joins_.push_back(std::move(join)); }
   void restrict_elements(int variable, Elements kind);
-  /// Lets other equations than the one that defines a variable give it a unit only where nothing else does.
+  /// Lets other equations than the defining one determine a variable only as a last resort.
   void define_first(int variable) { defined_.push_back(variable); }
-  /// Notes the unit of a factor that no file gives: by default it is a pure number.
+  /// Records a factor without a value in the file; by default it is a pure number.
   void assume_pure(int variable) { pure_factors_.insert(variable); }
-  /// For the variables 0 to `variables` - 1.
+  /// Solves for the variables 0 to `variables` - 1.
   void solve(std::size_t variables, const Complain& complain);
-  /// Of the product as far as it is solved; nothing where a variable is unknown.
+  /// Returns the unit of a product; std::nullopt if one of its variables is unknown.
   std::optional<ElementUnits> dimension_of(const UnitEquation& product) const;
 
  private:
@@ -101,7 +103,7 @@ class UnitEquations {
   std::vector<UnitEquation> equations_;
   std::vector<UnitJoin> joins_;
   std::vector<std::optional<ElementUnits>> values_;  ///< of the variables
-  std::vector<std::vector<int>> users_;              ///< the equations in which each variable is
+  std::vector<std::vector<int>> users_;              ///< equations of each variable
   std::deque<int> queue_;
   std::vector<bool> in_question_;
   std::vector<Elements> kinds_;  ///< of the variables

@@ -11,9 +11,9 @@
 
 namespace stepwire::diagram {
 
-/// The unit of a port as a block declares it: a constant dimension times powers of unit variables.
+/// Declared unit of a port: a constant dimension times powers of unit variables.
 struct UnitExpression {
-  bool any = false;            ///< declared "*": nothing is known and nothing is checked
+  bool any = false;            ///< declared "*": unknown and unchecked
   bool is_difference = false;  ///< declared "delta 'u": a difference of two values in 'u
   unit::Dimension constant;
   std::vector<std::pair<std::string, double>> variables;  ///< name without the quote, exponent
@@ -23,9 +23,8 @@ struct UnitExpression {
   }
 };
 
-/// Reads "N m/s", "'u", "'k 'u", "'u/s", "'u^0.5", "delta 'u", "'n by s" (of
-/// the last of some coefficients), "*"; '/' turns only what follows it. Nothing
-/// if it cannot be read.
+/// Parses "N m/s", "'u", "'k 'u", "'u/s", "'u^0.5", "delta 'u", "'n by s" (of the last of some coefficients),
+/// "*"; '/' applies only to the next factor. Returns std::nullopt for other texts.
 std::optional<UnitExpression> parse_unit_expression(std::string_view text);
 
 }  // namespace stepwire::diagram

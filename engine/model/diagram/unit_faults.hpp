@@ -8,15 +8,15 @@
 
 namespace stepwire::diagram {
 
-/// Reports equations of units that do not hold.
+/// Reports unit equations that do not hold.
 class UnitFaults {
  public:
   explicit UnitFaults(Report& report) : report_(report) {}
 
-  /// `wrong` is what the product is in, `taken` the unit that the port takes, where it is known.
+  /// `wrong` is the unit of the product, `taken` the unit of the port if known.
   void add(const UnitEquation& equation, const unit::Dimension& wrong,
            const std::optional<unit::Dimension>& taken);
-  /// The unit that a port of a part or the section `units` demands.
+  /// Returns the unit that a port of a part or the section `units` demands.
   std::optional<unit::Dimension> demanded(const UnitEquation& equation) const;
   std::string name_of(const Source& source) const;
 

@@ -8,7 +8,7 @@
 
 namespace stepwire::diagram {
 
-/// Numbers the unit variables of all blocks, and puts units of ports and sources into equations.
+/// Numbers the unit variables of all blocks and adds units of ports and sources to equations.
 class UnitTerms {
  public:
   UnitTerms(const Diagram& diagram, const OutputShapes& shapes)
@@ -30,7 +30,7 @@ class UnitTerms {
   /// Multiplies an equation by a unit of a block to the power `sign`.
   void include(UnitEquation& equation, const UnitExpression& expression, int block, double sign,
                const ElementRange& elements = {});
-  /// Divides by the unit of a source; false where that is a number without a unit.
+  /// Divides by the unit of a source; returns false for a number without a unit.
   bool divide_by_source(UnitEquation& equation, const Source& source);
   UnitJoin::Piece piece_of(const Source& source);
 

@@ -127,7 +127,7 @@ class Inference : UnitTerms {
     }
   }
 
-  /// Factors that the file leaves at their defaults, as the gain of a Lag.
+  /// Records factors that the file leaves at their defaults, such as the gain of a Lag.
   void add_pure_factors(int index, const DiagramBlock& block, const TypeUnits& units) {
     for (std::size_t v = 0; v < units.variables.size(); ++v) {
       if (!units.is_factor(units.variables[v])) continue;
@@ -142,7 +142,7 @@ class Inference : UnitTerms {
     if (divide_by_source(equation, source)) equations_.add(std::move(equation), faults_.name_of(source));
   }
 
-  /// An equation with what a number is in.
+  /// Adds an equation with the unit of a number.
   void add(UnitEquation equation, const unit::Dimension& dimension, std::string what) {
     equation.constant = equation.constant.times(dimension, -1.0);
     equations_.add(std::move(equation), std::move(what));
@@ -181,7 +181,7 @@ class Inference : UnitTerms {
     return equations_.dimension_of(equation);
   }
 
-  /// The unit that the port takes, where it is known: the equation's own side.
+  /// Returns the unit of the port, the own side of an equation, if known.
   std::optional<unit::Dimension> dimension_at(const UnitEquation& equation) {
     if (equation.block < 0) return faults_.demanded(equation);
     const BlockType& type = diagram_.blocks[static_cast<std::size_t>(equation.block)].type();

@@ -29,13 +29,13 @@ std::vector<bool> read_in(const Diagram& diagram) {
     for (const auto& [name, signal] : bus.fields) mark(signal.block);
   if (diagram.stop_when)
     for (const SignalRef& signal : diagram.stop_when->variables) mark(signal.block);
-  for (std::size_t b = 0; b < read.size(); ++b)  // what stands for an output is read in its place
+  for (std::size_t b = 0; b < read.size(); ++b)  // a replacement of an output is read in its place
     if (const DiagramBlock& block = diagram.blocks[b]; read[b] && &block.type() == &guarded_output_type())
       mark_inputs(block);
   return read;
 }
 
-/// Does it act, or show itself, without being read?
+/// True for a block with an effect of its own, even if its outputs are not read.
 bool acts(const BlockType& type) {
   return type.outputs.empty() || type.outline || type.file_output || !type.diagnostics.empty() ||
          &type == &external_input_type() || find_guard_type(type.name) == &type;

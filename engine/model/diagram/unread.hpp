@@ -6,7 +6,8 @@
 
 namespace stepwire::diagram {
 
-/// Blocks of the file itself whose outputs feed nothing and are not recorded: as notes with their places.
+/// Returns notes, with locations, about blocks of the file itself whose outputs have no reader and are not
+/// recorded.
 std::vector<yaml::Fault> unread_blocks(const Diagram& diagram);
 
 }  // namespace stepwire::diagram

@@ -14,7 +14,7 @@ bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-/// Does the name stand in the text as a word of its own, with or without a '$'?
+/// True where the name is a word of the text, with or without '$'.
 bool mentions(const std::string& text, const std::string& name) {
   for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
     const bool begins = at == 0 || (!is_word(text[at - 1]) && text[at - 1] != '.');
@@ -23,7 +23,7 @@ bool mentions(const std::string& text, const std::string& name) {
   return false;
 }
 
-/// Keys whose texts are for people.
+/// True for keys with texts for readers.
 bool is_prose(const std::string& key) {
   return key == "that" || key == "title" || key == "label" || key == "caption" || key == "doc" ||
          key == "text";
@@ -37,7 +37,8 @@ bool mentions(const yaml::Node& node, const std::string& name) {
          });
 }
 
-/// Figures, scenes, claims, fits, tunings and studies read parameters only after the diagram is built.
+/// True for uses in figures, scenes, claims, fits, tunings and studies, which read parameters only after the
+/// diagram is built.
 bool is_drawn_or_claimed(const yaml::Node& root, const std::string& name) {
   for (const char* key : {"figure", "scene", "claims", "invariants", "fit", "tune", "study", "sensitivity"})
     if (const yaml::Node* node = root.find(key); node && mentions(*node, name)) return true;
@@ -48,7 +49,7 @@ bool is_drawn_or_claimed(const yaml::Node& root, const std::string& name) {
 }
 
 void refuse_unused(const Scope& scope, std::set<const yaml::Document*>& seen, Report& report) {
-  if (!seen.insert(scope.document).second) return;  // a part that is used twice is told about once
+  if (!seen.insert(scope.document).second) return;  // a part used twice is reported once
   const yaml::Node& root = scope.document->root;
   if (const yaml::Node* parameters = root.find("parameters"))
     for (const yaml::Entry& entry : parameters->entries)

@@ -5,8 +5,8 @@
 
 namespace stepwire::diagram {
 
-/// Reports parameters of a file and of its parts that nothing uses: no value, expression, part, figure, claim
-/// or sweep. Changing one would change nothing, so it is a slip of the hand or a remainder.
+/// Reports unused parameters of a file and its parts: no value, expression, part, figure, claim or sweep
+/// refers to them. A change of such a parameter would have no effect, so it is a mistake or a remainder.
 void refuse_unused_parameters(const Scope& scope, Report& report);
 
 }  // namespace stepwire::diagram

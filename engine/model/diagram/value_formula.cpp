@@ -16,7 +16,7 @@ std::string no_numbers(const std::string& name) {
   return fmt::format("'{}' is no number", name);
 }
 
-/// Numbers as a matrix, a list as its only column; nothing for other values.
+/// Returns numbers as a matrix, a list as its only column; std::nullopt for other values.
 std::optional<Eigen::MatrixXd> matrix_of(const Value& value) {
   if (const double* number = std::get_if<double>(&value.content))
     return Eigen::MatrixXd::Constant(1, 1, *number);
@@ -25,14 +25,14 @@ std::optional<Eigen::MatrixXd> matrix_of(const Value& value) {
   return matrix ? std::optional(*matrix) : std::nullopt;
 }
 
-/// What stands behind `value:` in {value: .., unit: ..}.
+/// Returns the entry `value:` of {value: .., unit: ..}; nullptr if it is missing.
 yaml::Entry* value_entry(yaml::Node& map) {
   for (yaml::Entry& entry : map.entries)
     if (entry.key == "value") return &entry;
   return nullptr;
 }
 
-/// A list that has a number is one of numbers, as are the rows of a matrix.
+/// True for a list with a number or a row of a matrix; its other items are then numbers as well.
 bool is_of_numbers(const yaml::Node& list) {
   const auto is_number = [](const yaml::Node& item) {
     return item.is_list() || (item.is_scalar() && !item.quoted && unit::parse_quantity(item.text));
@@ -40,7 +40,7 @@ bool is_of_numbers(const yaml::Node& list) {
   return std::ranges::any_of(list.items, is_number);
 }
 
-/// The numbers of parameters; fewer than there are where one is no single number.
+/// Returns the parameters that are single numbers.
 std::vector<double> single_numbers(const std::vector<WrittenValue>& parameters) {
   std::vector<double> numbers;
   for (const WrittenValue& parameter : parameters)
@@ -55,7 +55,7 @@ std::vector<expression::Measure> measures_of(const std::vector<WrittenValue>& pa
   return measures;
 }
 
-/// The value of a formula of single numbers.
+/// Evaluates a formula of single numbers.
 WrittenValue evaluated(const expression::Expression& expression, const std::vector<double>& values,
                        const std::vector<WrittenValue>& parameters, const std::string& text) {
   const expression::Measure measure = expression.measure(measures_of(parameters));
@@ -84,7 +84,7 @@ std::optional<WrittenValue> ValueReader::read_expression(const yaml::Node& node,
       return refuse(node, subject, fmt::format("'{}' is {}, not a finite number", node.text, number));
     return result;
   } catch (const expression::ExpressionError& error) {
-    yaml::Mark mark = node.mark;  // of a setting there is none
+    yaml::Mark mark = node.mark;  // the line of a setting is 0
     if (mark.line > 0) mark.column += 1 + (node.quoted ? 1 : 0) + static_cast<int>(error.position);
     report_.add(at(mark), subject, error.what());
     return std::nullopt;
@@ -129,7 +129,7 @@ std::optional<WrittenValue> ValueReader::read_matrices(const std::vector<Written
 
 bool ValueReader::is_bare_formula(const yaml::Node& node, bool only_number) const {
   const std::string& text = node.text;
-  // The text of a definition may be the formula of a block, in which a name means something else.
+  // The text of a definition may be a formula of a block, where a name has another meaning.
   if (!only_number || !node.is_scalar() || text.empty() || text[0] == '=' ||
       text.find('$') != std::string::npos)
     return false;

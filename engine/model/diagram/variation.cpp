@@ -16,19 +16,19 @@ namespace {
 /// Times and methods of the file itself, which a call may set as well.
 const std::vector<std::string> head_names = {"step", "stop", "solver", "tolerance"};
 
-/// Is this text a number with or without a unit, and the same in YAML?
+/// True for a number with or without a unit that YAML reads as the same text.
 bool is_plain_quantity(const std::string& text) {
   const auto plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("+-. /^*", c); };
   return !text.empty() && text.front() != ' ' && text.back() != ' ' && text.front() != '*' &&
          std::ranges::all_of(text, plain) && unit::parse_quantity(text);
 }
 
-/// "u", or "u.2" for the second of a list.
+/// Returns the name of an input, "u", or "u.2" for the second source of a list.
 std::string input_name(const InputSpec& spec, std::size_t element) {
   return spec.list ? fmt::format("{}.{}", spec.name, element + 1) : spec.name;
 }
 
-/// The parameter or state of a block that a key gives a value to.
+/// Returns the parameter, state or constant input that a key sets; std::nullopt for other keys.
 std::optional<Target> target_of(const DiagramBlock& block, int index, const std::string& key) {
   const BlockType& type = block.type();
   if (const ParameterSpec* spec = type.parameter(key))
@@ -46,7 +46,7 @@ bool uses_any(const ParameterUses& uses, const std::vector<char>& changed) {
   return std::ranges::any_of(uses, [&](int used) { return changed[static_cast<std::size_t>(used)]; });
 }
 
-/// For each definition: is it one of these, or does it follow from them?
+/// Returns for each definition whether it is one of these or depends on them.
 std::vector<char> changed_by(const std::vector<int>& given, const Bindings& all) {
   std::vector<char> changed(all.definitions.size(), 0);
   for (const int definition : given) changed[static_cast<std::size_t>(definition)] = 1;
@@ -55,7 +55,7 @@ std::vector<char> changed_by(const std::vector<int>& given, const Bindings& all)
   return changed;
 }
 
-/// Names that could have been meant.
+/// Returns all settable names, for suggestions.
 std::vector<std::string> names_of(const Diagram& diagram) {
   std::vector<std::string> names = head_names;
   for (const DiagramParameter& parameter : diagram.parameters) names.push_back(parameter.name);

@@ -7,51 +7,50 @@
 
 namespace stepwire::diagram {
 
-/// A value for a parameter ("rig.mass"), a value of a block ("spring.gain"), an initial value ("lag.initial")
-/// or a constant that is wired to an input ("sum.u.2", "lag.u").
+/// New value of a parameter ("rig.mass"), of a block ("spring.gain"), of an initial value ("lag.initial") or
+/// of a constant wired to an input ("sum.u.2", "lag.u").
 struct Assignment {
   std::string name;
-  yaml::Node value;   ///< as a file writes it: 8 kg, [1, 2], a word
-  std::string place;  ///< what messages name as its place
+  yaml::Node value;   ///< as in a file: 8 kg, [1, 2], a word
+  std::string place;  ///< its location in messages
 };
 
-/// The name under which a value of a block is set.
+/// Returns the name by which a value of a block is set.
 std::string name_of(const Diagram& diagram, const Target& target);
 
-/// The value of an assignment from its text, as `--set` reads it. Throws Error for what is not YAML.
+/// Parses the value of an assignment as `--set` does. Throws Error for invalid YAML.
 yaml::Node value_of_text(const std::string& text, const std::string& place);
-/// A number in SI, of a dimension where it has one.
+/// Makes a value of a number in SI with an optional dimension.
 yaml::Node value_of_number(double number, const std::optional<unit::Dimension>& dimension);
 
-/// What changes in a diagram when values of some names change together. Follows from the texts of the
-/// diagram's files alone, whatever the values are.
+/// Set of changes in a diagram when the values of some names change together. It depends only on the texts of
+/// the diagram's files, not on the values.
 class Variation {
  public:
-  /// What one of the names is.
+  /// Meaning of one of the names.
   struct Name {
     std::string text;
-    int definition = -1;  ///< of a parameter; else `target`
+    int definition = -1;  ///< index of a parameter; otherwise `target` applies
     Target target;
-    bool structural =
-        false;  ///< the diagram itself is another one for each value: its times, what it records
+    bool structural = false;  ///< each value needs a diagram of its own: times, recorded signals
   };
 
-  /// The diagram must outlive it. Throws Error for a name that nothing has.
+  /// The diagram must outlive it. Throws Error for an unknown name.
   Variation(const Diagram& diagram, const std::vector<std::string>& names);
 
   const std::vector<Name>& names() const { return names_; }
-  /// Is the diagram itself another one for each value of one of the names?
+  /// True where a value of one of the names needs a diagram of its own.
   bool structural() const;
-  /// Parameters that follow from those that are set, in the order in which they are evaluated.
+  /// Returns the parameters that depend on the set ones, in the order of their evaluation.
   const std::vector<int>& definitions() const { return definitions_; }
-  /// Values of blocks that follow from parameters, by their index in Bindings::bindings.
+  /// Returns the values of blocks that depend on parameters, as indices in Bindings::bindings.
   const std::vector<int>& bindings() const { return bindings_; }
-  /// All values of blocks that may change.
+  /// Returns all values of blocks that may change.
   const std::vector<Target>& targets() const { return targets_; }
 
  private:
   Name find(const Diagram& diagram, const std::string& text) const;
-  /// Is another parameter that follows from this name, or itself, what the diagram is made of?
+  /// True where this parameter, or one that depends on it, determines the structure of the diagram.
   static bool decides(const Diagram& diagram, int definition);
   void follow(const Diagram& diagram);
 

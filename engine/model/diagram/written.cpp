@@ -30,7 +30,8 @@ yaml::Node list_of_rows(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
-/// A pure number that was written with a unit (deg, %) has one as well, so that it fits where one must be.
+/// Adds the unit. A pure number written with a unit (deg, %) gets one as well, since its place may require a
+/// unit.
 yaml::Node with_unit(yaml::Node value, const std::optional<unit::Dimension>& dimension) {
   if (!dimension) return value;
   if (value.is_scalar() && *dimension != unit::Dimension{}) {

@@ -4,7 +4,8 @@
 
 namespace stepwire::plan {
 
-/// The place of what a block is active by; -1 where it always is, as what is computed but once.
+/// Returns the workspace index of the guard output that activates a block; -1 for a block that is always
+/// active or computed only once.
 inline std::ptrdiff_t active_of(const Plan& plan, std::size_t block) {
   const int guard = plan.diagram.blocks[block].guard;
   if (guard < 0 || plan.blocks[block].rate.kind == Rate::Kind::constant) return -1;

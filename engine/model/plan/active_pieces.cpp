@@ -8,7 +8,7 @@ namespace stepwire::plan {
 
 namespace {
 
-constexpr std::size_t shortest = 16;  // numbers that are as fast as a question
+constexpr std::size_t shortest = 16;  // numbers that are processed as fast as one check of a guard
 
 void append(std::vector<ActivePiece>& pieces, const ActivePiece& piece) {
   if (!pieces.empty() && pieces.back().active == piece.active)
@@ -17,7 +17,7 @@ void append(std::vector<ActivePiece>& pieces, const ActivePiece& piece) {
     pieces.push_back(piece);
 }
 
-/// Of each number of the workspace, the place of what it is active by.
+/// Returns for each number of the workspace the index of its guard output; -1 for always active ones.
 std::vector<std::ptrdiff_t> active_places(const Plan& plan) {
   std::vector<std::ptrdiff_t> places(plan.layout.size, -1);
   for (std::size_t b = 0; b < plan.blocks.size(); ++b)

@@ -6,14 +6,14 @@
 
 namespace stepwire::plan {
 
-/// A stretch of the workspace whose numbers stand still while one guard is off.
+/// A range of the workspace whose numbers are constant while one guard is inactive.
 struct ActivePiece {
   std::size_t first, end;
-  std::ptrdiff_t active;  ///< place of what it is active by; -1: always
+  std::ptrdiff_t active;  ///< workspace index of the guard output; -1: always active
 };
 
-/// The numbers from `first` to `end - 1`, which are outputs, states and slopes, in pieces. A piece that is
-/// too short to be worth a question counts as always active.
+/// Splits the outputs, states and derivatives in [first, end) into pieces of one guard. A piece too short to
+/// be worth a check counts as always active.
 std::vector<ActivePiece> active_pieces(const Plan& plan, std::size_t first, std::size_t end);
 
 }  // namespace stepwire::plan

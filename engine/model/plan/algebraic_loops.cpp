@@ -18,7 +18,8 @@ namespace stepwire::plan {
 
 namespace {
 
-/// A cycle in words. Ports are named where a block has several, as only some of them may be in the loop.
+/// Text of a cycle for messages. Ports are named for blocks with several inputs, since the loop may use only
+/// some of them.
 class CycleText {
  public:
   CycleText(const Draft& draft, const OrderGraph& graph, const std::vector<std::size_t>& cycle)
@@ -51,7 +52,8 @@ class CycleText {
     return diagram::output_name(block.name, block.type(), graph_.owners[node].second);
   }
 
-  /// By which input the cycle comes to its i-th node; empty where the block has but one.
+  /// Returns the input through which the cycle enters its i-th node; empty for a block with one connected
+  /// input.
   std::string entry_port(std::size_t i) const {
     const auto [from, from_output] = graph_.owners[cycle_[(i + cycle_.size() - 1) % cycle_.size()]];
     const auto [at, output] = graph_.owners[cycle_[i]];
@@ -71,7 +73,7 @@ class CycleText {
   const std::vector<std::size_t>& cycle_;
 };
 
-/// Orders the blocks of a torn loop by what their nodes wait for.
+/// Topological order of the blocks of a torn loop.
 class TornOrder {
  public:
   TornOrder(const OrderGraph& graph, const LoopNodes& nodes, const std::vector<std::size_t>& tears)
@@ -93,7 +95,7 @@ class TornOrder {
       if (waiting_.contains(reader)) visit(reader);
   }
 
-  /// The first block of which all open nodes are ready, or else one of which some are.
+  /// Returns the first block whose open nodes are all ready, else the first with some ready nodes.
   std::size_t next() const {
     std::optional<std::size_t> in_part;
     for (const auto& [node, count] : waiting_) {
@@ -124,7 +126,7 @@ class TornOrder {
   const OrderGraph& graph_;
   const LoopNodes& nodes_;
   std::set<std::size_t> torn_;
-  std::map<std::size_t, int> waiting_;  ///< for each node that is not called yet, for how many it waits
+  std::map<std::size_t, int> waiting_;  ///< for each uncalled node, the number of nodes that it waits for
   std::vector<int> blocks_;
 };
 
@@ -189,7 +191,7 @@ void refuse_loop(Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) 
 
 namespace {
 
-/// The nodes of a loop in the canonical order of their blocks.
+/// Returns the nodes of a loop in the canonical order of their blocks.
 LoopNodes canonical_nodes(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) {
   std::vector<std::size_t> place(draft.canonical.size());
   for (std::size_t i = 0; i < place.size(); ++i) place[static_cast<std::size_t>(draft.canonical[i])] = i;
@@ -200,8 +202,8 @@ LoopNodes canonical_nodes(const Draft& draft, const OrderGraph& graph, const Loo
   return canonical;
 }
 
-/// Returns the tears of a loop. Among sets that cost the same the canonical order of its blocks decides, so
-/// the loop is a graph of its own there, with nodes in that order.
+/// Returns the tears of a loop. The canonical order of the blocks selects among sets of equal cost. So the
+/// loop is copied into a graph with its nodes in that order.
 std::vector<std::size_t> tears_of(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes) {
   const LoopNodes canonical = canonical_nodes(draft, graph, nodes);
   std::map<std::size_t, std::size_t> place;

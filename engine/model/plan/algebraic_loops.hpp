@@ -8,25 +8,25 @@
 
 namespace stepwire::plan {
 
-/// Nodes that all feed each other, in ascending order.
+/// Nodes of a strongly connected component, in ascending order.
 using LoopNodes = std::vector<std::size_t>;
 
-/// The loops of a graph, in the order of their first nodes.
+/// Returns the loops of a graph, in the order of their first nodes.
 std::vector<LoopNodes> find_loops(const OrderGraph& graph);
 
-/// A shortest way from the first node of a loop back to itself.
+/// Returns a shortest cycle through the first node of a loop.
 std::vector<std::size_t> shortest_cycle(const OrderGraph& graph, const LoopNodes& nodes);
 
-/// "error -> half -> twice -> error"
+/// Returns a cycle as text, "error -> half -> twice -> error".
 std::string loop_path(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes);
 
-/// Adds the fault of a loop that is not to be solved.
+/// Adds the fault of a loop that must not be solved.
 void refuse_loop(Draft& draft, const OrderGraph& graph, const LoopNodes& nodes);
 
-/// The blocks of a loop in the order of their calls, and where it is torn for that.
+/// Call order of the blocks of a loop, and its tears.
 struct LoopOrder {
-  std::vector<std::size_t> tears;  ///< nodes
-  std::vector<int> blocks;         ///< one of which only some outputs can be computed at a time stands twice
+  std::vector<std::size_t> tears;  ///< indices of torn nodes
+  std::vector<int> blocks;         ///< a block with outputs that need two calls occurs twice
 };
 LoopOrder order_loop(const Draft& draft, const OrderGraph& graph, const LoopNodes& nodes);
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t max_work = 2'000'000;  // blocks times rounds
 constexpr std::size_t max_rounds = 32;
 
-/// Whether name `a` comes before `b`, with numbers in them by their value ("mass_2" before "mass_10").
+/// True where name `a` precedes `b`, with numbers compared by value ("mass_2" before "mass_10").
 bool natural_less(const std::string& a, const std::string& b) {
   const auto digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
   std::size_t i = 0, j = 0;
@@ -33,9 +33,9 @@ bool natural_less(const std::string& a, const std::string& b) {
   return std::tuple(a.size() - i, a) < std::tuple(b.size() - j, b);
 }
 
-/// Colour refinement (Weisfeiler and Leman 1968), with ranks as colours. Blocks begin with ranks by type.
-/// Each round splits a rank by the ranks at the other ends of its wires, until no rank splits any more. A
-/// round costs a sort of the wires. Large diagrams get few rounds, and names decide on the rest.
+/// Colour refinement (Weisfeiler and Leman 1968) with ranks as colours. Blocks begin with ranks by type. Each
+/// round splits a rank by the ranks at the other ends of its wires, until no rank splits. A round costs a
+/// sort of the wires. Large diagrams get few rounds; names order the remaining ties.
 class Refinement {
  public:
   explicit Refinement(const Draft& draft)
@@ -62,10 +62,10 @@ class Refinement {
   }
 
  private:
-  /// The properties of a block by itself, without its values.
+  /// Properties of a block alone, without parameter values.
   using Key = std::tuple<std::string_view, int, std::int64_t, std::int64_t, std::vector<Eigen::Index>,
                          std::vector<Eigen::Index>, std::vector<std::size_t>>;
-  /// One end of a wire: how it is wired there and here, and the block at the other end.
+  /// One end of a wire: its connection at both ends, and the block at the other end.
   struct Wire {
     std::tuple<int, std::size_t, std::size_t, int, Eigen::Index, Eigen::Index> how;
     int other;
@@ -102,7 +102,7 @@ class Refinement {
     wires_[at(source)].push_back({back, reader});
   }
 
-  /// Splits each rank once; returns how many there are.
+  /// Splits each rank once and returns the number of ranks.
   std::size_t refine() {
     for (std::vector<Wire>& wires : wires_)
       if (wires.size() > 1)
@@ -132,8 +132,8 @@ class Refinement {
 
   const Draft& draft_;
   std::vector<int> order_;
-  std::vector<std::size_t> rank_;         ///< of each block
-  std::vector<std::vector<Wire>> wires_;  ///< of each block, as its reader or its source
+  std::vector<std::size_t> rank_;         ///< rank of each block
+  std::vector<std::vector<Wire>> wires_;  ///< wires of each block, as reader or source
 };
 
 }  // namespace

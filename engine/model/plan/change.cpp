@@ -35,21 +35,21 @@ Eigen::Index size_of(const Value& value) {
   return matrix ? matrix->size() : 1;
 }
 
-/// Whether a value is one number, by itself or repeated for each of `size` elements.
+/// True for a single number, alone or repeated for each of `size` elements.
 bool is_one_number(const Value& value, Eigen::Index size) {
   const auto* numbers = std::get_if<Eigen::VectorXd>(&value.content);
   if (!numbers || (numbers->size() != 1 && numbers->size() != size)) return false;
   return std::ranges::all_of(*numbers, [&](double number) { return number == (*numbers)[0]; });
 }
 
-/// Whether a block that says this fits into a plan that was made for the other. What is smooth now does so in
-/// a plan that reckons with jumps, too.
+/// True where a block with this configuration fits into a plan made for another. A block that has become
+/// smooth fits as well, since the plan already allows for jumps.
 bool fits(Configuration made, const Configuration& planned) {
   if (made.smooth) made.smooth = planned.smooth;
   return made == planned;
 }
 
-/// Gathers the change, block by block.
+/// Collects the changes of all blocks.
 class Changing {
  public:
   Changing(const Plan& plan, const WrittenBlocks& written) : plan_(plan), written_(written) {}
@@ -81,7 +81,7 @@ class Changing {
       change_.structure = fmt::format("{}.{}: {}", plan_.diagram.blocks[block].name, name, what);
   }
 
-  /// The units of wires are those of the plan; a bare number is in the unit that was there before.
+  /// Refuses a new unit: the units of wires are fixed in the plan. A bare number has the previous unit.
   void check_unit(const diagram::ChangedValue& value, const std::optional<unit::Dimension>& known,
                   const std::string& name) {
     const auto& given = value.value.dimension;
@@ -113,7 +113,7 @@ class Changing {
     spec.set(written(block).get(), value.value.value);
   }
 
-  /// True where a block does something else if the file gives no initial value.
+  /// True where the block's configuration depends on whether the file gives an initial value.
   bool asks_for(std::size_t block, int state) const {
     const auto& says = plan_.blocks[block].configuration;
     const auto& states = plan_.diagram.blocks[block].type().states;
@@ -154,7 +154,7 @@ class Changing {
                                    numbers.segment(static_cast<Eigen::Index>(meant.offset), meant.size));
   }
 
-  /// True where configure() makes another block of this constant than of that in the plan.
+  /// True where configure() answers differently for this constant than for that of the plan.
   bool configures(std::size_t block, const std::string& input, const Eigen::VectorXd& numbers) const {
     const PlannedBlock& planned = plan_.blocks[block];
     if (!planned.configuration || !planned.written || numbers.size() != 1) return false;
@@ -181,8 +181,8 @@ class Changing {
     change_.blocks.push_back({block, std::move(written), std::move(made)});
   }
 
-  /// A parameter that configure() makes another one than in the plan, though it was not set: compiled code
-  /// has it as it stands in the plan.
+  /// Returns the name of a parameter that configure() changed although it was not set; std::nullopt without
+  /// one. Compiled code has the value of the plan for it.
   std::optional<std::string> changed_beside(std::size_t block, const AnyBlock& written,
                                             const AnyBlock& made) const {
     const AnyBlock& plan_made = plan_.diagram.blocks[block].block;
@@ -196,8 +196,8 @@ class Changing {
     return std::nullopt;
   }
 
-  /// Spreads numbers for every element as those of the plan are spread: those that were set, and those that
-  /// the plan has spread already. All else keeps its number of elements.
+  /// Repeats numbers for every element as in the plan: for new values and for those repeated in the plan. The
+  /// sizes of all other values stay.
   void fit_sizes(std::size_t block, AnyBlock& made) {
     const diagram::DiagramBlock& known = plan_.diagram.blocks[block];
     for (std::size_t p = 0; p < known.type().parameters.size(); ++p) {

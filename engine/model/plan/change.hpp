@@ -10,26 +10,26 @@
 
 namespace stepwire::plan {
 
-/// A block of a plan with other values.
+/// A block of a plan with new values.
 struct RebuiltBlock {
   std::size_t block;
-  AnyBlock written;  ///< as files would give it
-  AnyBlock made;     ///< and as it is run
+  AnyBlock written;  ///< as given by the files
+  AnyBlock made;     ///< after configure() and prepare()
 };
 
-/// What becomes different in a run of a plan when values change.
+/// Changes in a run of a plan after new values.
 struct PlanChange {
   std::vector<RebuiltBlock> blocks;
-  std::vector<std::pair<SignalSlot, Eigen::VectorXd>> constants;  ///< on wires, of one number or all
-  std::vector<std::pair<SignalSlot, Eigen::VectorXd>> initial;    ///< of states
-  /// Why the plan does not fit the values, whose own plan has another structure; empty where it does.
+  std::vector<std::pair<SignalSlot, Eigen::VectorXd>> constants;  ///< on wires; one number or all elements
+  std::vector<std::pair<SignalSlot, Eigen::VectorXd>> initial;    ///< initial values of states
+  /// Reason why the values need a plan of another structure; empty if this plan fits.
   std::string structure;
 };
 
-/// Blocks as files would give them, where they are not what the plan has; by their index.
+/// Blocks as given by files that differ from the plan, by their index.
 using WrittenBlocks = std::map<std::size_t, AnyBlock>;
 
-/// Throws Error where a block refuses its parameters.
+/// Computes the changes for new values. Throws Error where a block refuses its parameters.
 PlanChange change_of(const Plan& plan, const std::vector<diagram::ChangedValue>& values,
                      const WrittenBlocks& written);
 

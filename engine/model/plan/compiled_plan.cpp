@@ -6,7 +6,7 @@ namespace stepwire::plan {
 
 namespace {
 
-/// Are the items that do not vary those of the plan?
+/// True where all items that do not vary equal those of the plan.
 bool fits(const std::vector<bool>& varies, const MemberItems& plan, const MemberItems& run) {
   if (plan.outline() != run.outline()) return false;
   for (std::size_t i = 0; i < plan.items().size(); ++i)

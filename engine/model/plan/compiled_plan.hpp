@@ -12,58 +12,59 @@
 
 namespace stepwire::plan {
 
-/// What a plan is once it has been compiled: the same calls as the interpreter makes, on the same numbers.
-/// `values` is the workspace of a run, `numbers` what it has of the members that the code reads from a table.
+/// Compiled step functions of a plan. They make the same calls as the interpreter, on the same numbers.
+/// `values` is the workspace of a run, `numbers` its table of the members that the code does not contain as
+/// literals.
 struct StepFunctions {
   void (*evaluate)(double* values, const double* numbers, std::int64_t tick) = nullptr;
   void (*advance)(double* values, const double* numbers, std::int64_t tick) = nullptr;
 };
 
-/// A plan's code, for runs in which some items have other values.
+/// Compiled code of a plan, and the items that it reads from a table.
 struct CompiledPlan {
   StepFunctions functions;
   std::vector<VariableBlock> variable;
 };
 
-/// In what the runs of a plan differ: members of blocks that code reads from a table, and values of blocks.
+/// Differences between the runs of a plan: members that code reads from a table, and values of blocks.
 struct RunDifferences {
   std::vector<VariableBlock> variable;
   std::vector<diagram::Target> values;
 };
 
-/// Code that steps several runs of a plan together.
+/// Compiled code that steps a lane batch of a plan.
 struct CompiledLanes {
   void (*run)(LaneTask& task) = nullptr;
   int lanes = 0;
   std::vector<VariableBlock> variable;
-  std::vector<bool> differs;  ///< numbers of the workspace; all others lie in lane 0 for all runs
+  std::vector<bool> differs;  ///< numbers stored for each lane; all others are shared, in lane 0
 };
 
-/// The numbers that compiled code reads, of one run: single ones in their order, behind them the lists. The
-/// number in the place of a list is where it begins.
+/// Table of the numbers that compiled code reads in one run: single numbers in order, then the lists. The
+/// entry of a list is the index at which it begins.
 class NumberTable {
  public:
-  /// The plan and what varies must outlive it.
+  /// The plan and the variable blocks must outlive the table.
   NumberTable(const Plan& plan, const std::vector<VariableBlock>& variable, BlocksOfRun blocks);
 
-  /// Reads a block again after its members have changed; false where code with this table has other numbers
-  /// of that block than the run, as they stand in the plan.
+  /// Reads a block again after its members have changed. Returns false where a literal in the code now
+  /// differs from the member of the run.
   [[nodiscard]] bool read(std::size_t block);
   const double* data() const { return numbers_.data(); }
   std::size_t size() const { return numbers_.size(); }
-  /// How many stand before the lists.
+  /// Returns the number of entries before the lists.
   std::size_t singles() const;
-  /// Places of numbers that say where a list begins.
+  /// Returns the indices of the entries that hold the begin of a list.
   std::vector<std::size_t> list_places() const;
 
  private:
   struct List {
     std::size_t place, first, size;
   };
-  /// What is read of a block.
+  /// Entries of one block.
   struct Entry {
     std::vector<double> singles, in_lists;
-    std::vector<List> lists;  ///< with places in these
+    std::vector<List> lists;  ///< `place` in `singles`, `first` in `in_lists`
   };
 
   Entry entry_of(const VariableBlock& variable, const MemberItems& items) const;
@@ -76,33 +77,33 @@ class NumberTable {
   std::vector<double> numbers_;
 };
 
-/// Compares new code with the interpreter before it is trusted.
+/// Comparison of new code with the interpreter before its first use.
 class CodeTrial {
  public:
   virtual ~CodeTrial() = default;
-  /// Returns a sentence on the first fault; an empty one if all numbers are equal.
+  /// Returns a sentence about the first difference; an empty one if all numbers are equal.
   virtual std::string fault(const Plan& plan, const CompiledPlan& code) const = 0;
   virtual std::string fault(const Plan& plan, const CompiledLanes& code) const = 0;
 };
 
-/// What getting code may take.
+/// Limits on obtaining compiled code.
 struct CodeLimits {
-  std::stop_token stop{};  ///< a stop gives up
-  bool only_kept = false;  ///< none is compiled: it is there from an earlier time, or there is none
+  std::stop_token stop{};  ///< cancels the compilation
+  bool only_kept = false;  ///< uses the cache only and never compiles
 };
 
-/// Where compiled code comes from.
+/// Provider of compiled code.
 class CodeSource {
  public:
   virtual ~CodeSource() = default;
-  /// Compiles a plan; nothing where that cannot be, or not within the limits.
+  /// Compiles a plan. Returns std::nullopt if that is impossible or exceeds the limits.
   virtual std::optional<CompiledPlan> compile(const Plan& plan, const std::vector<VariableBlock>& variable,
                                               const CodeLimits& limits) = 0;
-  /// Compiles a plan for several runs at once; nothing where that cannot be, or is of no use on this machine:
-  /// then `why` has the reason; or not within the limits: then it is empty.
+  /// Compiles a plan for a lane batch. Returns std::nullopt if that is impossible or useless on this machine,
+  /// with the reason in `why`. Returns std::nullopt with an empty `why` where the limits are exceeded.
   virtual std::optional<CompiledLanes> compile_lanes(const Plan& plan, const RunDifferences& differences,
                                                      const CodeLimits& limits, std::string& why) = 0;
-  /// So many runs go together where compile_lanes() succeeds; 1: it never does on this machine.
+  /// Returns the number of lanes for which compile_lanes() compiles; 1 if this machine never uses lanes.
   virtual int lanes() = 0;
 };
 

@@ -13,7 +13,7 @@ double period_of(const Plan& plan, std::size_t index) {
   return static_cast<double>(plan.blocks[index].rate.ticks) * plan.diagram.step;
 }
 
-/// What a block may ask in configure().
+/// Collects the information that a block can query in configure().
 Configure what_is_known(const Plan& plan, std::size_t index, std::map<std::string, double> constants) {
   const diagram::DiagramBlock& block = plan.diagram.blocks[index];
   std::set<std::string> connected;

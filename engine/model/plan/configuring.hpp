@@ -7,17 +7,16 @@
 
 namespace stepwire::plan {
 
-/// Lets a block of a plan check its parameters and answer what its declaration leaves open; `block` is the
-/// one of this index, or another with the same connections. A parameter that it refuses is a fault. Throws
-/// EnvironmentError where a file of the data folder is missing. `constants` replaces numbers that are wired
-/// to its inputs, by the names of these.
+/// Calls configure() of a block and returns its answers. `block` is the block at this index, or another one
+/// with the same connections. A refused parameter adds a fault. Throws EnvironmentError where a file of the
+/// data folder is missing. `constants` replaces constants wired to its inputs, by input name.
 Configuration configure(const Plan& plan, std::size_t index, void* block, yaml::Faults& faults,
                         const std::map<std::string, double>& constants = {});
 
-/// Repeats the one number of a parameter for every element.
+/// Repeats the single number of a parameter for every element.
 void spread(AnyBlock& block, const ParameterSpec& spec, Eigen::Index size);
 
-/// Lets a block compute what follows from its parameters, sizes and period.
+/// Calls prepare() of a block, which derives members from its parameters, sizes and period.
 void prepare(const Plan& plan, std::size_t index, void* block);
 
 }  // namespace stepwire::plan

@@ -5,9 +5,9 @@
 
 namespace stepwire::plan {
 
-/// Finds the open nodes that follow from no other open one. Of a loop of nodes that follow from each other
-/// alone it takes the first that may be chosen. `followings` has pairs of a node and one that it follows from,
-/// in any order.
+/// Finds the open nodes that depend on no other open node. Of a strongly connected component without further
+/// dependences it selects the first eligible node. `followings` has pairs of a node and one that it depends
+/// on, in any order. The components are found by Tarjan's algorithm in linear time.
 std::vector<int> ends_of_chains(const std::vector<bool>& open, const std::vector<bool>& may_be_chosen,
                                 const std::vector<std::pair<int, int>>& followings);
 

@@ -1,4 +1,4 @@
-// What is needed to split steps at crossings.
+// Preparation for splitting steps at crossings.
 #include <algorithm>
 
 #include "engine/model/diagram/guard_types.hpp"
@@ -9,7 +9,10 @@ namespace stepwire::plan {
 
 namespace {
 
-/// Finds what crosses, and what follows at every instant.
+/// Finds the crossing functions, and the blocks that act at every instant. A search backwards from the inputs
+/// of the crossing functions marks the blocks that must be computed to evaluate them between ticks. It ends
+/// at steady and discrete outputs, which do not change there, and at timed ones, which are computed in any
+/// case.
 class EventPlan {
  public:
   explicit EventPlan(Draft& draft) : draft_(draft) {}
@@ -44,7 +47,7 @@ class EventPlan {
   bool has_memory(std::size_t block) const { return draft_.blocks[block].updates || draft_.remembers(block); }
 
   bool is_guard(std::size_t block) const { return &draft_.type(block) == &diagram::guard_type(); }
-  /// Is it called once for each edge that is located?
+  /// True where the block is called once for each located edge of a trigger.
   bool is_triggered(std::size_t block) const {
     const auto trigger = static_cast<std::size_t>(diagram::guard_type().input("trigger"));
     return std::ranges::any_of(guards_of(draft_.diagram(), block), [&](int guard) {
@@ -52,7 +55,7 @@ class EventPlan {
     });
   }
 
-  /// Does a block act whenever something happens, not at ticks of its own?
+  /// True where a block acts at every instant instead of ticks of its own.
   bool follows(std::size_t block) const {
     if (rate(block).kind == Rate::Kind::continuous) return true;
     return rate(block).kind == Rate::Kind::discrete && rate(block).ticks == 1 &&
@@ -75,7 +78,7 @@ class EventPlan {
     return draft_.blocks[block].computes && !draft_.is_steady(block) && draft_.type(block).states.empty();
   }
 
-  /// `stop_when` has the last number.
+  /// Adds the crossing of `stop_when`, which has the last number.
   void add_stop() {
     if (!draft_.diagram().stop_when) return;
     draft_.plan.stop_crossing = draft_.plan.crossing_count++;
@@ -100,8 +103,10 @@ class EventPlan {
   std::vector<std::size_t> open_;
 };
 
-/// Finds what no discrete block, guard or input from outside has a part in, of what crossings depend on.
-/// Blocks that show another mode at a tick than before it are computed at the tick.
+/// Finds the blocks for crossings that can be evaluated ahead, at the end of a step before the tick there. No
+/// discrete block, guard or external input may influence them. Blocks whose outputs at a tick differ from
+/// those before it are computed at the tick. All candidates are marked first; those with an input that is not
+/// available ahead are unmarked until no mark changes.
 class AheadBlocks {
  public:
   AheadBlocks(Draft& draft, const CallOrder& order) : draft_(draft), order_(order) {}
@@ -116,7 +121,7 @@ class AheadBlocks {
   }
 
  private:
-  /// Takes back what depends on what is not ahead; false once there is nothing.
+  /// Unmarks blocks that depend on a block that is not ahead; returns false once no mark changes.
   bool take_back() {
     bool taken = false;
     const auto take = [&](std::size_t block) {
@@ -125,7 +130,7 @@ class AheadBlocks {
     };
     for (const int b : order_.blocks)
       if (!reads_ahead(static_cast<std::size_t>(b))) take(static_cast<std::size_t>(b));
-    for (const CallOrder::Loop& loop : order_.loops)  // as a whole or not at all
+    for (const CallOrder::Loop& loop : order_.loops)  // all blocks of a loop or none
       if (!std::all_of(member(loop.first), member(loop.end), [&](int b) { return is_ahead(b); }))
         std::for_each(member(loop.first), member(loop.end),
                       [&](int b) { take(static_cast<std::size_t>(b)); });
@@ -142,7 +147,7 @@ class AheadBlocks {
         return false;
     return true;
   }
-  /// Is it known at the end of a step, whatever happens at the tick there?
+  /// True where the source is known at the end of a step, independent of the tick there.
   bool stands(const diagram::Source& source) const {
     if (source.block < 0 || is_ahead(source.block)) return true;
     const auto block = static_cast<std::size_t>(source.block);
@@ -156,7 +161,7 @@ class AheadBlocks {
   const CallOrder& order_;
 };
 
-/// True where a block may end the run as `stop_when` does: its last row is then computed anew.
+/// True where a block may end the run as `stop_when` does: its last row is then computed again.
 bool may_end(const Draft& draft) {
   const auto ends = [](const DiagnosticSpec& spec) { return spec.ends_run && !spec.is_fault; };
   for (std::size_t b = 0; b < draft.blocks.size(); ++b)
@@ -164,7 +169,7 @@ bool may_end(const Draft& draft) {
   return false;
 }
 
-/// Marks blocks whose outputs change between instants. Guards act at instants alone.
+/// Marks blocks whose outputs change between instants. Guards change only at instants.
 void find_sides(Draft& draft) {
   for (std::size_t b = 0; b < draft.blocks.size(); ++b)
     draft.blocks[b].on_sides = draft.blocks[b].computes && !draft.is_steady(b) &&

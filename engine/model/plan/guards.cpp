@@ -10,7 +10,7 @@ namespace stepwire::plan {
 
 namespace {
 
-/// Lengthens the last piece where the next lies right behind it.
+/// Appends a copy, or extends the last one by an adjacent range.
 void append(std::vector<Copied>& pieces, const SignalSlot& from, const SignalSlot& to) {
   const auto size = static_cast<std::size_t>(to.size);
   if (!pieces.empty() && pieces.back().from + pieces.back().size == from.offset &&
@@ -48,7 +48,7 @@ class GuardMaker {
     return plan_.guards[static_cast<std::size_t>(index_[static_cast<std::size_t>(block)])];
   }
 
-  /// The guard around it comes first.
+  /// Adds a guard after the one that encloses it.
   void add(std::size_t block) {
     const diagram::DiagramBlock& from = plan_.diagram.blocks[block];
     if (&from.type() != &diagram::guard_type() || index_[block] >= 0) return;
@@ -70,7 +70,8 @@ class GuardMaker {
       if (draft_.type(block).states[s].continuous) append(guard.slopes, planned.derivatives[s]);
   }
 
-  /// A block whose outputs are constant is computed once, so start() must not change them again.
+  /// Adds the reset of a block's states. A block with constant outputs is computed only once, so its start()
+  /// must not change them again.
   void add_reset(std::size_t block, PlannedGuard& guard) {
     const PlannedBlock& planned = plan_.blocks[block];
     for (std::size_t s = 0; s < planned.initial.size(); ++s)
@@ -80,7 +81,7 @@ class GuardMaker {
 
   Draft& draft_;
   Plan& plan_;
-  std::vector<int> index_;  ///< in Plan::guards, of each block that is one
+  std::vector<int> index_;  ///< index in Plan::guards of each block; -1 for other blocks
 };
 
 }  // namespace

@@ -8,14 +8,14 @@ namespace stepwire::plan {
 
 struct Draft;
 
-/// The blocks by which a block is active, from the one that it names itself outwards.
+/// Returns the guards of a block, from its own one outwards.
 std::vector<int> guards_of(const diagram::Diagram& diagram, std::size_t block);
-/// Does it put states back as it becomes active?
+/// True where the guard resets states on activation.
 bool resets(const diagram::Diagram& diagram, int guard);
-/// Does one of a block's guards?
+/// True where one of the block's guards resets states.
 bool is_reset(const diagram::Diagram& diagram, std::size_t block);
 
-/// Lists what happens as guards change, once all numbers have their places.
+/// Lists the actions on changes of guards; requires the layout of memory.
 void plan_guards(Draft& draft);
 
 }  // namespace stepwire::plan

@@ -45,7 +45,7 @@ class ListWidthInference {
         watchers_.emplace(sizes_.root(sizes_.of_output(source)), list);
   }
 
-  /// Sets a size that was open: news for the lists that have it for an element.
+  /// Sets an open size and queues the lists that have it as an element.
   void learn(int size, Eigen::Index value) {
     sizes_.set(size, value);
     const auto [first, last] = watchers_.equal_range(sizes_.root(size));
@@ -54,7 +54,7 @@ class ListWidthInference {
 
   void take_turns() {
     take_list_turns();
-    while (sizes_.multiply() || matrices_.add_up()) {  // which may be news for any list
+    while (sizes_.multiply() || matrices_.add_up()) {  // a new size may affect any list
       for (std::size_t list = 0; list < lists_.size(); ++list)
         if (!lists_[list].settled) turns_.call(static_cast<int>(list));
       take_list_turns();
@@ -73,7 +73,7 @@ class ListWidthInference {
     }
   }
 
-  /// False where too little is known of the elements.
+  /// Determines the size of a list; false while too many sizes of its elements are unknown.
   bool settle(std::size_t index, std::size_t input) {
     const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     const bool total = block.type().inputs[input].shape.starts_with('+');
@@ -95,7 +95,7 @@ class ListWidthInference {
     return true;
   }
 
-  /// The elements of a list are matrices of one shape, if they are any.
+  /// Copies the shape of the elements; all matrices of a list have the same one.
   void take_shape(int own, Eigen::Index size, const std::vector<diagram::Source>& elements) {
     for (const diagram::Source& element : elements) {
       if (sizes_.value_of(element) != size) continue;
@@ -112,7 +112,7 @@ class ListWidthInference {
                       fmt::format("has {} elements; {} would fit", size, fitting));
   }
 
-  /// Makes what follows from no other open size a scalar. False if no size is open.
+  /// Makes open sizes that depend on no other open size scalars. Returns false if no size is open.
   bool settle_scalars() {
     const auto all = followings();
     std::vector<bool> open(static_cast<std::size_t>(sizes_.count())), has_no_factors(open.size());
@@ -125,7 +125,7 @@ class ListWidthInference {
     return !chosen.empty();
   }
 
-  /// Pairs of a size and one that it follows from, as the roots of both.
+  /// Returns pairs of a size and one that it depends on, both as union-find roots.
   std::vector<std::pair<int, int>> followings() {
     std::vector<std::pair<int, int>> all = matrices_.sums();
     for (const List& list : lists_)
@@ -149,8 +149,8 @@ class ListWidthInference {
   PortSizes& sizes_;
   MatrixLists& matrices_;
   std::vector<List> lists_;
-  std::unordered_multimap<int, int> watchers_;  ///< root of a size: lists that have it for an element
-  Worklist turns_;                              ///< of lists
+  std::unordered_multimap<int, int> watchers_;  ///< lists by the union-find root of an element's size
+  Worklist turns_;                              ///< indices of lists
   std::set<std::pair<std::size_t, std::size_t>> refused_;
 };
 

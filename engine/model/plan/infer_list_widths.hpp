@@ -7,14 +7,18 @@
 
 namespace stepwire::plan {
 
-/// Of all ports and states together: beyond, a delay or a chain of Mux blocks was meant to be shorter.
+/// Most numbers of all ports and states together; a larger total indicates a mistake in a delay or a chain of
+/// Mux blocks.
 constexpr Eigen::Index max_numbers = Eigen::Index{1} << 26;
 
-/// Finds every size that declarations and wires leave open. Lists follow from their elements: a list input
-/// takes elements of one size or of one element; with the shape "+m" each element has its own size and m is
-/// their sum, and so do the sums of lists of matrices. What follows from no other open size is a scalar, and
-/// where open sizes follow from each other alone (a loop), so is one of them. Returns the lists (block and
-/// input) whose size had to be refused.
+/// Determines every size that declarations and wires leave open, and returns the lists (block and input)
+/// whose size was refused.
+///
+/// The size of a list depends on its elements, which may themselves depend on other lists. A list input takes
+/// elements of one size or scalars. With the shape "+m" each element has its own size, and m is their sum;
+/// sums of lists of matrices are alike. The sizes are propagated by a worklist until no list changes. An open
+/// size that then depends on no other open size becomes a scalar; of sizes that depend on each other in a
+/// loop one becomes a scalar. Propagation continues until no size is open.
 std::set<std::pair<std::size_t, std::size_t>> infer_list_widths(Draft& draft, PortSizes& sizes,
                                                                 MatrixLists& matrices);
 

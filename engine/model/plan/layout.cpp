@@ -9,7 +9,7 @@ namespace stepwire::plan {
 
 namespace {
 
-/// Blocks in the order of their first call, then those that are never called for outputs, by type.
+/// Returns the blocks in the order of their first call, followed by those without calls of outputs, by type.
 std::vector<int> memory_order(const Draft& draft, const std::vector<int>& order) {
   std::vector<bool> placed(draft.blocks.size(), false);
   std::vector<int> result;
@@ -31,6 +31,9 @@ std::vector<int> memory_order(const Draft& draft, const std::vector<int>& order)
   return result;
 }
 
+/// Assigns offsets in the workspace, section by section, see Layout. Within a section the numbers are in the
+/// order of the blocks' memory, so that consecutive calls access neighbouring numbers. Continuous states are
+/// in canonical order, so that sums over states do not depend on the file.
 class LayoutMaker {
  public:
   explicit LayoutMaker(Draft& draft) : draft_(draft), plan_(draft.plan) {}
@@ -69,7 +72,8 @@ class LayoutMaker {
     for (int block : plan_.memory_order) visit(static_cast<std::size_t>(block));
   }
 
-  /// Lets the source of a block's slope write right into the slope's place, where no other has it already.
+  /// Lets the source of a block's derivative write the derivative directly, if it writes no other one
+  /// already.
   void find_slope(std::size_t b) {
     const auto& [state_name, input_name] = draft_.blocks[b].says.slope_source;
     if (state_name.empty()) return;
@@ -137,7 +141,7 @@ class LayoutMaker {
         plan_.blocks[b].inputs[i].push_back(slot_of(b, i, source));
   }
 
-  /// Outputs that solver stages write, where they can be off.
+  /// Reserves memory for outputs that solver stages write and a guard can deactivate.
   void place_kept(std::size_t b) {
     if (draft_.diagram().blocks[b].guard < 0 || !draft_.blocks[b].in_stages) return;
     for (const Eigen::Index size : draft_.blocks[b].output_sizes) plan_.blocks[b].kept.push_back(take(size));
@@ -202,11 +206,11 @@ class LayoutMaker {
   Draft& draft_;
   Plan& plan_;
   std::map<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, std::size_t>>
-      slopes_;  ///< outputs (block, output) that lie in the slopes of states (block, state)
+      slopes_;  ///< outputs (block, output) stored in the derivatives of states (block, state)
   std::size_t end_ = Layout::first;
 };
 
-/// Behind all else: what is known of each loop in a run, and room for what its blocks have to report.
+/// Places the reports of loops at the end of the workspace, with memory for diagnostics of their blocks.
 void place_loops(Plan& plan, const CallOrder& order) {
   for (const CallOrder::Loop& from : order.loops) {
     SolvedLoop loop{from.path, from.tears, {}, plan.layout.size};

@@ -9,19 +9,19 @@
 
 namespace stepwire::plan {
 
-/// The inputs that are lists of matrices: side by side ("m x +n"), whose columns add up to n, or one above
-/// the other ("+m x n"), whose rows add up to m.
+/// Inputs that are lists of matrices: side by side ("m x +n"), whose columns sum to n, or above each other
+/// ("+m x n"), whose rows sum to m.
 class MatrixLists {
  public:
   explicit MatrixLists(Draft& draft, PortSizes& sizes) : draft_(draft), sizes_(sizes) {}
 
-  /// Takes the list of an input whose shape is that of a matrix.
+  /// Adds the list of an input with a matrix shape.
   void add(std::size_t block, std::size_t input);
-  /// Learns the sums of which every part is known by now. True where one is new.
+  /// Determines the sums whose parts are all known. Returns true if one is new.
   bool add_up();
-  /// Pairs of a sum and one of its parts, which it follows from.
+  /// Returns pairs of a sum and one of the parts that it depends on.
   std::vector<std::pair<int, int>> sums() const;
-  /// Once all sizes are found: refuses lists whose sum is another, and elements that have no whole rows.
+  /// Refuses lists with a wrong sum, and elements without complete rows, once all sizes are known.
   void check();
 
  private:
@@ -29,7 +29,7 @@ class MatrixLists {
     std::size_t block, input;
     PortShape shape;
     int sum;
-    std::vector<int> parts;     ///< rows or columns of every element
+    std::vector<int> parts;     ///< rows or columns of each element
     std::vector<int> elements;  ///< sizes of the elements
   };
 

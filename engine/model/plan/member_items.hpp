@@ -8,25 +8,26 @@
 
 namespace stepwire::plan {
 
-/// The numbers that a block's members hold, in the order in which a program writes them: an item is one
-/// number, or a list of them.
+/// Numbers in the members of a block, in the order in which a program writes them. An item is one number or a
+/// list of numbers.
 class MemberItems : public LiteralWriter {
  public:
   struct Item {
-    std::size_t first, size;  ///< in numbers()
+    std::size_t first, size;  ///< range in numbers()
     bool is_list;
   };
 
   MemberItems() = default;
-  /// Of all members of a block.
+  /// Collects the items of all members of a block.
   MemberItems(const BlockType& type, const void* block);
   void add(const MemberSpec& member, const void* block);
 
   const std::vector<Item>& items() const { return items_; }
   const std::vector<double>& numbers() const { return numbers_; }
-  /// What the members are beside their numbers: lists of one number, or of none or more, and functions.
+  /// Returns the structure of the members without their numbers: which lists have one number, and the
+  /// functions.
   const std::string& outline() const { return outline_; }
-  /// Has the item the same bits as that of another block with this outline?
+  /// True where the item has the same bits as that of a block with this outline.
   bool same(std::size_t item, const MemberItems& other) const;
   bool operator==(const MemberItems& other) const;
 
@@ -35,7 +36,7 @@ class MemberItems : public LiteralWriter {
   std::string enumerator(int value, const std::string& type) override;
   std::string numbers(const double* values, Index size) override;
   std::string whole(std::int64_t value) override;
-  /// In two halves, since a double does not hold all of them.
+  /// Writes a number in two halves, since a double does not hold all of them exactly.
   std::string natural(std::uint64_t value) override;
 
  private:

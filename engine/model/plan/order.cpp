@@ -11,7 +11,7 @@ namespace stepwire::plan {
 
 namespace {
 
-/// Makes the graph of what must be known before what, and orders blocks by it.
+/// Builds the graph of dependences between outputs and orders the blocks by it.
 class Order {
  public:
   explicit Order(Draft& draft) : draft_(draft) {
@@ -40,10 +40,10 @@ class Order {
     LoopNodes nodes;
     LoopOrder order;
     std::string path;
-    int waiting = 0;  ///< how many nodes outside it still waits for; -1: it is emitted
+    int waiting = 0;  ///< number of outside nodes that it still waits for; -1: emitted
   };
 
-  /// The node that computes a source, or nothing for states and constants.
+  /// Returns the node that computes a source; std::nullopt for states and constants.
   std::optional<std::size_t> node_of(const diagram::Source& source) const {
     if (source.block < 0) return std::nullopt;
     const auto block = static_cast<std::size_t>(source.block),
@@ -52,7 +52,7 @@ class Order {
     return graph_.first[block] + output;
   }
 
-  /// Is a block called before another in any case, from a table of its own?
+  /// True where a block is always called before another, from an earlier table.
   bool comes_first(std::size_t block, std::size_t other) const {
     const auto table = [&](std::size_t b) {
       return draft_.plan.blocks[b].rate.kind == Rate::Kind::constant ? 0 : draft_.blocks[b].timed ? 1 : 2;
@@ -69,7 +69,7 @@ class Order {
             if (draft_.depends(block, i, o)) add_edge(*from, graph_.first[block] + o);
   }
 
-  /// A guard comes before what it guards, and before what reads states that it resets.
+  /// Orders a guard before its blocks, and before readers of states that it resets.
   void add_guard_edges(std::size_t block) {
     if (draft_.plan.blocks[block].rate.kind == Rate::Kind::constant) return;
     const auto wait_for = [&](int guard) {
@@ -110,7 +110,7 @@ class Order {
           --loops_[static_cast<std::size_t>(loop_of_[node])].waiting;
   }
 
-  /// Marks what derivatives need between ticks, and what that needs in turn.
+  /// Marks the blocks that derivatives depend on between ticks, directly or indirectly.
   void mark_stages() {
     std::vector<std::size_t> stack;
     const auto need = [&](const diagram::Source& source) {
@@ -119,7 +119,7 @@ class Order {
       const std::size_t block = graph_.owners[*node].first;
       if (draft_.blocks[block].in_stages || draft_.plan.blocks[block].rate.kind != Rate::Kind::continuous)
         return;
-      // Between events it is constant; what it would be beyond the next one must not count.
+      // Steady outputs are constant between events; values beyond the next event must not count.
       if (draft_.is_steady(block)) return;
       draft_.blocks[block].in_stages = true;
       stack.push_back(block);
@@ -137,8 +137,8 @@ class Order {
     }
   }
 
-  /// Blocks that can share one call: same type, same ticks, both or neither between ticks, both or neither by
-  /// the time alone, and one guard.
+  /// Key of blocks that can share one kernel call: equal type, ticks, use in stages, dependence on time
+  /// alone, and guard.
   using Group = std::tuple<const BlockType*, int, std::int64_t, std::int64_t, bool, bool, int>;
 
   Group group(std::size_t block) const {
@@ -148,7 +148,7 @@ class Order {
             known.timed,         draft_.diagram().blocks[block].guard};
   }
 
-  /// How many calls, one waiting for the other, each block begins.
+  /// Returns for each block the length of the longest chain of dependent calls that it starts.
   std::vector<int> heights() const {
     std::vector<int> waiting = waiting_;
     std::vector<std::size_t> order;
@@ -165,9 +165,10 @@ class Order {
     return heights;
   }
 
-  /// Lists blocks so that each comes after what it depends on, as many of one group in a row as can be, and
-  /// those first for which the most others wait: a processor works on several calls at once. A block of which
-  /// only some outputs can be computed, while nothing else can go on, is listed there and once more later.
+  /// Orders the blocks topologically (list scheduling over buckets). Ready blocks are collected in one bucket
+  /// for each group, so that a kernel call covers many blocks. The bucket with the highest block comes first:
+  /// a long chain of dependent calls limits instruction-level parallelism. If no block is ready as a whole, a
+  /// solved loop is emitted, else a block of which some outputs are ready; such a block occurs again later.
   CallOrder schedule() {
     heights_ = heights();
     open_nodes_.resize(draft_.blocks.size());
@@ -188,15 +189,15 @@ class Order {
     return std::move(order_);
   }
 
-  /// Blocks of one group that are ready.
+  /// Ready blocks of one group.
   struct Bucket {
     std::deque<std::size_t> blocks;
-    int height = 0;  ///< of the highest
+    int height = 0;  ///< largest height of its blocks
 
     auto rank() const { return std::pair(height, blocks.size()); }
   };
 
-  /// The bucket to go on with; where no block is ready as a whole, one that is in part.
+  /// Returns the next bucket; emits a loop or a partly ready block if all buckets are empty.
   Bucket* next_bucket() {
     Bucket* best = nullptr;
     const auto rank = [&](const Bucket& bucket) {
@@ -233,7 +234,7 @@ class Order {
     bucket.height = std::max(bucket.height, heights_[block]);
   }
 
-  /// One waits no more for this node.
+  /// Removes one dependence of a node.
   void release(std::size_t node) {
     const int loop = loop_of_[node];
     --waiting_[node];
@@ -271,14 +272,14 @@ class Order {
 
   Draft& draft_;
   OrderGraph graph_;
-  std::vector<int> waiting_;  ///< for each node, how many it still waits for
-  std::vector<int> loop_of_;  ///< for each node, its loop; -1: none
+  std::vector<int> waiting_;  ///< number of nodes that each node still waits for
+  std::vector<int> loop_of_;  ///< loop of each node; -1: none
   std::vector<Loop> loops_;
   std::vector<std::size_t> open_nodes_;
-  std::vector<int> heights_;  ///< of blocks
+  std::vector<int> heights_;  ///< of each block
   std::vector<bool> emitted_;
   CallOrder order_;
-  int guard_ = -1;  ///< of the block that was listed last: what is off is passed over in one go
+  int guard_ = -1;  ///< of the last emitted block: blocks of one guard are skipped together
   std::map<Group, std::size_t> bucket_of_;
   std::deque<Bucket> buckets_;  // a deque: growing keeps references valid
   std::deque<std::size_t> partly_ready_;

@@ -11,104 +11,103 @@
 
 namespace stepwire::plan {
 
-/// When a block runs.
+/// Rate at which a block runs.
 struct Rate {
   enum class Kind { constant, discrete, continuous };
   Kind kind = Kind::constant;
-  std::int64_t ticks = 1;  ///< period, for discrete; 1 for continuous
+  std::int64_t ticks = 1;  ///< period if discrete, else 1
   std::int64_t first = 0;  ///< tick of the first run, below the period
 
   bool operator==(const Rate&) const = default;
 };
 
-/// The ticks at which calls are made: `first`, and each `ticks` after it.
+/// Ticks of calls: `first`, and each `ticks` after it.
 struct Period {
   std::int64_t ticks = 1, first = 0;
-  bool at_start = false;  ///< and at tick 0: outputs that are states are there from the start
+  bool at_start = false;  ///< also at tick 0: outputs that are states exist from the start
 
   bool due(std::int64_t tick) const { return tick % ticks == first || (at_start && tick == 0); }
   bool operator==(const Period&) const = default;
 };
 
-/// Blocks of one type that lie one behind the other and run at the same ticks: one call of a kernel.
+/// One kernel call: blocks of one type that are contiguous in memory and run at the same ticks.
 struct KernelCall {
   Kernel run;
-  std::size_t first, end;  ///< offsets of the first block and behind the last in the memory of blocks [bytes]
+  std::size_t first, end;  ///< byte offsets of the first block and past the last one in the memory of blocks
   std::size_t count;
   int period;  ///< index in Plan::periods
   std::ptrdiff_t active =
-      -1;          ///< place of what its blocks are active by, which is 0 while they are not; -1: always
+      -1;          ///< workspace index of the guard output that activates its blocks; -1: always active
   int guard = -1;  ///< index in Plan::guards of the guard that it runs; -1: none
-  int late = -1;   ///< index in Plan::late of its one block; -1: it is none of these
+  int late = -1;   ///< index in Plan::late of its single block; -1: none
 };
 
-/// Continuous states of a block whose update changes them, and that another update reads at the same instant.
-/// They take their new values once all updates are done, so that each reads what was before.
+/// Continuous states changed by a block's update and read by another update at the same instant. They take
+/// their new values after all updates, so that each update reads the old ones.
 struct LateStates {
   std::size_t block;                 ///< index in Plan::blocks
-  std::size_t state, before, after;  ///< places in the workspace
+  std::size_t state, before, after;  ///< offsets in the workspace
   std::size_t size;
 };
 
-/// Where a signal lies, for recording and for messages.
+/// Location of a signal in the workspace, for recording and messages.
 struct SignalSlot {
   std::size_t offset = 0;
   Eigen::Index size = 1;
-  Eigen::Index columns = 1;  ///< of a matrix, whose numbers lie column by column
+  Eigen::Index columns = 1;  ///< of a matrix in column-major order
 
   Eigen::Index rows() const { return size / columns; }
 };
 
-/// Numbers that are copied from one place of the workspace to another.
+/// A copy of numbers within the workspace.
 struct Copied {
   std::size_t from, to, size;
 };
 
-/// What happens as a guard changes (see engine/model/diagram/guard.hpp). While it is off, nothing that it
-/// guards is called, and slopes are 0.
+/// Actions on changes of a guard (see engine/model/diagram/guard.hpp). While it is inactive, its blocks are
+/// not called and their derivatives are 0.
 struct PlannedGuard {
   std::size_t block = 0;
-  std::size_t active = 0;      ///< place of its output
-  bool once_per_edge = false;  ///< is it active at single ticks, each of which is a beginning of its own?
-  std::vector<int> inside;     ///< guards that it guards, by their index in Plan::guards
-  std::vector<Copied> keep;    ///< outputs that solver stages write, at a tick, for what reads them while off
-  std::vector<SignalSlot> slopes;  ///< of states that it guards
-  std::vector<Copied> reset;       ///< initial values of all states inside; none where these are held
-  std::vector<std::size_t> start;  ///< blocks inside that have start(), where states are reset
+  std::size_t active = 0;      ///< Workspace index of its output.
+  bool once_per_edge = false;  ///< It is active at single ticks, each of which is an activation of its own.
+  std::vector<int> inside;     ///< Enclosed guards, as indices in Plan::guards.
+  std::vector<Copied> keep;    ///< Outputs of stages, copied at a tick for readers while it is inactive.
+  std::vector<SignalSlot> slopes;  ///< Derivatives of its states.
+  std::vector<Copied> reset;       ///< Initial values of all states inside; empty if states are held.
+  std::vector<std::size_t> start;  ///< Blocks inside with a start(), if states are reset.
 };
 
-/// A loop of outputs that feed each other at the same instant, torn so that its blocks can be called in a
-/// row.
+/// An algebraic loop of outputs, torn so that its blocks can be called in sequence.
 struct SolvedLoop {
-  std::string path;  ///< "error -> half -> twice -> error"
+  std::string path;  ///< its cycle as text, "error -> half -> twice -> error"
   std::vector<diagram::SignalRef> tears;
-  std::vector<std::size_t> diagnostics;  ///< of its blocks, where they lie in the workspace
-  std::size_t report = 0;                ///< where what is known of it in a run lies (solve::LoopReport)
+  std::vector<std::size_t> diagnostics;  ///< offsets in the workspace of its blocks' diagnostics
+  std::size_t report = 0;                ///< offset of its solve::LoopReport in the workspace
 };
 
-/// Calls of a table that are made again and again until their loop is solved.
+/// Calls of a table that are iterated until their loop is solved.
 struct LoopCall {
-  std::size_t first, end;  ///< calls of the table
+  std::size_t first, end;  ///< range of calls in the table
   std::size_t loop;        ///< index in Plan::loops
-  /// Of the signals that these calls compute those at which the loop is torn: guesses stand in their places.
+  /// Torn signals that these calls compute; their slots hold the guesses.
   std::vector<SignalSlot> tears;
 };
 
-/// The crossings of one block.
+/// Crossing functions of one block.
 struct CrossingCall {
   std::size_t block;  ///< index in Plan::blocks
-  std::size_t first;  ///< index of its first number
+  std::size_t first;  ///< index of its first crossing
   std::size_t count;
 };
 
-/// Where the numbers of a run lie in its workspace; offsets in doubles. Signals and continuous states lie
-/// side by side, so that one sweep over them finds what is not finite.
+/// Layout of a run's workspace; offsets in doubles. Signals and continuous states are adjacent, so that one
+/// pass over them finds non-finite numbers.
 struct Layout {
   static constexpr std::size_t time = 0;
-  static constexpr std::size_t timed = 1;  ///< for which time Plan::timed was computed last
-  static constexpr std::size_t first = 2;  ///< of what blocks have
+  static constexpr std::size_t timed = 1;  ///< time for which Plan::timed was last computed
+  static constexpr std::size_t first = 2;  ///< offset of the first number of a block
   static constexpr std::size_t report_count = 10, loop_count = 7, event_count = 6;
-  static constexpr double never = -1.0;  ///< stands at `timed` before the start
+  static constexpr double never = -1.0;  ///< value of `timed` before the start
   std::size_t signals = first;
   std::size_t states = first;
   std::size_t state_count = 0;
@@ -118,80 +117,79 @@ struct Layout {
   std::size_t diagnostics = first;
   std::size_t diagnostic_count = 0;
   std::size_t constants = first;
-  std::size_t report = first;  ///< of an implicit solver
-  std::size_t loops = first;   ///< what is known of loops in a run
-  std::size_t events = first;  ///< and of located events; lies behind all else
+  std::size_t report = first;  ///< report of an implicit solver
+  std::size_t loops = first;   ///< reports of loops
+  std::size_t events = first;  ///< reports of located events, at the end
   std::size_t size = first;
 };
 
-/// One block as it is run.
+/// A block as it runs.
 struct PlannedBlock {
-  std::size_t memory = 0;  ///< offset in the memory of blocks [bytes]
+  std::size_t memory = 0;  ///< byte offset in the memory of blocks
   Rate rate;
   std::vector<SignalSlot> outputs;
   std::vector<SignalSlot> states;
   std::vector<SignalSlot> derivatives;  ///< parallel to states; unused for discrete ones
   std::vector<SignalSlot> diagnostics;
   std::vector<std::vector<SignalSlot>> inputs;
-  std::vector<SignalSlot> initial;  ///< values of states, where a guard resets these; else empty
-  std::vector<SignalSlot> kept;     ///< outputs as they were at the tick, see PlannedGuard; else empty
-  std::vector<Eigen::Index> sizes;  ///< parallel to BlockType::sizes
-  bool slope_is_input = false;      ///< its input lies in the place of its slope: derivatives() is not called
-  std::optional<AnyBlock> written;  ///< as its file gives it, where configure() or prepare() change it
-  std::shared_ptr<const Configuration> configuration;  ///< what configure() answered, where it has one
+  std::vector<SignalSlot> initial;  ///< Initial values of states that a guard resets, else empty.
+  std::vector<SignalSlot> kept;     ///< Outputs at the last tick, see PlannedGuard; else empty.
+  std::vector<Eigen::Index> sizes;  ///< Parallel to BlockType::sizes.
+  bool slope_is_input = false;      ///< Its input is stored as its derivative: no call of derivatives().
+  std::optional<AnyBlock> written;  ///< The block as in its file, if configure() or prepare() change it.
+  std::shared_ptr<const Configuration> configuration;  ///< Answers of configure(); nullptr without one.
 };
 
-/// What a run walks: the order of calls and the layout of memory. Nothing in it changes while runs use it.
+/// Immutable execution plan of runs: the order of calls and the layout of memory.
 struct Plan {
   diagram::Diagram diagram;
-  std::int64_t steps = 0;  ///< ticks from 0 to stop
+  std::int64_t steps = 0;  ///< number of ticks from 0 to stop
   std::vector<PlannedBlock> blocks;
-  std::vector<int> memory_order;  ///< blocks as they lie in memory
+  std::vector<int> memory_order;  ///< indices of blocks in the order of their memory
   std::size_t block_bytes = 0;
-  std::vector<Period> periods;  ///< of calls; the first is each tick
+  std::vector<Period> periods;  ///< of calls; the first one is each tick
   Layout layout;
   std::vector<double> constants;
 
-  std::vector<KernelCall> once;     ///< outputs that never change, computed at the start
-  std::vector<KernelCall> timed;    ///< outputs that follow from the time alone, whenever that has changed
+  std::vector<KernelCall> once;     ///< constant outputs, computed at the start
+  std::vector<KernelCall> timed;    ///< outputs that depend on time alone, computed when it changes
   std::vector<KernelCall> outputs;  ///< at every tick
   std::vector<KernelCall>
-      stage;  ///< outputs on which derivatives depend, at the solver's stages between ticks
+      stage;  ///< outputs that derivatives depend on, for the solver's stages between ticks
   std::vector<KernelCall> derivatives;
   std::vector<KernelCall> updates;
-  std::vector<PlannedGuard> guards;  ///< each behind the one that guards it
-  bool updates_continuous = false;   ///< may an update change a continuous state?
+  std::vector<PlannedGuard> guards;  ///< each after the one that encloses it
+  bool updates_continuous = false;   ///< an update may change a continuous state
   std::vector<LateStates> late;
 
   std::vector<SolvedLoop> loops;
   std::vector<LoopCall> once_loops, timed_loops, output_loops, stage_loops;  ///< of the tables above
 
-  /// The loops in one of the tables above.
+  /// Returns the loops in one of the tables above.
   const std::vector<LoopCall>& loops_of(const std::vector<KernelCall>& table) const;
 
-  /// True where a source may jump: the solver must not see the tick at the end of its step then.
+  /// True where a source may jump: the solver then must not evaluate the tick at the end of its step.
   bool jumps = false;
-  /// Tells whether steps are split at events.
+  /// True where steps are split at events.
   bool splits_steps() const { return crossing_count > 0 || !edges.empty(); }
 
-  // Where events are located; empty otherwise.
-  std::vector<std::size_t>
-      edges;  ///< sources that declare when they jump or bend, by their index in Plan::blocks
+  // Tables for located events; empty if events are not located.
+  std::vector<std::size_t> edges;  ///< sources that declare their jumps or bends, as indices in Plan::blocks
   std::vector<CrossingCall> crossings;
   std::size_t crossing_count = 0;
-  /// True where a block that crosses takes its branch from its inputs within a stage, and keeps none.
+  /// True where a block with crossings selects its branch from its inputs within a stage, and stores no mode.
   bool branches = false;
-  std::optional<std::size_t> stop_crossing;  ///< which of the numbers is that of `stop_when`
-  /// What crossings depend on between ticks and only the solver and the time change: it is computed at the
-  /// end of a step, and `rest` is then left of `outputs`. Where nothing is of that kind, both are empty.
+  std::optional<std::size_t> stop_crossing;  ///< index of the crossing of `stop_when`
+  /// Outputs for crossings that only the solver and time change, computed at the end of a step, and the
+  /// remainder of `outputs`. Both are empty if there are no such outputs.
   std::vector<KernelCall> ahead, rest;
-  std::vector<KernelCall> crossing_outputs;  ///< what else crossings depend on between ticks
-  std::vector<KernelCall> crossing_starts;   ///< of both, what no stage computes
-  std::vector<KernelCall> event_outputs;     ///< of what follows at every instant
-  std::vector<KernelCall> event_befores;     ///< the same without guards; empty where none follows
+  std::vector<KernelCall> crossing_outputs;  ///< other outputs that crossings depend on between ticks
+  std::vector<KernelCall> crossing_starts;   ///< outputs of both that no stage computes
+  std::vector<KernelCall> event_outputs;     ///< outputs of blocks that act at every instant
+  std::vector<KernelCall> event_befores;     ///< the same with the previous guards; empty if none is needed
   std::vector<KernelCall> event_updates;
-  /// Outputs just before an instant, where both of its sides are recorded, and after one at which a block
-  /// ends the run.
+  /// Outputs just before an instant, if both sides of it are recorded, and after one at which a block ends
+  /// the run.
   std::vector<KernelCall> sides;
   std::vector<LoopCall> side_loops;
   std::vector<LoopCall> ahead_loops, rest_loops, crossing_loops, crossing_start_loops, event_loops,
@@ -199,23 +197,23 @@ struct Plan {
 
   SignalSlot slot(const diagram::SignalRef& signal) const;
   std::optional<unit::Dimension> dimension(const diagram::SignalRef& signal) const;
-  /// Where what a stop condition reads lies in the workspace.
+  /// Returns the workspace offset of a variable of a stop condition.
   std::size_t offset(const diagram::SignalRef& variable) const {
     return variable.block < 0 ? Layout::time : slot(variable).offset;
   }
-  /// True where both sides of each instant are recorded. Such a run is interpreted, and alone.
+  /// True where both sides of each instant are recorded. Such a run is interpreted, and not in a lane batch.
   bool records_instants() const {
     return std::ranges::any_of(diagram.records, &diagram::RecordRequest::instants);
   }
   double time_of(std::int64_t tick) const { return static_cast<double>(tick) * diagram.step; }
 };
 
-/// How many steps a time is; nothing if it is not a whole number of them. Decimal times are not exact in
-/// binary, so a difference that only rounding explains is none.
+/// Returns the number of steps in a time; std::nullopt if it is not whole. Decimal times are inexact in
+/// binary, so a rounding difference is ignored.
 std::optional<std::int64_t> whole_ticks(double time, double step);
 
-/// Plans a checked diagram. Throws Error for what shows only here: algebraic loops, sizes that do not agree,
-/// rates that do not fit the step, and what blocks refuse about their own parameters.
+/// Plans a checked diagram. Throws Error for faults that only planning finds: algebraic loops, incompatible
+/// sizes, rates that do not fit the step, and parameters that blocks refuse.
 Plan make_plan(diagram::Diagram diagram);
 
 }  // namespace stepwire::plan

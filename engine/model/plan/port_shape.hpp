@@ -4,8 +4,7 @@
 
 namespace stepwire::plan {
 
-/// A declared shape, read: "n", "+n", "m x n", "m x +n", "+m x n". A plus is before what the elements of
-/// a list have together.
+/// A parsed shape: "n", "+n", "m x n", "m x +n", "+m x n". A plus marks the sum over the elements of a list.
 struct PortShape {
   explicit PortShape(const std::string& text) {
     const std::size_t times = text.find(" x ");
@@ -16,7 +15,7 @@ struct PortShape {
     adds_columns = take_plus(columns);
   }
 
-  std::string rows, columns;  ///< letters or numbers; of a vector `rows` alone
+  std::string rows, columns;  ///< letters or numbers; a vector has `rows` only
   bool is_matrix = false, adds_rows = false, adds_columns = false;
 
  private:

@@ -9,22 +9,22 @@
 
 namespace stepwire::plan {
 
-/// The sizes of all ports, states and parameters of a draft, found by the letters of the declared shapes.
+/// Sizes of all ports, states and parameters of a draft, by the letters of the declared shapes.
 class PortSizes : public Sizes {
  public:
   explicit PortSizes(const Draft& draft) : draft_(draft), symbols_(draft.blocks.size()) {}
 
-  /// The size behind a letter or a number in the shapes of one block.
+  /// Returns the size of a letter or number in the shapes of one block.
   int symbol(std::size_t block, const std::string& text);
-  /// The size of the output that feeds, whole.
+  /// Returns the size of the whole output of a source.
   int of_output(const diagram::Source& source);
-  /// The size of what feeds; a new one for constants and elements.
+  /// Returns the size of a source; a new one for constants and elements.
   int of_source(const diagram::Source& source);
-  /// Makes the declared shape of a port known, where it is that of a matrix.
+  /// Records the rows and columns of a port with a matrix shape; returns false for other shapes.
   bool declare_matrix(std::size_t block, const std::string& shape);
-  /// The size of a list input as a whole.
+  /// Returns the total size of a list input.
   int of_list(std::size_t block, std::size_t input);
-  /// How many elements feed, where that is known.
+  /// Returns the number of elements of a source; std::nullopt if unknown.
   std::optional<Eigen::Index> value_of(const diagram::Source& source);
 
  private:

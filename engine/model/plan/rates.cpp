@@ -12,7 +12,7 @@ namespace stepwire::plan {
 
 namespace {
 
-constexpr double max_ticks = 9e15;  // whole numbers beyond are not exact in a double
+constexpr double max_ticks = 9e15;  // larger whole numbers are not exact in a double
 
 void require_whole(Draft& draft, double time, const diagram::Origin& origin, const std::string& subject,
                    std::int64_t& ticks) {
@@ -26,7 +26,7 @@ void require_whole(Draft& draft, double time, const diagram::Origin& origin, con
                                step, step * std::max(1.0, std::round(time / step))));
 }
 
-/// The rate of what is fed by both.
+/// Returns the rate of a block with inputs of both rates.
 Rate join(const Rate& a, const Rate& b) {
   if (a.kind == Rate::Kind::constant) return b;
   if (b.kind == Rate::Kind::constant) return a;
@@ -36,6 +36,9 @@ Rate join(const Rate& a, const Rate& b) {
   return {Rate::Kind::discrete, ticks, a.first % ticks};
 }
 
+/// Determines the rate of every block. Blocks with a period, sources and blocks with continuous states start
+/// with a rate of their own. A worklist then raises the rate of each reader to a common rate of all its
+/// sources, until no rate changes.
 class Rates {
  public:
   explicit Rates(Draft& draft) : draft_(draft), users_(draft.blocks.size()) {}
@@ -43,7 +46,7 @@ class Rates {
   void run() {
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) start(i);
     spread();
-    // Only now is it known which blocks that act at ticks nothing gives a period: they act at every step.
+    // Blocks that act at ticks, but have no period from any input, act at every step.
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) {
       if (rate(i).kind != Rate::Kind::constant || !acts(draft_.diagram().blocks[i].type())) continue;
       rate(i) = {Rate::Kind::discrete, 1};
@@ -57,8 +60,8 @@ class Rates {
 
   static bool acts(const BlockType& type) { return type.timing == Timing::discrete || bool(type.run_update); }
 
-  /// Rates only ever rise (constant, slower, faster, continuous), so this ends, and in whatever order the
-  /// same.
+  /// Propagates rates. They only rise (constant, slower, faster, continuous), so the iteration ends with a
+  /// result independent of its order.
   void spread() {
     while (!queue_.empty()) {
       const std::size_t block = queue_.back();
@@ -96,13 +99,13 @@ class Rates {
       require_whole(draft_, block.every->offset, block.every_origin, subject, rate(index).first);
   }
 
-  /// Is this one computed once in spite of a period, unless what feeds it changes?
+  /// True where a block ignores its period and runs only when its inputs change.
   static bool waits_for_inputs(const diagram::DiagramBlock& block) {
     return (block.every_of_part || block.guard >= 0) && block.type().timing == Timing::inherited &&
            !acts(block.type());
   }
 
-  /// Is it run at single ticks, between which it stands still?
+  /// True where a block runs at single ticks of a trigger and is idle between them.
   bool is_triggered(std::size_t index) const {
     const auto& blocks = draft_.plan.diagram.blocks;
     const int trigger = diagram::guard_type().input("trigger");
@@ -112,7 +115,8 @@ class Rates {
     return false;
   }
 
-  /// Guards see every change, and what is triggered holds its outputs between ticks.
+  /// True for guards, which detect every change, and for triggered blocks, which hold their outputs between
+  /// ticks.
   bool runs_each_tick(std::size_t index) const {
     const diagram::DiagramBlock& block = draft_.plan.diagram.blocks[index];
     return &block.type() == &diagram::guard_type() || (is_triggered(index) && !waits_for_inputs(block));

@@ -22,7 +22,7 @@ bool has_one_element_each(const Draft::Block& block) {
   return all_one(block.output_sizes) && all_one(block.state_sizes) && all_one(block.input_sizes);
 }
 
-/// What is known of a block beyond its type.
+/// Returns the kernel assumptions that hold for a block.
 Specialization specialization_of(const Draft& draft, std::size_t block) {
   if (!has_one_element_each(draft.blocks[block])) return Specialization::nothing;
   if (!draft.blocks[block].says.slope_source.first.empty()) return Specialization::plain_slope;
@@ -30,7 +30,7 @@ Specialization specialization_of(const Draft& draft, std::size_t block) {
   if (list < 0) return Specialization::one_element;
   switch (draft.plan.diagram.blocks[block].inputs[static_cast<std::size_t>(list)].size()) {
     case 0:
-      return Specialization::nothing;  // what is not fed is empty
+      return Specialization::nothing;  // an unconnected list is empty
     case 2:
       return Specialization::two_in_list;
     case 3:
@@ -40,7 +40,7 @@ Specialization specialization_of(const Draft& draft, std::size_t block) {
   }
 }
 
-/// The kernel that takes the most for granted of what is true of a block.
+/// Returns the most specialised kernel that is valid for a block.
 Kernel kernel_of(const Draft& draft, std::size_t block, const Kernels& kernels) {
   const Specialization specialization = specialization_of(draft, block);
   return specialization == Specialization::nothing || kernels[specialization]
@@ -48,20 +48,20 @@ Kernel kernel_of(const Draft& draft, std::size_t block, const Kernels& kernels) 
              : kernels[Specialization::one_element];
 }
 
-/// The index of a guard in Plan::guards; -1 for other blocks.
+/// Returns the index of a guard in Plan::guards; -1 for other blocks.
 int guard_of(const Plan& plan, std::size_t block) {
   if (&plan.diagram.blocks[block].type() != &diagram::guard_type()) return -1;
   const auto found = std::ranges::find(plan.guards, block, &PlannedGuard::block);
   return found == plan.guards.end() ? -1 : static_cast<int>(found - plan.guards.begin());
 }
 
-/// The index of a block in Plan::late; -1 for other blocks.
+/// Returns the index of a block in Plan::late; -1 for other blocks.
 int late_of(const Plan& plan, std::size_t block) {
   const auto found = std::ranges::find(plan.late, block, &LateStates::block);
   return found == plan.late.end() ? -1 : static_cast<int>(found - plan.late.begin());
 }
 
-/// Appends a call, or lengthens the last one where the block lies right behind; none before `closed`.
+/// Appends a call, or extends the last one by an adjacent block; calls before `closed` are not extended.
 void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t block, const Kernels& kernels,
             std::size_t closed = 0, bool at_start = false, bool updates = false) {
   Plan& plan = draft.plan;
@@ -87,18 +87,18 @@ void append(std::vector<KernelCall>& batches, const Draft& draft, std::size_t bl
                      evaluates_guard ? guard_of(plan, block) : -1, late});
 }
 
-/// A table of outputs while it is made.
+/// A table of outputs under construction.
 struct OutputTable {
   std::vector<KernelCall>& calls;
   std::vector<LoopCall>& loops;
-  bool (*has)(const Draft::Block& block);  ///< does it call this block, which is neither constant nor timed?
-  bool at_instants = false;                ///< is it called at ticks and events, rather than between them?
-  std::size_t closed = 0;                  ///< calls that no block may join
+  bool (*has)(const Draft::Block& block);  ///< membership of a block neither constant nor timed
+  bool at_instants = false;                ///< for ticks and events instead of stages between them
+  std::size_t closed = 0;                  ///< number of calls that must not be extended
 
   void close() { closed = calls.size(); }
 };
 
-/// Puts the outputs of blocks into the tables, and loops around them.
+/// Distributes the outputs of blocks to the tables, with loops around them.
 class OutputTables {
  public:
   explicit OutputTables(Draft& draft) : draft_(draft) {}
@@ -133,7 +133,7 @@ class OutputTables {
                  table.closed, table.at_instants && follows_state(block));
   }
 
-  /// True where outputs follow from states alone: these are there before the first run.
+  /// True where outputs depend on states alone: these exist before the first run.
   bool follows_state(std::size_t block) const {
     const BlockType& type = draft_.type(block);
     for (std::size_t i = 0; i < type.inputs.size(); ++i)
@@ -142,7 +142,7 @@ class OutputTables {
     return !type.states.empty();
   }
 
-  /// The calls since the loop began are its own.
+  /// Makes a loop of the calls since its begin.
   void end_loop(std::size_t loop) {
     for (OutputTable& table : tables_) {
       LoopCall call{table.closed, table.calls.size(), loop, {}};
@@ -208,8 +208,9 @@ void make_schedule(Draft& draft, const CallOrder& order) {
   draft.plan.periods = {Period{}};
   OutputTables(draft).run(order);
   for (const int b : draft.plan.memory_order) append_derivatives(draft, static_cast<std::size_t>(b));
-  // Updates of continuous states come last: a discrete block that reads such a state still sees its value at
-  // the tick. Such updates may read each other's states, so their order must not follow from the file.
+  // Updates of continuous states come last, so that a discrete block that reads such a state sees its value
+  // at the tick. Such updates may read each other's states; their canonical order makes them independent of
+  // the file.
   for (const bool continuous : {false, true})
     for (const int b : continuous ? draft.canonical : draft.plan.memory_order)
       if (const auto block = static_cast<std::size_t>(b);

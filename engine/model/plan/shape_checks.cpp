@@ -26,7 +26,7 @@ class ShapeChecks {
   }
 
  private:
-  /// Refuses elements that their signals have not, and numbers of elements that make no whole rows.
+  /// Refuses elements that their signals do not have, and matrices with incomplete rows.
   void check_matrices(std::size_t index) {
     const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     for (std::size_t i = 0; i < block.inputs.size(); ++i)
@@ -61,7 +61,7 @@ class ShapeChecks {
     return {0, sizes_.value(size).value_or(1), sizes_.columns(size)};
   }
 
-  /// At the end, since an element's own size may come to be known only after that of its list.
+  /// Checks the elements of lists last, since an element's size may be determined after that of its list.
   void check_elements(std::size_t index) {
     const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
     for (std::size_t i = 0; i < block.inputs.size(); ++i) {
@@ -93,7 +93,7 @@ class ShapeChecks {
     }
   }
 
-  /// What a letter in the shapes of inputs counts.
+  /// Returns the meaning of a letter in the shapes of inputs: rows, columns or elements.
   static const char* counted_by(const BlockType& type, const std::string& letter) {
     for (const InputSpec& input : type.inputs) {
       const PortShape shape(input.shape);
@@ -106,7 +106,7 @@ class ShapeChecks {
   Draft& draft_;
   PortSizes& sizes_;
   const ListInputs& refused_;
-  std::set<std::size_t> said_;  ///< blocks of which enough has been said
+  std::set<std::size_t> said_;  ///< blocks with a reported fault
 };
 
 }  // namespace

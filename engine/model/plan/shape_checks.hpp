@@ -8,18 +8,17 @@
 
 namespace stepwire::plan {
 
-/// Lists of inputs, block and input.
+/// List inputs, as block and input.
 using ListInputs = std::set<std::pair<std::size_t, std::size_t>>;
 
-/// a b, but no more than what is refused anyway.
+/// Returns a b, capped at a size that is refused anyway.
 Eigen::Index bounded_product(Eigen::Index a, Eigen::Index b);
-/// What feeds, as messages name it.
+/// Returns the name of a source for messages.
 std::string source_name(const Draft& draft, const diagram::Source& source);
-/// The same in quotes, or "this" for numbers.
+/// Returns that name in quotes, or "this" for numbers.
 std::string quoted_source(const Draft& draft, const diagram::Source& source);
-/// Refuses what shows once all sizes are found: elements of lists that do not fit each other, elements that
-/// their signals have not, matrices that are none, and what is too small. Of lists that are `refused` enough
-/// has been said.
+/// Refuses faults that show only after all sizes are known: incompatible elements of lists, missing elements,
+/// invalid matrices, and sizes that are too small. The lists in `refused` already have a fault.
 void check_shapes(Draft& draft, PortSizes& sizes, const ListInputs& refused);
 
 }  // namespace stepwire::plan

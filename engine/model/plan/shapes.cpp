@@ -14,7 +14,8 @@ namespace stepwire::plan {
 
 namespace {
 
-/// Finds the size of every port and state: from declarations and parameters, along wires, then from lists.
+/// Determines the size of every port and state: from declarations and parameters, along wires, then from
+/// lists.
 class Shapes {
  public:
   explicit Shapes(Draft& draft) : draft_(draft), sizes_(draft), matrix_lists_(draft, sizes_) {}
@@ -51,14 +52,14 @@ class Shapes {
     }
   }
 
-  /// Makes the rows and columns of matrix ports known.
+  /// Records the rows and columns of matrix ports.
   void declare_matrices(std::size_t index, const BlockType& type) {
     for (const OutputSpec& output : type.outputs) sizes_.declare_matrix(index, output.shape);
     for (const InputSpec& input : type.inputs)
       if (!input.list) sizes_.declare_matrix(index, input.shape);
   }
 
-  /// A matrix of numbers in a file makes what it stands for a matrix.
+  /// Makes the size of a parameter that the file gives as a matrix that of a matrix.
   void take_columns(std::size_t index, const std::string& shape, Eigen::Index size, Eigen::Index columns) {
     if (columns == 1) return;
     const int rows = sizes_.add(), wide = sizes_.add();
@@ -106,7 +107,7 @@ class Shapes {
     }
   }
 
-  /// A number alone does, but where a matrix is meant.
+  /// True for a single constant, which is repeated for all elements; false for a matrix input.
   static bool counts_for_every_element(const InputSpec& spec, const diagram::Source& source) {
     return source.block < 0 && source.constant.size() == 1 && !PortShape(spec.shape).is_matrix;
   }
@@ -148,7 +149,7 @@ class Shapes {
     return sizes_.value(sizes_.symbol(index, letter)).value_or(1);
   }
 
-  /// Of "k x n" k rows of n elements, one behind the other.
+  /// Returns the number of elements of a shape; "k x n" has k rows of n elements.
   Eigen::Index size_of(std::size_t index, const std::string& text) {
     const PortShape shape(text);
     return shape.is_matrix ? bounded_product(factor(index, shape.rows), factor(index, shape.columns))
@@ -187,7 +188,7 @@ class Shapes {
       if (spec.kind == ParameterKind::per_element) expand(block, spec, size_of(index, spec.shape));
   }
 
-  /// Refuses the block with which it becomes too much.
+  /// Adds the numbers of a block; refuses the block that exceeds the limit.
   bool fits(const diagram::DiagramBlock& block, const Draft::Block& made) {
     if (total_ > max_numbers) return false;
     Eigen::Index own = 0;
@@ -212,7 +213,7 @@ class Shapes {
   Draft& draft_;
   PortSizes sizes_;
   MatrixLists matrix_lists_;
-  std::set<std::pair<std::size_t, std::size_t>> refused_;  ///< lists of which enough has been said
+  std::set<std::pair<std::size_t, std::size_t>> refused_;  ///< lists with a reported fault
   Eigen::Index total_ = 0;
 };
 

@@ -8,37 +8,37 @@
 
 namespace stepwire::plan {
 
-/// Sizes that are known or found to be equal to others (union-find). A size may be that of a matrix: the
-/// product of two others, its rows and its columns, and sizes that are equal have the same of these.
+/// Sizes that are known or found equal to others (union-find). A size may be that of a matrix, the product of
+/// two other sizes, its rows and columns. Equal sizes have equal rows and columns.
 class Sizes {
  public:
   int add();
   int count() const { return static_cast<int>(parents_.size()); }
 
   std::optional<Eigen::Index> value(int size) { return values_[static_cast<std::size_t>(root(size))]; }
-  /// False if it is known to be another.
+  /// Sets a size; returns false if another value is known.
   bool set(int size, Eigen::Index value);
-  /// False if both are known and differ, or their rows or columns do.
+  /// Makes two sizes equal; returns false if both are known and differ, or their rows or columns do.
   bool join(int a, int b);
-  /// Makes it the size of a matrix; false if its rows or columns are others.
+  /// Makes it the size of a matrix; returns false if it has other rows or columns.
   bool set_factors(int size, int rows, int columns);
-  /// Rows and columns, where it is the size of a matrix.
+  /// Returns its rows and columns; std::nullopt unless it is the size of a matrix.
   const std::optional<std::pair<int, int>>& factors(int size) {
     return factors_[static_cast<std::size_t>(root(size))];
   }
-  /// Columns; 1 of a vector and where they are not known.
+  /// Returns the columns; 1 for a vector and if unknown.
   Eigen::Index columns(int size);
-  /// Finds products, rows and columns that follow by now. True where anything is new; what does not divide
-  /// is left.
+  /// Determines products, rows and columns from known values. Returns true if one is new; quotients with a
+  /// remainder are ignored.
   bool multiply();
-  /// Takes what has a size and neither rows nor columns for one column.
+  /// Gives a size without rows and columns a single column.
   bool settle_columns();
   bool has_matrices() const { return matrices_; }
-  /// "3 x 2", "6 elements", or "a x 2" with what is not known yet
+  /// Returns the shape as text: "3 x 2", "6 elements", or "a x 2" with unknown parts.
   std::string shown(int size);
-  /// "6", or "3 x 2" of a matrix
+  /// Returns the required size as text: "6", or "3 x 2" for a matrix.
   std::string fitting(int size);
-  /// One of all sizes that are equal to this one, the same for each of them.
+  /// Returns the representative of all sizes equal to this one.
   int root(int size);
 
  private:

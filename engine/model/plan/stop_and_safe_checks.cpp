@@ -1,4 +1,4 @@
-// What a run keeps and watches, checked once sizes are known.
+// Checks of safe values and stop conditions, once sizes are known.
 #include <fmt/format.h>
 
 #include <utility>
@@ -11,7 +11,7 @@ namespace stepwire::plan {
 
 namespace {
 
-/// Refuses an element that a signal has not.
+/// Refuses an element that a signal does not have.
 bool check_element(Draft& draft, diagram::SignalRef signal, const std::string& name,
                    const diagram::Origin& origin, const std::string& subject) {
   const diagram::ElementIndex element = std::exchange(signal.element, {});
@@ -34,7 +34,7 @@ void check_stop_condition(Draft& draft, const diagram::StopCondition& condition)
   }
 }
 
-/// What is handed on in place of an output must be of its size and unit.
+/// Checks that the safe value of an output has its size and unit.
 void check_safe_value(Draft& draft, diagram::DiagramOutput& output) {
   const std::string subject = output.name + ".safe";
   const Eigen::Index size = draft.plan.slot(output.signal).size;

@@ -8,15 +8,15 @@ namespace stepwire::plan {
 
 namespace {
 
-constexpr int max_tries = 20'000;  // of sets of nodes
+constexpr int max_tries = 20'000;  // of branches of the search
 
-/// How much tearing at some nodes costs: first their number, then that of their numbers.
+/// Cost of a set of tears: first the number of nodes, then their total size.
 struct TearCost {
   std::size_t nodes = 0, numbers = 0;
   auto operator<=>(const TearCost&) const = default;
 };
 
-/// A graph that is made smaller until nothing of it feeds itself (Levy and Low 1988, J. Algorithms 9(4)).
+/// Remainder of a graph under the reductions of Levy and Low (1988, J. Algorithms 9(4)).
 class Remaining {
  public:
   Remaining(const OrderGraph& graph, const std::vector<std::size_t>& nodes,
@@ -31,7 +31,8 @@ class Remaining {
   const std::set<std::size_t>& torn() const { return torn_; }
   TearCost cost() const { return cost_; }
 
-  /// Does all that no better choice speaks against.
+  /// Applies all reductions that keep an optimal solution: tears nodes that read themselves, removes nodes
+  /// outside of all cycles, and bypasses nodes with a single source or reader that costs no more.
   void reduce() {
     bool changed = true;
     while (changed) {
@@ -49,7 +50,7 @@ class Remaining {
     cost_.numbers += nodes_.at(node).size;
     remove(node);
   }
-  /// Decides that a node is not torn: what it reads feeds what reads it.
+  /// Decides that a node is not torn: its sources are connected to its readers.
   void bypass(std::size_t node) {
     const Node old = nodes_.at(node);
     remove(node);
@@ -57,7 +58,7 @@ class Remaining {
       for (const std::size_t to : old.to) connect(from, to);
   }
 
-  /// The node with the most ways through it.
+  /// Returns the node with the most paths through it.
   std::size_t busiest() const {
     const auto ways = [](const auto& one) { return one.second.from.size() * one.second.to.size(); };
     return std::max_element(nodes_.begin(), nodes_.end(),
@@ -99,7 +100,7 @@ class Remaining {
   TearCost cost_;
 };
 
-/// Tries both choices at each node that is left.
+/// Branch and bound: tears or bypasses each remaining node.
 class Search {
  public:
   std::set<std::size_t> run(const Remaining& start) {

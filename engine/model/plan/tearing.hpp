@@ -6,10 +6,13 @@
 
 namespace stepwire::plan {
 
-/// The fewest of these nodes, beside those that are `given`, without which the others do not feed each other, in ascending order; of sets
-/// with as many nodes one with the fewest numbers, of which each node has `sizes`. Exact as long as few are
-/// left to choose from once all has been tried that costs nothing; beyond, the node with the most ways through
-/// it is taken first.
+/// Returns a set of nodes, in ascending order, whose removal leaves no cycle (a feedback vertex set); the
+/// nodes in `given` are always torn.
+///
+/// Each torn node adds unknowns to the solution of an algebraic loop. So the set has the fewest nodes, and
+/// among those the smallest total of `sizes`. The problem is NP-hard. Reductions of Levy and Low that keep an
+/// optimum solve most graphs; the rest is searched by branch and bound. The result is exact up to a fixed
+/// number of branches. Beyond them the search is greedy and tears the node with the most paths through it.
 std::vector<std::size_t> tear(const OrderGraph& graph, const std::vector<std::size_t>& nodes,
                               const std::vector<std::size_t>& sizes,
                               const std::vector<std::size_t>& given = {});

@@ -6,7 +6,7 @@ namespace stepwire::plan {
 
 namespace {
 
-/// Takes every block for timed that may be, and then back what depends on what is not.
+/// Marks all blocks that may depend on time alone, then unmarks those that depend on other blocks.
 class TimedBlocks {
  public:
   explicit TimedBlocks(Draft& draft) : draft_(draft), readers_(draft.blocks.size()) {
@@ -53,16 +53,16 @@ class TimedBlocks {
   }
 
   Draft& draft_;
-  std::vector<std::vector<std::size_t>> readers_;  ///< of each block
-  std::vector<std::size_t> refused_;               ///< whose readers have not been told
+  std::vector<std::vector<std::size_t>> readers_;  ///< readers of each block
+  std::vector<std::size_t> refused_;               ///< whose readers are not yet unmarked
 };
 
 }  // namespace
 
 namespace {
 
-/// Finds whether an output may jump by the time alone: a block that has a clock may, and one that reads only
-/// such blocks and constants, unless it is smooth.
+/// Determines whether an output may jump by time alone. Blocks with a clock may, and blocks that read only
+/// such blocks and constants, unless they are smooth.
 class Jumps {
  public:
   explicit Jumps(const Draft& draft) : draft_(draft), follows_time_(draft.blocks.size(), false) {}

@@ -21,7 +21,7 @@ void mark_differences(const MemberItems& one, const MemberItems& other, Items& i
     if (!items[i] && !one.same(i, other)) items[i] = true;
 }
 
-/// The members that differ where a parameter does: its own, and all that configure() or prepare() compute.
+/// Returns the members that depend on a parameter: its own, and all that configure() or prepare() compute.
 std::vector<bool> followers_of(const Plan& plan, const diagram::Target& target) {
   const auto block = static_cast<std::size_t>(target.block);
   const BlockType& type = block_of(plan, block).type();
@@ -33,8 +33,8 @@ std::vector<bool> followers_of(const Plan& plan, const diagram::Target& target) 
   return follow;
 }
 
-/// Which items of a member may take another value in the same plan: all but those that say how long its lists
-/// are, which is what a whole number beside other items is.
+/// Marks the items of a member that may vary within one plan: all but the lengths of its lists. A whole
+/// number beside other items is such a length.
 class Values : public LiteralWriter {
  public:
   Values(const MemberSpec& member, const void* block) {

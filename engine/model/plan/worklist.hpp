@@ -7,14 +7,14 @@
 
 namespace stepwire::plan {
 
-/// Whose turn it is where all would be asked in order, round after round, until nobody has anything new to
-/// say; only those are asked whom something new concerns.
+/// Worklist for a fixed-point iteration over numbered items. It visits them in the order of repeated passes
+/// over all items, but only those queued because of a change. The results thus equal those of full passes.
 class Worklist {
  public:
-  /// Gives somebody a turn: in this round if theirs is still to come, or else in the next.
+  /// Queues an item: in this round if it is still ahead, else in the next one.
   void call(int who) { due_.insert({who > last_ ? round_ : round_ + 1, who}); }
 
-  /// Who is next; nobody once all is quiet, after which a new round starts.
+  /// Returns the next item; std::nullopt if the list is empty, after which a new round starts.
   std::optional<int> next() {
     last_ = -1;
     if (due_.empty()) return std::nullopt;
@@ -24,7 +24,7 @@ class Worklist {
   }
 
  private:
-  std::set<std::pair<int, int>> due_;  ///< round and who
+  std::set<std::pair<int, int>> due_;  ///< round and item
   int round_ = 0;
   int last_ = -1;
 };

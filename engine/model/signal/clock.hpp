@@ -2,7 +2,7 @@
 
 namespace stepwire {
 
-/// Time of the evaluation [s]: that of the tick, or of the solver's stage between two ticks.
+/// Time of the evaluation [s]: the instant of the tick, or of the solver's stage between two ticks.
 class Time {
  public:
   operator double() const { return *seconds_; }

@@ -4,9 +4,9 @@
 
 namespace stepwire {
 
-/// Something a block has to say during a run: raised in update(), or in outputs() where these would be
-/// numbers that are not finite; told once, with the time at which it happened first. A diagnostic declared
-/// with `ends_run` ends the run at that tick: as a fault, or as `stop_when` does.
+/// Message that a block raises during a run, in update(), or in outputs() where these would become
+/// non-finite. It is reported once, with the time at which it was raised first. A diagnostic declared with
+/// `ends_run` ends the run at that tick: as a fault, or as `stop_when` does.
 class Diagnostic {
  public:
   static constexpr double never = std::numeric_limits<double>::infinity();

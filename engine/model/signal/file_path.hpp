@@ -7,8 +7,8 @@
 
 namespace stepwire {
 
-/// The path of a file, as a parameter. Generated code makes a block anew at each step, and the headers of
-/// blocks are what its compiler reads: std::filesystem::path would cost both dearly.
+/// File path as a parameter. Generated code constructs blocks at each step and compiles their headers, so
+/// std::filesystem::path would be too slow for both.
 class FilePath : public Text {
  public:
   using Text::Text;

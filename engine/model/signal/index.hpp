@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-// Marks what is rarely needed in a function that is called all the time: it stays outside, so that the
-// function needs few registers. In generated code sizes are constants, and nothing has to be kept apart.
+// Marks rarely executed code of a hot function: it is kept out of line, so that the function needs few
+// registers. In generated code sizes are constants, and the marker is empty.
 #ifdef STEPWIRE_GENERATED
 #define STEPWIRE_RARE
 #else
@@ -12,19 +12,19 @@
 
 namespace stepwire {
 
-/// Counts elements; the same type as Eigen's.
+/// Type of element indices and counts; the same as Eigen's.
 using Index = std::ptrdiff_t;
 
-/// How many runs the numbers of a workspace belong to: number n of run l lies at n * lanes + l. More than one
-/// only in generated code that steps several runs together.
+/// Number of runs that share a workspace: number n of run l has index n * lanes + l. It exceeds 1 only in
+/// generated code that steps a lane batch.
 #ifdef STEPWIRE_LANES
 inline constexpr Index lanes = STEPWIRE_LANES;
 #else
 inline constexpr Index lanes = 1;
 #endif
 
-/// How many numbers a list holds in itself. A generated program defines its longest list, so that lists need
-/// no heap there: none of them is longer. Elsewhere longer lists take memory of their own.
+/// Capacity of a list without heap memory. A generated program sets it to its longest list and never
+/// allocates; elsewhere longer lists use the heap.
 #ifdef STEPWIRE_LONGEST_LIST
 inline constexpr bool lists_take_memory = false;
 inline constexpr Index numbers_in_list = STEPWIRE_LONGEST_LIST;
@@ -33,7 +33,7 @@ inline constexpr bool lists_take_memory = true;
 inline constexpr Index numbers_in_list = 6;
 #endif
 
-/// A port or state whose size is known only when the diagram is planned.
+/// Size of a port or state that is known only when the diagram is planned.
 inline constexpr int any_size = -1;
 
 }  // namespace stepwire

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// An input port: a view of what its source writes. An optional input that nothing feeds is not connected.
+/// Input port: a view of the output of its source. An optional input without a source is not connected.
 template <int size_at_build = any_size>
 class Input {
  public:
@@ -28,7 +28,7 @@ class Input {
   Index size_ = size_at_build == any_size ? 0 : size_at_build;
 };
 
-/// One number; reads as a double.
+/// Scalar input; converts to a double.
 template <>
 class Input<1> {
  public:
@@ -40,8 +40,8 @@ class Input<1> {
   const double* data_ = nullptr;
 };
 
-/// A list of inputs of one kind, `u: [a, b, c]`. Each has the block's size, or one element that stands for
-/// all.
+/// A list of inputs of one kind, `u: [a, b, c]`. Each has the size of the block, or one element that is used
+/// for all.
 class Inputs {
  public:
   struct Element {
@@ -49,7 +49,7 @@ class Inputs {
 
     Element() = default;
     Element(const double* data, Index elements) : size(elements), data_(data) {}
-    /// Element i of the signal; the only one where it has but one.
+    /// Returns element i; the only one of a scalar.
     double operator[](Index i) const {
       if (__builtin_constant_p(i) && i == 0) return *data_;
       return data_[size == 1 ? 0 : i * lanes];
@@ -62,12 +62,12 @@ class Inputs {
 
   Index count() const { return count_; }
   const Element& operator[](Index input) const { return elements_[input]; }
-  /// First element of an input: all there is of it where the output has one element.
+  /// Returns the first element of an input; the whole input where the output is scalar.
   double first(Index input) const {
     return __builtin_constant_p(input) && input < 2 ? *few_[input] : *elements_[input].data_;
   }
-  /// The elements stay where they are: beside those of the blocks that run before and after, which is fast to
-  /// walk.
+  /// Binds the elements without copying. They are stored next to those of neighbouring blocks in the order of
+  /// execution, for locality.
   void bind(const Element* elements, Index count) {
     elements_ = elements;
     count_ = count;
@@ -75,7 +75,7 @@ class Inputs {
   }
 
  private:
-  const double* few_[2] = {};  ///< the first two, which are all that most lists have, lie in the block itself
+  const double* few_[2] = {};  ///< the first two elements, enough for most lists, inside of the block
   const Element* elements_ = nullptr;
   Index count_ = 0;
 };

@@ -4,8 +4,8 @@
 
 namespace stepwire {
 
-/// The numbers of one run, from one of them on: one behind the other, or `lanes` apart where generated code
-/// steps several runs together.
+/// Pointer to numbers of one run. They are contiguous, or `lanes` apart in generated code that steps a lane
+/// batch.
 struct Lane {
   double* first;
   operator double*() const { return first; }

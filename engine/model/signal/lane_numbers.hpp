@@ -7,17 +7,17 @@
 
 namespace stepwire {
 
-/// What code in lanes does not do in a step: making numbers. There is no such function, so that code that
-/// would call it is not loaded, and its runs go one by one.
+/// Construction of numbers inside a step, which lane code must not do. The function is never defined, so code
+/// that calls it fails to load, and its runs are executed one by one.
 template <class Made>
 Made made_in_a_step();
 
-/// Numbers in generated code that steps several runs together: always a view. Each loop over the runs makes
-/// its block anew, and the compiler must see through all of it.
+/// Numbers in generated code for lane batches, always a view. Each loop over the runs constructs its block
+/// anew, and the compiler must be able to optimise through it.
 class NumbersInLanes {
  public:
   NumbersInLanes() = default;
-  /// What a member has before the program writes it, which it always does there.
+  /// Default of a member, which the program always overwrites.
   NumbersInLanes(std::initializer_list<double>) {}
   NumbersInLanes(Index size, double value) : one_(value), size_(size) {}
   explicit NumbersInLanes(const std::vector<double>&) : NumbersInLanes(made_in_a_step<NumbersInLanes>()) {}
@@ -41,14 +41,14 @@ class NumbersInLanes {
   const double* end() const { return data() + size_; }
 
  private:
-  double one_ = 0.0;  ///< the number of a list of one
+  double one_ = 0.0;  ///< value of a list with one element
   const double* data_ = nullptr;
   Index size_ = 0;
 };
 
 using Numbers = NumbersInLanes;
 
-/// The same of a parameter with one number for each element of a signal.
+/// The variant for a parameter with one number for each element of a signal.
 class PerElementInLanes {
  public:
   PerElementInLanes(double all) : one_(all) {}

@@ -2,11 +2,11 @@
 
 #include "engine/model/signal/lane.hpp"
 
-// What generated code that steps several runs together writes its loops with.
+// Building blocks of the loops in generated code that steps a lane batch.
 
 namespace stepwire {
 
-/// Numbers of all lanes. What is the same in all of them lies in lane 0.
+/// Numbers of all lanes. A number common to all lanes is stored in lane 0.
 struct Lanes {
   double* first;
   Lane lane(Index l) const { return {first + l}; }
@@ -14,7 +14,7 @@ struct Lanes {
   double& operator[](Index n) const { return first[n * lanes]; }
 };
 
-/// The same of the tables of numbers; `+` leads to a list, whose numbers lie one behind the other.
+/// The variant for the tables of numbers; `+` returns a list, whose numbers are contiguous.
 struct LaneNumbers {
   struct One {
     const double* first;
@@ -25,29 +25,29 @@ struct LaneNumbers {
   const double* operator+(Index list) const { return first + list; }
 };
 
-/// Calls the same for each lane; the compiler puts the lanes side by side into registers where it can. The
-/// call makes its block itself: of one that it is given the loop keeps a copy for each lane in memory, which
-/// the compiler does not see through.
+/// Calls `call` for each lane in a form that the compiler vectorises. The call must construct its block
+/// itself: for a block passed to it the loop would keep a copy for each lane in memory, which prevents
+/// optimisation.
 template <class Call>
 [[gnu::always_inline]] inline void each_lane(const Call& call) {
 #pragma omp simd
   for (int l = 0; l < static_cast<int>(lanes); ++l) call(l);
 }
 
-/// Numbers of all lanes in a register, or several.
+/// Numbers of all lanes in one or several vector registers.
 typedef double LaneVector __attribute__((vector_size(lanes * sizeof(double)), may_alias));
 
-/// Adds numbers that are nan in each lane in which one of `count` is not finite, else 0.
+/// Adds NaN in each lane with a non-finite number among `count`, else 0.
 inline void add_unfinite(LaneVector& sum, const double* numbers, Index count) {
   for (Index i = 0; i < count; ++i) sum += *reinterpret_cast<const LaneVector*>(numbers + i * lanes) * 0.0;
 }
 
-/// The same where lane 0 stands for all.
+/// The same where lane 0 holds the numbers of all lanes.
 inline void add_unfinite_of_all(LaneVector& sum, const double* numbers, Index count) {
   for (Index i = 0; i < count; ++i) sum += numbers[i * lanes] * 0.0;
 }
 
-/// Bits of the lanes in which a condition holds.
+/// Returns a bit mask of the lanes in which a condition holds.
 template <class Condition>
 [[gnu::always_inline]] inline unsigned lanes_where(const Condition& holds) {
   unsigned bits = 0;

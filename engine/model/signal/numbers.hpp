@@ -18,8 +18,8 @@ namespace stepwire {
 namespace stepwire {
 #else
 
-/// Numbers that a block is given and does not change during a run: a parameter that is a list, or what
-/// follows from parameters. Either its own, or a view of numbers that stay where they are.
+/// Constant numbers of a block during a run: a list parameter or values derived from parameters. They are
+/// owned or a view of numbers elsewhere.
 class Numbers {
  public:
   Numbers() = default;
@@ -28,9 +28,9 @@ class Numbers {
   explicit Numbers(const std::vector<double>& values)
       : Numbers(values.data(), static_cast<Index>(values.size())) {}
   Numbers(const double* values, Index size) { std::copy_n(values, size, make(size)); }
-  /// `size` times the same number.
+  /// Makes `size` copies of one number.
   Numbers(Index size, double value) { std::fill_n(make(size), size, value); }
-  /// Numbers that outlive this object and whatever is copied from it.
+  /// Makes a view. The numbers must outlive this object and all its copies.
   static Numbers view(const double* values, Index size) {
     Numbers numbers;
     numbers.data_ = values;
@@ -54,7 +54,7 @@ class Numbers {
 
   double operator[](Index i) const { return data_[i]; }
   Index size() const { return size_; }
-  /// The same function of each number.
+  /// Returns `of` applied to each number.
   template <class Function>
   Numbers map(const Function& of) const {
     Numbers result;
@@ -66,7 +66,7 @@ class Numbers {
   const double* begin() const { return data_; }
   const double* end() const { return data_ + size_; }
 
-  static constexpr Index capacity = numbers_in_list;  ///< as many take no memory of their own
+  static constexpr Index capacity = numbers_in_list;  ///< longest list without heap memory
 
  private:
   double* make(Index size) {
@@ -96,7 +96,7 @@ class Numbers {
   }
   bool owns() const { return many_ || data_ == few_; }
 
-  double few_[capacity] = {};  ///< a few numbers lie in the block itself: one place less to fetch from
+  double few_[capacity] = {};  ///< short lists are inside of the block, which saves a memory access
   const double* data_ = few_;
   Index size_ = 0;
   double* many_ = nullptr;
@@ -104,7 +104,7 @@ class Numbers {
 
 #endif
 
-/// A matrix that a block is given; column by column in memory.
+/// A constant matrix of a block, in column-major order.
 class Matrix {
  public:
   Matrix() = default;
@@ -121,7 +121,7 @@ class Matrix {
   Numbers elements_;
 };
 
-/// Default of a limit that a file may leave out.
+/// Default of a limit that a file may omit.
 inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 }  // namespace stepwire

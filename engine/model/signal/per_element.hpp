@@ -4,12 +4,12 @@
 
 #include "engine/model/signal/numbers.hpp"
 
-#ifndef STEPWIRE_LANES  // there lane_numbers.hpp has another one
+#ifndef STEPWIRE_LANES  // lane_numbers.hpp has the variant for lanes
 
 namespace stepwire {
 
-/// A parameter with one number for each element of a signal. A file may give a single number for all of them,
-/// which lies in the block itself: most blocks of a diagram have one element, and are walked by the thousand.
+/// A parameter with one number for each element of a signal, or a single number for all elements. The single
+/// number is stored inside of the block: most blocks have one element, and diagrams have thousands of them.
 class PerElement {
  public:
   PerElement(double all) : one_(all) {}
@@ -19,16 +19,16 @@ class PerElement {
     if (elements.size() != 1) many_ = new_elements(elements.data(), elements.size());
   }
 #endif
-  /// Elements behind their number with a minus, `{-3.0, 1.0, 2.0, 3.0}`, which outlive this object and
-  /// whatever is copied from it.
+  /// Makes a view of elements after their negative count, `{-3.0, 1.0, 2.0, 3.0}`. They must outlive this
+  /// object and all its copies.
   static PerElement view(const double* counted) {
     PerElement elements(counted[0] == 0.0 ? 0.0 : counted[1]);
     elements.many_ = counted + 1;
     return elements;
   }
 
-  /// `of(k)` for each of `size` elements; a single one takes no memory. A generated program prepares a block
-  /// for one element after the other, so there is one there.
+  /// Makes `size` elements of(k); a single one needs no heap memory. A generated program prepares blocks
+  /// element by element, so `size` is 1 there.
   template <class Function>
   static PerElement made([[maybe_unused]] Index size, const Function& of) {
 #ifndef STEPWIRE_LONGEST_LIST
@@ -50,14 +50,14 @@ class PerElement {
   ~PerElement() { free(); }
 
   double operator[](Index i) const {
-    if (__builtin_constant_p(i) && i == 0) return one_;  // the compiler sees that the signal has one element
+    if (__builtin_constant_p(i) && i == 0) return one_;  // a compile-time branch for scalar signals
     return many_ ? many_[i] : one_;
   }
   Index size() const { return many_ ? static_cast<Index>(many_[-1] < 0.0 ? -many_[-1] : many_[-1]) : 1; }
   const double* data() const { return many_ ? many_ : &one_; }
   const double* begin() const { return data(); }
   const double* end() const { return data() + size(); }
-  /// The same function of each number.
+  /// Returns `of` applied to each number.
   template <class Function>
   PerElement map(const Function& of) const {
     return made(size(), [&](Index k) { return of(data()[k]); });
@@ -83,10 +83,10 @@ class PerElement {
     if constexpr (lists_take_memory)
       if (owns()) delete[](many_ - 1);
   }
-  bool owns() const { return many_ && !std::signbit(many_[-1]); }  // -0.0: a view of none
+  bool owns() const { return many_ && !std::signbit(many_[-1]); }  // -0.0: an empty view
 
   double one_;                    ///< the first number
-  const double* many_ = nullptr;  ///< where there is not just one; the element before them is their number
+  const double* many_ = nullptr;  ///< nullptr for a single number; preceded by the count, negative for a view
 };
 
 }  // namespace stepwire

@@ -4,17 +4,18 @@
 
 namespace stepwire {
 
-/// What a block writes: a view of `size` numbers in the workspace. Assigning writes through.
+/// Signal that a block writes: a view of `size` numbers in the workspace. Assignment writes through.
 template <int size_at_build = any_size>
 class Signal {
  public:
   double& operator[](Index i) { return data_[i * lanes]; }
   double operator[](Index i) const { return data_[i * lanes]; }
   Index size() const { return size_; }
-  /// Its numbers from the first one on, for what goes through them in its own way.
+  /// Returns a pointer to its numbers for code with its own loops.
   Lane elements() const { return {data_}; }
 #ifndef STEPWIRE_LANES
-  /// One behind the other, which they are not in lanes: blocks that use it are never run so.
+  /// Returns contiguous numbers. Blocks that use it are excluded from lane batches, where numbers are not
+  /// contiguous.
   double* data() { return data_; }
   const double* data() const { return data_; }
 #endif
@@ -31,8 +32,7 @@ class Signal {
     each([&](Index i) { return value[i]; });
     return *this;
   }
-  /// Sets each element to a function of its index. One element is the common case by far, and a loop set up
-  /// for it would cost more than its work.
+  /// Sets each element to a function of its index. The common case of one element avoids the cost of a loop.
   template <class Function>
   void each(const Function& of) {
     if (size_ == 1) {
@@ -58,7 +58,7 @@ class Signal {
   Index size_ = size_at_build == any_size ? 0 : size_at_build;
 };
 
-/// One number; reads and writes as a double.
+/// Scalar signal; reads and writes as a double.
 template <>
 class Signal<1> {
  public:
@@ -83,7 +83,7 @@ class Output : public Signal<size_at_build> {
   using Signal<size_at_build>::operator=;
 };
 
-/// A continuous state: its value, and `derivative`, the one by time, which derivatives() writes.
+/// A continuous state: its value, and its time `derivative`, which derivatives() writes.
 template <int size_at_build = any_size>
 class State : public Signal<size_at_build> {
  public:
@@ -91,7 +91,7 @@ class State : public Signal<size_at_build> {
   Signal<size_at_build> derivative;
 };
 
-/// A state that only update() changes: the block's memory between its ticks.
+/// A discrete state: memory of the block between ticks, changed only by update().
 template <int size_at_build = any_size>
 class DiscreteState : public Signal<size_at_build> {
  public:

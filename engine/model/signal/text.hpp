@@ -9,7 +9,7 @@ namespace stepwire {
 
 namespace detail {
 
-/// A literal as an argument of a template.
+/// String literal as a template argument.
 template <std::size_t n>
 struct LiteralText {
   consteval LiteralText(const char (&literal)[n]) { std::copy_n(literal, n, text); }
@@ -19,7 +19,7 @@ struct LiteralText {
 }  // namespace detail
 
 #ifdef STEPWIRE_LONGEST_LIST
-/// Text in a generated program, which only steps: a view of a literal.
+/// Text in a generated program: a view of a literal, since the program only steps.
 class Text {
  public:
   Text() = default;
@@ -38,14 +38,13 @@ class Text {
 };
 #else
 
-/// Text that a block is given and reads before a run only: a parameter. It takes no more room in the block
-/// than a pointer.
+/// Text parameter, read only before a run. It has the size of a pointer.
 class Text {
  public:
   Text() = default;
   Text(std::string_view text) : held_(text.empty() ? nullptr : new Owned(text)) {}
   Text(const char* text) : Text(std::string_view(text)) {}
-  /// A default that takes no memory: Text::literal<"time">().
+  /// Makes a default value without heap memory: Text::literal<"time">().
   template <detail::LiteralText text>
   static Text literal() {
     static constexpr Held held{text.text, false};

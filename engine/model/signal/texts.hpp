@@ -6,11 +6,10 @@
 namespace stepwire {
 
 #ifdef STEPWIRE_LONGEST_LIST
-/// Texts that a block is given and reads before a run only: there are none in a generated program, which only
-/// steps.
+/// List of text parameters. Empty in generated programs, which only step.
 class Texts {};
 #else
-/// Texts that a block is given and reads before a run only.
+/// List of text parameters, read only before a run.
 using Texts = std::vector<std::string>;
 #endif
 

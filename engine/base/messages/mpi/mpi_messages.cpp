@@ -58,7 +58,7 @@ class MpiMessages : public messages::Messages {
   }
 
  private:
-  /// On its way: its bytes stay where they are until they have left.
+  /// A message being sent; its bytes must not move until the request is complete.
   struct Sending {
     std::string bytes;
     MPI_Request request;

@@ -6,7 +6,7 @@
 
 namespace stepwire::mpi {
 
-/// Joins the processes of mpirun, once in a process.
+/// Joins the processes of mpirun; may be called once in a process.
 std::unique_ptr<messages::Messages> join();
 
 }  // namespace stepwire::mpi
