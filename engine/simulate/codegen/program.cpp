@@ -45,8 +45,7 @@ class Maker {
 
   void add_steps() {
     if (!plan_.timed.empty()) add_timed();
-    for (std::size_t guard = plan_.guards.size(); guard-- > 0;)
-      add_guard(guard);  // inner ones first, as callees
+    for (std::size_t guard = plan_.guards.size(); guard-- > 0;) add_guard(guard);  // callees first
     add_outputs();
     add_updates();
     if (plan_.layout.state_count > 0) add_slopes();
