@@ -9,10 +9,10 @@ namespace stepwire {
 
 namespace {
 
-/// How near to the curve the arcs lie that stand for it [m].
+/// Largest distance between a curve and the arcs that approximate it [m].
 constexpr double fit_tolerance = 4e-10;
 
-/// A kind of shape is told by the first of its keys.
+/// Kind of shape, identified by the first of its keys.
 struct ShapeKind {
   std::vector<std::string> keys;
   std::string example;
