@@ -152,6 +152,23 @@ TEST_CASE("what depends on what, and which powers of base units a unit is, stand
   CHECK_THAT(xml, Contains("displayUnit=\"g\" min=\"0\" start=\"0.5\""));
 }
 
+TEST_CASE("both outputs of a solved loop depend on all of its inputs") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  const std::string xml =
+      unit_files(folder, "a",
+                 head +
+                     "algebraic_loops: solve\ninputs: {u: {default: 0}, v: {default: 0}}\n"
+                     "blocks:\n  a: {block: Sum, u: [u, half]}\n  b: {block: Sum, u: [v, third]}\n"
+                     "  half: {block: Gain, u: b, gain: 0.5}\n  third: {block: Gain, u: a, gain: 0.3}\n"
+                     "record: [a, b]\n",
+                 3)
+          .at("modelDescription.xml");
+  // 0 time, 1 u, 2 v, 3 a, 4 b.
+  CHECK_THAT(xml, Contains("<Output valueReference=\"3\" dependencies=\"1 2\"/>"));
+  CHECK_THAT(xml, Contains("<Output valueReference=\"4\" dependencies=\"1 2\"/>"));
+}
+
 TEST_CASE("a unit ends the run at the tick at which its diagram ends") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
