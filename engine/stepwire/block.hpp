@@ -1,4 +1,4 @@
 #pragma once
 
-// For the header of a block: ports, states and parameters as members of a struct.
+// Include for the header of a block: ports, states and parameters as members of a struct.
 #include "engine/model/block/block.hpp"

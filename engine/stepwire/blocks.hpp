@@ -4,12 +4,12 @@
 
 namespace stepwire {
 
-// These are of the target stepwire::blocks.
+// Functions of the target stepwire::blocks.
 
-/// All blocks of the reference. The type is complete in <stepwire/registry.hpp>.
+/// Returns all blocks of the reference. The type is defined in <stepwire/registry.hpp>.
 Registry blocks();
 
-/// Loads a diagram that uses these blocks alone.
+/// Loads a diagram that uses these blocks only.
 Model load(const std::string& path, const NamedTexts& settings = {});
 
 }  // namespace stepwire

@@ -1,6 +1,6 @@
 #pragma once
 
-// For the source of a block: its declaration, and what configure() may ask and set.
+// Include for the source of a block: its declaration, and the interface of configure().
 #include "engine/model/block/configure.hpp"
 #include "engine/model/block/declare.hpp"
 #include "engine/model/block/limits.hpp"

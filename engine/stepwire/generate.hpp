@@ -7,21 +7,21 @@
 
 namespace stepwire {
 
-/// What a program is made with.
+/// Options of a generated program.
 struct GenerateOptions {
-  std::string name{};                ///< of the program; empty: that of the file
-  bool c_interface = false;          ///< a header and a source to call it from C as well
-  bool constant_parameters = false;  ///< parameters as numbers in the code, which cannot be changed then
+  std::string name{};                ///< name of the program; empty: that of the file
+  bool c_interface = false;          ///< adds a header and a source for C
+  bool constant_parameters = false;  ///< parameters are literals in the code and cannot change
 };
 
-/// A model as C++ that is built without stepwire: the text of each file by its path, as `stepwire generate`
-/// writes them. Throws Error for what cannot be generated, with its line.
+/// Returns a model as C++ that is built without stepwire: the text of each file by its path, as `stepwire
+/// generate` writes them. Throws Error for anything that cannot be generated, with its line.
 std::map<std::string, std::string> generated_files(const Model& model, const GenerateOptions& options = {});
 
-/// Writes them into a folder, which is made.
+/// Creates a folder and writes the files into it.
 void generate(const Model& model, const std::string& folder, const GenerateOptions& options = {});
 
-/// "0.1.0"
+/// Returns "0.1.0".
 const char* version();
 
 }  // namespace stepwire

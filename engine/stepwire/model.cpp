@@ -24,7 +24,7 @@ std::vector<diagram::Setting> settings_of(const NamedTexts& texts) {
   return settings;
 }
 
-/// The index of the one of this name. Throws Error where there is none.
+/// Returns the index of the element with this name. Throws Error without one.
 template <class Info>
 std::size_t find(const std::vector<Info>& all, const std::string& name, const char* kind,
                  const std::string& file) {
@@ -39,7 +39,7 @@ std::size_t find(const std::vector<Info>& all, const std::string& name, const ch
                   {}});
 }
 
-/// A job with what it was loaded by.
+/// Job with its registry and loader.
 struct Loaded {
   Loaded(const std::string& path, Registry blocks, const std::vector<diagram::Setting>& settings)
       : registry(std::move(blocks)), loader(registry), job(run::make_job(loader, path, settings)) {}
@@ -49,7 +49,7 @@ struct Loaded {
   run::Job job;
 };
 
-/// Throws Error where a number that its sweep keeps has a fault.
+/// Returns the numbers that the sweep of a job keeps. Throws Error if one of them has a fault.
 std::shared_ptr<const run::RunNumbers> kept_of(const run::Job& job) {
   query::SymbolTable names = kept::names_of(job);
   yaml::Faults faults;

@@ -24,10 +24,10 @@ namespace stepwire {
 
 using run::Flow;
 
-/// A run of simulate() as an observer sees it.
+/// Run of simulate() that an observer watches.
 class Running {
  public:
-  /// What it looks at; for the library itself.
+  /// Internal view of the run, for the library itself.
   struct View {
     const Model::Content& model;
     run::Executor& run;
@@ -36,14 +36,15 @@ class Running {
   };
   explicit Running(const View& view) : view_(view) {}
 
-  /// Among the runs of a sweep; 0 for a single one.
+  /// Returns the index among the runs of a sweep; 0 for a single run.
   std::size_t index() const { return view_.index; }
   std::int64_t tick() const;
   double time() const;  ///< [s]
-  /// The numbers of a signal, in SI: of this tick once it is evaluated, until then what there is of it.
+  /// Returns the numbers of a signal, in SI. They are of this tick once it is evaluated, before that partly
+  /// of the last one.
   std::span<const double> operator[](SignalId signal) const;
 
-  // In before_tick() alone; each as Simulation does it.
+  // For before_tick() only; the effects are those of the functions of Simulation.
   void set(const std::string& name, double value);
   void set(const std::string& name, const std::string& text);
   void set(InputId input, double value);
@@ -52,28 +53,28 @@ class Running {
     set(input, std::span(values.begin(), values.size()));
   }
   Snapshot snapshot() const;
-  /// What was recorded from that moment on is recorded anew.
+  /// Loads a snapshot. Later rows are recorded again.
   void restore(const Snapshot& snapshot);
 
  private:
   View view_;
 };
 
-/// Watches the runs of simulate() while they are computed. The runs of a sweep call from several threads at a
-/// time. A run waits for each call.
+/// Observer of the runs of simulate() while they are computed. The runs of a sweep call it from several
+/// threads concurrently. A run waits for each call.
 class Observer {
  public:
   virtual ~Observer() = default;
 
-  /// Before the first tick.
+  /// Called before the first tick.
   virtual void begin(const Running&) {}
-  /// Before each tick: here inputs are written, values set, moments kept and restored.
+  /// Called before each tick. Here an observer may write inputs, set values, and take or restore snapshots.
   virtual Flow before_tick(Running&) { return Flow::go_on; }
-  /// After the outputs of a tick are computed.
+  /// Called after the outputs of a tick are computed.
   virtual void evaluated(const Running&) {}
-  /// A row that the entry `recording` of `record` keeps: the time, then its signals.
+  /// Called with a row of the entry `recording` of `record`: the time, then its signals.
   virtual void row(const Running&, std::size_t /*recording*/, std::span<const double> /*numbers*/) {}
-  /// After the last tick, whatever ended the run.
+  /// Called after the last tick, after any kind of end.
   virtual void end(const Running&) {}
 };
 

@@ -1,4 +1,5 @@
 #pragma once
 
-// The kinds of block that diagram files may use: `Registry known = blocks(); known.add<Drag>("own");`
+// Include for the set of block types that diagram files may use: `Registry known = blocks();
+// known.add<Drag>("own");`
 #include "engine/model/block/registry.hpp"

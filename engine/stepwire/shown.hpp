@@ -10,7 +10,7 @@
 
 namespace stepwire {
 
-/// Shows runs of a model to an observer of a user. Both must outlive it.
+/// Adapter that passes the runs of a model to an observer of the public interface. Both must outlive it.
 class Shown : public run::RunObserver {
  public:
   Shown(const Model::Content& model, Observer& to) : model_(model), to_(to) {}
@@ -31,7 +31,8 @@ class Shown : public run::RunObserver {
     return Running({model_, run.simulation, slots_of(run.simulation.plan()), run.index});
   }
 
-  /// Points of a sweep may have plans of other structures, in which signals lie elsewhere.
+  /// Returns the slots of the signals in a plan. Points of a sweep may have plans of other structures, with
+  /// other slots.
   const std::vector<plan::SignalSlot>& slots_of(const plan::Plan& plan) {
     if (&plan == &model_.job->plan) return model_.slots;
     const std::lock_guard lock(mutex_);

@@ -35,7 +35,7 @@ struct Simulation::State {
 
   const plan::Plan& plan() const { return model.content().job->plan; }
 
-  /// Leaves a tick that is shown, whose numbers stay to be looked at.
+  /// Advances from the present tick and keeps its numbers for later reads.
   void leave_tick() {
     if (!at_tick || ended) return;
     std::copy_n(run.values(), shown.size(), shown.begin());
@@ -72,9 +72,9 @@ struct Simulation::State {
   run::Executor run;
   run::StopConditionEvaluator stopper;
   WaitingInputs inputs;
-  bool at_tick = false;  ///< are outputs computed, and updates not yet?
+  bool at_tick = false;  ///< true if outputs are computed and updates are not
   bool ended = false;
-  std::vector<double> shown;  ///< numbers of the tick that was left
+  std::vector<double> shown;  ///< numbers of the last tick
   std::int64_t shown_tick = 0;
 };
 

@@ -5,11 +5,11 @@
 
 namespace stepwire {
 
-/// A moment of a run, to return to as often as needed; copies share it. It holds all that moves, but not the
-/// parameters, which stay as they are set when a run returns.
+/// Snapshot of a run, which may be restored any number of times; copies share it. It holds the mutable state
+/// without the parameters, which keep their present values in a restore.
 class Snapshot {
  public:
-  /// What it holds; for the library itself.
+  /// Content of a snapshot, for the library itself.
   struct Content;
   explicit Snapshot(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The library in one header. README.md of this folder explains it.
+// Complete library in one header. README.md of this folder explains it.
 #include <stepwire/blocks.hpp>
 #include <stepwire/generate.hpp>
 #include <stepwire/model.hpp>

@@ -10,7 +10,7 @@
 
 namespace stepwire {
 
-/// Numbers for inputs, which wait for the tick from which on they hold.
+/// Numbers for inputs, stored until the tick from which on they apply.
 class WaitingInputs {
  public:
   explicit WaitingInputs(const std::vector<InputInfo>& inputs) {

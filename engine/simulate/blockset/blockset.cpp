@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As g++ and clang++ name void register_blocks(stepwire::Registry&).
+/// Mangled name of void register_blocks(stepwire::Registry&) by g++ and clang++.
 constexpr const char* registration = "_Z15register_blocksRN8stepwire8RegistryE";
 
 [[noreturn]] void refuse(const std::string& folder, const std::string& message) {
@@ -41,7 +41,7 @@ bool is_source(const fs::path& file) {
   return ending == ".cpp" || ending == ".cc" || ending == ".cxx";
 }
 
-/// The sources in a folder and those below it, but for hidden ones, in an order that is always the same.
+/// Returns the sources in a folder and its subfolders, without hidden ones, in sorted order.
 std::vector<std::string> sources_in(const std::string& folder) {
   std::vector<std::string> sources;
   for (auto it = fs::recursive_directory_iterator(folder); it != fs::recursive_directory_iterator(); ++it) {
@@ -56,7 +56,7 @@ std::vector<std::string> sources_in(const std::string& folder) {
 
 std::vector<std::string> flags_of(const std::string& folder, const codegen::IncludedHeaders& headers) {
   std::vector<std::string> flags = codegen::include_options(headers);
-  // What it defines is what it uses, also where the program has something of the same name.
+  // -Bsymbolic binds the library to its own symbols, even if the executable has the same ones.
   flags.insert(flags.end(), {"-idirafter", folder, "-Wl,-Bsymbolic", "-DSTEPWIRE_BLOCKS_FROM_OUTSIDE"});
   return flags;
 }
@@ -72,7 +72,7 @@ std::string key_of(const std::vector<std::string>& sources, const codegen::Inclu
   return hash.add(compiler.version()).text();
 }
 
-/// What the compiler complains of, each with its place; all that it said where no line of it has one.
+/// Throws the errors of the compiler, each with its place; the complete output if no line has a place.
 [[noreturn]] void refuse_sources(const std::string& folder, const std::string& said) {
   static const std::regex complaint(R"re(^(.+?):(\d+):(\d+): (?:fatal )?error: (.*)$)re");
   std::vector<yaml::Fault> faults;
@@ -104,7 +104,7 @@ void* load(const std::string& folder, const std::string& bytes) {
   return library;
 }
 
-/// The sources of a folder, and how they are compiled.
+/// Sources of a folder, and how they are compiled.
 struct Build {
   explicit Build(const std::string& folder) {
     if (!compiler.found()) throw io::EnvironmentError(folder + ": " + compiler.problem());
@@ -121,7 +121,7 @@ struct Build {
   std::vector<std::string> flags;
 };
 
-/// The compiled blocks of a folder, from the cache or made.
+/// Returns the compiled blocks of a folder, from the cache or newly compiled.
 void* library_of(const std::string& folder) {
   const Build build(folder);
   const std::string key = build.hash() + ".so";

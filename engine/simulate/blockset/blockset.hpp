@@ -6,18 +6,20 @@
 
 namespace stepwire::blockset {
 
-/// Adds the blocks of a folder outside of the library. Its sources, one of which defines
-/// `void register_blocks(stepwire::Registry&)`, are compiled into one shared library, which is kept in the
-/// cache for as long as they, our headers and the compiler are the same, and which stays loaded. The program
-/// has to export its symbols. Throws Error with what the compiler says, or where a block has the name of one
-/// that is there; EnvironmentError where there is no folder, no compiler or none of our headers.
+/// Adds the blocks of a folder outside of stepwire.
+///
+/// Its sources are compiled into one shared library, which stays loaded. One of them must define `void
+/// register_blocks(stepwire::Registry&)`. The library is cached and reused while the sources, the headers of
+/// stepwire and the compiler are unchanged. The executable must export its symbols. Throws Error with the
+/// compiler's messages, and if a block has the name of an existing one. Throws EnvironmentError if the
+/// folder, a compiler or the headers are missing.
 void load_blockset(const std::string& folder, Registry& registry);
 
-/// Hash of all that decides what the blocks of a folder do: their sources, our headers and the compiler.
-/// Throws as load_blockset() does.
+/// Returns a hash of all that affects the blocks of a folder: their sources, the headers of stepwire and the
+/// compiler. Throws as load_blockset() does.
 std::string blockset_hash(const std::string& folder);
 
-/// Such folders, as $STEPWIRE_BLOCKS lists them, with ':' between.
+/// Loads the folders in $STEPWIRE_BLOCKS, separated by ':'.
 void load_blocksets_of_environment(Registry& registry);
 
 }  // namespace stepwire::blockset

@@ -9,13 +9,13 @@ namespace stepwire::codegen {
 
 namespace {
 
-/// Does a call of updates run this block?
+/// True if a call of updates runs this block.
 bool runs(const plan::KernelCall& call, const plan::PlannedBlock& block) {
   return call.first <= block.memory && block.memory < call.end;
 }
 
-/// Does a block act at ticks for no other reason than that the inputs of the diagram are read there, or only
-/// look?
+/// True if a block without states is called at ticks only to follow inputs of the diagram, which are read
+/// there, or to check signals.
 bool has_ticks_of_inputs(const plan::Plan& plan, std::size_t b) {
   const diagram::DiagramBlock& block = plan.diagram.blocks[b];
   const BlockType& type = block.type();
@@ -28,7 +28,7 @@ bool remembers(const plan::Plan& plan, std::size_t b) {
   return !plan.diagram.blocks[b].type().states.empty() && !(says && says->remembers_nothing);
 }
 
-/// The first block whose update changes a state; null where updates only look.
+/// Returns the first block whose update changes a state; nullptr if no update does.
 const diagram::DiagramBlock* first_that_remembers(const plan::Plan& plan) {
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
     if (!remembers(plan, b)) continue;
@@ -39,7 +39,7 @@ const diagram::DiagramBlock* first_that_remembers(const plan::Plan& plan) {
   return nullptr;
 }
 
-/// Of the place of the first state, the place of the first slope, further members.
+/// Placeholders: place of the first state, place of the first derivative, further members.
 constexpr char members_form[] =
     "  /// For a solver of others: computes outputs and slopes for any time [s], with the inputs, and with "
     "the\n"

@@ -12,7 +12,7 @@ namespace stepwire::codegen {
 
 namespace {
 
-/// Replaces every @ by the first word of all names.
+/// Replaces every @ by the prefix of all names.
 std::string with_space(std::string text, const std::string& space) {
   for (std::size_t at = 0; (at = text.find('@', at)) != std::string::npos; at += space.size())
     text.replace(at, 1, space);
@@ -145,7 +145,7 @@ class CText {
     return count;
   }
 
-  /// That an instance needs; the source has it checked.
+  /// Returns the size of an instance in doubles; the source checks it at compile time.
   std::size_t doubles() const {
     constexpr std::size_t tick_and_pointer = 2;
     std::size_t count = doubles(groups_.inputs) + doubles(groups_.outputs) + doubles(groups_.recorded) +

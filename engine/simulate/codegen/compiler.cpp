@@ -13,22 +13,21 @@ namespace stepwire::codegen {
 
 namespace {
 
-/// Functions that a compiler knows, and may compute while it compiles, rounded otherwise than the library
-/// does.
+/// Functions that a compiler may evaluate at compile time, with other rounding than the library.
 constexpr const char* library_functions[] = {"sin",  "cos",   "tan",  "asin", "acos",  "atan", "atan2",
                                              "sinh", "cosh",  "tanh", "exp",  "expm1", "log",  "log1p",
                                              "log2", "log10", "pow",  "cbrt", "hypot", "fmod"};
 
-constexpr std::chrono::seconds version_limit{5};  // of a compiler that prints its version
+constexpr std::chrono::seconds version_limit{5};  // for a compiler that prints its version
 
 constexpr const char* standard_headers = "standard.hpp";
 
-/// What headers of blocks include of the standard library.
+/// Standard headers that headers of blocks include.
 constexpr const char* included[] = {"algorithm",  "array",  "cmath",  "complex", "cstdint",
                                     "functional", "limits", "map",    "memory",  "numbers",
                                     "optional",   "span",   "string", "variant", "vector"};
 
-/// Empty where the compiler has done its work, or was stopped.
+/// Returns the error messages of the compiler; an empty text after success or a stop.
 std::string problem_of(const subprocess::ProcessCall& call) {
   const subprocess::ProcessResult result = subprocess::run_process(call);
   return result.end == subprocess::ProcessResult::End::stopped ? "" : result.problem("the compiler");
@@ -55,7 +54,7 @@ Compiler::Compiler() {
 }
 
 std::vector<std::string> Compiler::flags() {
-  // Nothing reads errno or traps, so that a root is one instruction and branches may become selections.
+  // Without errno and traps a square root is one instruction, and branches may become selections.
   std::vector<std::string> flags{
       "-std=c++20", "-O3", "-DNDEBUG", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"};
   for (const char* function : library_functions) flags.push_back(std::string("-fno-builtin-") + function);
@@ -69,7 +68,7 @@ bool Compiler::is_gcc() const {
 std::vector<std::string> Compiler::command(const std::vector<std::string>& more) const {
   std::vector<std::string> command{path_};
   for (const std::string& flag : flags()) command.push_back(flag);
-  // What these passes find in straight-line code is little, and the first one's time grows with its square.
+  // These passes find little in straight-line code, and the time of the first one grows quadratically.
   if (is_gcc()) command.insert(command.end(), {"-fno-tree-pta", "-fno-tree-slp-vectorize"});
   command.insert(command.end(), more.begin(), more.end());
   command.insert(command.end(), {"-fPIC", "-w"});
@@ -80,7 +79,7 @@ std::string Compiler::compile(const std::string& source, const std::string& libr
                               const std::vector<std::string>& more, const std::stop_token& stop) const {
   std::vector<std::string> command = this->command(more);
   const std::string headers = io::find_resource("precompiled") + "/" + standard_headers;
-  // GCC takes what is precompiled only if it fits these flags and this version; clang refuses another's.
+  // GCC uses a precompiled header only with fitting flags and version; clang rejects that of another one.
   if (is_gcc() && std::filesystem::exists(headers)) command.insert(command.end(), {"-include", headers});
   command.insert(command.end(), {"-I", io::resource("headers"), "-I", io::resource("public")});
   if (const std::string eigen = io::find_resource("eigen"); !eigen.empty())
@@ -96,7 +95,7 @@ std::string Compiler::precompile(const std::string& folder, const std::vector<st
   for (const char* of_standard : included) text += std::string("#include <") + of_standard + ">\n";
   for (const std::string& flag : more) name += flag;
   std::filesystem::create_directories(header +
-                                      ".gch");  // GCC picks the one that fits from a folder of this name
+                                      ".gch");  // GCC selects the one that fits from a folder of this name
   io::write_file(header, text);
   std::vector<std::string> command = this->command(more);
   command.insert(command.end(), {"-x", "c++-header", header, "-o", header + ".gch/" + name});

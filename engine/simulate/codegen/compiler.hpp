@@ -6,35 +6,36 @@
 
 namespace stepwire::codegen {
 
-/// A C++ compiler of this machine.
+/// C++ compiler of this machine.
 class Compiler {
  public:
-  /// What the environment variable CXX names, else the first of c++, g++ and clang++ that is there.
+  /// Finds the compiler of the environment variable CXX, else the first installed one of c++, g++ and
+  /// clang++.
   Compiler();
 
   bool found() const { return !path_.empty(); }
-  /// Why there is none.
+  /// Returns the reason why no compiler was found.
   const std::string& problem() const { return problem_; }
-  /// Name and version, as the compiler tells them.
+  /// Returns name and version, as the compiler prints them.
   const std::string& version() const { return version_; }
   bool is_gcc() const;
-  /// How generated code is compiled: the same bits as the interpreter, so no contraction of multiply and add,
-  /// and functions such as sin only ever computed by the library, never by the compiler.
+  /// Returns the flags of generated code. They give the bits of the interpreter: no contraction of multiply
+  /// and add, and functions such as sin are never evaluated by the compiler.
   static std::vector<std::string> flags();
 
-  /// Lets the compiler use all that this machine's processor has.
+  /// Flag that enables all instructions of this machine's processor.
   static constexpr const char* native = "-march=native";
 
-  /// Compiles a source, which may include our headers, into a shared library, with further flags. Empty if
-  /// that went well, else what the compiler said. A stop ends the compiler, and there is no library then.
-  /// Throws EnvironmentError where our headers are not there.
+  /// Compiles a source, which may include the headers of stepwire, into a shared library, with further flags.
+  /// Returns an empty text after success, else the compiler's messages. A stop ends the compiler, without a
+  /// library. Throws EnvironmentError if the headers are missing.
   std::string compile(const std::string& source, const std::string& library,
                       const std::vector<std::string>& more, const std::stop_token& stop) const;
 
-  /// Precompiles the standard headers that blocks include, for sources compiled with these further flags,
-  /// into a folder. What lies in that of this build is used by compile(). Reading those headers takes as long
-  /// as compiling what a diagram of usual size adds to them. Empty if that went well, else what the compiler
-  /// said.
+  /// Precompiles the standard headers that blocks include into a folder, for sources compiled with these
+  /// further flags. compile() uses those in the folder of this build. Without them, reading these headers
+  /// takes half of the compile time of a usual diagram. Returns an empty text after success, else the
+  /// compiler's messages.
   std::string precompile(const std::string& folder, const std::vector<std::string>& more) const;
 
  private:

@@ -25,7 +25,7 @@ void part(std::string& text, std::string_view word, const std::string& parted) {
 
 std::string cpp_comment(std::string_view text) {
   std::string result = text::visible(text);
-  part(result, "?\?/", "? ?/");  // once another way to write a backslash
+  part(result, "?\?/", "? ?/");  // trigraph of a backslash
   part(result, "*/", "* /");
   part(result, "/*", "/ *");
   result.erase(result.find_last_not_of(' ') + 1);
@@ -49,7 +49,7 @@ std::string free_member(std::string_view name, std::set<std::string>& taken) {
 std::string cpp_string(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
-    // Three octal digits end by themselves, as hexadecimal ones do not.
+    // An octal escape has at most three digits, whereas a hexadecimal one has no limit.
     const bool plain = is_letter(c) || is_digit(c) ||
                        std::string_view(" !#$%&'()*+,-./:;<=>@[]^_`{|}~").find(c) != std::string_view::npos;
     result += plain ? std::string(1, c) : fmt::format("\\{:03o}", static_cast<unsigned char>(c));

@@ -6,18 +6,18 @@
 
 namespace stepwire::codegen {
 
-/// A text of a diagram as part of a comment of C++, wherever it stands there: on one line, and without what
-/// ends a comment or takes the next line into it.
+/// Returns a text of a diagram as a part of a C++ comment. It is on one line, without anything that ends the
+/// comment or continues it on the next line.
 std::string cpp_comment(std::string_view text);
 
-/// A name of a diagram or of its file as one of C++: "rig.carriage" is rig_carriage. A program puts another
-/// word behind it, so that no word of the language or name of a library stands alone.
+/// Returns the C++ identifier of a name in a diagram or file: "rig.carriage" gives rig_carriage. Programs
+/// append another word, so the result cannot be a keyword or a name of a library.
 std::string cpp_identifier(std::string_view name);
 
-/// The same as a member of a struct, "rig_carriage_", with a number behind it where that is taken.
+/// Returns the same as a member of a struct, "rig_carriage_", with a number appended if that name is taken.
 std::string free_member(std::string_view name, std::set<std::string>& taken);
 
-/// A text as a string literal of C++ that has its very bytes, whatever they are.
+/// Returns a C++ string literal with exactly the bytes of a text.
 std::string cpp_string(std::string_view text);
 
 }  // namespace stepwire::codegen

@@ -18,7 +18,7 @@ namespace stepwire::codegen {
 
 namespace {
 
-/// Of the name, the title, the step.
+/// Placeholders: name, title, step.
 constexpr char struct_head[] =
     "#pragma once\n\n#include <cstdint>\n\nnamespace {0} {{\n\n"
     "/// {1}\n///\n"
@@ -36,7 +36,7 @@ const char* const parameter_members =
     "they hold. Until\n  /// they are right the former ones hold.\n"
     "  const char* parameter_fault() const { return parameter_fault_; }\n\n";
 
-/// Where `stop_when` has become true between two ticks.
+/// Returns the member function for the time of a stop between two ticks, in plans with a located `stop_when`.
 std::string stopped_time(const plan::Plan& plan) {
   if (!plan.stop_crossing) return "";
   return fmt::format("w_[{}] != 0.0 ? w_[{}] : ", plan.layout.events + solve::EventReport::stopped,
@@ -47,8 +47,8 @@ const char* const unsolved_member =
     "  /// Which algebraic loop has had no solution; null while all have.\n"
     "  const char* unsolved() const;\n";
 
-/// Of the constructor, the step, the count of numbers, members of a program with parameters, the name, a
-/// member of one with algebraic loops, the time of a stop between ticks.
+/// Placeholders: constructor, step, count of numbers, members of a program with parameters, name, member of
+/// one with algebraic loops, time of a stop between ticks.
 constexpr char struct_members[] =
     "  /// All that moves in a run: plain numbers, to be kept anywhere.\n  struct State {{\n"
     "    std::uint64_t layout = 0;  ///< of the diagram that it belongs to\n"
@@ -71,7 +71,7 @@ constexpr char struct_members[] =
     " private:\n{3}  double w_[{2}];  // where each number lies is told in the source\n}};\n\n"
     "}}  // namespace {4}\n";
 
-/// Of the counts of dependent parameters and of numbers.
+/// Placeholders: counts of dependent parameters and of numbers.
 constexpr char tuned_members[] =
     "  void take_parameters();\n\n  Parameters held_{{}};  // the ones that hold\n"
     "  bool own_[{}]{{}};      // does a parameter follow from others no more?\n"
@@ -87,7 +87,7 @@ const char* const tuned_functions =
     "  bool own[sizeof own_];\n  std::memcpy(own, own_, sizeof own_);\n"
     "  return follow_parameters(p, held_, own, nullptr);\n}\n\n";
 
-/// "{}", "{2.0}", "{{1.0, 2.0}, {3.0, 4.0}}"
+/// Returns "{}", "{2.0}" or "{{1.0, 2.0}, {3.0, 4.0}}".
 std::string initial_text(const GroupMember& member) {
   std::string text;
   const std::size_t columns = member.sizes.size() == 2 ? static_cast<std::size_t>(member.sizes[1]) : 0;
@@ -106,7 +106,7 @@ std::string type_text(const Group& group) {
   return text + "  }";
 }
 
-/// The struct of a group and its member; nothing where the group is empty.
+/// Returns the struct of a group and its member; an empty text for an empty group.
 std::string group_text(const Group& group) {
   return group.members.empty() ? "" : type_text(group) + fmt::format(" {};\n\n", group.name);
 }
@@ -126,7 +126,7 @@ std::string fixed_text(const Tuning& tuning) {
   return text + "\n";
 }
 
-/// Copies between the struct's members and the numbers of the workspace.
+/// Returns statements that copy between the struct's members and the numbers of the workspace.
 std::string copies(const std::string& from, const Group& group, bool from_workspace) {
   std::string text;
   for (const GroupMember& member : group.members)
@@ -173,7 +173,7 @@ std::string fault_text(const plan::Plan& plan) {
   return text;
 }
 
-/// The condition under which the run ends early, on the numbers of the workspace.
+/// Returns the condition under which the run ends early, as C++ on the numbers of the workspace.
 std::string stop_text(const plan::Plan& plan) {
   if (!plan.diagram.stop_when) return "false";
   return plan.diagram.stop_when->expression.cpp_condition([&](std::size_t i) {
@@ -181,7 +181,8 @@ std::string stop_text(const plan::Plan& plan) {
   });
 }
 
-/// Tells a saved state of one diagram from that of another: what lies where, whatever the numbers are.
+/// Returns a key that differs between diagrams with different layouts of the workspace, for checks of saved
+/// states.
 std::string layout_key(const plan::Plan& plan) {
   hash::Hash hash;
   const PlaceNames names(plan);
@@ -190,9 +191,9 @@ std::string layout_key(const plan::Plan& plan) {
   return "0x" + hash.add(std::to_string(plan.layout.size)).text().substr(0, 16) + "u";
 }
 
-/// What only a program with parameters has.
+/// Texts of programs with parameters; empty in others.
 struct Tuned {
-  std::string check;  ///< whether they were written
+  std::string check;  ///< condition that they were written
   std::string members, functions, numbers = "nullptr", restore;
 };
 

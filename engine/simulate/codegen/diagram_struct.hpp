@@ -6,12 +6,12 @@
 
 namespace stepwire::codegen {
 
-/// The header of a generated program: a struct with inputs, outputs, recorded signals and parameters as
-/// members; with `between_ticks` also those for solvers of others.
+/// Returns the header of a generated program: a struct with inputs, outputs, recorded signals and parameters
+/// as members. With `between_ticks` it has the members for external solvers too.
 std::string struct_text(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
                         const std::string& name, bool between_ticks = false);
 
-/// Its member functions, on top of evaluate(), advance() and reset() of the GeneratedProgram.
+/// Returns its member functions, which use evaluate(), advance() and reset() of the GeneratedProgram.
 std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
                                const std::string& name, bool between_ticks = false);
 

@@ -15,10 +15,10 @@ namespace stepwire::codegen {
 
 namespace {
 
-/// Holes, in their order. Of the task: states, crossings, the first signal, count of numbers, the report,
-/// whether sources jump, most events, most rounds. Then: the solver's step, what follows the time, the
-/// solver's report and its size, the slopes, calls before guards, what guards keep, the condition of an end,
-/// and the task's looks.
+/// Placeholders in order. Task: states, crossings, first signal, count of numbers, report, jumps of sources,
+/// limits of events and iterations. Then: step of the solver, update of time signals, report of the solver
+/// and its size, derivatives, calls before guards. At last: numbers that guards keep, stop condition, and
+/// inner points of the task.
 constexpr char locate_form[] =
     "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, {4}, {5}, {17}, "
     "{6}, "
@@ -45,7 +45,7 @@ constexpr char locate_form[] =
     "  solve::{19}(task, w, between)\n"
     "      .advance(static_cast<double>(tick) * step, static_cast<double>(tick + 1) * step, step);\n";
 
-/// Of the solver's step.
+/// Placeholder: step of the solver.
 constexpr char watched_form[] =
     "    void advance_watched([[maybe_unused]] double now, [[maybe_unused]] double end, "
     "[[maybe_unused]] double length, const solve::Stops& stops) const {{\n{}    }}\n";
@@ -58,7 +58,7 @@ expression::VariableText stop_variables(const plan::Plan& plan) {
   };
 }
 
-/// Signals and states.
+/// Returns the count of signals and states.
 std::size_t numbers_at_events(const plan::Plan& plan) {
   return plan.layout.diagnostics - plan.layout.signals;
 }
@@ -132,7 +132,7 @@ std::string before_step_text(const plan::Plan& plan) {
   return text + fmt::format("  for (int i = 0; i < {}; ++i) origin[i] = w[states + i];\n", states);
 }
 
-// What locate() is given is copied there: numbers whose address is known elsewhere are in no register.
+// The arguments of locate() are copied, because numbers whose address escapes cannot be in registers.
 std::string after_step_text(const plan::Plan& plan) {
   const std::size_t states = plan.layout.state_count, crossings = plan.crossing_count;
   const std::size_t past = plan.layout.events + solve::EventReport::count;

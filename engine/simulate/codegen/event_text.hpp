@@ -6,29 +6,29 @@
 
 namespace stepwire::codegen {
 
-/// The body of look(w, numbers, tick, z), which writes all crossings to `z`.
+/// Returns the body of look(w, numbers, tick, z), which writes all crossing functions to `z`.
 std::string look_text(const plan::Plan& plan, const Statements& statements, const Places& places);
 
-/// The body of next_edge(w, numbers, tick): when a source jumps or bends next.
+/// Returns the body of next_edge(w, numbers, tick): the time of the next jump or kink of a source.
 std::string edge_text(const plan::Plan& plan, const Statements& statements, const Places& places);
 
-/// The body of locate(w, numbers, tick, scratch), which goes again over a step in which something has
-/// crossed. It calls `slopes_in_place`, `follow_time`, `follow_crossings`, `event_befores`, `event_outputs`,
-/// `event_updates`, `look` and `next_edge`.
+/// Returns the body of locate(w, numbers, tick, scratch), which repeats a step that contains a crossing, from
+/// event to event. It calls `slopes_in_place`, `follow_time`, `follow_crossings`, `event_befores`,
+/// `event_outputs`, `event_updates`, `look` and `next_edge`.
 std::string locate_text(const plan::Plan& plan, const PlaceNames& names);
 
-/// In advance(), what comes before and behind the solver's step: looks for crossings, and where there is one
-/// a call of locate().
+/// Return the statements of advance() before and after the solver's step: the check for crossings, and the
+/// call of locate() if there is one.
 std::string before_step_text(const plan::Plan& plan);
 std::string after_step_text(const plan::Plan& plan);
 
-/// True where a solver chooses its steps, behind each of which crossings are looked at. Then locate() takes
-/// its steps, too.
+/// True if the solver has error control, so that crossings are checked after each of its steps. locate() then
+/// takes the steps of the solver too.
 bool watches(const plan::Plan& plan);
 
-/// The time at which the last stage of a step is computed.
+/// Returns the time of the last stage of a step.
 std::string end_of_step_text(const plan::Plan& plan);
-/// Declares `length`, `now` and `end` of a step.
+/// Returns the declarations of `length`, `now` and `end` of a step.
 std::string times_of_step_text(const plan::Plan& plan);
 
 }  // namespace stepwire::codegen

@@ -26,8 +26,7 @@ bool is_derived(const BlockType& type, const MemberSpec& member) {
                               [&](const ParameterSpec& spec) { return spec.member == index; });
 }
 
-/// A member that follows from a parameter, and that only the program itself computes; null where there is
-/// none.
+/// Returns a member that depends on a parameter and that only stepwire itself computes; nullptr without one.
 const MemberSpec* member_from(const ParameterSpec& spec, const AnyBlock& block) {
   const bool prepares = can_prepare(block);
   const std::vector<MemberSpec>& all = block.type().members;
@@ -74,7 +73,7 @@ std::string FixedValues::reason_of(const diagram::ValueText& text) const {
                      text.node.is_scalar() ? "'" + text.node.text + "'" : "what follows from it");
 }
 
-/// The first one in a value; empty where there is none.
+/// Returns the first matrix formula in a value; an empty text without one.
 std::string FixedValues::matrix_formula(const yaml::Node& node, int scope) const {
   for (const yaml::Node& item : node.items)
     if (std::string formula = matrix_formula(item, scope); !formula.empty()) return formula;

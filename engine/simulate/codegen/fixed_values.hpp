@@ -7,16 +7,17 @@
 
 namespace stepwire::codegen {
 
-/// Can a program that takes no memory call prepare() of this block?
+/// True if a program without dynamic memory can call prepare() of this block.
 bool can_prepare(const AnyBlock& block);
 
-/// Finds what a generated program cannot follow: a parameter is fixed where something else than a number
-/// depends on it, or a member of a block that its declaration says to follow from it (MemberSpec::follows).
+/// Finds the parameters that must be fixed in a generated program. A parameter is fixed if something else
+/// than a number depends on it, or a block member that is declared to depend on it (MemberSpec::follows).
 class FixedValues {
  public:
   explicit FixedValues(const plan::Plan& plan) : plan_(plan) {}
 
-  /// Why a parameter, by its index in Diagram::parameters, keeps its value; empty where it may change.
+  /// Returns the reason why a parameter, by its index in Diagram::parameters, is fixed; an empty text for one
+  /// that may change.
   std::string reason(std::size_t definition) const;
 
  private:

@@ -8,7 +8,7 @@ namespace stepwire::codegen {
 
 namespace {
 
-constexpr std::size_t longest = 60;  // pieces of code in a function
+constexpr std::size_t longest = 60;  // pieces of code per function
 
 }  // namespace
 

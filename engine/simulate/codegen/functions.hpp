@@ -7,20 +7,19 @@
 
 namespace stepwire::codegen {
 
-/// Writes functions out of pieces of code. A long one is split, since what a compiler needs for a function
-/// grows faster than the function.
+/// Generates functions from pieces of code. Long ones are split, since the compile time of a function grows
+/// faster than its length.
 class Functions {
  public:
-  /// `small`: functions may be put into each other, which is worth it where the compiler then keeps numbers
-  /// in registers.
+  /// With `small`, functions are inlined, which pays if the compiler can then keep numbers in registers.
   explicit Functions(bool small) : small_(small) {}
 
-  /// Adds a function with these parameters, which calls `code` where it is due.
+  /// Adds a function with these parameters, which calls `code` at its due ticks.
   void add(const std::string& name, const std::string& parameters, const std::string& arguments,
            const std::vector<Code>& code);
   void add_text(const std::string& text) { text_ += text; }
   const std::string& text() const { return text_; }
-  /// What stands before a function that may be put into others.
+  /// Returns the attribute of a function that may be inlined.
   std::string attribute() const;
 
  private:

@@ -7,7 +7,7 @@ namespace stepwire::codegen {
 
 namespace {
 
-/// Numbers in a register of this processor; 1 where several runs together are no faster.
+/// Returns the count of numbers in a vector register of this processor; 1 if lanes are no faster.
 int lanes_of_processor() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) return 8;
@@ -16,7 +16,7 @@ int lanes_of_processor() {
   return 1;
 }
 
-/// The first thing that a compiler finds wrong.
+/// Returns the first error in the compiler's messages.
 std::string first_error(const std::string& problem) {
   const std::size_t error = problem.find("error: ");
   return error == std::string::npos ? problem
@@ -37,8 +37,8 @@ std::optional<plan::CompiledPlan> GeneratedCode::compile(const plan::Plan& plan,
     };
     const ProgramFunctions functions = functions_of(make_steps(plan, variable), limits, trial, problem);
     if (functions) return plan::CompiledPlan{functions.steps, variable};
-    if (!problem.empty() && !limits.only_kept) note(problem);  // a look for what is kept may find nothing
-  } catch (const std::exception& error) {  // no reason to end a run, which goes on without
+    if (!problem.empty() && !limits.only_kept) note(problem);  // a lookup in the cache may fail
+  } catch (const std::exception& error) {                      // a run continues without code
     if (!limits.only_kept) note(error.what());
   }
   return std::nullopt;
@@ -105,7 +105,7 @@ std::string GeneratedCode::take_problem() {
 }
 
 void GeneratedCode::note(const std::string& problem) {
-  if (subprocess::processes_stop()) return;  // an interruption explains itself
+  if (subprocess::processes_stop()) return;  // an interruption is no problem to report
   if (!std::exchange(noted_, true)) problem_ = problem;
 }
 

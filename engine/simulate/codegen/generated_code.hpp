@@ -10,38 +10,40 @@
 
 namespace stepwire::codegen {
 
-/// Compiled code for runs, made by this machine's compiler and kept in a cache. From any thread.
+/// Source of compiled code for runs, with this machine's compiler and a cache. Thread-safe.
 class GeneratedCode : public plan::CodeSource {
  public:
-  /// New code is compared by `trial`, which must outlive it, before anything uses it.
+  /// New code is compared with the interpreter by `trial`, which must outlive this object, before it is used.
   explicit GeneratedCode(const plan::CodeTrial& trial) : trial_(trial) {}
 
   std::optional<plan::CompiledPlan> compile(const plan::Plan& plan,
                                             const std::vector<plan::VariableBlock>& variable,
                                             const plan::CodeLimits& limits) override;
 
-  /// With as many lanes as a register of this machine's processor has.
+  /// Compiles with as many lanes as a register of this machine's processor has.
   std::optional<plan::CompiledLanes> compile_lanes(const plan::Plan& plan,
                                                    const plan::RunDifferences& differences,
                                                    const plan::CodeLimits& limits, std::string& why) override;
   int lanes() override;
 
-  /// Why there was no code the first time that there was none; empty once it has been taken.
+  /// Returns the reason of the first failure and clears it; an empty text without a failure.
   std::string take_problem();
 
  private:
-  /// On failure `problem` says why, but for that of the limits.
+  /// Returns the functions of a program. On failure `problem` has the reason, except for a failure by the
+  /// limits.
   ProgramFunctions functions_of(const GeneratedProgram& program, const plan::CodeLimits& limits,
                                 const CodeCache::Trial& trial, std::string& problem);
-  /// Sets the function of lanes. Otherwise `why` has the reason, but for that of the limits.
+  /// Sets the function of lanes and returns true. Otherwise `why` has the reason, except for a failure by the
+  /// limits.
   bool load_lanes(const plan::Plan& plan, const GeneratedProgram& program, const plan::CodeLimits& limits,
                   plan::CompiledLanes& code, std::string& why);
   void note(const std::string& problem);
 
   const plan::CodeTrial& trial_;
   std::mutex mutex_;
-  std::optional<Compiler> compiler_;               ///< looked for when it is needed
-  std::map<std::string, ProgramFunctions> known_;  ///< by the program's text
+  std::optional<Compiler> compiler_;               ///< set at the first use
+  std::map<std::string, ProgramFunctions> known_;  ///< by the text of the program
   CodeCache cache_;
   std::string problem_;
   bool noted_ = false;

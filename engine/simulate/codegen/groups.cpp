@@ -85,7 +85,7 @@ std::vector<GroupMember> states_of(const plan::Plan& plan) {
   return members;
 }
 
-/// "above 0 kg"
+/// Returns "above 0 kg".
 std::string bounds_text(const diagram::Definition& definition) {
   std::string text;
   for (const yaml::Entry& bound : definition.bounds) {

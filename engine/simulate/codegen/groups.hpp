@@ -7,19 +7,19 @@
 
 namespace stepwire::codegen {
 
-/// A number or an array of numbers that a generated program shows.
+/// Number or array in the interface of a generated program.
 struct GroupMember {
   std::string name, meaning;
-  std::vector<Index> sizes;     ///< of an array: of a list one, of a matrix rows and columns
-  std::vector<double> initial;  ///< those of a matrix row by row; empty: 0
-  plan::SignalSlot slot{};      ///< where it stands in the workspace; not for parameters
+  std::vector<Index> sizes;     ///< Sizes of an array: one for a list, rows and columns for a matrix.
+  std::vector<double> initial;  ///< Initial numbers, of a matrix row by row; empty for 0.
+  plan::SignalSlot slot{};      ///< Place in the workspace; unused for parameters.
 
-  /// "double force_[2]"
+  /// Returns "double force_[2]".
   std::string declaration() const;
   std::size_t count() const;
 };
 
-/// Numbers that belong together: a struct in C++ and in C.
+/// Related numbers: a struct in C++ and in C.
 struct Group {
   std::string type;  ///< "Inputs"
   std::string name;  ///< "inputs"
@@ -27,14 +27,15 @@ struct Group {
   std::vector<GroupMember> members;
 };
 
-/// What a generated program shows of a plan. Throws Error where two recorded signals would have one name.
+/// Interface of a generated program of a plan. The constructor throws Error if two recorded signals would
+/// have the same name.
 struct Groups {
   Groups(const plan::Plan& plan, const Tuning& tuning);
 
   Group inputs, outputs, recorded, parameters, states;
 };
 
-/// The member of `recorded` that a recorded signal is.
+/// Returns the member of `recorded` for a recorded signal.
 std::string recorded_member(const diagram::RecordedSignal& signal);
 
 }  // namespace stepwire::codegen

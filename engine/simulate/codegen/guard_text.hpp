@@ -6,25 +6,27 @@
 
 namespace stepwire::codegen {
 
-// What run::Guards does, as C++.
+// The actions of run::Guards as C++.
 
-/// Copies numbers from one place of the workspace to another.
+/// Returns statements that copy numbers within the workspace.
 std::string copy_text(std::size_t from, std::size_t to, std::size_t size);
 
-/// The ticks of a period as a condition: "tick % 4 == 1". Empty for every tick.
+/// Returns the ticks of a period as a condition, "tick % 4 == 1"; an empty text for every tick.
 std::string due_text(const plan::Period& period);
-/// "w[at::pump_active]", the number by which a call is made; empty where it always is.
+/// Returns the number that enables a call, "w[at::pump_active]"; an empty text for a call that is always
+/// active.
 std::string active_text(const PlaceNames& names, std::ptrdiff_t active);
-/// The call of a guard, with what follows from it.
+/// Returns the call of a guard and the actions of its change.
 std::string guard_call(const PlaceNames& names, const plan::Plan& plan, std::size_t guard,
                        const std::string& call);
-/// The body of the function `off_N` of a guard, which is called as it goes off.
+/// Returns the body of the function `off_N` of a guard, which is called when it switches off.
 std::string off_text(const PlaceNames& names, const plan::Plan& plan, std::size_t guard);
-/// The first part of the function `reset_N`: states take their initial values.
+/// Returns the first part of the function `reset_N`, which sets states to their initial values.
 std::string reset_text(const plan::PlannedGuard& guard);
-/// Before the solver's step: what its stages overwrite.
+/// Returns statements that store, before the solver's step, the numbers that its stages overwrite.
 std::string keep_text(const PlaceNames& names, const plan::Plan& plan);
-/// Slopes that are 0 unless derivatives are computed, where slopes have a place of their own.
+/// Returns statements that set the derivatives to 0 that are only computed while a guard is active, if
+/// derivatives have a place of their own.
 std::string zero_slopes_text(const plan::Plan& plan);
 
 }  // namespace stepwire::codegen

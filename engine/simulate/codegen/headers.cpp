@@ -33,14 +33,14 @@ std::string path_of(const std::string& header) {
   return io::resource(is_public(header) ? "public" : "headers") + "/" + header;
 }
 
-/// Others may have folders of these names, too.
+/// True for a header of stepwire. Foreign code may have folders of the same names.
 bool is_ours(const std::string& included) {
   const bool may_be =
       included.starts_with("engine/") || included.starts_with("blocks/") || is_public(included);
   return may_be && fs::exists(path_of(included));
 }
 
-/// Gathers what headers include.
+/// Collects headers and all that they include.
 class Gatherer {
  public:
   explicit Gatherer(const std::vector<std::string>& headers) : open_(headers) {
@@ -68,8 +68,8 @@ class Gatherer {
       }
   }
 
-  /// As the compiler looks: beside the including file, then among ours. What is in none of these nor above is
-  /// for the compiler to find, or to miss.
+  /// Follows an include in quotes as the compiler does: first beside the including file, then among the
+  /// headers of stepwire. All others are left to the compiler.
   void follow_quoted(const std::string& header, const std::string& included) {
     const fs::path beside = fs::path(header).parent_path();
     if (fs::exists(beside / included)) return add(beside / included);
@@ -82,8 +82,8 @@ class Gatherer {
     }
   }
 
-  /// A compiler looks through the folders in one order for all headers: what one finds in its own folder
-  /// another would find there, too.
+  /// Throws if two folders have different headers of the same name. A compiler searches the folders in one
+  /// order for all headers, and would use the wrong one.
   void require_one_of_each() const {
     for (const auto& [included, header] : found_)
       for (const std::string& folder : folders_) {
@@ -127,7 +127,7 @@ std::vector<std::string> include_options(const IncludedHeaders& headers) {
 
 namespace {
 
-/// Empty where code can be made of the blocks of a type.
+/// Returns the reason why no code can be generated for a block type; an empty text without one.
 std::string why_not_generated(const BlockType& type) {
   if (!type.not_generated.empty()) return type.not_generated;
   if (type.file_output) return "it writes files";
@@ -149,7 +149,7 @@ void require_headers(const plan::Plan& plan) {
       faults.add(plan.diagram.fault(block.origin, block.name,
                                     fmt::format("{} cannot be generated: {}", type.name, why)));
   }
-  // Of two structs with one name a compiler, or the linker, would take one for both.
+  // Two structs of the same name would be merged by the compiler or the linker.
   std::map<std::string, const BlockType*> structs;
   for (const diagram::DiagramBlock& block : plan.diagram.blocks) {
     const BlockType& type = block.type();

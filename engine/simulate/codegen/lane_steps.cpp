@@ -8,7 +8,7 @@ namespace stepwire::codegen {
 
 namespace {
 
-/// Of what is looked through, the condition of `stop_when`, the rows, the condition after a step.
+/// Placeholders: checked numbers, condition of `stop_when`, rows, condition after a step.
 constexpr char form[] =
     "/// Lanes in which a number is not finite.\n"
     "inline unsigned unfinite(Lanes w) {{\n  LaneVector sum{{}};\n{0}"
@@ -47,7 +47,7 @@ class StepsText {
   }
 
  private:
-  /// "w.lane(l)[7]"
+  /// Returns "w.lane(l)[7]".
   std::string number(std::size_t offset) const {
     return fmt::format("w{}[{}]", lane_text(lanes_, lanes_.places[offset]), offset);
   }

@@ -6,8 +6,8 @@
 
 namespace stepwire::codegen {
 
-/// The function of a program that steps several runs, on top of its evaluate() and advance(): it looks
-/// whether numbers are finite, whether a run ends, and writes the rows that are recorded.
+/// Returns the function that steps several runs, which uses evaluate() and advance() of the program. It
+/// checks for non-finite numbers and ends of runs, and writes the recorded rows.
 std::string lane_steps_text(const plan::Plan& plan, const LanePlaces& lanes);
 
 }  // namespace stepwire::codegen

@@ -7,13 +7,13 @@
 
 namespace stepwire::codegen {
 
-// States that updates of a table set aside until all are done (plan::LateStates), as C++.
+// Late states as C++: states that updates of a table store until all updates are done (plan::LateStates).
 
 bool has_late(const std::vector<plan::KernelCall>& calls);
-/// Before the calls, and behind them.
+/// Return the statements before and after the calls.
 std::string begin_late_text(const plan::Plan& plan, const std::vector<plan::KernelCall>& calls);
 std::string end_late_text(const plan::Plan& plan, const std::vector<plan::KernelCall>& calls);
-/// Behind the call of a block whose states are late.
+/// Returns the statements after the call of a block with late states.
 std::string set_aside_text(const plan::Plan& plan, const plan::KernelCall& call);
 
 }  // namespace stepwire::codegen

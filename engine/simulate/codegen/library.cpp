@@ -25,17 +25,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What tells this machine's processor from others.
+/// Returns a text that identifies this machine's processor model.
 std::string processor() {
   std::ifstream info("/proc/cpuinfo");
   std::string text, line;
-  while (std::getline(info, line) && !line.empty())  // the first core
+  while (std::getline(info, line) && !line.empty())  // fields of the first core
     for (const char* field : {"model name", "flags", "Features", "CPU part"})
       if (line.starts_with(field)) text += line + "\n";
   return text;
 }
 
-/// A file in memory with these bytes, which nothing can change any more; -1 where there is none.
+/// Creates a sealed file in memory with these bytes. Returns -1 on failure.
 int sealed_file(std::string_view bytes) {
   const int file = ::memfd_create("stepwire", MFD_CLOEXEC | MFD_ALLOW_SEALING);
   while (file >= 0 && !bytes.empty()) {
@@ -63,18 +63,18 @@ ProgramFunctions open_library(const std::string& bytes, std::string& problem) {
   return functions;
 }
 
-/// Flags for a program, beside where its headers are. In lanes the compiler puts as many numbers into a
-/// register as there are lanes.
+/// Returns the flags of a program, without its include folders. In lanes the vector width is the number of
+/// lanes.
 std::vector<std::string> flags_of(const GeneratedProgram& program) {
   std::vector<std::string> flags = flags_for_this_machine(program.headers);
   std::ranges::copy(library_flags(), std::back_inserter(flags));
   if (program.lanes == 1) return flags;
   flags.push_back("-fopenmp-simd");
-  // A loop over lanes goes into registers only if all that it calls is put into it, however much that is.
+  // A loop over lanes is vectorised only if all its calls are inlined, of any size.
   for (const char* limit :
        {"max-inline-insns-single", "large-function-growth", "large-stack-frame-growth", "inline-unit-growth"})
     flags.push_back(fmt::format("--param={}=100000", limit));
-  // Copies in pieces narrower than a register make the next read of it wait for all of them.
+  // Copies in pieces narrower than a register stall the next read of that register.
   flags.insert(flags.end(), {"-ftree-pta", "-ftree-slp-vectorize", "-fno-tree-loop-distribute-patterns"});
   flags.push_back(fmt::format("-mprefer-vector-width={}", 64 * program.lanes));
   return flags;
@@ -89,7 +89,7 @@ std::string key(const std::string& source, const GeneratedProgram& program, cons
   return hash.add(compiler.version()).text() + ".so";
 }
 
-/// The bytes of the compiled library; none where that fails.
+/// Returns the bytes of the compiled library; empty on failure.
 std::string compiled(const std::string& source, const GeneratedProgram& program, const Compiler& compiler,
                      const std::stop_token& stop, std::string& problem) {
   std::vector<std::string> flags = flags_of(program);
@@ -103,11 +103,12 @@ std::string compiled(const std::string& source, const GeneratedProgram& program,
 
 }  // namespace
 
-// The file in memory stays open, since the loader takes another one of its number for it.
+// Loads a library. The file in memory stays open, since the loader identifies files by their number and would
+// confuse a later file with it.
 void* load_library(const std::string& bytes, std::string& problem) {
   const int file = sealed_file(bytes);
   const std::lock_guard lock(subprocess::loader_mutex());
-  const FloatingPointState kept;  // code made with -ffast-math sets another one as it is loaded
+  const FloatingPointState kept;  // -ffast-math code changes the state when loaded
   void* library = ::dlopen(fmt::format("/proc/self/fd/{}", file).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library) return library;
   problem = ::dlerror();
@@ -120,7 +121,7 @@ std::vector<std::string> library_flags() {
 }
 
 std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& headers) {
-  // A header of the standard library has neither folder nor ending; of others nobody knows what they include.
+  // Standard headers have neither folder nor extension. The includes of any other header are unknown.
   static const std::regex foreign(R"re(#[ \t]*include[ \t]*<(?!stepwire/)[^>\n]*[/.])re");
   for (const std::string& header : with_included(headers).all)
     if (std::regex_search(header_text(header), foreign)) return {};
@@ -163,7 +164,7 @@ ProgramFunctions CodeCache::load(const GeneratedProgram& program, const Compiler
     if (!problem.empty()) return {};
     cache_.keep(name, made);
     return functions;
-  } catch (const std::exception& error) {  // no folder, no room, no sources: the run goes on without
+  } catch (const std::exception& error) {  // the run continues interpreted
     problem = error.what();
     return {};
   }

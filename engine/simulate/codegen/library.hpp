@@ -11,45 +11,45 @@
 
 namespace stepwire::codegen {
 
-/// Flags for code with these headers that only this machine will run. Eigen adds in an order that depends on
-/// the processor it is compiled for, and the interpreter is compiled for any: only code without it, and
-/// without other libraries, gives the same bits when it is compiled for this one.
+/// Returns the flags for code with these headers that only this machine will run. Eigen adds in an order that
+/// depends on the target processor, and the interpreter is compiled for a generic one. So only code without
+/// Eigen and other libraries is compiled for this processor and still has the same bits.
 std::vector<std::string> flags_for_this_machine(const std::vector<std::string>& headers);
 
-/// Loads a shared library for good: these very bytes, whatever becomes of the file that they were read from.
-/// Null where that fails, and `problem` says why.
+/// Loads a shared library permanently from these bytes, independent of the file that they were read from. On
+/// failure returns nullptr, with the reason in `problem`.
 void* load_library(const std::string& bytes, std::string& problem);
 
-/// Returns the flags by which a library calls its own functions only. The program exports functions of the
-/// same names, of libraries such as Eigen, too, which are compiled for another processor.
+/// Returns the flags that bind a library to its own functions. The executable exports functions of the same
+/// names, of libraries such as Eigen, that are compiled for another processor.
 std::vector<std::string> library_flags();
 
-/// Returns the beginning of a library's source: its headers. It gives the namespace of the blocks another
-/// name than in the program: classes have fewer members in generated code, and numbers of lanes between them.
-/// One name never means two classes in a process.
+/// Returns the beginning of a library's source: its headers. The namespace of the blocks is renamed, because
+/// classes have fewer members in generated code, depending on the number of lanes. A name must not denote two
+/// classes in one process.
 std::string library_head(const std::vector<std::string>& headers, int lanes);
 
 /// Returns the source of a shared library with a program's functions.
 std::string library_source(const GeneratedProgram& program);
 
-/// What a compiled program has.
+/// Functions of a compiled program.
 struct ProgramFunctions {
-  plan::StepFunctions steps;                    ///< of one for one run
-  void (*run)(plan::LaneTask& task) = nullptr;  ///< of one for several
+  plan::StepFunctions steps;                    ///< set in a program for one run
+  void (*run)(plan::LaneTask& task) = nullptr;  ///< set in a program for lanes
   explicit operator bool() const { return run || (steps.evaluate && steps.advance); }
 };
 
-/// Compiled programs, kept so that the same diagram is compiled once.
+/// Cache of compiled programs.
 class CodeCache {
  public:
   explicit CodeCache(io::Cache cache = io::Cache()) : cache_(std::move(cache)) {}
 
-  /// Returns a sentence on the fault of new code; an empty one if there is none.
+  /// Returns a sentence on the fault of new code; an empty text without one.
   using Trial = std::function<std::string(const ProgramFunctions&)>;
 
   /// Returns the functions of a program, from the cache or compiled; they stay loaded. On failure they are
-  /// null and `problem` has the reason, but for that of the limits. Compiled code is kept once its trial
-  /// finds nothing.
+  /// nullptr and `problem` has the reason, except for a failure by the limits. Compiled code is cached if its
+  /// trial finds no fault.
   ProgramFunctions load(const GeneratedProgram& program, const Compiler& compiler,
                         const plan::CodeLimits& limits, const Trial& trial, std::string& problem) const;
 

@@ -9,16 +9,16 @@
 
 namespace stepwire::codegen {
 
-/// Writes numbers of blocks into a program: as they are, longer lists as tables, or as `numbers[i]`, counted
-/// in the order in which they are written. A list that varies begins at the number that another one names, so
-/// that lists may have other lengths from run to run.
+/// Writes numbers of blocks into a program: as literals, longer lists as tables, and variable ones as
+/// `numbers[i]`, counted in the order in which they are written. A variable list begins at an index that is a
+/// number itself, so lists may have other lengths from run to run.
 class Literals : public LiteralWriter {
  public:
-  /// `table` names the numbers that vary.
+  /// `table` is the name of the variable numbers.
   explicit Literals(std::string table = "numbers") : table_(std::move(table)) {}
 
-  /// Of the numbers and lists that are written next, which are read from `numbers`? Those behind the last of
-  /// these are not.
+  /// Sets for the numbers and lists that are written next which ones are read from `numbers`. Later ones are
+  /// not.
   void vary(std::vector<bool> items) {
     items_ = std::move(items);
     item_ = 0;
@@ -31,31 +31,31 @@ class Literals : public LiteralWriter {
   std::string whole(std::int64_t value) override;
   std::string natural(std::uint64_t value) override;
 
-  /// How many that vary have been written.
+  /// Returns the count of variable numbers that have been written.
   std::size_t varied() const { return count_; }
 
-  /// What the next table is called.
+  /// Sets the name of the next table.
   void name_tables(std::string name) { name_ = std::move(name); }
-  /// Definitions of all tables so far.
+  /// Returns the definitions of all tables so far.
   std::string tables() const { return tables_; }
 
  private:
-  /// "numbers[i]", or what the table is called
+  /// Returns "numbers[i]", with the name of the table.
   std::string next();
 
-  /// Is the item that is written now read from `numbers`?
+  /// True if the present item is read from `numbers`.
   bool varies();
 
   std::string table_;
   std::vector<bool> items_;
   std::size_t item_ = 0;
-  std::size_t count_ = 0;  ///< of numbers that vary
+  std::size_t count_ = 0;  ///< count of variable numbers
   std::string tables_;
   std::string name_;
-  std::set<std::string> names_;  ///< of tables
+  std::set<std::string> names_;  ///< names of tables
 };
 
-/// A double as C++ that reads back to the same bits: "5.0", "-unlimited".
+/// Returns a double as C++ that reads back to the same bits: "5.0", "-unlimited".
 std::string number_text(double value);
 
 }  // namespace stepwire::codegen

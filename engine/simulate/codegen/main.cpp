@@ -1,5 +1,5 @@
-// Run by the build: standard headers for generated code, precompiled into the folder that is named. Where
-// that fails code compiles all the same, only slower.
+// Build tool that precompiles the standard headers for generated code into the given folder. Without them
+// code compiles too, but more slowly.
 
 #include <fmt/core.h>
 

@@ -26,7 +26,7 @@ std::string comment_of(const plan::Plan& plan, std::size_t block) {
 PlaceNames::PlaceNames(const plan::Plan& plan) {
   for (const diagram::DiagramBlock& block : plan.diagram.blocks)
     blocks_.push_back(free(cpp_identifier(block.name)));
-  taken_.clear();  // places have a member's name behind that of their block
+  taken_.clear();  // names of places are a member's name after that of their block
   places_.push_back({plan::Layout::time, 1, "time", "of the evaluation [s]"});
   places_.push_back({plan::Layout::timed, 1, "timed", "for which `timed` was computed last [s]"});
   for (const NamedPlace& place : places_) {
@@ -40,7 +40,7 @@ PlaceNames::PlaceNames(const plan::Plan& plan) {
   for (std::size_t i = 0; i < places_.size(); ++i) by_offset_[places_[i].offset] = i;
 }
 
-/// The name, with a number behind it where it is taken.
+/// Returns the name, with a number appended if it is taken.
 std::string PlaceNames::free(const std::string& name) {
   std::string own = name;
   for (int number = 2; !taken_.insert(own).second; ++number) own = fmt::format("{}_{}", name, number);
@@ -82,7 +82,7 @@ std::string PlaceNames::at(std::size_t offset) const {
   if (behind == by_offset_.begin()) return fmt::format("{}", offset);
   const NamedPlace& place = places_[std::prev(behind)->second];
   if (place.offset == offset) return "at::" + place.name;
-  const std::size_t element = offset - place.offset;  // of a signal of which one element is meant
+  const std::size_t element = offset - place.offset;  // of a signal, for a reference to one element
   const bool inside = element < static_cast<std::size_t>(place.size);
   return inside ? fmt::format("at::{} + {}", place.name, element) : fmt::format("{}", offset);
 }

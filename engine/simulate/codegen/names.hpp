@@ -9,7 +9,7 @@
 
 namespace stepwire::codegen {
 
-/// One place of the workspace with its name in the program.
+/// Place of the workspace with its name in the program.
 struct NamedPlace {
   std::size_t offset;
   Index size;
@@ -17,15 +17,15 @@ struct NamedPlace {
   std::string meaning;  ///< "rig.carriage.position, Mass, platform-1d.yaml:31", as part of a comment
 };
 
-/// What generated code calls the numbers of a workspace.
+/// Names of the workspace's numbers in generated code.
 class PlaceNames {
  public:
   explicit PlaceNames(const plan::Plan& plan);
 
   const std::vector<NamedPlace>& places() const { return places_; }
-  /// "at::rig_carriage_position"
+  /// Returns "at::rig_carriage_position".
   std::string at(std::size_t offset) const;
-  /// "rig_carriage"
+  /// Returns "rig_carriage".
   const std::string& block(std::size_t block) const { return blocks_[block]; }
 
  private:
@@ -42,7 +42,7 @@ class PlaceNames {
   std::set<std::string> taken_;
 };
 
-/// "carriage: Mass, platform-1d.yaml:31", as part of a comment.
+/// Returns "carriage: Mass, platform-1d.yaml:31", as part of a comment.
 std::string comment_of(const plan::Plan& plan, std::size_t block);
 
 }  // namespace stepwire::codegen

@@ -8,18 +8,18 @@
 
 namespace stepwire::codegen {
 
-/// Writes calls of prepare() as C++: a block is set up from parameters and prepares its members, an element
-/// at a time, so that none of them takes memory.
+/// Writes calls of prepare() as C++. A block is set up from parameters and prepares its members one element
+/// at a time, so that none of them allocates memory.
 class PreparedText {
  public:
-  /// `element(i, k)`: number k of the value of the i-th binding of the tuning.
+  /// Function element(i, k) that returns number k of the value of the i-th binding of the tuning.
   using Element = std::function<std::string(std::size_t i, std::size_t k)>;
 
   PreparedText(const plan::Plan& plan, const Tuning& tuning, Element element)
       : plan_(plan), tuning_(tuning), element_(std::move(element)) {}
 
   std::string call(const PreparedBlock& block);
-  /// Definitions of lists that the calls read.
+  /// Returns the definitions of lists that the calls read.
   std::string tables() const;
 
  private:

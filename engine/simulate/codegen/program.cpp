@@ -23,7 +23,7 @@ namespace stepwire::codegen {
 
 namespace {
 
-constexpr std::size_t max_inlined = 150;  // calls in a stage; beyond, registers are too few anyway
+constexpr std::size_t max_inlined = 150;  // calls in a stage; larger ones lack registers
 
 const std::string state_arguments = "w, numbers, tick";
 const std::map<std::size_t, std::size_t> no_places;
@@ -45,7 +45,7 @@ class Maker {
 
   void add_steps() {
     if (!plan_.timed.empty()) add_timed();
-    for (std::size_t guard = plan_.guards.size(); guard-- > 0;) add_guard(guard);  // inner ones are called
+    for (std::size_t guard = plan_.guards.size(); guard-- > 0;) add_guard(guard);  // callees first
     add_outputs();
     add_updates();
     if (plan_.layout.state_count > 0) add_slopes();
@@ -78,7 +78,7 @@ class Maker {
                     plan_.rest.empty() ? "" : "  w[" + ahead_place() + "] = 0.0;\n"));
   }
 
-  /// What a block finds wrong holds for this evaluation alone.
+  /// Adds evaluate_here(). Diagnostics that blocks raise in it are valid for this evaluation only.
   void add_between_ticks() {
     std::vector<Code> code{{plan_.timed.empty() ? "" : "  follow_time(w, numbers);\n"}};
     append(code, outputs_of(plan_.outputs));
@@ -116,7 +116,7 @@ class Maker {
                     functions_.attribute(), parameters));
   }
 
-  /// What happens as a guard goes off, and on.
+  /// Adds the functions for a guard that switches off and on.
   void add_guard(std::size_t guard) {
     const plan::PlannedGuard& of = plan_.guards[guard];
     functions_.add_text(fmt::format("inline void off_{}([[maybe_unused]] double* w) {{\n{}}}\n\n", guard,
@@ -145,7 +145,7 @@ class Maker {
     return calls_of(plan_, statements_, table, Phase::outputs, at_tick());
   }
 
-  /// Where the run has ended between two ticks it stays.
+  /// Returns the statement that keeps a run ended after a stop between two ticks.
   std::string stop_guard() const {
     if (!plan_.stop_crossing) return "";
     return fmt::format("  if (w[{}] != 0.0) return;\n", plan_.layout.events + solve::EventReport::stopped);
@@ -163,7 +163,7 @@ class Maker {
     return places;
   }
 
-  /// A small program is written out: then all its numbers can be in registers.
+  /// Returns the places at a tick. A small program is inlined, so all its numbers can be in registers.
   Places at_tick() const {
     Places places = at_workspace();
     if (small_) places.min_in_loop = max_inlined + 1;
@@ -182,19 +182,20 @@ class Maker {
     at_stage.dot = "dot";
     std::vector<Code> code = calls_of(plan_, statements_, plan_.stage, Phase::outputs, at_stage);
     append(code, calls_of(plan_, statements_, plan_.derivatives, Phase::derivatives, at_stage));
-    for (Code& piece : code) piece.period = {};  // a stage computes all that it has
+    for (Code& piece : code) piece.period = {};  // a stage computes all its calls
     functions_.add("slopes", workspace_parameters(lanes_) + ", " + numbers_parameter(lanes_, "s") + slopes,
                    "w, numbers, s, dot", code);
   }
 
-  /// Slopes that outputs have written to the workspace, where slopes have a place of their own.
+  /// Returns statements for derivatives that outputs have written to the workspace, if derivatives have a
+  /// place of their own.
   std::vector<Code> given_slopes() const {
     std::vector<Code> code;
     if (!small_) return code;
     for (const plan::PlannedBlock& block : plan_.blocks)
       for (const plan::SignalSlot& slot : block.derivatives)
         for (std::size_t i = slot.offset; i < slot.offset + static_cast<std::size_t>(slot.size); ++i)
-          if (block.slope_is_input && i >= plan_.layout.derivatives)  // discrete states have no slopes
+          if (block.slope_is_input && i >= plan_.layout.derivatives)  // discrete states have no derivatives
             code.push_back({given_slope_text(plan_, lanes_, i)});
     return code;
   }
@@ -217,7 +218,7 @@ class Maker {
         fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters(), body));
   }
 
-  /// What is looked at for events, and what happens there. That happens rarely and is not put into others.
+  /// Adds the crossing functions and the event iteration. They run rarely and are not inlined.
   void add_events() {
     const auto add = [&](const char* name, const std::vector<Code>& code) {
       functions_.add(name, state_parameters(), state_arguments, code);

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// For compilers that are called by hand.
+/// Check for builds without CMake.
 constexpr char eigen_check[] =
     "#if !__has_include(<Eigen/Core>)\n"
     "#error this diagram needs the headers of Eigen 3: -I names their folder, /usr/include/eigen3 with "
@@ -37,8 +37,8 @@ constexpr char eigen_search[] =
     "                      \"-DEigen3_DIR=FOLDER names the folder of their Eigen3Config.cmake\")\n"
     "endif()\n\n";
 
-/// Where headers lie in a program's folder: ours under stepwire/, those of others under blocks_of_others/ as
-/// they lie to each other.
+/// Layout of headers in a program's folder: those of stepwire are under stepwire/, foreign ones under
+/// blocks_of_others/ in their relative positions.
 class HeaderFiles {
  public:
   explicit HeaderFiles(const IncludedHeaders& headers) : headers_(headers) {
@@ -47,7 +47,7 @@ class HeaderFiles {
     for (const std::string& folder : headers.folders) widen(folder);
   }
 
-  /// The path of a header, as sources include it.
+  /// Returns the path of a header as sources include it.
   std::string included(const std::string& header) const {
     return is_of_others(header) ? moved(header) : header;
   }
@@ -59,7 +59,7 @@ class HeaderFiles {
     }
     return files;
   }
-  /// Folders in which headers are looked for, beside that of the program and stepwire/.
+  /// Returns the include folders beside that of the program and stepwire/.
   std::vector<std::string> folders() const {
     std::vector<std::string> folders;
     for (const std::string& folder : headers_.folders) folders.push_back(moved(folder));
@@ -80,11 +80,11 @@ class HeaderFiles {
   }
 
   const IncludedHeaders& headers_;
-  fs::path common_;  ///< the folder that holds all headers of others
+  fs::path common_;  ///< common parent folder of all foreign headers
 };
 
-/// Of the name, the sources, the flags, the main program, then what is found, linked, compiled and included
-/// besides.
+/// Placeholders: name, sources, flags, main program, then found packages, linked libraries, compile options
+/// and include folders.
 constexpr char cmake_form[] =
     "cmake_minimum_required(VERSION 3.21)\n"
     "project({0} LANGUAGES CXX)\n\n"
@@ -128,8 +128,9 @@ std::string cmake_text(const ProgramNames& names, const std::vector<std::string>
       c_interface ? " " + names.c_source : "", more);
 }
 
-/// Returns the size of the longest list that a block is given anew as parameters change. With it no list
-/// takes memory of the heap. Blocks of others may make lists of any size: nullopt.
+/// Returns the size of the longest list that a block receives again as parameters change. Lists up to this
+/// size are stored without dynamic memory. Returns std::nullopt for foreign blocks, which may make lists of
+/// any size.
 std::optional<std::size_t> longest_list(const plan::Plan& plan, const Tuning& tuning,
                                         const IncludedHeaders& headers) {
   if (std::ranges::any_of(headers.all, is_of_others)) return std::nullopt;

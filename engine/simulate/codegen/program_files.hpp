@@ -7,36 +7,38 @@
 
 namespace stepwire::codegen {
 
-/// How a program is written.
+/// Options of a generated program.
 struct ProgramOptions {
-  std::string name;            ///< that of the diagram's file, without its ending, or another
-  std::string made_by;         ///< which program of which version wrote it
-  bool c_interface = false;    ///< to be called from C as well
-  bool between_ticks = false;  ///< for solvers of others as well; why_ticks_only() has to be empty
+  std::string name;     ///< Name of the program; by default that of the diagram's file without extension.
+  std::string made_by;  ///< Name and version of the generator.
+  bool c_interface = false;    ///< True for an interface to C.
+  bool between_ticks = false;  ///< True for an interface to external solvers.
 };
 
-/// What a program is called in its own files. Each is a word that is none of C++, of a library or of CMake.
+/// Names of a program in its own files. None of them is a word of C++, of a library or of CMake.
 struct ProgramNames {
-  /// From the name of the options.
+  /// Derives the names from the name of the options.
   explicit ProgramNames(const std::string& name);
 
-  std::string stem;   ///< "rig", of files and of the program
-  std::string space;  ///< the namespace
+  std::string stem;   ///< "rig", for files and the program
+  std::string space;  ///< namespace
   std::string header, source;
-  std::string main, c_header, c_source;  ///< no identifier has a '-'
+  std::string main, c_header, c_source;  ///< with '_' where the name has '-'
 };
 
-/// A plan as a program of its own, by file name: a header with one struct, its source, a main() that writes
-/// what the diagram records as the file's run does, a CMakeLists.txt with a library and that program, and the
-/// headers of blocks that they need. Throws Error for what cannot be generated, with its line.
+/// Generates a standalone program from a plan, as texts by file name.
+///
+/// The files are a header with one struct, its source, a main() that records the same as a run of the file,
+/// and the headers of blocks. A CMakeLists.txt builds a library and that program. Throws Error for anything
+/// that cannot be generated, with its line.
 std::map<std::string, std::string> program_files(const plan::Plan& plan, const Tuning& tuning,
                                                  const ProgramOptions& options);
 
-/// True where some of these files include headers of Eigen, which no program holds itself.
+/// True if some of these files include headers of Eigen, which a program does not contain.
 bool needs_eigen(const std::map<std::string, std::string>& files);
 
-/// Folders of those files, besides that of the program and stepwire/, in which headers of others are looked
-/// for.
+/// Returns the include folders of those files for foreign headers, without those of the program and
+/// stepwire/.
 std::vector<std::string> header_folders(const plan::Plan& plan);
 
 }  // namespace stepwire::codegen

@@ -22,7 +22,8 @@ const char* const tools = R"cpp(
   }
 )cpp";
 
-/// Tables are whole under their names or not there: a full disk leaves the ones before as they are.
+/// Functions that write tables. A table has its name only once it is complete, so a full disk leaves older
+/// ones intact.
 const char* const table_functions = R"cpp(
   /// A table that is written, until the end under the name `path`.part.
   struct Table {
@@ -58,7 +59,7 @@ const char* const table_functions = R"cpp(
   }
 )cpp";
 
-/// Of what opens the files, the rows of a tick, the last tick, a check of loops.
+/// Placeholders: opening of files, rows of a tick, last tick, check of loops.
 constexpr char main_form[] =
     "}}  // namespace\n\n"
     "/// Runs the diagram to its stop; what it records goes into the folder that is named, "
@@ -82,7 +83,7 @@ constexpr char main_form[] =
     "  std::fprintf(stderr, \"%s (at %g s); the run ends here\\n\", fault, d.time());\n  "
     "return 2;\n}}\n";
 
-/// A function that writes one row of a recording.
+/// Returns a function that writes one row of a recording.
 std::string row_function(const diagram::RecordRequest& request, const plan::Plan& plan, std::size_t number) {
   std::string text = fmt::format(
       "void write_row_{}(std::FILE* file, const Diagram& d) {{\n"

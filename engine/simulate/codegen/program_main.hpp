@@ -6,8 +6,8 @@
 
 namespace stepwire::codegen {
 
-/// The main() of a generated program: runs the diagram to its stop and writes signals.csv (signals-2.csv,
-/// ...) as `stepwire run` does. The struct stands in a header and a namespace.
+/// Returns the main() of a generated program. It runs the diagram to its stop time and writes the signals
+/// files as `stepwire run` does. The struct is in the header `header` and the namespace `space`.
 std::string main_text(const plan::Plan& plan, const std::string& header, const std::string& space);
 
 }  // namespace stepwire::codegen

@@ -18,21 +18,21 @@ namespace stepwire::codegen {
 
 namespace {
 
-/// The type of a column of such numbers; empty where the text is none.
+/// Returns the type of a column of such numbers; an empty text if `text` is not a number.
 std::string type_of_number(const std::string& text) {
   if (text.empty() || text.find_first_not_of("0123456789.e+-u") != std::string::npos) return "";
   if (text.find_first_of(".e") != std::string::npos) return "double";
   return text.back() == 'u' ? "std::uint64_t" : "std::int64_t";
 }
 
-/// Blocks whose set-ups are alike but for what fills the holes, as a loop over k.
+/// Loop over k for blocks whose set-ups differ only in the contents of placeholders.
 class Loop {
  public:
   Loop(const plan::Plan& plan, const Statements& statements, std::vector<std::size_t> blocks,
        std::vector<Statements::Pieces> set_ups)
       : plan_(plan), statements_(statements), blocks_(std::move(blocks)), set_ups_(std::move(set_ups)) {}
 
-  /// Can the blocks be told apart by numbers and places alone?
+  /// True if the blocks differ in numbers and places only.
   bool possible() const {
     const auto& first = set_ups_.front();
     for (const auto& other : set_ups_) {
@@ -65,7 +65,7 @@ class Loop {
            (type_of_number(a.hole) == type_of_number(b.hole) && !type_of_number(a.hole).empty());
   }
 
-  /// What stands in a hole: the same for all, a place that moves on evenly, or a column of the table.
+  /// Returns the content of a placeholder: constant, place with constant stride, or column of the table.
   std::string filling(std::size_t piece) {
     const auto& first = set_ups_.front()[piece];
     if (first.offset < 0) return all_equal(piece) ? first.hole : column(piece, type_of_number(first.hole));
@@ -116,8 +116,8 @@ class Loop {
 
 using SetUps = std::vector<Statements::Pieces>;
 
-/// Does the step from one set-up to the next equal that from `first` to `second`, with fractions free? Such a
-/// row of blocks needs no table of places.
+/// True if the step from `one` to `next` equals that from `first` to `second`, apart from fractional numbers.
+/// A row of such blocks needs no table of places.
 bool goes_on(const Statements::Pieces& first, const Statements::Pieces& second, const Statements::Pieces& one,
              const Statements::Pieces& next) {
   if (first.size() != next.size()) return false;
@@ -130,7 +130,7 @@ bool goes_on(const Statements::Pieces& first, const Statements::Pieces& second, 
   return true;
 }
 
-/// How many blocks from `from` on are an even row.
+/// Returns the number of blocks from `from` on that form a row with constant stride.
 std::size_t even_row(const SetUps& set_ups, std::size_t from) {
   std::size_t end = from + 1;
   if (end >= set_ups.size() || set_ups[from].size() != set_ups[end].size()) return 1;
@@ -139,8 +139,8 @@ std::size_t even_row(const SetUps& set_ups, std::size_t from) {
   return end - from;
 }
 
-/// Turns the blocks of one batch into code: even rows into loops, what is between them into loops with a
-/// table or into calls.
+/// Generates the code of one kernel call: rows with constant stride become loops, the others table loops or
+/// calls.
 class BatchCode {
  public:
   BatchCode(const plan::Plan& plan, const Statements& statements, const std::vector<std::size_t>& blocks,
@@ -191,11 +191,11 @@ class BatchCode {
   const std::vector<std::size_t>& blocks_;
   Phase phase_;
   const Places& places_;
-  Code made_;  ///< when it is called
+  Code made_;  ///< holds the condition of the call
   SetUps set_ups_;
 };
 
-/// The calls from `first` to `end - 1` of a table, as if there were no loops.
+/// Returns the code of the calls in [first, end) of a table, without loop solvers.
 std::vector<Code> calls_between(const plan::Plan& plan, const Statements& statements,
                                 std::span<const plan::KernelCall> batches, Phase phase,
                                 const Places& places) {
@@ -218,14 +218,14 @@ std::vector<Code> calls_between(const plan::Plan& plan, const Statements& statem
   return code;
 }
 
-/// "tick % 4 == 0 && w[at::pump_active] != 0.0"; empty for what is called at every tick.
+/// Returns "tick % 4 == 0 && w[at::pump_active] != 0.0"; an empty text for an unconditional call.
 std::string condition_of(const Code& code) {
   std::string text = due_text(code.period);
   if (!code.active.empty()) text += fmt::format("{}{} != 0.0", text.empty() ? "" : " && ", code.active);
   return text;
 }
 
-/// Calls that are made until they agree.
+/// Returns the code of an algebraic loop, whose calls are repeated until they converge.
 Code loop_code(const plan::Plan& plan, const plan::LoopCall& call, const std::vector<Code>& calls) {
   const plan::SolvedLoop& loop = plan.loops[call.loop];
   const diagram::AlgebraicLoops& options = plan.diagram.algebraic_loops;

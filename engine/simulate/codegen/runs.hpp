@@ -7,22 +7,22 @@
 
 namespace stepwire::codegen {
 
-/// Code of one call, or of a loop over several blocks of one type, and how much of it there is.
+/// Code of one call, or of a loop over several blocks of one type.
 struct Code {
   std::string text;
-  plan::Period period{};     ///< ticks at which it is called
-  std::string active{};     ///< the number that is 0 while it is not called; empty: it always is
+  plan::Period period{};  ///< ticks of the call
+  std::string active{};  ///< number that is 0 while the call is skipped; empty if it is unconditional
 };
 
-/// Some of these pieces, in which code of the same period stands behind one condition.
+/// Returns the pieces [first, last), with code of the same period and guard under one condition.
 std::string with_conditions(const std::vector<Code>& code, std::size_t first, std::size_t last);
 
-/// The calls of a table of a plan, in its order; calls of an algebraic loop with what solves it. Blocks of one type that lie one behind the other are called
-/// in a loop where they are many and differ in nothing but numbers and places.
+/// Returns the code of a table of a plan, in its order, with the solvers of algebraic loops. Adjacent blocks
+/// of one type that differ only in numbers and places are called in a loop if they are many.
 std::vector<Code> calls_of(const plan::Plan& plan, const Statements& statements,
                            const std::vector<plan::KernelCall>& batches, Phase phase, const Places& places);
 
-/// The same for start(), of all of these blocks that have it, in their order.
+/// Returns the calls of start() for those of these blocks that have it, in order.
 std::vector<Code> starts_of(const plan::Plan& plan, const Statements& statements, const Places& places,
                             const std::vector<int>& blocks);
 

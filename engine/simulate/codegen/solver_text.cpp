@@ -11,11 +11,11 @@ namespace stepwire::codegen {
 
 namespace {
 
-/// For g++: no turn of the loop that follows reads what another one writes. Other compilers warn of its
-/// pragma.
+/// Pragma that declares the iterations of the next loop independent, for g++ only; other compilers warn of
+/// it.
 constexpr char independent[] = "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC ivdep\n#endif\n";
 
-constexpr std::size_t few = 16;  // states that are written out one by one
+constexpr std::size_t few = 16;  // up to this count, states are written out one by one
 
 class ExplicitText {
  public:
@@ -26,7 +26,7 @@ class ExplicitText {
         timed_(!plan.timed.empty()),
         first_(plan.layout.states),
         pieces_(plan::active_pieces(plan, plan.layout.states, plan.layout.derivatives)) {
-    // Stages with numbers of their own have those of all states.
+    // Stages with numbers of their own store all states.
     if (form.small) pieces_ = {{plan.layout.states, plan.layout.derivatives, -1}};
   }
 
@@ -51,7 +51,7 @@ class ExplicitText {
 
   bool in_lanes() const { return form_.lanes.lanes > 1; }
 
-  /// What a stage works on.
+  /// Returns the pointers that a stage works on.
   std::string stage_text() const {
     if (!in_lanes())
       return form_.small
@@ -64,7 +64,7 @@ class ExplicitText {
                        : "  const Lanes s = w, dot = w.from(first_derivative);\n";
   }
 
-  /// The i-th state: in lanes, the i-th number of the states of all lanes.
+  /// Returns the i-th state; in lanes, the i-th number of the states of all lanes.
   std::string state(const std::string& numbers, const std::string& i) const {
     return fmt::format(fmt::runtime(in_lanes() ? "{}.first[states * lanes + {}]" : "{}[states + {}]"),
                        numbers, i);
@@ -103,7 +103,7 @@ class ExplicitText {
     return piece.active < 0 ? loop : fmt::format("  if (w[{}] != 0.0) {{\n{}  }}\n", piece.active, loop);
   }
 
-  /// A slope is added to all sums on one way through memory.
+  /// Returns the loop that adds a derivative to all sums in one pass through memory.
   std::string additions_text(const solve::SolverStage& stage, bool last) const {
     const auto element = [&](int place, const std::string& i) {
       if (place != solve::Addition::states) return fmt::format("{}[{}]", name(place), i);
@@ -123,11 +123,11 @@ class ExplicitText {
   std::size_t states_;
   const StepForm& form_;
   bool timed_;
-  std::size_t first_;                      ///< where the states lie
-  std::vector<plan::ActivePiece> pieces_;  ///< what is off does not move
+  std::size_t first_;                      ///< Place of the states.
+  std::vector<plan::ActivePiece> pieces_;  ///< Pieces without inactive guards.
 };
 
-/// An argument of a method: the control of the error and its numbers, or the place for a fault of a step.
+/// Returns an argument of a method: the tolerances and their numbers, or the place for a fault of a step.
 std::string task_text(const plan::Plan& plan) {
   const std::size_t report = plan.layout.report;
   if (const auto& control = plan.diagram.error_control)

@@ -4,11 +4,11 @@
 
 namespace stepwire::codegen {
 
-/// Places of a solver's stage that has numbers of its own: the signals that it computes anew, the time and
-/// the states lie in `s`.
+/// Returns the places of a solver stage with numbers of its own: the signals that it computes, the time and
+/// the states are in `s`.
 Places stage_places(const plan::Plan& plan, Places places);
 
-/// How many blocks a table of a plan calls.
+/// Returns the count of blocks that a table of a plan calls.
 std::size_t count_of(const std::vector<plan::KernelCall>& batches);
 
 }  // namespace stepwire::codegen

@@ -21,7 +21,7 @@ std::vector<Code> StartText::initial() const {
   return code;
 }
 
-/// A number, or where it is read from.
+/// Returns a number as a literal, or the table entry that it is read from.
 std::string StartText::number_at(std::size_t place, double number) const {
   const auto found = places_.find(place);
   return found == places_.end() ? number_text(number) : fmt::format("numbers[{}]", found->second);

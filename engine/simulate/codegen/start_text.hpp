@@ -7,16 +7,17 @@
 
 namespace stepwire::codegen {
 
-/// The numbers of the workspace before the first tick, as statements.
+/// Statements that set the numbers of the workspace before the first tick.
 class StartText {
  public:
-  /// `places` are of numbers that vary: the place of the workspace, and that in the table they are read from.
+  /// `places` maps places of variable numbers in the workspace to places in the table that they are read
+  /// from.
   StartText(const plan::Plan& plan, const PlaceNames& names, const std::map<std::size_t, std::size_t>& places)
       : plan_(plan), names_(names), places_(places) {}
 
-  /// Of the constants of wires.
+  /// Returns the statements for constants on wires.
   std::string constants() const;
-  /// Of all blocks; what is not named is 0 before.
+  /// Returns the statements for all blocks; all other numbers must be 0 before.
   std::vector<Code> initial() const;
 
  private:

@@ -41,7 +41,7 @@ std::string struct_of(const plan::Plan& plan, std::size_t block) {
 
 namespace {
 
-/// Members of a freshly made block of a type, as text: what equals them need not be written.
+/// Returns the members of a new block of a type, as text. Equal ones need not be written.
 std::map<std::string, std::string> defaults_of(const BlockType& type) {
   const AnyBlock fresh(type);
   Literals literals;

@@ -11,16 +11,17 @@
 
 namespace stepwire::codegen {
 
-/// Where the statements of a function find their numbers: outputs that the function computes and states in
-/// `fresh`, everything else in `w`, slopes in `dot`, also those that are outputs that it computes.
+/// Names of the arrays that hold the numbers of a function. Outputs that the function computes and states are
+/// in `fresh`, all others in `w`, and derivatives in `dot`, including those that are outputs that it
+/// computes.
 struct Places {
   std::string fresh = "w";
-  std::vector<bool> is_fresh;  ///< by offset; empty: nothing is
+  std::vector<bool> is_fresh;  ///< by offset; an empty list if no number is fresh
   std::string dot = "w + first_derivative";
-  std::size_t min_in_loop = 6;  ///< fewer calls stand one by one
+  std::size_t min_in_loop = 6;  ///< Smallest number of calls that is written as a loop.
 };
 
-/// A function of a block that a plan calls.
+/// Function of a block that a plan calls.
 enum class Phase {
   outputs,
   outputs_at_instant,
@@ -29,38 +30,39 @@ enum class Phase {
   update_at_event,
   start,
   crossings,
-  next_edge  ///< which lowers a number called `edge`
+  next_edge  ///< lowers a number named `edge`
 };
 
-/// Writes calls of blocks as C++: each block is an object of its own, set up and called on the spot, which
-/// the compiler sees through.
+/// Writes calls of blocks as C++. Each block is a local object that is set up and called on the spot, so the
+/// compiler can optimise it away.
 class Statements {
  public:
-  /// `variable` members are read from the numbers of a run, in the order of NumberTable. All but plan and
-  /// `literals` must outlive it.
+  /// `variable` members are read from the numbers of a run, in the order of NumberTable. All arguments except
+  /// the plan and `literals` must outlive it.
   Statements(const plan::Plan& plan, const PlaceNames& names,
              const std::vector<plan::VariableBlock>& variable, const LanePlaces& lanes, Literals& literals);
 
   const PlaceNames& names() const { return names_; }
-  /// The call of one block.
+  /// Returns the call of one block.
   std::string call(std::size_t block, Phase phase, const Places& places) const;
 
-  /// A piece of a block's set-up: text with a hole, and what fills it.
+  /// Piece of a block's set-up: text with a placeholder, and its content.
   struct Piece {
     std::string before, hole, after;
-    std::int64_t offset = -1;  ///< where the hole is a place of the workspace
-    bool fixed = false;        ///< is it a member that has the same value in each run?
+    std::int64_t offset = -1;  ///< place of the workspace, if the content is one
+    bool fixed = false;        ///< true for a member with the same value in each run
   };
   using Pieces = std::vector<Piece>;
-  /// Everything between the making of a block and its call; `complete` with members that keep their defaults.
+  /// Returns all statements between the declaration of a block and its call; `complete` includes members that
+  /// keep their defaults.
   Pieces set_up(std::size_t block, const Places& places, bool complete) const;
-  /// The making of a block, its set-up (members that are fixed, and the rest) and its call: in lanes the call
-  /// is a loop over them.
+  /// Returns the declaration of a block, its set-up (fixed members, and the rest) and its call. In lanes the
+  /// call is a loop over them.
   std::string call_text(std::size_t block, Phase phase, const std::string& fixed,
                         const std::string& rest) const;
 
  private:
-  /// "w", or the lane of it that has a number.
+  /// Returns "w", or its lane that has a number.
   std::string in_lane(const std::string& numbers, std::size_t offset) const;
   Piece place(const std::string& before, std::size_t offset, const std::string& after,
               const Places& places) const;
@@ -79,11 +81,11 @@ class Statements {
   std::vector<std::vector<Member>> members_;  ///< of each block
 };
 
-/// The phase that a kernel runs, which may differ from `otherwise` at instants.
+/// Returns the phase that a kernel runs, which may differ from `otherwise` at instants.
 Phase phase_of(const BlockType& type, Kernel kernel, Phase otherwise);
-/// "outputs", as the function is called.
+/// Returns the name of the function, "outputs".
 const char* function_of(Phase phase);
-/// "Gain"
+/// Returns "Gain".
 std::string struct_of(const plan::Plan& plan, std::size_t block);
 
 }  // namespace stepwire::codegen

@@ -15,7 +15,8 @@ namespace stepwire::codegen {
 
 namespace {
 
-/// Numbers that no diagram has stand in the place of those that vary, so that their places are found.
+/// Marker numbers that no diagram contains. They replace the variable numbers, so that the places that depend
+/// on them can be found.
 class Marks {
  public:
   static constexpr double first = 7.0e14;
@@ -28,7 +29,7 @@ class Marks {
   struct Mark {
     PreparedBlock::Number prepared;
     Tuning::Copy copy;
-    std::size_t block;  ///< that prepares it; none: it is a copy
+    std::size_t block;  ///< block that prepares it; `none` for a copy
   };
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
@@ -50,7 +51,7 @@ void put_numbers(Value& value, const std::vector<double>& numbers) {
     std::copy(numbers.begin(), numbers.end(), matrix->data());
 }
 
-/// The items of these members of a block.
+/// Returns the items of these members of a block.
 std::vector<bool> items_of(const std::vector<bool>& members, const AnyBlock& block) {
   std::vector<bool> items;
   for (std::size_t m = 0; m < members.size(); ++m) {
@@ -101,7 +102,7 @@ class Tuner {
         tuning_.bindings.push_back(static_cast<int>(b));
   }
 
-  /// Is this a parameter that may change?
+  /// True for a parameter that may change.
   bool follows(int definition) const { return tuning_.members.contains(definition); }
 
   const BlockType& type(std::size_t block) const { return plan_.diagram.blocks[block].type(); }
@@ -128,7 +129,7 @@ class Tuner {
     spec.set(marked(block).get(), value);
   }
 
-  /// Marks what a block prepares, in the order of memory.
+  /// Marks the numbers that a block prepares, in memory order.
   void take_block(std::size_t block) {
     const auto found = members_.find(block);
     if (found == members_.end()) return;
@@ -164,7 +165,7 @@ class Tuner {
     for (auto& [block, one] : prepared) tuning_.prepared.push_back(std::move(one));
   }
 
-  /// Numbers of constants on wires and of initial values, behind those of blocks.
+  /// Adds the numbers of constants on wires and of initial values, after those of blocks.
   void take_place(std::size_t i) {
     const diagram::Target& target = binding(i).target;
     if (target.kind == diagram::Target::Kind::parameter) return;
@@ -176,7 +177,7 @@ class Tuner {
     const std::size_t first = is_state ? 0 : first_meant(target);
     for (std::size_t k = 0; k < static_cast<std::size_t>(slot.size); ++k) {
       tuning_.places[slot.offset + k] = tuning_.numbers.size();
-      if (is_state && !planned.initial.empty())  // a guard puts it back
+      if (is_state && !planned.initial.empty())  // a guard resets it
         tuning_.places[planned.initial[index].offset + k] = tuning_.numbers.size();
       tuning_.copies.push_back({tuning_.numbers.size(), i, first + k});
       tuning_.numbers.push_back(is_state ? initial(target, k)
@@ -184,7 +185,7 @@ class Tuner {
     }
   }
 
-  /// Which number of a constant on a wire is the first that is meant.
+  /// Returns the index of the first number of a constant on a wire that the target sets.
   std::size_t first_meant(const diagram::Target& target) const {
     return plan::constant_slot(
                plan_.diagram.blocks[static_cast<std::size_t>(target.block)]

@@ -8,33 +8,32 @@
 
 namespace stepwire::codegen {
 
-/// A parameter that keeps its value in a generated program.
+/// Parameter that is fixed in a generated program.
 struct FixedParameter {
   std::string name;
   std::string reason;
 };
 
-/// A block that computes members again when its parameters change.
+/// Block that recomputes members when its parameters change.
 struct PreparedBlock {
   std::size_t block = 0;
-  /// A number that it computes: part `part` of `member`, in BlockType::members, goes to this place of the
-  /// numbers.
+  /// Computed number: part `part` of `member`, in BlockType::members, is stored at index `number`.
   struct Number {
     std::size_t number, member, part;
   };
   std::vector<Number> numbers;
 };
 
-/// What parameters may change in a generated program while it runs, and where they go. A program without any
-/// has every number written in its code.
+/// Parameters that may change in a generated program while it runs, and the numbers that depend on them. A
+/// program without any has all numbers as literals.
 struct Tuning {
-  std::vector<int> parameters;                ///< that may change, by their index in Diagram::parameters
-  std::map<int, std::string> members;         ///< what these are called in C++: "rig_mass_"
-  std::vector<FixedParameter> fixed;          ///< all others
-  std::vector<int> bindings;                  ///< values of blocks that follow, in Bindings::bindings
-  std::vector<plan::VariableBlock> variable;  ///< blocks that read numbers of a run
-  std::vector<double> numbers;                ///< which these are, of the diagram as it stands
-  /// Numbers that are an element of a binding's value: the number, the binding's place in `bindings`, the
+  std::vector<int> parameters;         ///< Parameters that may change, by their index in Diagram::parameters.
+  std::map<int, std::string> members;  ///< C++ names of their members, "rig_mass_".
+  std::vector<FixedParameter> fixed;   ///< All other parameters.
+  std::vector<int> bindings;           ///< Dependent values of blocks, as indices of Bindings::bindings.
+  std::vector<plan::VariableBlock> variable;  ///< Blocks that read numbers of a run.
+  std::vector<double> numbers;                ///< Initial content of the table of numbers.
+  /// Number that is an element of a binding's value: index of the number, index in `bindings`, index of the
   /// element.
   struct Copy {
     std::size_t number, binding, element;
@@ -42,11 +41,11 @@ struct Tuning {
   std::vector<Copy> copies;
   std::vector<PreparedBlock> prepared;
   std::map<std::size_t, std::size_t>
-      places;  ///< number of a place in the workspace: constants, initial values
+      places;  ///< Number of a place in the workspace, for constants and initial values.
 };
 
-/// Every parameter of the files that is a number, a list or a matrix may change, unless the plan itself
-/// follows from it, or what configure() computes: that is known before a run only.
+/// Returns the tuning of a plan. Every parameter that is a number, a list or a matrix may change. Exceptions
+/// are those on which the plan or a result of configure() depends, which are only computed before a run.
 Tuning tuning_of(const plan::Plan& plan);
 
 }  // namespace stepwire::codegen

@@ -17,12 +17,12 @@ bool varies(const std::vector<NumberText>& numbers) {
   return std::ranges::any_of(numbers, [](const NumberText& number) { return !number.constant; });
 }
 
-/// "x[0]" where the numbers are those of the array x.
+/// Returns "x[0]" for the numbers of the array x.
 std::string first_of(const std::string& name, const Value& value) {
   return element_text(name, value, 0);
 }
 
-/// Refuses, with a message, where a condition of x does not hold for each of the numbers.
+/// Returns the check that a condition of x holds for each number, with the message of the refusal.
 std::string check_text(const std::string& first, std::size_t count, const std::string& condition,
                        const std::string& message) {
   return fmt::format("  if (!all_of(&{}, {}, [&](double x) {{ return {}; }})) return {};\n", first, count,
@@ -83,7 +83,7 @@ class TuningText {
            "double* numbers) {\n";
   }
 
-  /// A formula that only the loader computes follows from no parameter that may be written.
+  /// True if a formula that only the loader computes depends on a parameter that may change.
   bool follows(const diagram::Definition& definition) const {
     const auto numbers = values_.numbers(definition.text.node, definition.text.names);
     return !definition.uses.empty() && numbers && varies(*numbers);
@@ -171,7 +171,7 @@ class TuningText {
       check("std::floor(x) == x && std::abs(x) < 9e15", "a whole number");
   }
 
-  /// One number of a binding's value, or the one that there is for all.
+  /// Returns element k of a binding's value, or its single number for all elements.
   std::string element(std::size_t binding, std::size_t k) const {
     return fmt::format("value_{}[{}]", binding, counts_[binding] == 1 ? 0 : k);
   }
@@ -180,7 +180,7 @@ class TuningText {
   const Tuning& tuning_;
   ValueTexts values_;
   std::vector<int> dependents_;
-  std::vector<std::size_t> counts_;  ///< of numbers, of each binding
+  std::vector<std::size_t> counts_;  ///< count of numbers of each binding
   std::string body_;
 };
 

@@ -6,17 +6,17 @@
 
 namespace stepwire::codegen {
 
-/// How many parameters follow from others until they are written themselves.
+/// Returns the number of parameters that depend on others until they are written themselves.
 std::size_t dependent_count(const plan::Plan& plan, const Tuning& tuning);
 
-/// The function of a generated program that computes what follows from its parameters:
+/// Returns the function of a generated program that computes the numbers that depend on its parameters:
 ///
 ///     const char* follow_parameters(Diagram::Parameters& p, const Diagram::Parameters& before, bool* own,
 ///                                   double* numbers)
 ///
-/// `p` is what was written, `before` what held until now; `own` says which parameters follow from no other
-/// any more. It returns what is refused, and changes nothing then. Without `numbers` it checks the parameters
-/// only.
+/// Here `p` holds the written parameters and `before` the previous ones; `own` marks parameters that no
+/// longer depend on others. The function returns a message and changes nothing if a value is refused. With a
+/// null `numbers` it only checks the parameters.
 std::string tuning_text(const plan::Plan& plan, const Tuning& tuning);
 
 }  // namespace stepwire::codegen

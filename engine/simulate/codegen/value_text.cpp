@@ -113,7 +113,7 @@ ValueTexts::Numbers ValueTexts::named(const std::string& name, int scope) const 
   return texts;
 }
 
-/// `K` or `-K`; all else that is of matrices only the loader computes.
+/// Returns the numbers of `K` or `-K`; all other matrix formulas are computed by the loader only.
 ValueTexts::Numbers ValueTexts::of_matrices(std::string text, int scope) const {
   std::erase(text, ' ');
   if (!text.starts_with('-')) return named(text, scope);

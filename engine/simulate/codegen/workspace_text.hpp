@@ -8,17 +8,17 @@
 
 namespace stepwire::codegen {
 
-/// The names of all places of the workspace, and its size.
+/// Returns the names of all places of the workspace, and its size.
 std::string places_text(const plan::Plan& plan, const PlaceNames& names);
-/// The lists that were written as tables; nothing where there are none.
+/// Returns the lists that were written as tables; an empty text without any.
 std::string tables_text(const Literals& literals);
 
-/// "double* w", in lanes "Lanes w".
+/// Returns "double* w", in lanes "Lanes w".
 std::string numbers_parameter(const LanePlaces& lanes, const std::string& name);
-/// Those of a function on the workspace and the numbers of a run.
+/// Returns the parameters of a function on the workspace and the numbers of a run.
 std::string workspace_parameters(const LanePlaces& lanes);
 
-/// Copies a slope that outputs have written to the workspace.
+/// Returns the statement that copies a derivative that outputs have written to the workspace.
 std::string given_slope_text(const plan::Plan& plan, const LanePlaces& lanes, std::size_t place);
 
 }  // namespace stepwire::codegen

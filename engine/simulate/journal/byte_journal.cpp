@@ -29,7 +29,7 @@ std::string sum_of(std::string_view bytes) {
   return hash::hash_of(bytes).substr(0, sum_size);
 }
 
-/// A file as it is now, in memory as far as it is looked at.
+/// Memory map of a file at its present size, read on demand.
 class Mapped {
  public:
   Mapped(int file, const std::string& path) {
@@ -49,9 +49,10 @@ class Mapped {
 
   std::string_view bytes() const { return {start_, size_}; }
 
-  /// Lets go of what was looked at once that is much, so that a large file does not stay in memory.
+  /// Counts the bytes that were read and unmaps their pages after some MB, so that a large file does not stay
+  /// in memory.
   void note_seen(std::size_t bytes) const {
-    constexpr std::size_t most = std::size_t{16} << 20, least = 4096;  // of each piece a page at least
+    constexpr std::size_t most = std::size_t{16} << 20, least = 4096;  // at least one page per piece
     seen_ += std::max(bytes, least);
     if (seen_ < most) return;
     ::madvise(const_cast<char*>(start_), size_, MADV_DONTNEED);
@@ -64,13 +65,13 @@ class Mapped {
   mutable std::size_t seen_ = 0;
 };
 
-/// With its end; empty where the file is no journal.
+/// Returns the first line with its line end; an empty text if the file is no journal.
 std::string_view first_line(std::string_view file) {
   const std::size_t end = file.substr(0, longest_head).find('\n');
   return end == file.npos || !file.starts_with(mark) ? "" : file.substr(0, end + 1);
 }
 
-/// The bytes of the record at a place; nothing where none is whole there.
+/// Returns the bytes of the record at a place; std::nullopt if there is no complete record.
 std::optional<std::string_view> record_at(std::string_view file, std::uint64_t place) {
   if (place > file.size() || file.size() - place < record_head) return std::nullopt;
   std::uint64_t size = 0;
@@ -114,11 +115,11 @@ ByteJournal::ByteJournal(std::string path, const std::string& head, std::size_t 
 ByteJournal::~ByteJournal() {
   try {
     flush();
-  } catch (const std::exception&) {  // what is not in the file is run again
+  } catch (const std::exception&) {  // pieces that are not in the file are run again
   }
 }
 
-/// Goes from record to record, up to the first that is not whole.
+/// Indexes all records up to the first incomplete one.
 void ByteJournal::find_pieces(std::uint64_t first) {
   const Mapped mapped(file_.number(), path_);
   end_ = first;
@@ -181,7 +182,7 @@ void ByteJournal::end_following() {
   added_.notify_all();
 }
 
-/// The whole record, which was written; less where the file ends before it does.
+/// Reads the record at a place; a shorter text if the file ends before it.
 std::string ByteJournal::bytes_at(std::uint64_t place, std::uint64_t end) const {
   std::string bytes(record_head, '\0');
   std::uint64_t size = 0;

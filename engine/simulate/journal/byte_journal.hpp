@@ -13,38 +13,40 @@
 
 namespace stepwire::journal {
 
-/// Results of numbered pieces of work in a file, each kept as soon as it is there (those of the last half
-/// second, if they are many, together), so that a call that was killed goes on and several calls share the
-/// work. The file is a line of text that says what its results follow from, and a record for each piece, in
-/// the order in which they ended: its length, a checksum, and its bytes, which begin with its number (8
-/// bytes). A record that was cut off by the end of its process is none.
+/// File of results of numbered pieces of work. Each is stored as soon as it exists, so that a killed call can
+/// continue and several calls can share the work.
+///
+/// The file is a line of text that identifies the inputs of the results, and a record for each piece in order
+/// of completion. A record is its length, a checksum, and its bytes, which begin with the number of the piece
+/// (8 bytes). Many records within half a second are written together. A record that was cut off by the end of
+/// its process is ignored.
 class ByteJournal {
  public:
-  /// The first line of a journal; nothing where the file is none. Throws EnvironmentError.
+  /// Returns the first line of a journal; std::nullopt for any other file. Throws EnvironmentError.
   static std::optional<std::string> head_of(const std::string& path);
 
   enum class Use { read, write };
-  /// Opens a journal of so many pieces, to write also makes it; `head` is one line, and what is there with
-  /// another one is replaced. Throws EnvironmentError.
+  /// Opens a journal of `pieces` pieces; for writing, creates it if needed. `head` is one line; a file with
+  /// another head is replaced. Throws EnvironmentError.
   ByteJournal(std::string path, const std::string& head, std::size_t pieces, Use use);
   ~ByteJournal();
   ByteJournal(const ByteJournal&) = delete;
   ByteJournal& operator=(const ByteJournal&) = delete;
 
   bool has(std::size_t piece) const { return places_[piece] != missing; }
-  /// Pieces that it has.
+  /// Returns the number of stored pieces.
   std::size_t count() const { return count_; }
-  /// Adds the bytes of a piece, which begin with its number. From any thread. Throws EnvironmentError.
+  /// Adds the bytes of a piece, which begin with its number. Thread-safe. Throws EnvironmentError.
   void add_bytes(std::size_t piece, std::string_view bytes) { add_record(piece, record_of(bytes)); }
-  /// The record of such bytes, which another process may make; adds it.
+  /// Returns the record of such bytes, which another process may compute. add_record() adds it.
   static std::string record_of(std::string_view bytes);
   void add_record(std::size_t piece, std::string_view record);
-  /// Hands all that was added to the system.
+  /// Writes all added records to the file.
   void flush();
-  /// The bytes of a piece; nothing where it has none, and no bytes where the file was damaged since it was
-  /// opened. While it is followed, waits for what is not there yet. From any thread.
+  /// Returns the bytes of a piece; std::nullopt if it is missing, and no bytes if the file was damaged after
+  /// it was opened. After follow(), waits for missing pieces. Thread-safe.
   std::optional<std::string> bytes(std::size_t piece);
-  /// From now on, bytes() waits for pieces that are added on other threads; until they have ended.
+  /// Makes bytes() wait for pieces that other threads add, until end_following().
   void follow();
   void end_following();
   const std::string& path() const { return path_; }
@@ -62,9 +64,9 @@ class ByteJournal {
   std::condition_variable added_;
   bool followed_ = false;
   std::string waiting_;    ///< records that are not in the file yet
-  std::uint64_t end_ = 0;  ///< of the file [bytes]
+  std::uint64_t end_ = 0;  ///< end of the file [bytes]
   std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
-  std::vector<std::uint64_t> places_;  ///< of each piece's record in the file
+  std::vector<std::uint64_t> places_;  ///< place of each piece's record in the file
   std::atomic<std::size_t> count_ = 0;
 };
 

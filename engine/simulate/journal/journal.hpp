@@ -8,18 +8,19 @@
 
 namespace stepwire::journal {
 
-/// The points of a sweep in such a file.
+/// Journal of the points of a sweep.
 class Journal : public ByteJournal {
  public:
-  /// Of a job whose sweep keeps these numbers (null: rows), which must outlive it. Throws EnvironmentError.
+  /// Opens the journal of a job whose sweep keeps these numbers (nullptr: rows). The job and the numbers must
+  /// outlive it. Throws EnvironmentError.
   Journal(std::string path, const std::string& head, const run::Job& job, const run::RunNumbers* numbers,
           Use use)
       : ByteJournal(std::move(path), head, job.points.size(), use), job_(job), numbers_(numbers) {}
 
-  /// Adds a point. From any thread. Throws EnvironmentError.
+  /// Adds a point. Thread-safe. Throws EnvironmentError.
   void add(const run::PointResult& result);
-  /// What it has of a point, as bytes(). Throws EnvironmentError where the file was damaged since it was
-  /// opened.
+  /// Returns the result of a point, as bytes() does. Throws EnvironmentError if the file was damaged after it
+  /// was opened.
   std::optional<run::PointResult> point(std::size_t point);
 
  private:

@@ -7,13 +7,13 @@ namespace stepwire::journal {
 
 namespace {
 
-/// Has the result as many rows as its run can leave?
+/// True if the result has as many rows as its run can produce.
 bool fits(const run::PointResult& result, const run::Job& job, const run::RunNumbers* numbers) {
   const plan::Plan& plan = job.plan_of(result.point);
   const bool one_row = run::keeps_a_row(job, numbers);
   for (std::size_t r = 0; r < result.recordings.size(); ++r) {
     const std::size_t rows = result.recordings[r].table.rows();
-    const std::size_t behind = numbers && r > 0 ? 1 : 0;  // rows that stay beside numbers
+    const std::size_t behind = numbers && r > 0 ? 1 : 0;  // rows that are kept beside numbers
     if (one_row && behind == 0 ? rows != 1 : rows > record::max_rows(plan, plan.diagram.records[r - behind]))
       return false;
   }

@@ -8,12 +8,13 @@
 
 namespace stepwire::journal {
 
-/// What a point gave, as bytes that another process reads: numbers as they lie in memory (little-endian,
-/// 8 bytes), texts behind their length. Names of recorded columns are left out, which the job has.
+/// Returns the result of a point as bytes for another process. Numbers are in their memory format
+/// (little-endian, 8 bytes), texts follow their length. Names of recorded columns are omitted, since the job
+/// has them.
 std::string bytes_of(const run::PointResult& result);
 
-/// The same back, for a job whose sweep keeps these numbers (null: rows); nothing where the bytes are others
-/// than bytes_of() has made for it.
+/// Reads these bytes for a job whose sweep keeps these numbers (nullptr: rows). Returns std::nullopt for
+/// bytes that bytes_of() has not written for this job.
 std::optional<run::PointResult> point_of(std::string_view bytes, const run::Job& job,
                                          const run::RunNumbers* numbers);
 

@@ -8,8 +8,8 @@ namespace stepwire::journal {
 using messages::all;
 using messages::list;
 
-// What runs begin with and how they end, as bytes for another process: each function writes its parts to a
-// ByteWriter, or reads them from a ByteReader.
+// Serialisation of settings and ends of runs for another process. Each function writes its argument to a
+// ByteWriter, or reads it from a ByteReader.
 
 template <class Stream, class Place>
 void place(Stream& stream, Place& of) {
@@ -45,7 +45,7 @@ void run_end(Stream& stream, End& end) {
   if constexpr (std::is_same_v<Stream, messages::ByteReader>) end.stopped = stopped != 0;
 }
 
-/// The columns of a table, which the reader has without rows.
+/// Writes or reads the columns of a table, which the reader has without rows.
 template <class Stream, class Table>
 void rows(Stream& stream, Table& of) {
   std::uint64_t count = of.rows();

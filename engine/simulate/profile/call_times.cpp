@@ -8,9 +8,9 @@ namespace stepwire::profile {
 
 namespace {
 
-constexpr double aim_of_table = 4e-6, aim_of_call = 4e-7;  // [s]; 200 and 20 times what the clock costs
+constexpr double aim_of_table = 4e-6, aim_of_call = 4e-7;  // [s]; 200 and 20 clock readings
 
-/// Which block lies where in the memory of blocks.
+/// Returns the block at each offset of the memory of blocks.
 std::map<std::size_t, std::size_t> blocks_by_memory(const plan::Plan& plan) {
   std::map<std::size_t, std::size_t> blocks;
   for (std::size_t b = 0; b < plan.blocks.size(); ++b) blocks[plan.blocks[b].memory] = b;

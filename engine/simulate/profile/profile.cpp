@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::int64_t max_segments = 64;
 constexpr int tries = 3;
-constexpr double aim = 2e-6;  // [s], 100 times what the clock costs
+constexpr double aim = 2e-6;  // [s], 100 times the cost of reading the clock
 
-/// Equations that cost nothing, on numbers of their own.
+/// Equations without cost, on numbers of their own.
 class NoEquations : public solve::System {
  public:
   explicit NoEquations(std::size_t states) : x_(states), dot_(states) {
@@ -31,7 +31,7 @@ class NoEquations : public solve::System {
     ++evaluations;
     follow_time();
   }
-  /// Counts the times that differ from the one before.
+  /// Counts the times that differ from the previous one.
   void follow_time() {
     if (std::exchange(last_time_, time_) != time_) ++times;
   }
@@ -39,7 +39,7 @@ class NoEquations : public solve::System {
     time_ = last_time_ = at;
     evaluations = times = 0;
   }
-  /// Takes the numbers of a run: those of all zeros might cost less.
+  /// Copies the numbers of a run, since arithmetic with zeros might be faster.
   void take(const double* values, const plan::Layout& layout) {
     std::copy_n(values + layout.states, count, x_.begin());
     std::copy_n(values + layout.derivatives, count, dot_.begin());
@@ -52,7 +52,7 @@ class NoEquations : public solve::System {
   std::vector<double> x_, dot_;
 };
 
-/// Pauses a run at a tick, and counts the ticks that are evaluated before it.
+/// Pauses a run at a tick and counts the evaluated ticks.
 class Segment : public run::RunObserver {
  public:
   explicit Segment(std::int64_t end) : end_(end) {}
@@ -68,7 +68,7 @@ class Segment : public run::RunObserver {
   std::int64_t end_;
 };
 
-/// Measures one run.
+/// Measurement of one run.
 class Profiler {
  public:
   Profiler(const plan::Plan& plan, const ProfileOptions& options)
@@ -104,7 +104,7 @@ class Profiler {
     for (record::Recorder& recorder : recorders()) recorder.go_back_to(moment.tick);
   }
 
-  /// Runs up to a tick.
+  /// Runs to a tick.
   void go_on(std::int64_t tick) {
     Segment segment(tick);
     run::RunObserver* const observer = &segment;
@@ -146,13 +146,13 @@ class Profiler {
         aim, [&] { solver_->advance(equations_, run::whole_step(plan_, simulation_.tick())); });
   }
 
-  /// Count of the first ticks at which a period is due.
+  /// Returns the count of the first ticks at which a period is due.
   static std::int64_t due(std::int64_t ticks, const plan::Period& period) {
     return (ticks - period.first + period.ticks - 1) / period.ticks + (period.at_start ? 1 : 0);
   }
 
-  /// Counts the evaluations of the equations in one step of the solver besides that at its start, and the
-  /// times that are new up to the next tick, that included.
+  /// Counts the evaluations of the equations in one step of the solver, without the one at its start. Also
+  /// counts the distinct times up to and including the next tick.
   void count_evaluations() {
     equations_.start(0.0);
     if (solver_) solver_->advance(equations_, run::whole_step(plan_, 0));
@@ -206,7 +206,7 @@ class Profiler {
   std::unique_ptr<solve::Solver> solver_;
   NoEquations equations_;
   std::array<CallTimes, phase_count> tables_;
-  std::vector<double> recording_;  ///< [s], of all samples together, as the next
+  std::vector<double> recording_;  ///< sum of all samples [s], like the next ones
   double check_ = 0.0, stop_ = 0.0, solving_ = 0.0;
   double seconds_ = 0.0;
   std::int64_t evaluated_ = 0;  ///< ticks
@@ -214,7 +214,7 @@ class Profiler {
   bool ended_ = false;
 };
 
-/// Adds a row for each part: of a.b.c those of a and a.b.
+/// Adds a row for each part: a.b.c is added to a and to a.b.
 void add_parts(Profile& profile) {
   std::map<std::string, BlockCost> parts;
   for (const BlockCost& block : profile.blocks)

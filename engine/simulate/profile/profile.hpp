@@ -11,13 +11,13 @@
 
 namespace stepwire::profile {
 
-/// What a block is called for: outputs by the time alone, other outputs at ticks, those at the solver's
+/// Phases in which blocks are called: time-dependent outputs, other outputs at ticks, outputs at the solver's
 /// stages between ticks, derivatives, updates.
 inline constexpr std::size_t phase_count = 5;
 inline constexpr std::array<const char*, phase_count> phase_names{"timed", "outputs", "stages", "derivatives",
                                                                   "updates"};
 
-/// Calls in a whole run, and what they take together.
+/// Number of calls in a whole run, and their total time.
 struct Cost {
   std::int64_t calls = 0;
   double seconds = 0.0;
@@ -25,54 +25,58 @@ struct Cost {
   Cost& operator+=(const Cost& other);
 };
 
-/// What a block, or all that is inside of a part, takes in a whole run.
+/// Cost of a block in a whole run, or of all blocks in a part.
 struct BlockCost {
   std::string name, type;  ///< the type of a part is "part"
   bool part = false;
   std::array<Cost, phase_count> phases{};
 
   Cost total() const;
-  /// Of the block alone [s]: a part does nothing itself.
+  /// Returns the time of the block itself [s]; 0 for a part.
   double self() const { return part ? 0.0 : total().seconds; }
 };
 
-/// What a run does beside calling blocks: the solver's own arithmetic, the check that all is finite,
-/// recording, the stop condition.
+/// Cost of a run outside of blocks: the solver's own arithmetic, the check for non-finite numbers, recording,
+/// the stop condition.
 struct RunCost {
   std::string name;
   Cost cost;
 };
 
-/// Where the time of a run goes.
+/// Distribution of the time of a run.
 struct Profile {
   std::int64_t ticks = 0;
-  double seconds = 0.0;  ///< of all its steps; taking memory for what is recorded, and keeping it, is extra
-  std::vector<BlockCost> blocks;  ///< and parts; the most expensive first
+  double seconds = 0.0;           ///< Time of all steps, without the memory of recordings.
+  std::vector<BlockCost> blocks;  ///< Blocks and parts; the most expensive first.
   std::vector<RunCost> others;
-  std::vector<run::LoopCost> loops;  ///< algebraic ones: their blocks are called more often than counted here
+  std::vector<run::LoopCost> loops;  ///< Algebraic loops, whose repeated calls are not counted here.
 
   double share(double part) const { return seconds > 0.0 ? part / seconds : 0.0; }
-  /// What is in none of the other numbers [s]: going through the tables of calls, waiting of one table for
-  /// what another has just computed, and errors of measuring, by which it may be below 0.
+  /// Returns the time [s] that is in none of the other numbers. It contains the overhead of the tables of
+  /// calls, cache effects between tables, and measurement errors, which may make it negative.
   double left() const;
 };
 
 struct ProfileOptions {
   ClockReader clock;
-  const std::atomic<bool>* interrupt = nullptr;  ///< once true, what has been run so far is the whole
+  const std::atomic<bool>* interrupt = nullptr;  ///< flag that ends the profile with what has been run so far
 };
 
 /// Measures a run of its own, interpreted.
 ///
-/// A call of a block takes a tenth of what reading a clock does, so no call is timed alone. The run is cut
-/// into up to 64 segments. Each is run three times from the same moment, and the shortest times add up to the
-/// time of the whole run. At the start of each segment the tables of calls are timed at three levels, each
-/// time many calls in a row: a whole table, which has the blocks among their neighbours; each call of the
-/// table, and each block of a call, alone. What a table takes is parted among its calls, and what a call
-/// takes among its blocks, in proportion to what they take alone, and multiplied with the number of calls in
-/// the run, which is known. Outputs and derivatives may be repeated; updates change states, so the moment is
-/// restored behind them. What reading the clock adds is taken off. The solver's own arithmetic is timed on
-/// equations that cost nothing.
+/// A call of a block takes a tenth of a clock reading, so no call can be timed alone. The run is divided into
+/// up to 64 segments. Each is run three times from the same snapshot, and the sum of the shortest times is
+/// the time of the run.
+///
+/// At the start of each segment the tables of calls are timed at three levels. These are a whole table, each
+/// call of the table alone, and each block of a call alone, many times in a row. The time of a table, in
+/// which the blocks run among their neighbours, is divided among its calls in proportion to their times
+/// alone. The time of a call is divided among its blocks in the same way. The results are multiplied by the
+/// known number of calls.
+///
+/// Outputs and derivatives may be repeated. Updates change states, so the snapshot is restored after them.
+/// The cost of reading the clock is subtracted. The solver's own arithmetic is timed on equations without
+/// cost.
 Profile profile_plan(const plan::Plan& plan, const ProfileOptions& options);
 
 }  // namespace stepwire::profile

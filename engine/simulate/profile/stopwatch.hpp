@@ -6,11 +6,11 @@
 
 namespace stepwire::profile {
 
-/// Reads a clock that goes on steadily [s].
+/// Reads a monotonic clock [s].
 using ClockReader = std::function<double()>;
 
-/// Times things that may take less than reading the clock does. Of several tries the shortest counts: what
-/// else runs on the machine only ever adds to a time.
+/// Measures actions that may be shorter than a reading of the clock. The shortest of several tries is used,
+/// since other load only lengthens a time.
 class Stopwatch {
  public:
   explicit Stopwatch(ClockReader read) : read_(std::move(read)) {
@@ -19,10 +19,11 @@ class Stopwatch {
         64, [] {}, nothing);
   }
 
-  /// What reading the clock adds to a time [s].
+  /// Returns the time that reading the clock adds [s].
   double cost() const { return cost_; }
 
-  /// Time of an action [s], the shortest of `tries`; `prepare` goes before each and is not timed.
+  /// Returns the time of an action [s], the shortest of `tries`. `prepare` is called before each try and is
+  /// not timed.
   template <class Prepare, class Action>
   double shortest(int tries, const Prepare& prepare, const Action& action) const {
     double least = std::numeric_limits<double>::infinity();
@@ -35,7 +36,8 @@ class Stopwatch {
     return std::max(0.0, least - cost_);
   }
 
-  /// Time of an action that may be repeated [s]: the mean of as many in a row as take `aim` seconds.
+  /// Returns the time of an action that may be repeated [s]: the mean of as many repetitions as take `aim`
+  /// seconds.
   template <class Action>
   double repeated(double aim, const Action& action) const {
     const auto nothing = [] {};

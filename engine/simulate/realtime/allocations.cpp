@@ -14,13 +14,13 @@
 
 namespace {
 
-thread_local std::int64_t count = 0;  // no function of malloc's kind gets anything else to count in
+thread_local std::int64_t count = 0;  // a plain counter, which never allocates
 
 }  // namespace
 
 extern "C" {
 
-// The names under which glibc offers the same functions to those who replace them.
+// Names under which glibc offers the same functions to replacements.
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t number, std::size_t size);
 void* __libc_realloc(void* memory, std::size_t size);

@@ -5,8 +5,8 @@
 
 namespace stepwire::realtime {
 
-/// A number that one thread counts and others may read meanwhile: as cheap as a plain one, since nothing is
-/// ordered by it. Copies are of its present value.
+/// Counter that one thread increments and others may read concurrently. It is as cheap as a plain number,
+/// because its accesses order no others. A copy has its present value.
 class Counter {
  public:
   Counter(std::int64_t value = 0) : value_(value) {}

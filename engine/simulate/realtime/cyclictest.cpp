@@ -14,9 +14,9 @@ namespace stepwire::realtime {
 
 namespace {
 
-constexpr int max_us = 20'000;  // that its histogram tells apart
+constexpr int max_us = 20'000;  // largest latency that its histogram resolves
 
-/// Beyond the time that it measures.
+/// Time limit in addition to the time of the measurement.
 constexpr std::chrono::seconds patience{30};
 
 }  // namespace
@@ -69,7 +69,7 @@ void Cyclictest::run(std::int64_t wake_ups) {
       patience + std::chrono::milliseconds(std::llround(1e3 * period_ * static_cast<double>(wake_ups)));
   const subprocess::ProcessResult result = subprocess::run_process(call);
   if (result.end == subprocess::ProcessResult::End::stopped)
-    return;  // an interruption; the loop will see it, too
+    return;  // an interruption, which ends the loop too
   std::istringstream lines(result.output);
   for (std::string line; std::getline(lines, line);) histogram_.add_line(line);
   if (!result.succeeded() || histogram_.count() == before)

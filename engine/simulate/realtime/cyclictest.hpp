@@ -9,18 +9,18 @@
 
 namespace stepwire::realtime {
 
-/// Adds up what cyclictest of rt-tests prints as its histogram (options -q -h): lines of a latency in us,
-/// which is its number cut off at whole us, and how often it was seen.
+/// Sum of the histograms that cyclictest of rt-tests prints (options -q -h): lines of a latency, truncated to
+/// whole us, and its count.
 class CyclictestHistogram {
  public:
   void add_line(const std::string& line);
 
   std::int64_t count() const { return count_; }
-  /// The latency [us] that the share `fraction` of all does not exceed; max() where that is beyond the
-  /// histogram.
+  /// Returns the smallest latency [us] that at least `fraction` of all do not exceed; max() if it is beyond
+  /// the histogram.
   std::int64_t quantile(double fraction) const;
   std::int64_t max() const { return max_; }
-  /// How often each latency was seen, from 0 us on.
+  /// Returns the count of each latency, from 0 us.
   const std::vector<std::int64_t>& counts() const { return counts_; }
 
  private:
@@ -28,16 +28,16 @@ class CyclictestHistogram {
   std::int64_t count_ = 0, max_ = 0;
 };
 
-/// Runs cyclictest at the rate and policy of a loop, so that both can be set side by side.
+/// Runs cyclictest at the rate and policy of a loop, so that the two can be compared.
 class Cyclictest {
  public:
-  /// Throws EnvironmentError where the program is not installed.
+  /// Throws EnvironmentError if the program is not installed.
   Cyclictest(double rate, const ThreadPolicy& policy, std::optional<int> cpu);
 
-  /// So many wake-ups, added to what was measured before. Throws EnvironmentError where it fails.
+  /// Measures `wake_ups` more wake-ups. Throws EnvironmentError on failure.
   void run(std::int64_t wake_ups);
   const CyclictestHistogram& histogram() const { return histogram_; }
-  /// The command, but for the number of wake-ups.
+  /// Returns the command without the number of wake-ups.
   const std::string& command() const { return command_; }
 
  private:

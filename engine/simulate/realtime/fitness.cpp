@@ -1,4 +1,4 @@
-// What a loop demands of a diagram before it begins.
+// Checks that a diagram is fit for a real-time loop before it begins.
 #include <fmt/format.h>
 
 #include <algorithm>

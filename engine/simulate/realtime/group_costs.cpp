@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// The type of the block that lies at this offset of the memory of blocks.
+/// Returns the type of the block at this offset of the memory of blocks.
 const BlockType& type_at(const plan::Plan& plan, std::size_t memory) {
   const auto found = std::lower_bound(plan.memory_order.begin(), plan.memory_order.end(), memory,
                                       [&](int block, std::size_t offset) {
@@ -47,7 +47,7 @@ void GroupCosts::cut(const plan::Plan& plan, const std::vector<plan::KernelCall>
 }
 
 void GroupCosts::before_tick(run::Executor& simulation) {
-  sequence_ = sequence_ * 6364136223846793005u + 1442695040888963407u;  // Knuth's, of full period
+  sequence_ = sequence_ * 6364136223846793005u + 1442695040888963407u;  // Knuth's generator
   now_ = &stretches_[static_cast<std::size_t>((sequence_ >> 33) % stretches_.size())];
   phase = now_->phase;
   first = now_->first;

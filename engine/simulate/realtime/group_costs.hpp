@@ -10,28 +10,29 @@
 
 namespace stepwire::realtime {
 
-/// What the blocks of one type cost in a tick.
+/// Cost of the blocks of one type in a tick.
 struct GroupCost {
   std::string type;
   std::size_t blocks = 0;
-  double mean = 0.0;         ///< [ns]; the sum of its stretches' means
-  std::int64_t samples = 0;  ///< of all its stretches
+  double mean = 0.0;         ///< sum of the means of its call ranges [ns]
+  std::int64_t samples = 0;  ///< of all its call ranges
 };
 
-/// Samples what block types cost while a loop runs, without measuring each of them all the time: the calls of
-/// a tick are cut into stretches of one type, and at each wake-up the first tick's time in one of them is
-/// taken by looks at the clock. Which one is chosen by a fixed pseudo-random sequence, since turns in order
-/// would meet blocks of slower rates always or never. An empty stretch is among them: what looking costs by
-/// itself is taken off the others.
+/// Samples the cost of block types while a loop runs, at the price of two clock readings per wake-up.
+///
+/// The calls of a tick are divided into ranges of one type. At each wake-up one range is timed in the first
+/// tick. A fixed pseudo-random sequence selects it, since a cyclic order would hit blocks of slower rates
+/// always or never. One range is empty: it measures the cost of the clock readings, which is subtracted from
+/// the others.
 class GroupCosts : private run::ScheduleProbe {
  public:
   GroupCosts(const plan::Plan& plan, LoopClock& clock);
 
-  /// Around the first tick of a wake-up.
+  /// Call these before and after the first tick of a wake-up.
   void before_tick(run::Executor& simulation);
   void after_tick(run::Executor& simulation);
 
-  /// The dearest first. From any thread.
+  /// Returns the costs, largest first. Thread-safe.
   std::vector<GroupCost> costs() const;
 
  private:
@@ -39,7 +40,7 @@ class GroupCosts : private run::ScheduleProbe {
     const std::vector<plan::KernelCall>* phase;
     std::size_t first, end;
     std::size_t group;
-    Counter samples{}, looks{}, spent{};  ///< ticks; times that it ran in them; [ns]
+    Counter samples{}, looks{}, spent{};  ///< ticks; executions in them; time [ns]
   };
   double cost_of_look() const;
   void cut(const plan::Plan& plan, const std::vector<plan::KernelCall>& phase);
@@ -48,10 +49,10 @@ class GroupCosts : private run::ScheduleProbe {
 
   LoopClock& clock_;
   std::vector<GroupCost> groups_;
-  std::vector<Stretch> stretches_;  ///< the first is the empty one
+  std::vector<Stretch> stretches_;  ///< the first one is the empty range
   std::uint64_t sequence_ = 1;
   Stretch* now_ = nullptr;
-  bool ran_ = false;  ///< in this tick; not where the simulation does without the table of calls
+  bool ran_ = false;  ///< true if the range ran in this tick; false in code without a table of calls
   std::int64_t entered_ = 0;
 };
 

@@ -10,15 +10,16 @@
 
 namespace stepwire::realtime {
 
-/// Counts times [ns] in bins of fixed number, so that adding one neither allocates nor takes longer as there
-/// are more. Up to 256 ns each ns has its bin; beyond, each power of two is cut into 128 bins of equal
-/// width, so a value is known to 1/128 of itself or better. Times beyond 73 min share the last bin; smallest,
-/// largest and sum are exact. One thread adds; others may look on, and may then see one count before another.
+/// Histogram of times [ns] with a fixed number of bins, so adding one neither allocates nor slows down.
+///
+/// Up to 256 ns each ns has its bin. Beyond, each power of two is divided into 128 bins of equal width, so
+/// the relative resolution is 1/128 or better. Times beyond 73 min share the last bin. Minimum, maximum and
+/// sum are exact. One thread adds. Others may read concurrently and may see one count before another.
 class Histogram {
  public:
   static constexpr double resolution = 1.0 / 128.0;
 
-  /// What is below 0 counts as 0.
+  /// Adds a time; negative ones count as 0.
   void add(std::int64_t time) {
     if (time < 0) time = 0;
     counts_[bin_of(time)].add();
@@ -34,13 +35,13 @@ class Histogram {
   double mean() const {
     return count_ > 0 ? static_cast<double>(sum_.get()) / static_cast<double>(count_.get()) : 0.0;
   }
-  /// The time that the share `fraction` of all does not exceed, e.g. 0.99: the upper end of its bin, but
-  /// never more than the largest; 0 where nothing was counted.
+  /// Returns the smallest time that at least `fraction` of all do not exceed, e.g. 0.99. It is the upper end
+  /// of its bin, at most the maximum; 0 for an empty histogram.
   std::int64_t quantile(double fraction) const;
 
   static constexpr std::size_t bins() { return bin_count; }
   std::int64_t count_in(std::size_t bin) const { return counts_[bin]; }
-  /// Smallest time of a bin; that of the bin after it is its upper end.
+  /// Returns the smallest time of a bin, which is the upper end of the previous one.
   static std::int64_t begin_of(std::size_t bin);
 
  private:

@@ -36,7 +36,7 @@ Loop::Loop(const plan::Plan& plan, const LoopOptions& options, Device& device, L
   prepare_outputs();
 }
 
-/// Code and numbers are in the caches afterwards, and no page of them is missing.
+/// Runs some ticks, after which code and numbers are cached and all pages are mapped.
 void Loop::warm_up() {
   for (int tick = 0; tick < warm_up_ticks && simulation_->healthy(); ++tick) {
     simulation_->evaluate();
@@ -116,14 +116,14 @@ void Loop::step(std::int64_t woke) {
     count_written(k);
     go_on(wall);
   } else if (recorder_) {
-    recorder_->record_inputs(simulation_->tick(), inputs_.data());  // they may be what is wrong
+    recorder_->record_inputs(simulation_->tick(), inputs_.data());  // they may cause the fault
   }
   if (!simulation_->healthy()) end_ = End::fault;
   measurements_.stepped(k, clock_.now() - woke);
 }
 
-/// What can wait until the outputs are written: records, states, and the further ticks of the period. The
-/// states need not wait for anything where the loop stops: the safe values do.
+/// Completes the period after the outputs are written: records, states, and the further ticks. At a stop by
+/// the overrun policy the states are skipped, so that the safe values are written at once.
 void Loop::go_on(double wall) {
   record(wall);
   if (deadlines_.must_stop()) return;
@@ -148,7 +148,7 @@ void Loop::write_outputs() {
   device_.write(outputs_.data());
 }
 
-/// Dropped deadlines before this one have waited for these outputs too.
+/// Counts the outputs for deadline k and for the dropped deadlines before it, which have waited for them too.
 void Loop::count_written(std::int64_t k) {
   const std::int64_t written = clock_.now();
   for (; unwritten_ <= k; ++unwritten_) measurements_.wrote(unwritten_, written - deadlines_.at(unwritten_));
@@ -169,7 +169,7 @@ void Loop::record(double wall) {
   recorder_->record_signals(simulation_->tick(), wall, simulation_->values());
 }
 
-/// The deadlines that still wait for outputs get these.
+/// Writes the safe values. The deadlines that still wait for outputs count as served with these.
 void Loop::write_safe_values() {
   for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = safe_[i].value_or(outputs_[i]);
   device_.write(outputs_.data());

@@ -20,57 +20,60 @@
 
 namespace stepwire::realtime {
 
-/// How often a loop wakes, for how long, and what it does about missed deadlines.
+/// Rate and length of a loop, and its policy for missed deadlines.
 struct LoopOptions {
   double rate = 1000.0;        ///< [Hz]
-  std::int64_t deadlines = 1;  ///< after which it is done
+  std::int64_t deadlines = 1;  ///< number of deadlines after which it ends
   Overrun overrun;
-  const std::atomic<bool>* interrupt = nullptr;  ///< once true, the loop ends at its next wake-up
-  const plan::CompiledPlan* code = nullptr;      ///< to step with; interpreted without it
-  /// Called in the loop's thread, within its period; must outlive the loop. One that pauses or stops the run
-  /// ends it.
+  const std::atomic<bool>* interrupt = nullptr;  ///< flag that ends the loop at its next wake-up once true
+  const plan::CompiledPlan* code = nullptr;      ///< compiled code; nullptr: interpreted
+  /// Observers, called in the loop's thread within its period; must outlive the loop. An observer that pauses
+  /// or stops the run ends the loop.
   std::vector<run::RunObserver*> observers{};
-  const std::atomic<bool>* pause = nullptr;  ///< once true, serve() returns after its next deadline
-  SignalTap* tap = nullptr;                  ///< gets every tick
-  ValueExchange* values = nullptr;  ///< whose active run is stepped, without observers; null: one of its own
+  const std::atomic<bool>* pause = nullptr;  ///< flag that makes serve() return after its next deadline
+  SignalTap* tap = nullptr;                  ///< receives every tick
+  ValueExchange* values = nullptr;  ///< source of the run to step, without observers; nullptr: own run
 };
 
-/// How many ticks one period of the rate is. Throws Error where it is no whole number of the diagram's steps.
+/// Returns the number of ticks in a period of the rate. Throws Error if the period is no whole multiple of
+/// the diagram's step.
 std::int64_t ticks_per_period(const diagram::Diagram& diagram, double rate);
 
-/// Throws Error for every block that says of itself that it is not fit for a real-time loop.
+/// Throws Error for every block that is declared unfit for a real-time loop.
 void require_fit_for_loop(const plan::Plan& plan);
 
-/// A diagram in real time: at each deadline the inputs are read, the tick of that moment is evaluated, the
-/// outputs are written, and only then are the states advanced, through all further ticks of the period; so
-/// that the outputs are as young as can be. The file's stop and stop_when do not end it.
+/// Diagram in real time.
 ///
-/// serve() neither allocates, locks, prints nor calls the system, but for the sleep between two steps. What
-/// deadlines(), measurements() and group_costs() count may be read by other threads meanwhile; one count may
-/// be a deadline ahead of another then.
+/// At each deadline the loop reads the inputs, evaluates the tick and writes the outputs. Only then does it
+/// advance the states, through all further ticks of the period, so the outputs have the smallest delay. The
+/// file's stop and stop_when have no effect.
+///
+/// serve() neither allocates, locks, prints nor makes system calls, except for the sleep between two steps.
+/// Other threads may read the counts of deadlines(), measurements() and group_costs() concurrently; one count
+/// may then be a deadline ahead of another.
 class Loop {
  public:
-  /// `stopped`: after deadlines that were missed, or by an observer.
+  /// `stopped` is the end by missed deadlines or by an observer.
   enum class End { done, stopped, interrupted, fault };
 
-  /// Takes all memory, and runs some ticks and goes back to time 0, so that nothing is met for the first time
-  /// later. `recorder` may be null. Plan, device, clock and recorder must outlive the loop.
+  /// Allocates all memory, and runs some ticks and returns to time 0, so that no later tick is slow for the
+  /// first time. `recorder` may be nullptr. Plan, device, clock and recorder must outlive the loop.
   Loop(const plan::Plan& plan, const LoopOptions& options, Device& device, LoopClock& clock,
        LoopRecorder* recorder);
 
-  /// Serves deadlines until `count` more have passed, all have, or the loop ends early; then hands the safe
-  /// values to the device. The first one comes after a lead of one period, 10 ms at least. May be called
-  /// again while not ended(); diagram time does not go on in between.
+  /// Serves deadlines until `count` more have passed, all have passed, or the loop ends early. Then writes
+  /// the safe values to the device. The first deadline is after one period, at least 10 ms. May be called
+  /// again unless ended(); diagram time does not advance in between.
   void serve(std::int64_t count);
 
   bool ended() const { return end_.has_value(); }
-  /// How it ended; `done` as long as nothing ended it early.
+  /// Returns how it ended; `done` if nothing ended it early.
   End end() const { return end_.value_or(End::done); }
   const run::Executor& simulation() const { return *simulation_; }
   const Deadlines& deadlines() const { return deadlines_; }
   const Measurements& measurements() const { return measurements_; }
   std::vector<GroupCost> group_costs() const { return groups_.costs(); }
-  /// What the thread did while it served.
+  /// Returns the resource usage of the thread while it served.
   const ThreadCounts& counts() const { return counts_; }
   std::int64_t steps() const { return measurements_.step().count(); }
 
@@ -103,11 +106,11 @@ class Loop {
   GroupCosts groups_;
   ThreadCounts counts_;
   std::vector<double> inputs_, outputs_;
-  std::vector<std::size_t> input_offsets_;   ///< in inputs_, for each input of the diagram
-  std::vector<std::size_t> output_offsets_;  ///< in the workspace, for each number of outputs_
-  std::vector<std::optional<double>> safe_;  ///< for each number of outputs_
-  std::optional<std::int64_t> began_;        ///< time of the first deadline [ns]
-  std::int64_t unwritten_ = 0;               ///< the first deadline that still waits for outputs
+  std::vector<std::size_t> input_offsets_;   ///< Place of each input of the diagram in inputs_.
+  std::vector<std::size_t> output_offsets_;  ///< Place of each number of outputs_ in the workspace.
+  std::vector<std::optional<double>> safe_;  ///< One for each number of outputs_.
+  std::optional<std::int64_t> began_;        ///< Time of the first deadline [ns].
+  std::int64_t unwritten_ = 0;               ///< First deadline without outputs.
   std::optional<End> end_;
 };
 

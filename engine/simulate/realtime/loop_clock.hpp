@@ -4,17 +4,17 @@
 
 namespace stepwire::realtime {
 
-/// The time by which a loop lives. Times are in ns since a moment of the clock's own, and only grow.
+/// Clock of a loop. Times are in ns since an arbitrary origin and increase monotonically.
 class LoopClock {
  public:
   virtual ~LoopClock() = default;
   virtual std::int64_t now() = 0;
-  /// Returns when the deadline has come, or at once where it has passed.
+  /// Returns at the deadline, or at once if it has passed.
   virtual void sleep_until(std::int64_t deadline) = 0;
 };
 
-/// CLOCK_MONOTONIC. The thread sleeps until `spin` [ns] before the deadline and watches the clock for the
-/// rest: a processor that is awake is on time, and costs its power.
+/// Clock with CLOCK_MONOTONIC. The thread sleeps until `spin` [ns] before the deadline and then polls the
+/// clock. An awake processor is on time, at the cost of its power.
 class SystemClock : public LoopClock {
  public:
   explicit SystemClock(std::int64_t spin = 0) : spin_(spin) {}

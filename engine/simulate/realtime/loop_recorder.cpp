@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t before_signals = 4;  // index of the file, time, tick, wall
 constexpr std::size_t before_inputs = 3;
 
-/// A name that a column of the loop's own has would stand twice in the file.
+/// Refuses a signal with the name of a column of the loop, which would be twice in the file.
 void refuse_taken(const plan::Plan& plan, const std::string& name, const diagram::Origin& origin,
                   yaml::Faults& faults) {
   for (const std::string taken : {"time", "tick", "wall"})

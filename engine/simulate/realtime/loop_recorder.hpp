@@ -10,34 +10,34 @@
 
 namespace stepwire::realtime {
 
-/// A file that a loop leaves behind, and its columns (without values). The columns `time` and `tick` come
-/// first.
+/// File that a loop writes, and its columns (without values). The columns `time` and `tick` are the first
+/// ones.
 struct LoopFile {
   std::string name;  ///< "signals.csv"
   std::vector<table::Column> columns;
 };
 
-/// One file for each `record` of the diagram, with time, tick, wall (when the thread woke, since the start)
-/// and the signals as a run names them; and inputs.csv, with time, tick and what the tick was given, where
-/// the diagram has inputs. Throws Error where a signal or input has the name of one of those columns.
+/// Returns the files of a loop. Each `record` of the diagram has one, with time, tick, wall (wake-up time
+/// since the start) and the signals as in a run. A diagram with inputs also has inputs.csv, with time, tick
+/// and the inputs of the tick. Throws Error if a signal or input has the name of one of those columns.
 std::vector<LoopFile> loop_files(const plan::Plan& plan);
 
-/// Puts rows into the ring, from the loop thread. In the ring a row is the index of its file and the numbers
-/// of its columns.
+/// Writes rows into the ring, from the loop thread. A row in the ring is the index of its file and the
+/// numbers of its columns.
 class LoopRecorder {
  public:
   LoopRecorder(const plan::Plan& plan, RowRing& ring);
 
-  /// The signals of a tick, for the files whose period it is in. `wall` in s.
+  /// Writes the signals of a tick into the files whose period is due. `wall` is in s.
   void record_signals(std::int64_t tick, double wall, const double* values);
-  /// What a tick was given: all elements of all inputs.
+  /// Writes the inputs of a tick, with all elements.
   void record_inputs(std::int64_t tick, const double* inputs);
 
-  /// Rows that were put into the ring, and rows for which it had no room.
+  /// Return the count of rows in the ring, and of rows for which it had no space.
   std::int64_t rows() const { return rows_; }
   std::int64_t lost() const { return lost_; }
 
-  /// The most numbers that rows of one tick take in the ring.
+  /// Returns the largest count of numbers in the rows of one tick.
   static std::size_t numbers_per_tick(const plan::Plan& plan);
 
  private:

@@ -16,7 +16,7 @@ std::string first_line(const std::string& path) {
   return line;
 }
 
-/// What stands behind "key : " in /proc/cpuinfo, the first time.
+/// Returns the first value of a key in /proc/cpuinfo.
 std::string of_processor(const std::string& key) {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {

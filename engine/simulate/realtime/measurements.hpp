@@ -8,25 +8,25 @@
 
 namespace stepwire::realtime {
 
-/// What a loop measures at each of its deadlines [ns]. A deadline that was dropped counts with the lateness
-/// that it had when the loop was ready again, and with the time until outputs were written next: what is not
-/// served must not make the numbers better.
+/// Measurements of a loop at each deadline [ns]. A dropped deadline counts with its lateness when the loop
+/// was ready again, and with the time until the next outputs. So a deadline that is not served cannot improve
+/// the statistics.
 class Measurements {
  public:
-  /// `deadlines`: how many there will be, for the worst cases over time.
+  /// `deadlines` is their total count, which divides the worst cases over time.
   explicit Measurements(std::int64_t deadlines) : deadlines_(deadlines), worst_(worst_count) {}
 
-  /// The thread was awake so long after deadline k.
+  /// Adds the lateness of the wake-up for deadline k.
   void woke(std::int64_t k, std::int64_t lateness) {
     wake_up_.add(lateness);
     raise(worst(k).wake_up, lateness);
   }
-  /// Outputs were written so long after deadline k.
+  /// Adds the time from deadline k until its outputs were written.
   void wrote(std::int64_t k, std::int64_t response) {
     response_.add(response);
     raise(worst(k).response, response);
   }
-  /// All that the thread did for deadline k, from awake to ready for the next, took so long.
+  /// Adds the time from the wake-up for deadline k until the thread was ready for the next one.
   void stepped(std::int64_t k, std::int64_t cost) {
     step_.add(cost);
     raise(worst(k).step, cost);
@@ -36,12 +36,12 @@ class Measurements {
   const Histogram& response() const { return response_; }
   const Histogram& step() const { return step_; }
 
-  /// The largest of each in a stretch of the loop's deadlines.
+  /// Largest times in an interval of the loop's deadlines.
   struct Worst {
     std::int64_t wake_up = 0, step = 0, response = 0;
   };
   static constexpr std::size_t worst_count = 200;
-  /// In order, each for an equal share of the deadlines.
+  /// Returns the worst cases in order, each for an equal share of the deadlines.
   const std::vector<Worst>& worst() const { return worst_; }
 
  private:

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t stack_bytes = 256 * 1024;
 
-/// A page of the stack is there once it was written.
+/// Writes to each page of the stack, which maps it.
 [[gnu::noinline]] void touch_stack() {
   char stack[stack_bytes];
   volatile char* const bytes = stack;
@@ -55,7 +55,7 @@ std::vector<int> allowed_cpus() {
 RealTimeThread::RealTimeThread(const ThreadPolicy& policy, std::optional<int> cpu) {
   touch_stack();
   lock_memory();
-  ::prctl(PR_SET_TIMERSLACK, 1);  // [ns]; every thread may
+  ::prctl(PR_SET_TIMERSLACK, 1);  // in ns; needs no privilege
   keep_awake();
   if (cpu) bind_to(*cpu);
   schedule(policy);
@@ -70,7 +70,8 @@ void RealTimeThread::refuse(const std::string& what, int reason, const std::stri
   refused_.push_back(fmt::format("{} ({}); {}", what, std::generic_category().message(reason), cure));
 }
 
-/// What is mapped later is not meant: the loop thread asks for nothing more, and the others may wait.
+/// Locks the memory that is mapped now. Later mappings are excluded: the loop thread makes none, and other
+/// threads may wait.
 void RealTimeThread::lock_memory() {
   locked_ = ::mlockall(MCL_CURRENT) == 0;
   if (!locked_)
@@ -78,7 +79,7 @@ void RealTimeThread::lock_memory() {
            "CAP_IPC_LOCK or 'ulimit -l unlimited' allows it");
 }
 
-/// The kernel keeps to the latency as long as the file is open.
+/// Opens the latency file; the kernel keeps the requested latency while it is open.
 void RealTimeThread::keep_awake() {
   const std::int32_t microseconds = 0;
   latency_file_ = ::open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC);

@@ -7,25 +7,26 @@
 
 namespace stepwire::realtime {
 
-/// How the loop thread is scheduled: SCHED_FIFO with a priority of 1 to 99, or as every other thread.
+/// Scheduling of the loop thread: SCHED_FIFO with a priority of 1 to 99, or the default policy.
 struct ThreadPolicy {
   std::optional<int> fifo = 80;
 
   bool operator==(const ThreadPolicy&) const = default;
 };
 
-/// Reads "fifo:80" or "other"; nothing if it is neither.
+/// Parses "fifo:80" or "other"; std::nullopt for any other text.
 std::optional<ThreadPolicy> parse_policy(std::string_view text);
-/// "fifo:80", "other".
+/// Returns "fifo:80" or "other".
 std::string policy_text(const ThreadPolicy& policy);
 
-/// The processors on which this process may run.
+/// Returns the processors on which this process may run.
 std::vector<int> allowed_cpus();
 
-/// Makes a real-time thread of the one that creates it, as far as it is allowed: memory locked, its stack
-/// touched, timers exact to 1 ns, processors kept from sleeping deeply (0 us in /dev/cpu_dma_latency), bound
-/// to one processor where one is given, scheduled as asked. Memory and processors are let go at the end; the
-/// thread stays as it is.
+/// Makes the calling thread a real-time thread, as far as permissions allow.
+///
+/// Its memory is locked, its stack mapped, and its timers are exact to 1 ns. Processors are kept out of deep
+/// sleep (0 us in /dev/cpu_dma_latency). It is bound to a processor if one is given, and scheduled by the
+/// policy. The destructor releases memory and processors; the thread's settings stay.
 class RealTimeThread {
  public:
   RealTimeThread(const ThreadPolicy& policy, std::optional<int> cpu);
@@ -33,9 +34,9 @@ class RealTimeThread {
   RealTimeThread(const RealTimeThread&) = delete;
   RealTimeThread& operator=(const RealTimeThread&) = delete;
 
-  /// What was not allowed, with the reason, what follows from it, and what would allow it; one line each.
+  /// Returns a line for each refused setting, with the reason, the consequence and the cure.
   const std::vector<std::string>& refused() const { return refused_; }
-  /// What is really in force, as the system says: "fifo:80", "other".
+  /// Returns the policy that the system reports for this thread: "fifo:80" or "other".
   static std::string policy_in_force();
 
  private:

@@ -10,7 +10,7 @@ struct RowRing::Queue {
 };
 
 RowRing::RowRing(std::size_t capacity) : queue_(std::make_unique<Queue>(capacity)) {
-  // Memory that nobody has written yet is not there before the first write, which would wait for it.
+  // Writes all elements once: memory is mapped by the first write, which would delay the loop.
   while (queue_->numbers.push(0.0)) {
   }
   queue_->numbers.reset();
@@ -19,7 +19,7 @@ RowRing::RowRing(std::size_t capacity) : queue_(std::make_unique<Queue>(capacity
 RowRing::~RowRing() = default;
 
 bool RowRing::push(const double* row, std::size_t count) {
-  // A push may take the part for which there is room; only this thread pushes, so what is free stays free.
+  // A push may write part of a row if space is short. Only this thread pushes, so free space stays free.
   return queue_->numbers.write_available() >= count && queue_->numbers.push(row, count) == count;
 }
 

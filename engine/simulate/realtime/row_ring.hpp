@@ -5,18 +5,19 @@
 
 namespace stepwire::realtime {
 
-/// Hands rows of numbers from one thread to one other without a lock; neither ever waits for the other.
+/// Lock-free ring that passes rows of numbers from one thread to one other; neither waits for the other.
 class RowRing {
  public:
-  /// Takes memory for so many numbers, and touches all of it.
+  /// Allocates memory for `capacity` numbers and writes all of it once.
   explicit RowRing(std::size_t capacity);
   ~RowRing();
   RowRing(const RowRing&) = delete;
   RowRing& operator=(const RowRing&) = delete;
 
-  /// The thread that gives: a whole row, or, where there is no room for it, nothing and false.
+  /// Writes a whole row. Returns false, with the ring unchanged, if there is no space. For the writing
+  /// thread.
   bool push(const double* row, std::size_t count);
-  /// The thread that takes: up to `most` numbers, in their order. Returns how many.
+  /// Reads up to `most` numbers in order. Returns their count. For the reading thread.
   std::size_t pop(double* numbers, std::size_t most);
 
  private:

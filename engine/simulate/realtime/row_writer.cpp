@@ -11,19 +11,19 @@ namespace stepwire::realtime {
 
 namespace {
 
-constexpr std::size_t max_at_once = 1 << 14;  // numbers from the ring
+constexpr std::size_t max_at_once = 1 << 14;  // numbers per read from the ring
 constexpr std::size_t full_piece = 1 << 16;   // bytes
-// Seldom and much: every time that it works it may hold what the loop thread needs to wake.
+// Few large writes: each one may hold kernel resources that the loop thread needs to wake up.
 constexpr std::chrono::milliseconds nap{250};
 
-/// In all digits: the shortest form of 100000 would be 1e+05.
+/// Appends all digits; the shortest form of 100000 would be 1e+05.
 void append_whole(std::string& text, double value) {
   text += std::to_string(static_cast<std::int64_t>(value));
 }
 
 }  // namespace
 
-/// One file and the rows that wait to be written into it.
+/// File and the rows that wait to be written to it.
 class RowWriter::Sink {
  public:
   Sink(const std::string& path, const std::vector<table::Column>& columns)
@@ -88,7 +88,7 @@ void RowWriter::stop() {
 void RowWriter::work() {
   std::unique_lock lock(mutex_);
   while (true) {
-    const bool last = ending_;  // looked at before the ring: what was put in before it is still found
+    const bool last = ending_;  // read before the ring, so that all rows pushed before the end are found
     lock.unlock();
     while (take()) {
     }
@@ -99,7 +99,7 @@ void RowWriter::work() {
   }
 }
 
-/// Takes what there is; false if there was nothing.
+/// Reads from the ring; returns false if it was empty.
 bool RowWriter::take() {
   const std::size_t got = ring_.pop(numbers_.data() + filled_, numbers_.size() - filled_);
   filled_ += got;

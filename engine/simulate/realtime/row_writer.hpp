@@ -13,23 +13,23 @@
 namespace stepwire::realtime {
 
 /// Writes the rows of a ring into the files of a loop, in a thread of its own. The files get their names in
-/// finish(); without it nothing of them is left.
+/// finish(); without it they are removed.
 class RowWriter {
  public:
-  /// Throws EnvironmentError where a file cannot be made.
+  /// Throws EnvironmentError if a file cannot be created.
   RowWriter(RowRing& ring, const std::string& folder, const std::vector<LoopFile>& files);
   ~RowWriter();
   RowWriter(const RowWriter&) = delete;
   RowWriter& operator=(const RowWriter&) = delete;
 
-  /// Writes what is left in the ring, into which nobody puts any more, and names the files. Throws
-  /// EnvironmentError where that fails.
+  /// Writes the remaining rows of the ring, whose writer must have ended, and renames the files. Throws
+  /// EnvironmentError on failure.
   void finish();
 
-  /// After finish(): rows that are in the files, and rows that the disk did not take.
+  /// After finish(), return the count of rows in the files, and of rows that could not be written.
   std::int64_t rows() const { return rows_; }
   std::int64_t lost() const { return lost_; }
-  /// What the system said to the first row that the disk did not take; empty if it took all.
+  /// Returns the system error of the first row that could not be written; an empty text if all were.
   std::string trouble() const;
 
  private:
@@ -41,10 +41,10 @@ class RowWriter {
 
   RowRing& ring_;
   std::vector<std::unique_ptr<Sink>> sinks_;
-  std::vector<double> numbers_;  ///< taken from the ring; a row whose end has not come waits at the front
+  std::vector<double> numbers_;  ///< read from the ring; an incomplete row is at the front
   std::size_t filled_ = 0;
   std::int64_t rows_ = 0, lost_ = 0;
-  std::mutex mutex_;  ///< between finish() and the writing thread; the loop thread knows nothing of it
+  std::mutex mutex_;  ///< for finish() and the writing thread; never locked by the loop thread
   std::condition_variable ended_;
   bool ending_ = false;
   std::thread thread_;

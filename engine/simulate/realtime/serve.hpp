@@ -10,13 +10,13 @@
 
 namespace stepwire::realtime {
 
-/// How the thread of a loop really ran.
+/// Actual scheduling of a loop's thread.
 struct Served {
   std::vector<std::string> refused;  ///< see RealTimeThread::refused
-  std::string policy;                ///< in force: "fifo:80"
+  std::string policy;                ///< effective policy: "fifo:80"
 };
 
-/// Lets a loop serve so many deadlines in a real-time thread of its own, and waits for it.
+/// Serves `deadlines` deadlines of a loop in a real-time thread of its own, and waits for it.
 Served serve_in_real_time(Loop& loop, std::int64_t deadlines, const ThreadPolicy& policy,
                           std::optional<int> cpu);
 

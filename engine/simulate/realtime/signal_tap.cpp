@@ -6,7 +6,7 @@ namespace stepwire::realtime {
 
 namespace {
 
-constexpr std::size_t at_once = 1 << 14;  // numbers from the ring
+constexpr std::size_t at_once = 1 << 14;  // numbers per read from the ring
 
 }  // namespace
 
@@ -30,7 +30,8 @@ void SignalTap::select(std::vector<std::size_t> places) {
   selections_.push_back(std::move(next));
 }
 
-/// A row of one selection says that the loop thread has left all before it for good.
+/// Removes older selections. A row with one selection proves that the loop thread no longer uses the earlier
+/// ones.
 void SignalTap::forget_before(std::int64_t number) {
   while (selections_.front()->number < number) selections_.pop_front();
 }

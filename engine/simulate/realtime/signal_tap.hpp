@@ -14,32 +14,34 @@
 
 namespace stepwire::realtime {
 
-/// Signals of a loop for somebody who looks on: another thread selects numbers of the workspace while the
-/// loop runs, and gets them for each tick through a ring. The loop thread neither waits nor allocates; a tick
-/// for which the ring has no room is lost, and counted.
+/// Passes signals of a running loop to another thread.
+///
+/// That thread selects numbers of the workspace and receives them for each tick through a ring. The loop
+/// thread neither waits nor allocates. A tick for which the ring has no space is lost and counted.
 class SignalTap {
  public:
-  /// `room`: of numbers in the ring.
+  /// `room` is the capacity of the ring in numbers.
   explicit SignalTap(std::size_t room = std::size_t{1} << 20) : ring_(room) {}
 
-  /// The loop thread: the numbers of a workspace at a tick.
+  /// Writes the selected numbers of a workspace at a tick. For the loop thread.
   void push(std::int64_t tick, const double* values);
-  /// Ticks that were lost.
+  /// Returns the count of lost ticks.
   std::int64_t lost() const { return lost_; }
 
-  /// The thread that looks on: from a tick on that has not been computed yet, these places of the workspace.
+  /// Selects these places of the workspace, from a tick that has not been computed yet. For the receiving
+  /// thread.
   void select(std::vector<std::size_t> places);
-  /// What a tick had at the places that were selected then.
+  /// Receiver of a tick, with the places that were selected at it and their values.
   using Take = std::function<void(std::int64_t tick, const std::vector<std::size_t>& places,
                                   std::span<const double> values)>;
-  /// Hands on all ticks that have come, in their order.
+  /// Passes on all ticks that have arrived, in order.
   void take_all(const Take& take);
 
  private:
   struct Selection {
     std::int64_t number;
     std::vector<std::size_t> places;
-    std::vector<double> row;  ///< of the loop thread: number, tick, values
+    std::vector<double> row;  ///< row of the loop thread: number, tick, values
   };
   static constexpr std::size_t before_values = 2;
 
@@ -49,8 +51,8 @@ class SignalTap {
   RowRing ring_;
   Counter lost_;
   std::atomic<Selection*> selected_ = nullptr;
-  // Of the thread that looks on.
-  std::deque<std::unique_ptr<Selection>> selections_;  ///< those of which ticks may still come
+  // Members of the receiving thread.
+  std::deque<std::unique_ptr<Selection>> selections_;  ///< selections of which ticks may still arrive
   std::vector<double> numbers_;
   std::size_t filled_ = 0;
 };

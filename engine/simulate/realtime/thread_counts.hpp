@@ -5,16 +5,16 @@
 
 namespace stepwire::realtime {
 
-/// What a thread has caused so far, as the kernel and the allocator count it.
+/// Resource usage of a thread so far, as counted by the kernel and the allocator.
 struct ThreadCounts {
-  std::int64_t minor_faults = 0;            ///< pages that had to be mapped
-  std::int64_t major_faults = 0;            ///< pages that had to be read from a disk
-  std::int64_t voluntary = 0;               ///< context switches because it waited
-  std::int64_t involuntary = 0;             ///< context switches because another was to run
-  std::optional<std::int64_t> allocations;  ///< requests for memory; absent where nobody counts
+  std::int64_t minor_faults = 0;            ///< Pages that were mapped.
+  std::int64_t major_faults = 0;            ///< Pages that were read from a disk.
+  std::int64_t voluntary = 0;               ///< Context switches while the thread waited.
+  std::int64_t involuntary = 0;             ///< Context switches to another runnable thread.
+  std::optional<std::int64_t> allocations;  ///< Memory requests; std::nullopt if not counted.
 
   static ThreadCounts now();
-  /// Adds what came about between two moments.
+  /// Adds the usage between two instants.
   void add(const ThreadCounts& from, const ThreadCounts& to);
 };
 

@@ -24,7 +24,7 @@ std::optional<std::int64_t> ValueExchange::taken() const {
 }
 
 void ValueExchange::change_both(const Change& change) {
-  change(runs_[1 - active_]);  // where it is refused, nothing has changed
+  change(runs_[1 - active_]);  // throws for a refused value, with nothing changed
   change(runs_[active_]);
 }
 

@@ -10,9 +10,11 @@
 
 namespace stepwire::realtime {
 
-/// Lets another thread set values of a loop that runs. There are two runs of one plan: the loop steps one,
-/// and a value is set in the other, which takes memory and time; between two ticks the loop copies where it
-/// stands into that one and steps it from then on, to the bits of a run in which the value was set there.
+/// Lets another thread set values of a running loop without a delay of the loop.
+///
+/// Setting a value allocates and takes time, so there are two runs of one plan. The loop steps one of them,
+/// and the other thread sets the value in the other one. Between two ticks the loop copies its state into
+/// that run and continues with it. The results have the bits of a run in which the value was set there.
 class ValueExchange {
  public:
   using Change = std::function<void(run::Executor&)>;
@@ -20,19 +22,21 @@ class ValueExchange {
   /// The plan must outlive it.
   explicit ValueExchange(const plan::Plan& plan) : runs_{run::Executor(plan), run::Executor(plan)} {}
 
-  /// The loop thread, at most once in a period: the run to step from now on. Neither waits nor allocates.
+  /// Returns the run to step from now on, at most once in a period. Neither waits nor allocates. For the loop
+  /// thread.
   run::Executor& at_tick() noexcept;
-  /// The run that the loop steps.
+  /// Returns the run that the loop steps.
   run::Executor& active() { return runs_[active_]; }
 
-  /// The other thread: offers the other run with a change. Throws what the change throws, and offers nothing
-  /// then. Another offer must not wait.
+  /// Changes the inactive run and offers it to the loop. Throws the exceptions of `change`, without an offer.
+  /// No other offer may be pending. For the other thread.
   void offer(const Change& change);
-  /// The tick from which on the loop has what was offered last; nothing before.
+  /// Returns the first tick with the last offer; std::nullopt while it is pending.
   std::optional<std::int64_t> taken() const;
-  /// Changes what the loop has left in the same way; after taken(), before the next offer.
+  /// Applies the same change to the run that the loop has left. Call it after taken() and before the next
+  /// offer.
   void follow(const Change& change) { change(runs_[1 - active_]); }
-  /// Changes both while no loop runs.
+  /// Changes both runs while no loop runs.
   void change_both(const Change& change);
 
  private:

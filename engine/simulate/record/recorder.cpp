@@ -74,7 +74,7 @@ void Recorder::record_side(const double* values, Side side) {
   ++filled_;
 }
 
-/// Keeps the row just before the tick.
+/// Returns to the row just before the tick, which is kept.
 void Recorder::go_back_to_side(std::int64_t tick) {
   const std::vector<double>& times = *grown_.front();
   const auto at = std::ranges::lower_bound(times, static_cast<double>(tick) * step_);
@@ -84,7 +84,7 @@ void Recorder::go_back_to_side(std::int64_t tick) {
 }
 
 RunRecording::RunRecording(const plan::Plan& plan, bool last_only) {
-  recordings_.resize(plan.diagram.records.size());  // which stay where they are
+  recordings_.resize(plan.diagram.records.size());  // elements must not move, since recorders refer to them
   for (std::size_t i = 0; i < recordings_.size(); ++i) {
     const diagram::RecordRequest& request = plan.diagram.records[i];
     recordings_[i].table.columns = empty_columns(plan, request);
@@ -109,12 +109,12 @@ const std::vector<Recording>& RunRecording::finished() {
   return recordings_;
 }
 
-// Columns keep what they have room for, and stay where they are.
+// Columns keep their capacity and address.
 void RunRecording::restart() {
   for (Recorder& recorder : recorders_) recorder.restart();
 }
 
-// Of long columns no more has been written to than they hold, so that what is reserved takes no memory.
+// Takes the recordings. Unused capacity was never written, so it occupies no memory in long columns.
 std::vector<Recording> RunRecording::take() {
   for (std::size_t i = 0; i < recordings_.size(); ++i)
     for (table::Column& column : recordings_[i].table.columns) {

@@ -10,39 +10,39 @@
 
 namespace stepwire::record {
 
-/// A column that a request records: where its numbers lie in the workspace.
+/// Recorded column, with the place of its numbers in the workspace.
 struct RecordedColumn {
-  std::string name;  ///< "time", or a signal; a vector signal p makes p.1, p.2, ...
+  std::string name;  ///< "time", or a signal; a vector signal p has p.1, p.2, ...
   std::optional<unit::Dimension> dimension;
   std::size_t offset;
 };
-/// In their order, the time first.
+/// Returns the columns in order, the time first.
 std::vector<RecordedColumn> recorded_columns(const plan::Plan& plan, const diagram::RecordRequest& request);
 
-/// Ticks between two rows of a recording; 1 where both sides of instants are recorded.
+/// Returns the number of ticks between two rows; 1 if both sides of instants are recorded.
 std::int64_t ticks_between_rows(const plan::Plan& plan, const diagram::RecordRequest& request);
-/// Rows of a run that goes on to its stop time, whose last tick makes one, too, where the period skips it.
-/// With both sides of instants there may be more.
+/// Returns the number of rows of a run that reaches its stop time. The last tick always has a row. There may
+/// be more with both sides of instants.
 std::size_t max_rows(const plan::Plan& plan, const diagram::RecordRequest& request);
-/// Columns without rows, with names and units.
+/// Returns the columns with names and units, without rows.
 std::vector<table::Column> empty_columns(const plan::Plan& plan, const diagram::RecordRequest& request);
 
-/// Writes chosen signals of one run at one period, each number once: into the place where it stays. Or on
-/// both sides of each instant.
+/// Writes chosen signals of one run with one period, or on both sides of each instant. Each number is written
+/// directly to its final place.
 class Recorder {
  public:
-  /// Rows that are made ready at a time: a run of many rows begins, and ends early, without those that it
-  /// lacks.
+  /// Number of rows that are allocated at a time, so that a long run begins and ends early without touching
+  /// all memory.
   static constexpr std::size_t rows_at_once = 65'536;
 
-  /// Writes from the first row of these columns on, which have room for max_rows().
+  /// Writes from the first row of these columns, which have capacity for max_rows().
   Recorder(const plan::Plan& plan, const diagram::RecordRequest& request, std::vector<double*> columns);
-  /// Writes from the first row of these columns on. They grow up to their capacity, where they stay; those
-  /// for both sides of instants beyond it.
+  /// Writes from the first row of these columns. They grow up to their capacity without reallocation; those
+  /// for both sides of instants grow beyond it.
   Recorder(const plan::Plan& plan, const diagram::RecordRequest& request,
            std::vector<std::vector<double>*> columns);
 
-  /// Keeps the signals of this tick, if it is one of the recorder's or the last one of the run.
+  /// Records the signals of a tick if it is due or the last tick of the run.
   void record(std::int64_t tick, const double* values, bool last = false) {
     if (records_instants()) return record_side(values, Side::after);
     if (tick != next_tick_ && !last) return;
@@ -54,15 +54,16 @@ class Recorder {
 
   bool records_instants() const { return instants_; }
   enum class Side { before, after };
-  /// Keeps the signals of one side of an instant. That after it is kept once, also where the run ends there.
+  /// Records the signals of one side of an instant. The side after it is recorded once, also if the run ends
+  /// there.
   void record_side(const double* values, Side side);
 
-  /// Keeps the last row of the run alone, from now on.
+  /// Keeps only the last row of the run from now on.
   void keep_last_only() {
     last_only_ = true;
     next_tick_ = -1;
   }
-  /// Keeps rows of the recorder's next ticks, one behind the other: numbers lie `stride` apart.
+  /// Records rows of the recorder's next ticks, in order; successive numbers are `stride` apart.
   void record_rows(const double* numbers, std::size_t rows, std::size_t stride) {
     if (last_only_) return;
     make_ready(rows);
@@ -72,20 +73,20 @@ class Recorder {
     filled_ += rows;
     next_tick_ += static_cast<std::int64_t>(rows) * every_;
   }
-  /// Numbers in a row.
+  /// Returns the count of numbers in a row.
   std::size_t columns() const { return columns_.size(); }
 
-  /// Period [ticks].
+  /// Returns the period [ticks].
   std::int64_t every() const { return every_; }
-  /// Rows so far.
+  /// Returns the number of rows so far.
   std::size_t rows() const { return filled_; }
-  /// Begins anew after a cut of the columns.
+  /// Restarts after the columns were cleared.
   void restart() {
     ready_ = 0;
     go_back_to(0);
     if (!records_instants()) make_ready(1);
   }
-  /// Goes back to just before a tick that was reached: what is recorded from there on replaces what was kept.
+  /// Returns to just before an earlier tick. Later records replace the rows from there on.
   void go_back_to(std::int64_t tick) {
     if (records_instants()) return go_back_to_side(tick);
     if (last_only_) {
@@ -98,33 +99,33 @@ class Recorder {
 
  private:
   void go_back_to_side(std::int64_t tick);
-  /// Lengthens the columns until `rows` more fit.
+  /// Extends the columns by at least `rows` rows.
   void make_ready(std::size_t rows);
 
   bool last_only_ = false;
-  Side side_ = Side::before;  ///< of the last row
+  Side side_ = Side::before;  ///< side of the last row
   double step_;               ///< [s]
   std::int64_t every_, next_tick_ = 0;
   std::size_t filled_ = 0, ready_ = 0;
-  bool instants_;                     ///< are both sides of instants recorded?
+  bool instants_;                     ///< true if both sides of instants are recorded
   std::vector<std::size_t> offsets_;  ///< in the workspace, the time first
   std::vector<double*> columns_;
-  std::vector<std::vector<double>*> grown_;  ///< owners of these numbers, if they grow
+  std::vector<std::vector<double>*> grown_;  ///< owners of these columns, if they grow
 };
 
-/// The recordings of one run, or of several ones after each other, with their recorders.
+/// Recordings of one run, or of several ones after each other, with their recorders.
 class RunRecording {
  public:
-  /// Of all rows, or of the last one alone.
+  /// Records all rows, or the last one only.
   explicit RunRecording(const plan::Plan& plan, bool last_only = false);
 
   std::vector<Recorder>& recorders() { return recorders_; }
   const std::vector<Recorder>& recorders() const { return recorders_; }
-  /// What was recorded, one for each request.
+  /// Moves the recordings out, one for each request.
   std::vector<Recording> take();
-  /// The same, to be looked at until the next run restarts it.
+  /// Returns the recordings, valid until the next run restarts them.
   const std::vector<Recording>& finished();
-  /// Makes room for another run of a plan with the same recordings.
+  /// Prepares for another run of a plan with the same recordings.
   void restart();
 
  private:

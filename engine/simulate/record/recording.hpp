@@ -8,14 +8,13 @@
 
 namespace stepwire::record {
 
-/// A swept parameter whose values are words (or files): its column holds 0, 1, ..., which stand for these
-/// texts.
+/// Swept parameter whose values are words (or files); its column holds indices 0, 1, ... of these texts.
 struct Categories {
   std::string column;
   std::vector<std::string> texts;
 };
 
-/// What one record entry of a run (or of all runs of a sweep) gathered: columns of equal length, "time" first
+/// Recording of one record entry of a run, or of all runs of a sweep. Columns of equal length: "time" first
 /// (unit s), then swept parameters, then signals. All numbers are SI.
 struct Recording {
   table::Table table;

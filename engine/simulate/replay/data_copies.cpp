@@ -12,7 +12,7 @@ namespace stepwire::replay {
 
 namespace {
 
-/// Letters, digits, '.', '-' and '_'.
+/// Returns the name with '_' for all but letters, digits, '.', '-' and '_'.
 std::string safe(std::string name) {
   const auto is_safe = [](unsigned char c) { return std::isalnum(c) || c == '.' || c == '-' || c == '_'; };
   std::replace_if(name.begin(), name.end(), std::not_fn(is_safe), '_');

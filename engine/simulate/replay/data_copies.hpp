@@ -6,13 +6,14 @@
 
 namespace stepwire::replay {
 
-/// Data files as they are now, each under a name of its own, to be written into one folder.
+/// Copies of data files, each with a unique name, to be written into one folder.
 class DataCopies {
  public:
-  /// What the file at this path is called in the folder: its own name, with a number where two have the same
-  /// and with '_' for what a diagram file could misread. Throws EnvironmentError where it cannot be read.
+  /// Returns the name of the file at this path in the folder. It is its own name, with a number if two are
+  /// the same, and with '_' for characters that a diagram file could misread. Throws EnvironmentError if it
+  /// cannot be read.
   const std::string& name_of(const std::string& path);
-  /// Writes them all; what they replace has been read before. Throws EnvironmentError.
+  /// Writes all copies; files that they replace have been read before. Throws EnvironmentError.
   void write(const std::string& folder) const;
 
  private:
@@ -21,7 +22,7 @@ class DataCopies {
   };
   std::string free_name(const std::string& path) const;
 
-  std::map<std::string, Copy> copies_;  ///< by the path from the root
+  std::map<std::string, Copy> copies_;  ///< by absolute path
   std::set<std::string> taken_;
 };
 

@@ -13,7 +13,7 @@ namespace stepwire::replay {
 
 namespace {
 
-/// Where all words of a column are numbers, these are meant.
+/// Replaces the words of a column by numbers if all of them are numbers.
 void take_numbers(table::Column& column, table::ColumnWords& words) {
   std::vector<double> numbers;
   for (const std::string& word : words[column.name]) {
@@ -25,7 +25,7 @@ void take_numbers(table::Column& column, table::ColumnWords& words) {
   for (double& value : column.values) value = numbers[static_cast<std::size_t>(value)];
 }
 
-/// A run's recordings with what a row of the table says is swept.
+/// Returns a run's recordings with the swept parameters of a row of the table.
 std::vector<record::Recording> with_swept(std::vector<record::Recording> run, const KeptTable& table,
                                           std::size_t row) {
   for (record::Recording& recording : run) {

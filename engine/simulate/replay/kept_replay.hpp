@@ -10,17 +10,17 @@
 
 namespace stepwire::replay {
 
-/// The one table of a sweep that keeps numbers of each run: a row for each, with what it was given.
+/// Table of a sweep that keeps numbers of each run: a row for each, with its swept parameters.
 struct KeptTable {
   Recorded recorded;
-  table::Table swept{};        ///< the columns of what is swept, without rows
-  table::ColumnWords words{};  ///< that the numbers of some of them stand for
+  table::Table swept{};  ///< columns of swept parameters, without rows
+  table::ColumnWords words{};  ///< words of columns that hold indices of words
 };
 
-/// Reads it. Throws Error where it does not have `runs` rows; TableError, EnvironmentError.
+/// Reads the table. Throws Error if it does not have `runs` rows; TableError, EnvironmentError.
 KeptTable read_kept_table(const std::string& file, const std::vector<std::string>& swept, std::size_t runs);
 
-/// Runs a plan to its end and compares the numbers that are kept of it with those of a row; adds what came of it.
+/// Runs a plan to its end and compares its numbers with those of a row. Adds the result to `verification`.
 void replay_numbers(run::Executor& simulation, const run::RunNumbers& numbers, const KeptTable& table,
                     std::size_t row, const run::RunOptions& options, Verification& verification);
 

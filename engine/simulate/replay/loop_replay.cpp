@@ -11,13 +11,13 @@ namespace stepwire::replay {
 
 namespace {
 
-constexpr std::int64_t ticks_between_looks = 4096;  // at the interrupt flag
+constexpr std::int64_t ticks_between_looks = 4096;  // interval of checks of the interrupt flag
 
 [[noreturn]] void refuse(const std::string& file, std::size_t row, std::string message) {
   throw yaml::Error(yaml::Fault{{file, {static_cast<int>(row) + 2, 1}}, "", std::move(message), {}});
 }
 
-/// The column `tick`: whole numbers that rise.
+/// Returns the column `tick`, which must have increasing integers.
 std::vector<std::int64_t> ticks_of(const std::string& file, const table::Table& table) {
   std::vector<std::int64_t> ticks;
   for (const double value : table.columns[1].values) {
@@ -30,7 +30,7 @@ std::vector<std::int64_t> ticks_of(const std::string& file, const table::Table& 
   return ticks;
 }
 
-/// Rows of a table that are met one after the other while ticks pass.
+/// Rows of a table with an increasing tick, and the next one of them.
 struct Cursor {
   std::vector<std::int64_t> ticks;
   std::size_t row = 0;
@@ -39,7 +39,7 @@ struct Cursor {
   bool ended() const { return row == ticks.size(); }
 };
 
-/// What was written to the inputs of a diagram.
+/// Recorded inputs of a diagram.
 class Inputs {
  public:
   Inputs(const plan::Plan& plan, const std::string& file) {
@@ -130,7 +130,7 @@ class LoopReplay {
     return std::all_of(cursors_.begin(), cursors_.end(), [](const Cursor& cursor) { return cursor.ended(); });
   }
 
-  /// Compares the rows of this tick, in all tables.
+  /// Compares the rows of this tick in all tables. Returns the text of the first difference.
   std::string compare() {
     for (std::size_t i = 0; i < tables_.size(); ++i) {
       if (!cursors_[i].is_at(simulation_.tick())) continue;
@@ -146,7 +146,7 @@ class LoopReplay {
     return "";
   }
 
-  /// The first row that is left once the replay can go no further.
+  /// Returns the text of the first row that is left at the end of the replay.
   std::string row_beyond() const {
     for (std::size_t i = 0; i < tables_.size(); ++i)
       if (!cursors_[i].ended()) return extra_row_text(tables_[i], cursors_[i].row, simulation_.time());

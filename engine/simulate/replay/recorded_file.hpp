@@ -8,16 +8,16 @@
 
 namespace stepwire::replay {
 
-/// The file of a folder that holds a recording: CSV, or HDF5 where there is no CSV. Throws Error where there
-/// is neither, since what else a run writes does not have the bits of all numbers and the names of all columns.
+/// Returns the file of a folder that holds a recording: CSV, or HDF5 if there is no CSV. Throws Error without
+/// either, since other formats do not have all bits and column names.
 std::string recorded_file(const std::string& folder, std::size_t recording);
 
-/// Is it one of text, not HDF5?
+/// True for a text file, false for HDF5.
 bool has_lines(const std::string& file);
 
-/// The one table of such a file, with its first signal at this column. `words` has the columns that may hold
-/// words, and afterwards the words of those that do. Throws TableError, also for columns of different
-/// lengths; EnvironmentError.
+/// Reads the table of such a file, with its first signal at this column. On entry `words` has the columns
+/// that may hold words, on return the words of those that do. Throws TableError, also for columns of
+/// different lengths; EnvironmentError.
 Recorded read_recorded(const std::string& file, std::size_t first_signal, table::ColumnWords& words);
 
 /// Throws TableError for columns of different lengths.

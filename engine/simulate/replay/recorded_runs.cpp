@@ -12,7 +12,7 @@ namespace stepwire::replay {
 
 namespace {
 
-/// Runs that are one table, each from time 0 on.
+/// Runs in one table, each from time 0.
 class RunsOfText : public RecordedRuns {
  public:
   RunsOfText(const std::string& file, std::size_t recording, const RecordedSweep& sweep) : runs_(sweep.runs) {
@@ -44,7 +44,7 @@ class RunsOfText : public RecordedRuns {
 
 constexpr std::size_t numbers_at_once = 1'000'000, columns_at_once = 10'000;
 
-/// Runs that are groups of a file, "run-1", ....
+/// Runs in groups of a file, "run-1", ....
 class RunsOfGroups : public RecordedRuns {
  public:
   RunsOfGroups(std::string file, std::size_t recording, const RecordedSweep& sweep)
@@ -79,7 +79,7 @@ class RunsOfGroups : public RecordedRuns {
     return fmt::format("run-{}", (numbers && run < numbers->size() ? (*numbers)[run] : run) + 1);
   }
 
-  /// All columns of so many runs, as "run-1/time", ....
+  /// Reads all columns of `count` runs, as "run-1/time", ....
   std::vector<table::Column> group(std::size_t first, std::size_t count) const {
     std::vector<std::string> names;
     for (std::size_t run = first; run < first + count; ++run) names.push_back(name(run));
@@ -100,7 +100,8 @@ class RunsOfGroups : public RecordedRuns {
     at_once_ = std::clamp<std::size_t>(numbers_at_once / each, 1, most);
   }
 
-  /// Takes the columns of a run from the first of them on. Those of a run with rows begin with what it sets.
+  /// Takes the columns of a run, beginning at `from`. In a run with rows the swept parameters are the first
+  /// columns.
   Recorded run_of(std::size_t run, std::vector<table::Column>::iterator& from,
                   std::vector<table::Column>::iterator end) const {
     const std::string path = name(run) + "/";
@@ -121,7 +122,7 @@ class RunsOfGroups : public RecordedRuns {
   std::string file_;
   RecordedSweep sweep_;
   const diagram::RecordRequest& request_;
-  std::size_t columns_;  ///< of the recording, the time among them
+  std::size_t columns_;  ///< of the recording, including the time
   std::size_t next_ = 0, at_once_ = 1;
   std::deque<Recorded> ahead_;
   Recorded current_;

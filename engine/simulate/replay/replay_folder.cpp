@@ -30,7 +30,8 @@ bool is_file(const diagram::Diagram& diagram, const diagram::Target& target) {
                  .kind == ParameterKind::file;
 }
 
-/// What each run of a sweep sets in its flattened diagram, as the lines of a table: there may be millions.
+/// Table of the values that each run of a sweep sets in its flattened diagram, as text lines, since there may
+/// be millions.
 class SweepTable {
  public:
   SweepTable(const run::Job& job, const diagram::FileName& file_name) : job_(job), file_name_(file_name) {
@@ -47,7 +48,7 @@ class SweepTable {
   }
 
  private:
-  /// A run of a member, and its diagram with the values of the last point.
+  /// Run of a member, and its diagram with the values of the last point.
   struct Member {
     explicit Member(const plan::Plan& plan) : run(plan), diagram(plan.diagram) {}
     run::Executor run;
@@ -84,7 +85,7 @@ class SweepTable {
     cells_[column->second] = std::move(text);
   }
 
-  /// Rows that were there before a column have nothing in it.
+  /// Writes the rows; those that were added before a column have an empty cell in it.
   void append_rows(io::AtomicFileWriter& file) const {
     std::size_t first = 0;
     for (const auto& [end, width] : widths_) {
@@ -105,9 +106,9 @@ class SweepTable {
   std::map<std::size_t, std::unique_ptr<Member>> members_;
   std::vector<table::Column> columns_;  ///< without rows
   std::map<std::string, std::size_t> places_;
-  std::vector<std::string> cells_;  ///< of the row that is made
+  std::vector<std::string> cells_;  ///< of the present row
   std::string rows_;
-  std::vector<std::pair<std::size_t, std::size_t>> widths_;  ///< where rows of one width end, and that width
+  std::vector<std::pair<std::size_t, std::size_t>> widths_;  ///< end of the rows of each width, width
 };
 
 }  // namespace

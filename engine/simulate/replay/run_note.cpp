@@ -7,7 +7,7 @@ namespace stepwire::replay {
 
 namespace {
 
-/// The index of a run that a file numbers from 1.
+/// Returns the index of a run that a file numbers from 1.
 std::size_t run_number(const yaml::Node& node, std::size_t runs, const std::string& file) {
   const auto number = unit::parse_quantity(node.text);
   if (number && number->value >= 1.0 && number->value <= static_cast<double>(runs))
@@ -20,7 +20,7 @@ std::size_t run_number(const yaml::Node& node, std::size_t runs, const std::stri
 
 RunNote read_run_note(const std::string& file) {
   RunNote note;
-  note.document = yaml::read_document(file, wide_limits).root;  // what is JSON is YAML as well
+  note.document = yaml::read_document(file, wide_limits).root;  // JSON is a subset of YAML
   const yaml::Node *sweep = note.document.find("sweep"), *runs = note.document.find("runs");
   const auto count = runs ? unit::parse_quantity(runs->text) : std::nullopt;
   if (!sweep || !count || !(count->value >= 1.0 && count->value < 1e9))

@@ -7,16 +7,16 @@
 
 namespace stepwire::replay {
 
-/// What run.json says of a run.
+/// Content of run.json.
 struct RunNote {
-  std::vector<std::string> swept{};  ///< parameters of a sweep, in the order of their columns; empty for none
+  std::vector<std::string> swept{};  ///< swept parameters in the order of their columns
   std::size_t runs = 1;
-  std::string keep{};                   ///< what a sweep keeps of each run
-  std::vector<std::size_t> recorded{};  ///< runs, from 0, whose rows stay beside numbers of all
-  yaml::Node document{};                ///< all of it
+  std::string keep{};                   ///< value of the sweep's `keep`
+  std::vector<std::size_t> recorded{};  ///< indices of runs whose rows are kept beside numbers of all runs
+  yaml::Node document{};                ///< the whole file
 };
 
-/// Throws Error where the file does not say what every run says.
+/// Throws Error if the file lacks an entry that every run writes.
 RunNote read_run_note(const std::string& file);
 
 }  // namespace stepwire::replay

@@ -11,7 +11,7 @@ namespace stepwire::replay {
 
 namespace {
 
-/// The first difference of several tables in time.
+/// First difference in time among several tables.
 class Earliest {
  public:
   void take(double time, std::string text) {
@@ -43,7 +43,8 @@ void compare(const RecordedRows& rows, const table::Table& computed, Earliest& e
                 extra_row_text(recorded, rows.first + common, end));
 }
 
-/// Ticks until each table would have one row more than it has: whether the run went on shows there.
+/// Returns the number of ticks until each table would have one more row, which shows whether the run
+/// continued.
 std::int64_t ticks_to_replay(const plan::Plan& plan, const std::vector<RecordedRows>& rows) {
   std::int64_t ticks = 0;
   if (plan.records_instants()) return plan.steps;
@@ -53,7 +54,7 @@ std::int64_t ticks_to_replay(const plan::Plan& plan, const std::vector<RecordedR
   return std::min(ticks, plan.steps);
 }
 
-/// Ends a run behind a tick.
+/// Ends a run after a tick.
 class UntilTick : public run::RunObserver {
  public:
   explicit UntilTick(std::int64_t last) : last_(last) {}
@@ -83,7 +84,7 @@ std::vector<std::size_t> replay_run(run::Executor& simulation, const std::vector
   Earliest earliest;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const table::Table& computed = recordings[i].table;
-    // A run that broke off before its first row has left none: these are the next one's.
+    // A run that ended before its first row has no rows: these are of the next one.
     used.push_back(computed.rows() == 0 ? 0 : rows[i].count);
     verification.rows += used.back();
     const diagram::RecordRequest& request = plan.diagram.records[i];

@@ -7,7 +7,7 @@
 
 namespace stepwire::replay {
 
-/// A diagram of the folder, with its run.
+/// Diagram of the folder, with its run.
 struct SweepRuns::Diagram {
   Diagram(const std::string& path, const Registry& registry)
       : plan(plan::make_plan(loaded(path, registry))), run(plan) {}

@@ -10,14 +10,14 @@
 
 namespace stepwire::replay {
 
-/// The runs of a sweep as its folder describes them: diagrams, and what each run sets in which of them.
+/// Runs of a sweep in its folder: the diagrams, and the values that each run sets in one of them.
 class SweepRuns {
  public:
-  /// Throws Error where the table of the sweep is missing or does not have `runs` rows.
+  /// Throws Error if the table of the sweep is missing or does not have `runs` rows.
   SweepRuns(std::string folder, std::size_t runs, const Registry& registry);
   ~SweepRuns();
 
-  /// The simulation of a run, at time 0. Throws Error where the diagram does not take what it sets.
+  /// Returns the simulation of a run, at time 0. Throws Error if the diagram refuses the values.
   run::Executor& begin(std::size_t run);
 
  private:

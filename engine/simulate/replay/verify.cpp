@@ -85,7 +85,7 @@ class Verifier {
     return plan::make_plan(loader.load(path(name)));
   }
 
-  /// Folders of blocks that the run knew and this program does not.
+  /// Returns the faults for folders of blocks that the run had loaded and this program has not.
   std::vector<yaml::Fault> missing_blocksets() const {
     std::vector<yaml::Fault> missing;
     if (!has("run.json")) return missing;
@@ -102,8 +102,8 @@ class Verifier {
     return missing;
   }
 
-  /// A loop's table has the tick and the wall clock behind the time. So may that of a run whose signals have
-  /// such names, but then it has two columns less than the loop's.
+  /// True for the folder of a loop. The table of a loop has tick and wall clock after the time. A run may
+  /// have signals of these names, but then its table has two columns fewer.
   bool is_loop() const {
     const bool may_be_run = has("run.json");
     if (!has("signals.csv")) return false;
@@ -122,7 +122,7 @@ class Verifier {
     return read_run_note(path("run.json"));
   }
 
-  /// The one table of each recording; their signals begin behind what else they have.
+  /// Reads the table of each recording, whose signals begin after its other columns.
   std::vector<Recorded> read_tables(const plan::Plan& plan, std::size_t first_signal,
                                     const table::ColumnWords& words = {}) {
     std::vector<Recorded> tables;
@@ -189,7 +189,7 @@ class Verifier {
     return recordings;
   }
 
-  /// Of a sweep that keeps the last row of each run.
+  /// Verifies a sweep that keeps the last row of each run.
   void verify_last_rows(const RunNote& note) {
     result_.runs = note.runs;
     SweepRuns runs(folder_, note.runs, registry_);
@@ -206,7 +206,7 @@ class Verifier {
     }
   }
 
-  /// Of a sweep that keeps numbers of each run.
+  /// Verifies a sweep that keeps numbers of each run.
   void verify_numbers(const RunNote& note) {
     if (!numbers_)
       refuse(path("run.json"), "says that numbers of the runs are kept, which are not read here");

@@ -13,30 +13,30 @@
 
 namespace stepwire::replay {
 
-/// What came of replaying a folder.
+/// Result of replaying a folder.
 struct Verification {
-  std::size_t signals = 0;       ///< columns that were compared, of all tables
-  std::size_t rows = 0;          ///< of all tables and runs
-  std::size_t runs = 1;          ///< of a sweep
-  std::size_t missing_rows = 0;  ///< that the whole runs have and the folder has not
-  bool loop = false;             ///< of a real-time loop, where rows are lost rather than not reached
-  bool interrupted = false;      ///< the replay itself
-  std::string difference;        ///< the first in time, with its place; empty where all bits agree
+  std::size_t signals = 0;       ///< Compared columns of all tables.
+  std::size_t rows = 0;          ///< Rows of all tables and runs.
+  std::size_t runs = 1;          ///< Runs of a sweep.
+  std::size_t missing_rows = 0;  ///< Rows of complete runs that are missing in the folder.
+  bool loop = false;             ///< True for a real-time loop, whose missing rows are lost ones.
+  bool interrupted = false;      ///< True if the replay was interrupted.
+  std::string difference;        ///< First difference in time, with its place; empty without one.
 };
 
-/// Reads the numbers that the sweep of a folder keeps of its runs, of what run.json says of them, for the plan
-/// of its diagram. `swept` are the columns of what is swept, `words` what the numbers of some of them stand
-/// for. Throws Error.
+/// Reads the numbers that a sweep keeps of its runs from their entry of run.json, for the plan of its
+/// diagram. Argument `swept` has the columns of swept parameters. Argument `words` has the words of those
+/// that hold indices of words. Throws Error.
 using NumbersReader = std::function<std::shared_ptr<const run::RunNumbers>(
     const plan::Plan& plan, const yaml::Node& note, const table::Table& swept, const table::ColumnWords& words)>;
 
-/// Replays what `run` or `loop` left in a folder, and compares all signals that were recorded bit by bit, or
-/// the numbers that were made of them. Once `interrupt` is true it gives up. Throws Error or TableError where
-/// the folder is not such a one or damaged, and Error for numbers without a reader; EnvironmentError.
+/// Replays the folder of `run` or `loop`. Compares all recorded signals, or the numbers computed from them,
+/// bit by bit. Ends early once `interrupt` is true. Throws Error or TableError for any other or damaged
+/// folder, and Error for numbers without a reader; EnvironmentError.
 Verification verify(const std::string& folder, const Registry& registry,
                     const std::atomic<bool>* interrupt = nullptr, const NumbersReader& numbers = {});
 
-/// "3 signals in 3001 rows: all bits agree", or the difference, with its place first.
+/// Returns "3 signals in 3001 rows: all bits agree", or the difference, with its place first.
 std::string verification_text(const Verification& verification);
 
 }  // namespace stepwire::replay

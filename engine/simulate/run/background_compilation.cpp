@@ -7,9 +7,10 @@ namespace stepwire::run {
 
 namespace {
 
-constexpr double margin = 2.0;  // times the work that must be left to do
+constexpr double margin = 2.0;  // minimal ratio of remaining time to compile time
 
-/// A look for kept code writes its text, a part of what compiling it takes; and it may begin soon.
+/// Estimates a cache lookup: it generates the text of the code, a part of the compile time, and may begin
+/// earlier.
 BackgroundCompilation::Prospect of_a_look(const BackgroundCompilation::Prospect& compilation) {
   return {0.1 * compilation.seconds, compilation.ticks, 0.02};
 }
@@ -52,7 +53,7 @@ void BackgroundCompilation::beside(const Task& task) {
   const std::lock_guard lock(mutex_);
   try {
     thread_ = std::jthread([task](const std::stop_token& stop) { task(stop); });
-  } catch (const std::system_error&) {  // without a thread for it nothing is compiled
+  } catch (const std::system_error&) {  // without a second thread nothing is compiled
     stage_ = Stage::ended;
   }
 }

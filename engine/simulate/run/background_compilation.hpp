@@ -13,25 +13,27 @@
 
 namespace stepwire::run {
 
-/// Gets code beside the runs that will use it, once it is worth it: what earlier calls have kept nearly at
-/// once, and what has to be compiled when twice as long as that takes is left to do.
+/// Compiles the code of runs on a second thread while these runs proceed interpreted.
+///
+/// The policy has two thresholds on the estimated remaining time. Above twice the cost of a cache lookup,
+/// code that earlier calls have cached is loaded. Above twice the compile time, the missing code is compiled.
 class BackgroundCompilation {
  public:
-  /// What is known before the first tick.
+  /// Estimates that are available before the first tick.
   struct Prospect {
-    double seconds = 0.0;         ///< that it takes to compile all; 0: there is nothing to get
-    std::optional<double> ticks;  ///< of all runs; nothing: as many are expected as have been done
-    double patience = 0.1;        ///< [s] after which it is known how fast the runs are
+    double seconds = 0.0;         ///< Compile time of all code; 0: no compilation.
+    std::optional<double> ticks;  ///< Ticks of all runs; std::nullopt: twice the done ones.
+    double patience = 0.1;        ///< Time [s] until the speed of the runs is measurable.
   };
-  /// Gets all code within these limits. False: not all of it was kept.
+  /// Compiles or loads all code within these limits. Returns false if some code was not in the cache.
   using Work = std::function<bool(const plan::CodeLimits&)>;
 
   /// `work` is called by at most one thread at a time.
   BackgroundCompilation(const Prospect& prospect, Work work);
 
-  /// Gets it now, in this thread; done() does nothing any more.
+  /// Compiles at once, in the calling thread. Later calls of done() have no effect.
   void at_once();
-  /// Notes that so many more ticks of all are done. From any thread.
+  /// Adds `ticks` to the number of done ticks of all runs. Thread-safe.
   void done(std::int64_t ticks);
 
  private:
@@ -48,8 +50,8 @@ class BackgroundCompilation {
   Clock::time_point start_ = Clock::now();
   std::atomic<std::int64_t> done_ = 0;
   std::atomic<Stage> stage_;
-  std::mutex mutex_;     ///< of the thread
-  std::jthread thread_;  ///< last: it uses the others
+  std::mutex mutex_;     ///< guards thread_
+  std::jthread thread_;  ///< last member: its thread uses the others
 };
 
 }  // namespace stepwire::run

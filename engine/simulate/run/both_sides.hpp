@@ -7,8 +7,8 @@
 
 namespace stepwire::run {
 
-/// Is shown all signals just before an instant, and just after an event. Those after a tick are the ones that
-/// evaluate() leaves.
+/// Observer of all signals just before an instant and just after an event. The values just after a tick are
+/// those that evaluate() leaves.
 class SideObserver {
  public:
   virtual void before_instant(const double* values) = 0;
@@ -18,16 +18,16 @@ class SideObserver {
   ~SideObserver() = default;
 };
 
-/// Computes signals just before an instant, where both of its sides are recorded. It leaves the run as it
-/// was: the same bits as without.
+/// Computes the signals just before an instant, where both one-sided values are recorded. The workspace is
+/// restored afterwards, so the run has the same bits as without it.
 class BothSides {
  public:
   BothSides(BoundBlocks& blocks, Participants& who, Stepper& stepper);
 
   SideObserver* observer = nullptr;
 
-  /// Computes what the solver sees change, with the states and the discrete signals of the moment, and shows
-  /// it.
+  /// Computes the time-dependent and continuous signals from the present states and discrete signals, as the
+  /// limit at `time` from the left. Passes them to the observer.
   void before(double time);
   void after_event() const {
     if (observer) observer->after_event(values_);
@@ -38,7 +38,7 @@ class BothSides {
   double* const values_;
   Stepper& stepper_;
   CallTable outputs_;
-  std::vector<double> kept_;  ///< the whole workspace
+  std::vector<double> kept_;  ///< copy of the whole workspace
 };
 
 }  // namespace stepwire::run

@@ -11,13 +11,13 @@ namespace {
 
 constexpr std::align_val_t block_alignment{64};
 
-/// One number for all elements, or one for each.
+/// Writes one number to all elements, or one to each.
 void write(const plan::SignalSlot& slot, const Eigen::VectorXd& value, double* values) {
   for (Eigen::Index k = 0; k < slot.size; ++k)
     values[slot.offset + static_cast<std::size_t>(k)] = value[value.size() == 1 ? 0 : k];
 }
 
-/// Elements of lists are put from `element` on.
+/// Binds the inputs of a block. The elements of list inputs are stored from `element` on.
 void bind_inputs(const BlockType& type, const plan::PlannedBlock& planned, void* block, double* values,
                  Inputs::Element* element) {
   for (std::size_t i = 0; i < type.inputs.size(); ++i) {
@@ -34,7 +34,7 @@ void bind_inputs(const BlockType& type, const plan::PlannedBlock& planned, void*
   }
 }
 
-/// The values with which the states of a block begin.
+/// Writes the initial values of a block's states.
 void write_states(const plan::Plan& plan, std::size_t index, double* values) {
   const diagram::DiagramBlock& from = plan.diagram.blocks[index];
   const auto& states = plan.blocks[index].states;
@@ -114,7 +114,7 @@ void BoundBlocks::write_input(std::size_t input, const double* numbers) {
 }
 
 void BoundBlocks::apply(plan::PlanChange& change) {
-  const std::vector<double> before(values_, values_ + plan_.layout.size);  // start() of a block writes there
+  const std::vector<double> before(values_, values_ + plan_.layout.size);  // start() of a block writes to it
   for (plan::RebuiltBlock& rebuilt : change.blocks) replace(rebuilt);
   std::ranges::copy(before, values_);
   for (const auto& [slot, value] : change.constants) set_constant(slot, value);
@@ -134,7 +134,7 @@ void BoundBlocks::set_constant(const plan::SignalSlot& slot, const Eigen::Vector
   write({slot.offset - plan_.layout.constants, slot.size}, value, constants_.data());
 }
 
-/// Where a guard puts the state back, it has the value among the constants.
+/// Sets an initial value; for a state that a guard resets, also the constant that holds it.
 void BoundBlocks::set_initial(const plan::SignalSlot& state, const Eigen::VectorXd& value) {
   for (const plan::PlannedBlock& block : plan_.blocks)
     for (std::size_t s = 0; s < block.initial.size(); ++s)

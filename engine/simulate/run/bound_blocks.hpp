@@ -12,8 +12,8 @@
 
 namespace stepwire::run {
 
-/// One run's own copy of the blocks of a plan, bound to the numbers of that run, with the values that the run
-/// begins with. The plan and the numbers must outlive it.
+/// Copies of a plan's blocks for one run, bound to the numbers of that run, and the initial values of the
+/// run. The plan and the numbers must outlive it.
 class BoundBlocks {
  public:
   BoundBlocks(const plan::Plan& plan, double* values);
@@ -27,15 +27,16 @@ class BoundBlocks {
   void* memory(std::size_t block) const { return memory_.get() + plan_.blocks[block].memory; }
 
   void start(std::size_t block) { plan_.diagram.blocks[block].type().start(memory(block)); }
-  /// Puts all numbers at time 0 and starts all blocks.
+  /// Sets all numbers to their values at time 0 and starts all blocks.
   void restart();
   void write_constants();
-  /// Writes an input of the diagram, by its index in Diagram::inputs: as many numbers as it has elements.
+  /// Writes an input of the diagram, by its index in Diagram::inputs. `numbers` has one number for each
+  /// element.
   void write_input(std::size_t input, const double* numbers);
 
-  /// Puts blocks, constants and initial values in the place of what was there. The numbers of the run stay.
+  /// Replaces blocks, constants and initial values. The numbers of the run stay.
   void apply(plan::PlanChange& change);
-  /// Puts the present constants and initial values into a copy of the plan's diagram.
+  /// Writes the present constants and initial values into a copy of the plan's diagram.
   void put_numbers(diagram::Diagram& diagram) const;
 
  private:
@@ -52,10 +53,10 @@ class BoundBlocks {
   double* const values_;
   std::unique_ptr<std::byte, FreeMemory> memory_;
   std::vector<double> constants_;
-  /// Initial values that were set, in the place of the plan's.
+  /// Initial values that were set; they override those of the plan.
   std::vector<std::pair<plan::SignalSlot, Eigen::VectorXd>> initial_;
-  std::vector<Inputs::Element> list_elements_;   ///< of all list inputs, in the order of blocks in memory
-  std::vector<std::size_t> first_list_element_;  ///< of each block
+  std::vector<Inputs::Element> list_elements_;   ///< all list inputs, in memory order of blocks
+  std::vector<std::size_t> first_list_element_;  ///< index into list_elements_ for each block
 };
 
 }  // namespace stepwire::run

@@ -32,14 +32,15 @@ CallTable::CallTable(const std::vector<plan::KernelCall>& batches, BoundBlocks& 
   const plan::Plan& plan = plan_;
   for (const plan::KernelCall& batch : batches)
     calls_.push_back({batch.run, blocks.memory() + batch.first, blocks.memory() + batch.end});
-  loops_.reserve(plan.loops_of(batches).size());  // none is moved: its task points into it
+  loops_.reserve(plan.loops_of(batches).size());  // tasks point into it: no reallocation
   for (const plan::LoopCall& loop : plan.loops_of(batches)) loops_.emplace_back(plan, loop);
   if (who.guards) add_gates();
   for (const plan::KernelCall& batch : batches)
     if (batch.late >= 0) late_.push_back(plan.late[static_cast<std::size_t>(batch.late)]);
 }
 
-/// Calls of one guard lie in a row, as far as the order lets them: all are passed over at once.
+/// Computes the gate of each call. Calls of one guard are adjacent as far as the order permits, so an
+/// inactive guard skips them in one step.
 void CallTable::add_gates() {
   static constexpr double always = 1.0;
   gates_.resize(batches_.size());
@@ -54,7 +55,7 @@ void CallTable::run() {
   if (is_watched() || !loops_.empty() || !gates_.empty() || !late_.empty()) return run_slowly();
   const Call* call = calls_.data();
   const Call* const end = call + calls_.size();
-  // Four at a time: most calls do so little that counting them is felt.
+  // Unrolled by four: most calls are so short that the loop counter is measurable.
   for (; end - call >= 4; call += 4) {
     call[0].run(call[0].first, call[0].end);
     call[1].run(call[1].first, call[1].end);
@@ -65,7 +66,7 @@ void CallTable::run() {
 }
 
 void CallTable::run_due() {
-  if (who_.due.size() == 1) return run();  // nothing is slower than the step
+  if (who_.due.size() == 1) return run();  // the step is the only period
   run_slowly();
 }
 
@@ -82,7 +83,8 @@ void CallTable::run_slowly() {
   end_late();
 }
 
-/// Calls between ticks are of continuous blocks, and these are due at every tick.
+/// Runs all calls and measures the range of the probe. Calls between ticks are of continuous blocks, which
+/// are due at every tick.
 void CallTable::run_watched() {
   run_range(0, who_.probe->first);
   who_.probe->enter();

@@ -9,8 +9,8 @@
 
 namespace stepwire::run {
 
-/// A list of calls of the plan, made on the blocks of one run. A call whose period is not due, or that a
-/// guard has switched off, is left out. Calls of an algebraic loop are made again until they agree.
+/// List of kernel calls of the plan, bound to the blocks of one run. Calls whose period is not due or whose
+/// guard is inactive are skipped. Calls of an algebraic loop are repeated until they converge.
 class CallTable {
  public:
   CallTable(const std::vector<plan::KernelCall>& batches, BoundBlocks& blocks, Participants& who);
@@ -18,11 +18,12 @@ class CallTable {
   CallTable& operator=(const CallTable&) = delete;
 
   bool empty() const { return calls_.empty(); }
-  /// Makes all calls, of any period.
+  /// Runs all calls, of any period.
   void run();
-  /// Makes those that are due.
+  /// Runs the calls that are due.
   void run_due();
-  /// Lets loops begin at 0 as in a new run, and not where they were solved last: the last bit hangs on it.
+  /// Sets the unknowns of all loops to 0, their initial guess in a new run. A warm start from the last
+  /// solution would change the last bits.
   void forget_loops();
 
  private:
@@ -30,12 +31,12 @@ class CallTable {
     Kernel run;
     std::byte *first, *end;
   };
-  /// Of a call, in plans with guards.
+  /// Gate of a call, in plans with guards.
   struct Gate {
-    const double* active;  ///< 0 while the call is left out
-    std::size_t next;      ///< the call after it then
+    const double* active;  ///< address of the guard's number; 0.0 skips the call
+    std::size_t next;      ///< index of the call after the skipped ones
   };
-  /// Calls that are made until they agree.
+  /// Calls of one algebraic loop, with its solver.
   struct Loop {
     Loop(const plan::Plan& plan, const plan::LoopCall& call);
 
@@ -47,14 +48,15 @@ class CallTable {
 
   void add_gates();
   bool is_watched() const { return who_.probe && who_.probe->phase == &batches_; }
-  /// With loops, gates, late states or a probe.
+  /// Runs the table with loops, gates, late states or a probe.
   void run_slowly();
   void run_watched();
-  /// Makes the calls of a part of the table that are due; a loop belongs to the part that has its first call.
+  /// Runs the due calls with an index in [first, end). A loop is part of the range that has its first call.
   void run_range(std::size_t first, std::size_t end);
   void run_calls(std::size_t first, std::size_t end);
   void run_guarded(std::size_t first, std::size_t end);
-  /// Keeps new states of a call for the end of the table, and puts those before in their place.
+  /// Stores the new states of a call until the end of the table, and restores the old ones for the calls
+  /// after it.
   void set_aside(const plan::KernelCall& call);
   void begin_late();
   void end_late();
@@ -65,9 +67,9 @@ class CallTable {
   double* const values_;
   Participants& who_;
   std::vector<Call> calls_;
-  std::vector<Gate> gates_;  ///< of each call; empty where the plan has no guard
+  std::vector<Gate> gates_;  ///< one for each call; empty list in a plan without guards
   std::vector<Loop> loops_;
-  std::vector<plan::LateStates> late_;  ///< that its calls write
+  std::vector<plan::LateStates> late_;  ///< late states that these calls write
 };
 
 }  // namespace stepwire::run

@@ -27,15 +27,15 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds longest{5};
-constexpr double apart = 1e-3;                                          // of the states of two lanes
+constexpr double apart = 1e-3;  // relative difference of the states of two lanes
 constexpr std::size_t most_text = 2000, memory = std::size_t{8} << 30;  // [bytes]
 
-/// Whether two numbers have the same bits; a NaN is like any other, since its sign and payload are of no use.
+/// True if two numbers have the same bits, or both are NaN of any sign and payload.
 bool same(double a, double b) {
   return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
 }
 
-/// Returns the name of an element of a slot, "x" or "x.2"; an empty one for a place outside of it.
+/// Returns the name of an element of a slot, "x" or "x.2"; an empty text for a place outside of it.
 std::string name_in(const plan::SignalSlot& slot, const std::string& name, std::size_t place) {
   if (place < slot.offset || place - slot.offset >= static_cast<std::size_t>(slot.size)) return "";
   return slot.size == 1 ? name : fmt::format("{}.{}", name, place - slot.offset + 1);
@@ -59,16 +59,17 @@ std::string name_of(const plan::Plan& plan, std::size_t place) {
   return "a number of the solver";
 }
 
-using Range = std::pair<std::size_t, std::size_t>;  ///< of the workspace: from the first, before the second
+using Range = std::pair<std::size_t, std::size_t>;  ///< range [first, second) of the workspace
 
-/// States and diagnostics. Between two ticks code may have signals in registers.
+/// Returns the ranges of states and diagnostics. Between two ticks compiled code may hold signals in
+/// registers.
 std::vector<Range> between_ticks(const plan::Layout& layout) {
   return {{layout.states, layout.states + layout.state_count},
           {layout.discrete, layout.discrete + layout.discrete_count},
           {layout.diagnostics, layout.diagnostics + layout.diagnostic_count}};
 }
 
-/// All outputs and states. Some outputs are in the places of derivatives.
+/// Returns the ranges of all outputs and states. Some outputs share the places of derivatives.
 std::vector<Range> at_tick(const plan::Plan& plan) {
   const plan::Layout& layout = plan.layout;
   std::vector<Range> ranges = between_ticks(layout);
@@ -118,8 +119,8 @@ std::string read_all(const io::Descriptor& file) {
   return text;
 }
 
-/// Calls a trial in a process of its own, since wrong code may crash or never end. Returns a sentence on what
-/// is wrong; an empty one if nothing is.
+/// Calls a trial in a child process, since wrong code may crash or not terminate. Returns a sentence on the
+/// fault; an empty text without one.
 std::string fault_of_trial(const std::function<std::string()>& trial) {
   constexpr const char* cause = "; this is a fault of the program or of the compiler";
   try {
@@ -141,7 +142,7 @@ plan::Plan shortened(const plan::Plan& plan, std::int64_t ticks) {
   return made;
 }
 
-/// Makes the runs of a plan in lanes, and each of them alone.
+/// Trial of lane code: makes runs of a plan in lanes, and each of them alone.
 class LaneTrial {
  public:
   LaneTrial(const plan::Plan& plan, const plan::CompiledLanes& code) : code_(code) {
@@ -215,7 +216,7 @@ std::string difference_of(const plan::Plan& plan, const plan::CompiledLanes& cod
   return LaneTrial(first_ticks, code).difference();
 }
 
-/// The trial against the interpreter; it has no state.
+/// Trial against the interpreter; stateless.
 class InterpreterTrial : public plan::CodeTrial {
  public:
   std::string fault(const plan::Plan& plan, const plan::CompiledPlan& code) const override {

@@ -15,7 +15,7 @@ void mark(const plan::SignalSlot& slot, std::vector<bool>& marked) {
   std::fill_n(marked.begin() + static_cast<std::ptrdiff_t>(slot.offset), slot.size, true);
 }
 
-/// Of the workspace, those that only solver and time change, and those that never do.
+/// Flags the numbers of the workspace that only the solver and time change, and those that never change.
 std::vector<bool> settled_numbers(const plan::Plan& plan) {
   const plan::Layout& layout = plan.layout;
   std::vector<bool> settled(layout.size, false);

@@ -9,26 +9,26 @@
 
 namespace stepwire::run {
 
-/// The numbers whose change of sign is an event, and the edges that sources declare.
+/// Zero-crossing functions of a run, and the edges that sources declare.
 class CrossingLooks {
  public:
   explicit CrossingLooks(BoundBlocks& blocks);
 
   void find(double* numbers) const;
-  /// Those alone that may have changed although time and states did not.
+  /// Evaluates only the functions that may have changed although time and states have not.
   void find_changing(double* numbers) const;
-  /// When a source jumps or bends next [s]; infinite where none does.
+  /// Returns the time of the next jump or kink of a source [s]; infinity without one.
   double next_edge() const;
-  /// True once `stop_when` is, where it is located, or a block has ended the run.
+  /// True once a located `stop_when` holds or a block has ended the run.
   bool stops() const;
   bool may_stop() const { return stop_margin_.has_value(); }
 
  private:
-  /// The crossings of a block.
+  /// Crossing functions of one block.
   struct Look {
     void (*run)(const void* block, double* numbers);
     const void* block;
-    const double* active;  ///< 0 while it crosses nothing
+    const double* active;  ///< address of the guard's number; 0.0 while the functions are off
     std::size_t first, count;
   };
   struct Edge {
@@ -45,9 +45,9 @@ class CrossingLooks {
   const double* const values_;
   std::vector<Look> looks_, changing_;
   std::vector<Edge> edges_;
-  std::optional<StopMargin> stop_margin_;  ///< where `stop_when` is located
+  std::optional<StopMargin> stop_margin_;  ///< present where `stop_when` is located
   std::vector<std::size_t> ends_;          ///< places of diagnostics that end the run as `stop_when` does
-  bool stop_changes_ = false;              ///< is its number one of those that may have changed?
+  bool stop_changes_ = false;              ///< true if find_changing() evaluates `stop_when`
 };
 
 }  // namespace stepwire::run

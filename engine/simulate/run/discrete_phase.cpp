@@ -27,7 +27,7 @@ void DiscretePhase::round() {
   keep();
 }
 
-/// Of all that a guard switches off, where an event can do so.
+/// Stores the numbers that a guard restores when it switches off, if an event can switch it off.
 void DiscretePhase::keep() {
   if (!event_befores_.empty()) who_.keep();
 }

@@ -6,19 +6,21 @@
 
 namespace stepwire::run {
 
-/// The discrete phase of an instant: outputs in the order of wires, with guards, triggers and resets, then
-/// updates of the blocks that take part.
+/// Discrete phase of an instant. It computes the outputs in the order of the wires, with guards, triggers and
+/// resets, and then the updates of the active blocks.
 class DiscretePhase {
  public:
   DiscretePhase(BoundBlocks& blocks, Participants& who);
 
-  /// At a tick. `ahead`: what follows from the states and the time alone is computed already.
+  /// Computes the outputs of a tick. With `ahead`, the outputs that depend on states and time alone are
+  /// already computed.
   void find_outputs(std::int64_t tick, bool ahead);
   void update() { updates_.run_due(); }
-  /// True with outputs that can be computed ahead.
+  /// True if the plan has outputs that can be computed ahead.
   bool goes_ahead() const { return !rest_.empty(); }
 
-  /// At an event: outputs that guards read, and their present values are kept; then one round.
+  /// Begins an event: computes the outputs that guards read and keeps their values. round() then runs one
+  /// iteration of the event.
   void begin_event();
   void round();
 

@@ -42,7 +42,8 @@ bool Drive::is_last() const {
   return simulation_.finished() || simulation_.has_stopped() || stopper_.stops(simulation_.values());
 }
 
-/// Where a block has ended the run at a tick, the last row shows that tick after its end.
+/// Removes the row of a tick at which a block has ended the run, so that the last row shows the tick after
+/// its end.
 void Drive::forget_row_of_end() {
   const std::int64_t before = simulation_.tick() - 1;
   if (!simulation_.has_stopped() || simulation_.time() != simulation_.plan().time_of(before)) return;

@@ -12,16 +12,17 @@
 
 namespace stepwire::run {
 
-/// Goes through the ticks of a run: records, stops where the diagram says, shows observers what happens.
+/// Runs a simulation tick by tick: records it, calls its observers, and ends it at the stop time or
+/// condition.
 class Drive : SideObserver {
  public:
-  /// Ticks between two looks at the interrupt flag.
+  /// Number of ticks between two checks of the interrupt flag.
   static constexpr std::int64_t ticks_between_looks = 256;
 
   enum class End {
-    finished,  ///< at the stop time, by `stop_when`, or by a fault of the simulation
-    stopped,   ///< by an observer
-    paused,    ///< by an observer; run() goes on
+    finished,  ///< At the stop time, by `stop_when`, or by a fault of the simulation.
+    stopped,   ///< By an observer.
+    paused,    ///< By an observer; run() continues.
     interrupted
   };
 
@@ -30,14 +31,14 @@ class Drive : SideObserver {
   Drive(const Drive&) = delete;
   Drive& operator=(const Drive&) = delete;
 
-  std::size_t index = 0;                         ///< of the run, for observers
-  std::span<RunObserver* const> observers;       ///< must outlive the drive
-  bool shows_rows = true;                        ///< do the observers read what is recorded?
-  bool judges_steps = true;                      ///< looks at the end whether they were far too long
-  const std::atomic<bool>* interrupt = nullptr;  ///< once true, the run ends and keeps what it has
-  std::function<void()> look;                    ///< called every `ticks_between_looks` ticks
+  std::size_t index = 0;                         ///< Index of the run, for observers.
+  std::span<RunObserver* const> observers;       ///< Must outlive the drive.
+  bool shows_rows = true;                        ///< True if the observers read the recorded rows.
+  bool judges_steps = true;                      ///< Enables the check for unstable steps at the end.
+  const std::atomic<bool>* interrupt = nullptr;  ///< Ends the run once true; its rows stay.
+  std::function<void()> look;                    ///< Callback of every `ticks_between_looks` ticks.
 
-  /// Goes on to the end of the run, or of what observers allow.
+  /// Runs to the end, or until an observer pauses or stops the run.
   End run();
 
  private:
@@ -53,7 +54,7 @@ class Drive : SideObserver {
   Executor& simulation_;
   std::vector<record::Recorder>& recorders_;
   StopConditionEvaluator stopper_;
-  std::optional<ObservedTicks> watched_;  ///< once it has begun
+  std::optional<ObservedTicks> watched_;  ///< set by the first call of run()
 };
 
 }  // namespace stepwire::run

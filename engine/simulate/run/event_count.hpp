@@ -5,7 +5,7 @@
 
 namespace stepwire::run {
 
-/// Events that were located between ticks.
+/// Counts of the events that were located between ticks.
 struct EventCount {
   std::int64_t located = 0, most_in_a_step = 0;
 

@@ -10,7 +10,7 @@ namespace stepwire::run {
 
 namespace {
 
-/// The block that has a place of the workspace.
+/// Returns the block that owns a place of the workspace.
 std::size_t block_with(const plan::Plan& plan, std::size_t place) {
   const auto holds = [&](const plan::SignalSlot& slot) {
     return place >= slot.offset && place < slot.offset + static_cast<std::size_t>(slot.size);

@@ -9,7 +9,7 @@
 
 namespace stepwire::run {
 
-/// The way from a tick to the next with steps that are split.
+/// Operations that the event locator needs for the way from one tick to the next.
 struct EventStepper::BetweenTicks {
   EventStepper& of;
 
@@ -108,7 +108,7 @@ void EventStepper::follow_crossings() {
   if (!crossing_outputs_.empty()) crossing_outputs_.run();
 }
 
-/// `edge`: the next one at the start of the step.
+/// True if the step must be split. `edge` is the time of the next edge at the start of the step.
 bool EventStepper::is_eventful(const solve::TimeStep& step, double edge) const {
   double* const past = &report(solve::EventReport::count);
   const std::size_t count = plan_.crossing_count;
@@ -126,7 +126,8 @@ void EventStepper::step(std::int64_t tick) {
   return plan_.diagram.error_control && stepper_.moves() ? take_watched(tick) : take_whole(tick);
 }
 
-/// Outputs of the tick are not computed ahead then.
+/// Takes the step of a solver with error control, with checks for events after each of the solver's own
+/// steps. No outputs of the tick are computed ahead.
 void EventStepper::take_watched(std::int64_t tick) {
   const solve::EventTask split = task();
   const BetweenTicks between{*this};

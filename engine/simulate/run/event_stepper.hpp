@@ -13,24 +13,26 @@
 
 namespace stepwire::run {
 
-/// Goes from one tick to the next, and stops between them at edges of sources and where a crossing changes
-/// its sign. First the step is taken whole. With an edge inside, or where a sign has changed or may have
-/// changed twice, it is taken again from event to event.
+/// Steps a run from tick to tick and splits the step at events.
+///
+/// Events are edges of sources and sign changes of zero-crossing functions. The step is first taken whole,
+/// which is the cheap and usual case. If it contains an edge, or a sign has changed or may have changed
+/// twice, the step is repeated from event to event.
 class EventStepper {
  public:
-  /// `sides`: is shown what happens; may be null.
+  /// `sides` receives the values on both sides of each event; it may be nullptr.
   EventStepper(BoundBlocks& blocks, Participants& who, Stepper& stepper, DiscretePhase& phase,
                BothSides* sides);
 
   void step(std::int64_t tick);
   /// True once `stop_when` has ended the run at an event.
   bool has_stopped() const;
-  /// True where the step before has computed outputs of the tick that follow from states and time.
+  /// True if the last step has computed the outputs of the tick that depend on states and time alone.
   bool is_ahead() const;
   void forget_ahead();
-  /// Something else has changed values or states.
+  /// Invalidates the stored end of the last step, after a change of values or states from outside.
   void forget_end() { knows_end_ = false; }
-  /// True after a step with too many events, or without an end to its rounds.
+  /// True after a step with too many events, or with an event whose iteration does not converge.
   bool failed() const;
   EventCount count() const;
 
@@ -41,11 +43,11 @@ class EventStepper {
   void take_whole(std::int64_t tick);
   void take_watched(std::int64_t tick);
   void look_at_start();
-  /// Computes what crossings depend on.
+  /// Computes the signals that the crossing functions read.
   void follow_crossings();
   bool is_eventful(const solve::TimeStep& step, double edge) const;
   void locate(std::int64_t tick);
-  /// With the start of the step in its scratch memory.
+  /// Returns the task of the step, with the start of the step in its scratch memory.
   solve::EventTask task();
 
   const plan::Plan& plan_;
@@ -55,10 +57,10 @@ class EventStepper {
   BothSides* const sides_;
   CallTable ahead_, crossing_outputs_, crossing_starts_;
   CrossingLooks looks_;
-  /// The numbers of crossings at the start and at the end of a step, and the states at that of the last one.
+  /// Crossing functions at the start and at the end of a step, and the states at the end of the last step.
   std::vector<double> before_, after_, end_states_, scratch_;
-  const bool states_change_;  ///< may anything but the solver change states?
-  bool knows_end_ = false;    ///< are these those of the last step?
+  const bool states_change_;  ///< true if states change outside of the solver
+  bool knows_end_ = false;    ///< true while after_ and end_states_ are those of the last step
 };
 
 }  // namespace stepwire::run

@@ -2,11 +2,11 @@
 
 namespace stepwire::run {
 
-/// How a run is computed. The results are the same to the last bit.
+/// Engine that computes a run. The results are the same to the last bit.
 enum class ExecutionMode {
   interpreted,
-  compiled,  ///< from the first tick on; where nothing can be compiled, interpreted
-  automatic  ///< interpreted at first; compiled once that is worth it and ready
+  compiled,  ///< compiled from the first tick; interpreted if nothing can be compiled
+  automatic  ///< interpreted first; compiled once the code is worth its compile time and is ready
 };
 
 }  // namespace stepwire::run

@@ -80,7 +80,7 @@ void Executor::reset() {
 }
 
 void Executor::restore(const Workspace& workspace) {
-  // The blocks point into these numbers, so they are written in place.
+  // The blocks point into these numbers, so they are overwritten in place.
   std::ranges::copy(workspace.values, workspace_.values.begin());
   workspace_.tick = workspace.tick;
   health_.restart();

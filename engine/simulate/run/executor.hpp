@@ -19,69 +19,69 @@
 
 namespace stepwire::run {
 
-/// All that moves in a run: copy it to keep a moment, put it back to return there.
+/// Complete mutable state of a run. A copy is a snapshot; Executor::restore() loads it.
 struct Workspace {
   std::int64_t tick = 0;
   std::vector<double> values;
 };
 
-/// One run of a plan: its own copy of the blocks, bound to its own workspace. The plan must outlive it.
+/// One run of a plan: its own copies of the blocks, bound to its own workspace. The plan must outlive it.
 ///
-/// A tick is evaluate(), then, unless it is the last, advance(): outputs, then discrete updates, then the
-/// solver. Neither allocates, throws, locks or calls the system.
+/// A tick is evaluate() and, unless it is the last one, advance(): outputs, then discrete updates, then the
+/// solver. Neither allocates, throws, locks or makes a system call.
 class Executor {
  public:
-  /// Throws Error where the diagram names a solver that is not known.
+  /// Throws Error if the diagram names an unknown solver.
   explicit Executor(const plan::Plan& plan);
   Executor(const Executor&) = delete;
   Executor& operator=(const Executor&) = delete;
 
-  /// From now on steps with compiled code, which must outlive this; call it between advance() and evaluate().
-  /// Code that has other numbers than this run is not used, and none where both sides of instants are
+  /// Switches to compiled code, which must outlive this object. Call it between advance() and evaluate(). Has
+  /// no effect if the code was compiled for other numbers than this run's, or if both sides of instants are
   /// recorded.
   void use(const plan::CompiledPlan& code);
   bool compiled() const { return code_ != nullptr; }
-  /// Adds what code must read from a table for the values that are set now.
+  /// Extends `variable` by the members that code must read from a table for the present values.
   void widen(std::vector<plan::VariableBlock>& variable) const;
-  /// What code reads of this run; nothing where code with such a table has other numbers than this run.
+  /// Returns the table that compiled code reads of this run. Returns std::nullopt if code with such a table
+  /// was compiled for other numbers than this run's.
   std::optional<plan::NumberTable> numbers(const std::vector<plan::VariableBlock>& variable) const;
-  /// Takes the place to which other code has stepped this run: after the outputs of a tick, or after its
+  /// Loads the state to which other code has stepped this run: after the outputs of a tick, or after its
   /// step.
   void stand_at(std::int64_t tick, std::span<const double> values, bool after_step);
 
-  /// What set() came to.
+  /// Outcome of set().
   enum class Setting {
     done,
-    structure_changed  ///< the values need another plan: sizes, rates or what is wired would be others
+    structure_changed  ///< the values change sizes, rates or wires and need another plan
   };
-  /// Sets values, one for each name of a variation of the plan's diagram, as ValueSetter::set(). Code that
-  /// has one of the values as the plan has it is left, and the run is interpreted from then on. Allocates.
+  /// Sets one value for each name of a variation of the plan's diagram, as ValueSetter::set() does. If the
+  /// code has one of the values as a constant, the run is interpreted from then on. Allocates.
   [[nodiscard]] Setting set(const diagram::Variation& variation, std::span<const diagram::Assignment> values);
-  /// The same for one parameter ("rig.mass"), value of a block ("spring.gain") or initial value, as `--set`
-  /// reads it.
+  /// Sets one parameter ("rig.mass"), value of a block ("spring.gain") or initial value, with the text of
+  /// `--set`.
   [[nodiscard]] Setting set(const std::string& name, const std::string& value);
-  /// The plan's diagram with the values that are set now, its blocks configured.
+  /// Returns the plan's diagram with the present values, its blocks configured.
   diagram::Diagram diagram() const;
-  /// Puts the values that are set now into a copy of the plan's diagram.
+  /// Writes the present values into a copy of the plan's diagram.
   void put_values(diagram::Diagram& diagram) const { setter_.put_values(diagram); }
-  /// The present value of a parameter of the diagram, by its index in Diagram::parameters.
+  /// Returns the present value of a parameter, by its index in Diagram::parameters.
   const Value& parameter(std::size_t index) const { return setter_.parameter(index); }
-  /// Why the last set() needs another plan.
+  /// Returns the reason why the last set() needs another plan.
   const std::string& structure_change() const { return setter_.structure_change(); }
 
-  /// Puts everything at time 0.
+  /// Sets the run to time 0.
   void reset();
   /// Computes all outputs at the present tick.
   void evaluate();
-  /// Takes the run to the next tick: updates, then the solver. evaluate() comes first.
+  /// Steps the run to the next tick: updates, then the solver. Call evaluate() before.
   void advance();
-  /// Looks at the end of a run whether its steps were far too long, once its last tick is evaluated.
+  /// Checks at the end of a run whether its steps were unstable. Call it after evaluate() of the last tick.
   void look_at_end();
-  /// False after a value that is not finite, a step that the solver finds wrong or a diagnostic that ends the
-  /// run.
+  /// False after a non-finite value, a failed step or a diagnostic that ends the run.
   bool healthy() const { return health_.fine(); }
-  /// True once `stop_when` has ended the run at an event, between two ticks, or a block has ended it that is
-  /// no fault.
+  /// True once the run has ended without a fault: by `stop_when` at an event between two ticks, or by a
+  /// block.
   bool has_stopped() const { return (events_ && events_->has_stopped()) || health_.has_ended(); }
   bool finished() const { return workspace_.tick >= plan_.steps; }
   std::int64_t tick() const { return workspace_.tick; }
@@ -92,43 +92,43 @@ class Executor {
   const plan::Plan& plan() const { return plan_; }
   const Workspace& workspace() const { return workspace_; }
   const double* values() const { return workspace_.values.data(); }
-  /// Writes an input of the diagram, by its index in Diagram::inputs: as many numbers as it has elements.
+  /// Writes an input of the diagram, by its index in Diagram::inputs. `numbers` has one number for each
+  /// element.
   void write_input(std::size_t input, const double* numbers) { blocks_.write_input(input, numbers); }
-  /// Who is told of a stretch of batches, from now on; null: nobody.
+  /// Sets the schedule probe; nullptr removes it.
   void watch(ScheduleProbe* probe) { who_.probe = probe; }
-  /// Shows both sides of instants from now on, in a plan that records them; to null, no longer.
+  /// Sets the observer of both sides of instants, in a plan that records them; nullptr removes it.
   void show_sides(SideObserver* observer) {
     if (sides_) sides_->observer = observer;
   }
-  /// Returns to a kept moment (as it was between advance() and evaluate()), with the values that are set now.
+  /// Loads a snapshot that was taken between advance() and evaluate(). The present parameter values stay.
   void restore(const Workspace& workspace);
 
-  /// From now on a loop that is not solved within its iterations ends no run, as a loop by the clock needs
-  /// it.
+  /// Disables the fault of an algebraic loop that does not converge, as real-time runs need it.
   void go_on_unsolved() { health_.accept_unsolved(); }
-  /// What the loops of the plan have cost up to now.
+  /// Returns the cost of the algebraic loops up to now.
   std::vector<LoopCost> loop_costs() const { return run::loop_costs(plan_, values()); }
-  /// How the solver has chosen its steps up to now, where it does.
+  /// Returns the counts of accepted and rejected steps up to now, for solvers with error control.
   StepCount step_count() const { return run::step_count(plan_, values()); }
-  /// Which events have been located up to now.
+  /// Returns the counts of located events up to now.
   EventCount event_count() const { return events_ ? events_->count() : EventCount{}; }
 
-  /// Makes one call of the plan, which may be cut down to some of its blocks, at the present moment: for
-  /// measuring what it costs.
+  /// Runs one call of the plan, or a part of its blocks, at the present instant. Used to measure its cost.
   void call(const plan::KernelCall& batch) {
     batch.run(blocks_.memory() + batch.first, blocks_.memory() + batch.end);
   }
-  /// Are all signals and continuous states finite? evaluate() asks this at every tick.
+  /// True if all signals and continuous states are finite. evaluate() checks it at every tick.
   bool is_finite() const { return health_.is_finite(); }
 
-  /// What ended the run, once healthy() is false.
+  /// Returns the fault that ended the run, once healthy() is false.
   std::optional<RunFault> fault() const { return health_.fault(time()); }
   std::vector<RaisedDiagnostic> diagnostics() const { return health_.diagnostics(); }
 
  private:
-  /// Lets the code read a block that was set anew, or leaves the code that cannot.
+  /// Updates the code's number table for a block that was set, or leaves code that has its old values as
+  /// constants.
   void read_numbers(std::size_t block);
-  /// Writes again what follows from the values and not from the state.
+  /// Recomputes the numbers that depend on parameter values and not on the state.
   void follow_values();
   void find_outputs();
   void take_step();
@@ -137,16 +137,16 @@ class Executor {
   Workspace workspace_;
   BoundBlocks blocks_;
   Participants who_;
-  CallTable once_;  ///< what does not change in a run
+  CallTable once_;  ///< calls whose results are constant in a run
   DiscretePhase phase_;
   Stepper stepper_;
-  std::optional<EventStepper> events_;  ///< where steps are split
-  std::optional<BothSides> sides_;      ///< where both sides of instants are recorded
+  std::optional<EventStepper> events_;  ///< present if steps are split at events
+  std::optional<BothSides> sides_;      ///< present if both sides of instants are recorded
   ValueSetter setter_;
   Health health_;
-  std::optional<CallTable> last_outputs_;     ///< outputs after the end that a block has set
-  const plan::CompiledPlan* code_ = nullptr;  ///< none while interpreted
-  std::optional<plan::NumberTable> numbers_;  ///< values that the code reads
+  std::optional<CallTable> last_outputs_;     ///< Outputs after a block has ended the run.
+  const plan::CompiledPlan* code_ = nullptr;  ///< nullptr while interpreted
+  std::optional<plan::NumberTable> numbers_;  ///< Numbers that the code reads.
 };
 
 }  // namespace stepwire::run

@@ -8,20 +8,20 @@
 
 namespace stepwire::run {
 
-/// Of a block, or of its port where one is named, at a time [s].
+/// Returns a fault of a block, or of its port if one is named, at a time [s].
 RunFault fault_of(const plan::Plan& plan, std::size_t block, const std::string& port, double time,
                   const std::string& message);
 
-// Faults from the numbers of a run's workspace; empty where there is none of the kind. `tick_time` is the
-// time of the tick behind the last step [s].
+// Faults from the numbers of a run's workspace; std::nullopt without a fault of the kind. `tick_time` is the
+// time of the tick after the last step [s].
 
-/// Events of a step that are too many, or never settle.
+/// Returns the fault of a step with too many events, or with an event that does not converge.
 std::optional<RunFault> fault_of_events(const plan::Plan& plan, const double* values, double tick_time);
-/// The first algebraic loop that is not solved.
+/// Returns the fault of the first algebraic loop that is not solved.
 std::optional<RunFault> fault_of_loops(const plan::Plan& plan, const double* values);
-/// True where numbers of this loop are no longer finite.
+/// True if numbers of this loop are not finite.
 bool runs_away_in_loop(const plan::Plan& plan, const double* values);
-/// A step that the solver finds wrong.
+/// Returns the fault of a step that the solver rejects.
 std::optional<RunFault> fault_of_step(const plan::Plan& plan, const double* values, double tick_time);
 
 }  // namespace stepwire::run

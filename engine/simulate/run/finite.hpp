@@ -4,7 +4,7 @@
 
 namespace stepwire::run {
 
-/// Are all of these numbers finite?
+/// True if all `count` numbers are finite.
 bool all_finite(const double* numbers, std::size_t count);
 
 }  // namespace stepwire::run

@@ -2,11 +2,11 @@
 
 namespace stepwire::run {
 
-/// How a run goes on.
+/// Control of a run by its observers.
 enum class Flow {
   go_on,
-  pause,  ///< before the next tick; a Drive goes on when it is run again, other runs end here
-  stop    ///< for good, with what is recorded so far
+  pause,  ///< Pauses before the next tick. Another Drive::run() resumes; runs without a Drive end.
+  stop    ///< Ends the run and keeps what is recorded.
 };
 
 }  // namespace stepwire::run

@@ -18,7 +18,7 @@ void Guards::keep() {
         std::copy_n(values_ + piece.from, piece.size, values_ + piece.to);
 }
 
-/// What is inside goes off with it.
+/// Switches off a guard and all guards inside it.
 void Guards::switch_off(const plan::PlannedGuard& guard) {
   for (const int inside : guard.inside) {
     const plan::PlannedGuard& inner = guards_[static_cast<std::size_t>(inside)];

@@ -7,7 +7,7 @@
 
 namespace stepwire::run {
 
-/// Carries out what a plan lists for its guards, on the numbers of a run.
+/// Applies the actions that a plan lists for its guards to the numbers of a run.
 class Guards {
  public:
   /// `start` calls start() of a block, by its index. The plan and the numbers must outlive this.
@@ -15,9 +15,9 @@ class Guards {
       : guards_(plan.guards), values_(values), start_(std::move(start)) {}
 
   bool active(std::size_t guard) const { return values_[guards_[guard].active] != 0.0; }
-  /// A guard has been run; `was` is what it was before.
+  /// Applies the change of a guard after its call; `was` is its previous activity.
   void changed(std::size_t guard, bool was);
-  /// Before the solver's step: keeps what its stages overwrite.
+  /// Stores the numbers that the solver's stages overwrite. Call it before the step.
   void keep();
 
  private:

@@ -16,7 +16,7 @@ namespace stepwire::run {
 
 namespace {
 
-/// 0 if all are finite.
+/// Returns the first non-finite number; 0 if all are finite.
 double first_not_finite(const double* values, const plan::SignalSlot& slot) {
   for (const double* value = values + slot.offset; value != values + slot.offset + slot.size; ++value)
     if (!std::isfinite(*value)) return *value;
@@ -116,8 +116,9 @@ std::optional<RunFault> Health::diagnostic_fault() const {
   return std::nullopt;
 }
 
-/// States first: an integration that ran away is the cause of what follows from it. Then outputs in the order
-/// of their computation, where the first is the cause of the others.
+/// Returns the fault of the first non-finite number. States are checked first: a diverged state is the cause
+/// of the other numbers. Outputs follow in the order of computation, so the first one is the cause of the
+/// later ones.
 std::optional<RunFault> Health::not_finite(double time) const {
   for (const bool states : {true, false})
     for (const int index : plan_.memory_order) {

@@ -11,28 +11,28 @@
 
 namespace stepwire::run {
 
-/// Returns the places of diagnostics that end a run: as a fault, or as `stop_when` does.
+/// Returns the workspace places of diagnostics that end a run: as a fault, or as `stop_when` does.
 std::vector<std::size_t> places_of_ends(const plan::Plan& plan, bool as_fault);
 
-/// Whether a run may be continued, and what ended it.
+/// Health of a run: checks whether it may continue, and finds the fault that ended it.
 class Health {
  public:
   explicit Health(const BoundBlocks& blocks);
 
   bool fine() const { return fine_; }
-  /// True once a diagnostic has ended the run that is no fault.
+  /// True once a diagnostic that is no fault has ended the run.
   bool has_ended() const;
   bool may_end() const { return !whole_ends_.empty(); }
   void restart() { fine_ = true; }
-  /// Look at the outputs of a tick, and at the states after a step.
+  /// Check the outputs of a tick, and the states after a step.
   void look_at_outputs() { fine_ = fine_ && is_finite() && loops_solved(); }
   void look_at_step();
   /// True while all signals and continuous states are finite.
   bool is_finite() const;
-  /// From now on a loop that is not solved ends no run.
+  /// Disables the fault of a loop that is not solved.
   void accept_unsolved() { accepts_unsolved_ = true; }
 
-  /// The fault that has ended the run, at a time [s]; empty while it is fine.
+  /// Returns the fault that has ended the run at a time [s]; std::nullopt while fine().
   std::optional<RunFault> fault(double time) const;
   std::vector<RaisedDiagnostic> diagnostics() const;
 
@@ -46,9 +46,9 @@ class Health {
   const BoundBlocks& blocks_;
   const plan::Plan& plan_;
   const double* const values_;
-  std::vector<plan::ActivePiece> checked_;  ///< what has to be finite
+  std::vector<plan::ActivePiece> checked_;  ///< pieces of the workspace that must be finite
   std::vector<std::size_t> ending_;         ///< places of diagnostics that end a run as a fault
-  std::vector<std::size_t> whole_ends_;     ///< of those that end it as `stop_when` does
+  std::vector<std::size_t> whole_ends_;     ///< places of diagnostics that end it as `stop_when` does
   bool fine_ = true, accepts_unsolved_ = false;
 };
 

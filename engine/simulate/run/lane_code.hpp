@@ -11,40 +11,42 @@
 
 namespace stepwire::run {
 
-/// Whether runs that differ in numbers only are stepped together. The results are the same to the last bit.
+/// Policy for stepping runs in lanes, if they differ in numbers only. The results are the same to the last
+/// bit.
 enum class LaneUse {
-  automatic,  ///< once compiling the plan for it is worth it and done
-  at_once,    ///< from the first run on, where that can be
+  automatic,  ///< once compiling the plan for lanes is worth it and done
+  at_once,    ///< from the first run, if the plan allows it
   never
 };
 
-/// Compiles the plans of some runs for several runs at once, and decides by measurement which of them are
-/// stepped so.
+/// Compiles plans for lanes of several runs, and decides by measurement which plans use them.
 class LaneCode {
  public:
-  /// A plan of some runs.
+  /// Plan that some of the runs have.
   struct Member {
     const plan::Plan* plan;
     plan::RunDifferences differences;
-    std::optional<std::size_t> runs{};  ///< nothing: nobody knows, and as much is expected as has been done
+    std::optional<std::size_t> runs{};  ///< Number of runs; std::nullopt if unknown.
   };
 
   LaneCode(LaneUse use, plan::CodeSource* source, std::vector<Member> members);
 
-  /// The code of the i-th plan; null while there is none, and where its runs go one by one. From any thread.
+  /// Returns the lane code of the plan with index `member`. Returns nullptr while it is not ready, and if its
+  /// runs are stepped one by one. Thread-safe.
   const plan::CompiledLanes* code(std::size_t member) const;
-  /// Has it been found out which way is the faster one?
+  /// True once the measurement of a plan is finished.
   bool is_decided(std::size_t member) const { return states_[member].decided; }
-  /// Says what has been found out: nothing against it, or why the runs go one by one. From any thread.
+  /// Stores the result of the measurement: the reason why lanes are not used, or an empty text if they are.
+  /// Thread-safe.
   void decide(std::size_t member, const std::string& why_not = "");
-  /// Notes that so many more ticks of all are done. From any thread.
+  /// Adds `ticks` to the number of done ticks of all runs. Thread-safe.
   void done(std::int64_t ticks) { compilation_.done(ticks); }
 
-  /// Runs that are stepped together; 1: none were to be.
+  /// Returns the number of lanes; 1 if no code uses lanes.
   int lanes() const;
-  /// The same once code is there, of any plan for which some is sought.
+  /// Returns the number of lanes that the compiled code will have, of any plan to be compiled.
   int most_lanes() const;
-  /// Why runs went one by one: a sentence; empty where none had to.
+  /// Returns the reason why runs were stepped one by one, as a sentence; an empty text if all used lanes.
   std::string why_not() const;
 
  private:
@@ -59,10 +61,10 @@ class LaneCode {
   plan::CodeSource* source_;
   std::vector<Member> members_;
   std::vector<State> states_;
-  bool seeks_ = false;        ///< code for some plan
-  mutable std::mutex mutex_;  ///< of the reason
+  bool seeks_ = false;        ///< true if the code of some plan is to be compiled
+  mutable std::mutex mutex_;  ///< guards why_not_
   std::string why_not_;
-  BackgroundCompilation compilation_;  ///< last: it uses the others
+  BackgroundCompilation compilation_;  ///< last member: its thread uses the others
 };
 
 }  // namespace stepwire::run

@@ -42,7 +42,8 @@ LaneGroup::LaneGroup(const plan::CompiledLanes& code, std::vector<Run> runs)
   };
 }
 
-/// False where runs differ in a number that the code takes for the same in all.
+/// Interleaves the workspaces of the lanes. Returns false if the runs differ in a number that the code reads
+/// as common to all lanes.
 bool LaneGroup::gather_values() {
   for (std::size_t l = 0; l < lanes_; ++l) {
     const double* own = runs_[std::min(l, runs_.size() - 1)].simulation->values();
@@ -55,7 +56,7 @@ bool LaneGroup::gather_values() {
   return true;
 }
 
-/// Single numbers side by side; the lists of each run behind all of them.
+/// Interleaves the single numbers of the tables; the lists of each run follow after all of them.
 bool LaneGroup::gather_numbers() {
   std::vector<plan::NumberTable> tables;
   for (const Run& run : runs_) {
@@ -146,7 +147,7 @@ std::vector<double> LaneGroup::values_of(std::size_t lane) const {
   return values;
 }
 
-/// What lies in lane 0 for all stays there.
+/// Copies the lane's own numbers. Numbers that are common to all lanes are stored in lane 0 and stay.
 void LaneGroup::copy_lane(std::size_t from, std::size_t to) {
   for (std::size_t n = 0; n < plan_.layout.size; ++n)
     if (code_.differs[n]) values_[n * lanes_ + to] = values_[n * lanes_ + from];

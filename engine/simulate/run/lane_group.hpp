@@ -8,8 +8,9 @@
 
 namespace stepwire::run {
 
-/// Runs of one plan at time 0 that code steps together. Each ends by itself, as if it went alone; what then
-/// stands in its lane is a copy of another one that goes on unseen.
+/// Runs of one plan that code steps together in SIMD lanes, from time 0. Each run ends by itself, at the tick
+/// at which it would end alone. The lanes of ended runs are refilled with a copy of a running one, whose
+/// results are discarded.
 class LaneGroup {
  public:
   struct Run {
@@ -17,23 +18,23 @@ class LaneGroup {
     std::vector<record::Recorder>* recorders;
   };
 
-  /// At least one run, at most as many as there are lanes; all must outlive it.
+  /// `runs` has at least one run and at most as many as there are lanes; all must outlive this object.
   LaneGroup(const plan::CompiledLanes& code, std::vector<Run> runs);
 
-  /// Has the code the numbers of these runs?
+  /// True if the code was compiled for the numbers of these runs.
   bool fits() const { return fits_; }
   bool goes_on() const { return task_.active != 0; }
   std::int64_t tick() const { return task_.tick; }
-  /// Goes on for so many ticks, at most `ticks_at_once`, or to the end of all.
+  /// Steps `ticks` ticks, at most `ticks_at_once`, or until all runs have ended.
   void step(std::int64_t ticks);
-  /// Ends all that go on, between two ticks: their bits.
+  /// Ends all active runs between two ticks. Returns their bits.
   std::uint32_t interrupt();
   std::size_t runs() const { return runs_.size(); }
 
-  static constexpr std::int64_t ticks_at_once = 64;  ///< whose rows are kept in the cache
+  static constexpr std::int64_t ticks_at_once = 64;  ///< upper limit that keeps the rows in the cache
 
  private:
-  /// Numbers that registers are filled from.
+  /// Numbers aligned for vector registers.
   struct FreeAligned {
     void operator()(double* numbers) const;
   };
@@ -52,12 +53,12 @@ class LaneGroup {
 
   const plan::CompiledLanes& code_;
   std::size_t lanes_;
-  std::vector<Run> runs_;  ///< of the first lanes; the others have copies of the last
+  std::vector<Run> runs_;  ///< runs of the first lanes; the other lanes have copies of the last one
   const plan::Plan& plan_;
   plan::LaneTask task_{};
   Aligned values_, numbers_, row_memory_;
-  std::size_t singles_ = 0;            ///< numbers of a table, before its lists
-  std::vector<double*> first_, next_;  ///< rows of each request
+  std::size_t singles_ = 0;            ///< numbers of a table before its lists
+  std::vector<double*> first_, next_;  ///< Rows of each request.
   bool fits_;
 };
 

@@ -8,23 +8,23 @@
 
 namespace stepwire::run {
 
-/// What an algebraic loop has cost in a run.
+/// Cost of an algebraic loop in a run.
 struct LoopCost {
-  std::string path;                       ///< "error -> half -> error"
-  std::int64_t unknowns = 0;              ///< numbers at which it is torn
-  std::int64_t instants = 0;              ///< at which it was solved: ticks and stages of the solver
-  std::int64_t iterations = 0, most = 0;  ///< passes through its blocks: all together, and at one instant
-  std::int64_t unsolved = 0;              ///< instants at which no solution was found
-  double first_unsolved = 0.0;            ///< [s]
+  std::string path;                       ///< Text "error -> half -> error".
+  std::int64_t unknowns = 0;              ///< Numbers at which the loop is torn.
+  std::int64_t instants = 0;              ///< Ticks and solver stages at which it was solved.
+  std::int64_t iterations = 0, most = 0;  ///< Passes through its blocks, total and maximum.
+  std::int64_t unsolved = 0;              ///< Instants without a solution.
+  double first_unsolved = 0.0;            ///< Time of the first of them [s].
 
-  /// Adds what another run of the same loop has cost.
+  /// Adds the cost of the same loop in another run.
   LoopCost& operator+=(const LoopCost& other);
 };
 
-/// Adds the loops of a run to those of others; loops of one path are one.
+/// Adds the loop costs of one run to those of others; loops of the same path are merged.
 void add_loops(std::vector<LoopCost>& all, const std::vector<LoopCost>& more);
 
-/// The cost of each loop of a plan up to now, from the numbers of a run's workspace.
+/// Returns the cost of each loop of a plan up to now, from the numbers of a run's workspace.
 std::vector<LoopCost> loop_costs(const plan::Plan& plan, const double* values);
 
 }  // namespace stepwire::run

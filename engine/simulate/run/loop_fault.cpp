@@ -10,7 +10,7 @@ namespace stepwire::run {
 
 namespace {
 
-/// "loop.y", or "loop.y.2" of several
+/// Returns "loop.y", or "loop.y.2" for one of several elements.
 std::string name_of(const plan::Plan& plan, const diagram::SignalRef& signal, std::size_t element) {
   const diagram::DiagramBlock& block = plan.diagram.blocks[static_cast<std::size_t>(signal.block)];
   const std::string& port = block.type().outputs[static_cast<std::size_t>(signal.output)].name;
@@ -18,7 +18,7 @@ std::string name_of(const plan::Plan& plan, const diagram::SignalRef& signal, st
   return plan.slot(signal).size == 1 ? name : fmt::format("{}.{}", name, element + 1);
 }
 
-/// The name of one of the torn numbers of a loop.
+/// Returns the name of one of the torn numbers of a loop.
 std::string name_of(const plan::Plan& plan, const plan::SolvedLoop& loop, std::size_t number) {
   for (const diagram::SignalRef& tear : loop.tears) {
     const auto size = static_cast<std::size_t>(plan.slot(tear).size);
@@ -28,7 +28,7 @@ std::string name_of(const plan::Plan& plan, const plan::SolvedLoop& loop, std::s
   return name_of(plan, loop.tears.front(), 0);
 }
 
-/// Null where all are solved.
+/// Returns nullptr if all loops are solved.
 const plan::SolvedLoop* first_unsolved(const plan::Plan& plan, const double* values) {
   const auto found = std::ranges::find_if(plan.loops, [&](const plan::SolvedLoop& loop) {
     return values[loop.report + solve::LoopReport::unsolved] != 0.0;

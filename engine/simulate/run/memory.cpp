@@ -16,9 +16,9 @@ namespace stepwire::run {
 
 namespace {
 
-constexpr double bytes_of_number = 2 * sizeof(double);  // as a column, as text of a file
+constexpr double bytes_of_number = 2 * sizeof(double);  // in a column and as text of a file
 
-/// The first number of a file of the system; 0 if there is none.
+/// Returns the first number in a file of the system, after `label`; 0 if there is none.
 double number_in(const char* file, const std::string& label = "") {
   std::ifstream stream(file);
   std::string word;
@@ -28,14 +28,14 @@ double number_in(const char* file, const std::string& label = "") {
   return stream >> number ? number : 0.0;
 }
 
-/// What the machine, the container in it, or the limit of the process has left [bytes].
+/// Returns the memory that the machine, its container and the process limit leave [bytes].
 double free_memory() {
   double available = 1024.0 * number_in("/proc/meminfo", "MemAvailable:");
   if (available <= 0.0)
     available = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   const double limit = number_in("/sys/fs/cgroup/memory.max");
   if (limit > 0.0) available = std::min(available, limit - number_in("/sys/fs/cgroup/memory.current"));
-  struct rlimit data {};  // as 'ulimit -d' sets it
+  struct rlimit data {};  // limit of 'ulimit -d'
   if (::getrlimit(RLIMIT_DATA, &data) != 0 || data.rlim_cur == RLIM_INFINITY) return available;
   return std::min(available,
                   static_cast<double>(data.rlim_cur) - 1024.0 * number_in("/proc/self/status", "VmData:"));
@@ -45,7 +45,8 @@ std::string gigabytes(double bytes) {
   return fmt::format("{:.3g} GB", bytes * 1e-9);
 }
 
-/// "3e+08 rows with 9e+08 numbers take about 14.4 GB, and 8.2 GB are free"; nothing where they fit.
+/// Returns "3e+08 rows with 9e+08 numbers take about 14.4 GB, and 8.2 GB are free". Returns std::nullopt if
+/// they fit.
 std::optional<std::string> lack(double bytes, const std::string& what) {
   const double available = free_memory();
   if (bytes <= available) return std::nullopt;
@@ -71,7 +72,7 @@ bool keeps_one_row(const Job& job) {
   return !job.points.empty() && !job.trials && sweep && sweep->keep != diagram::Sweep::Keep::rows;
 }
 
-/// What one entry of `record` keeps of one run; of a sweep that may be a row.
+/// Returns the extent of one entry of `record` for one run; with `one_row`, that of a single row.
 Extent extent_of(const plan::Plan& plan, std::size_t record, bool one_row) {
   const diagram::RecordRequest& request = plan.diagram.records[record];
   const double ticks = request.every ? *request.every / plan.diagram.step : 1.0;
@@ -82,7 +83,7 @@ Extent extent_of(const plan::Plan& plan, std::size_t record, bool one_row) {
   return {rows, rows * columns};
 }
 
-/// Of all runs together.
+/// Returns the extent for all runs together.
 Extent extent_of_all(const Job& job, std::size_t record) {
   const bool one_row = keeps_one_row(job);
   if (job.points.empty()) return extent_of(job.plan, record, one_row);
@@ -98,7 +99,7 @@ Extent extent_of_all(const Job& job, std::size_t record) {
   return all;
 }
 
-/// Of the largest run.
+/// Returns the extent for the largest run.
 Extent extent_of_run(const Job& job, std::size_t record) {
   Extent most = extent_of(job.plan, record, false);
   for (std::size_t member = 0; job.family && member < job.family->size(); ++member) {

@@ -7,18 +7,20 @@
 
 namespace stepwire::run {
 
-/// Refuse what would take memory that is not there, before it is taken: what a run records and what is kept of
-/// the runs of a sweep, but for their rows, and the matrices of an implicit solver. Throw EnvironmentError that
-/// says how much it is and how much is free.
+/// Checks before a job begins that its memory is available.
+///
+/// Covered are the recording of a run, the single rows that a sweep keeps of its runs, and the matrices of an
+/// implicit solver. Throw EnvironmentError with the needed and the free memory.
 void require_memory(const Job& job);
 void require_solver_memory(const plan::Plan& plan);
 
-/// The same for all that is recorded of all runs, together in memory.
+/// Checks the memory for the recordings of all runs together. Throws as require_memory() does.
 void require_memory_of_all_rows(const Job& job);
-/// "3e+08 rows with 9e+08 numbers take about 14.4 GB, and 8.2 GB are free"; nothing where they fit.
+/// Returns "3e+08 rows with 9e+08 numbers take about 14.4 GB, and 8.2 GB are free". Returns std::nullopt if
+/// they fit.
 std::optional<std::string> lack_for_all_rows(const Job& job);
 
-/// How many numbers the largest of the recordings has, of all runs that go on to their stop time.
+/// Returns the count of numbers in the largest recording, of all runs that reach their stop time.
 double most_numbers(const Job& job);
 
 }  // namespace stepwire::run

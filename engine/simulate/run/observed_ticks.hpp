@@ -8,18 +8,20 @@
 
 namespace stepwire::run {
 
-/// Shows observers the ticks of one run.
+/// Passes the ticks of one run to its observers.
 class ObservedTicks {
  public:
-  /// `rows`: do the observers read what is recorded? Simulation and observers must outlive it.
+  /// `rows` is true if the observers read the recorded rows. Simulation and observers must outlive this
+  /// object.
   ObservedTicks(const ObservedRun& run, std::span<RunObserver* const> observers, bool rows = true);
 
   void begin() const;
-  /// How the run goes on: as the strictest of the observers says.
+  /// Returns the strictest of the observers' decisions.
   Flow before_tick() const;
-  /// After the outputs of the tick are computed; shows the rows that are due, at the last tick all.
+  /// Calls the observers after the outputs of the tick are computed, with the rows that are due; at the last
+  /// tick with all rows.
   void evaluated(bool last = false);
-  /// Shows a row of one side of an instant, where both are recorded.
+  /// Passes the row of one side of an instant, where both sides are recorded.
   void side(const double* values);
   void end() const;
 
@@ -27,7 +29,7 @@ class ObservedTicks {
   struct Row {
     std::int64_t every = 1;  ///< period [ticks]
     bool instants = false;
-    std::vector<std::size_t> offsets;  ///< in the workspace, the time first
+    std::vector<std::size_t> offsets;  ///< places in the workspace, the time first
     std::vector<double> numbers;
   };
 

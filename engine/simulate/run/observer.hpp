@@ -8,30 +8,30 @@
 
 namespace stepwire::run {
 
-/// A run as it is shown to observers.
+/// Run that an observer watches.
 struct ObservedRun {
-  /// Among the runs of a sweep; of a study's trials by study of a sweep, subject and condition. 0 for a
-  /// single run and a real-time loop.
+  /// Index among the runs of a sweep. For trials of a study the order is by study of the sweep, subject and
+  /// condition. 0 for a single run and a real-time loop.
   std::size_t index;
   Executor& simulation;
 };
 
-/// Watches runs while they are computed. Each run calls from its own thread, so that calls for several runs
-/// of a sweep may come at the same time. A run waits for each call.
+/// Observer of runs while they are computed. Each run calls from its own thread, so calls for several runs of
+/// a sweep may be concurrent. A run waits for each call.
 class RunObserver {
  public:
   virtual ~RunObserver() = default;
 
-  /// Before the first tick.
+  /// Called before the first tick.
   virtual void begin(const ObservedRun&) {}
-  /// Before every tick: here inputs are written, values set, moments kept and restored; what was recorded
-  /// from a restored moment on is recorded anew.
+  /// Called before every tick. Here an observer may write inputs, set values, and take or restore snapshots.
+  /// After a restore, the later rows are recorded again.
   virtual Flow before_tick(const ObservedRun&) { return Flow::go_on; }
-  /// After the outputs of a tick are computed.
+  /// Called after the outputs of a tick are computed.
   virtual void evaluated(const ObservedRun&) {}
-  /// A row that is recorded by the entry `recording` of `record`: the time, then its signals.
+  /// Called with a row of the entry `recording` of `record`: the time, then its signals.
   virtual void row(const ObservedRun&, std::size_t /*recording*/, std::span<const double> /*numbers*/) {}
-  /// After the last tick, whatever ended the run.
+  /// Called after the last tick, after any kind of end.
   virtual void end(const ObservedRun&) {}
 };
 

@@ -11,7 +11,7 @@
 
 namespace stepwire::run {
 
-/// Blocks that take part at the present instant: by periods that are due, and by guards.
+/// Blocks that are active at the present instant: by due periods, and by guards.
 struct Participants {
   explicit Participants(BoundBlocks& blocks) : due(blocks.plan().periods.size(), 1), blocks_(blocks) {
     if (!blocks.plan().guards.empty())
@@ -22,14 +22,14 @@ struct Participants {
     const std::vector<plan::Period>& periods = blocks_.plan().periods;
     for (std::size_t i = 1; i < due.size(); ++i) due[i] = periods[i].due(tick);
   }
-  /// Keeps what a guard puts back once it switches off.
+  /// Stores the numbers that a guard restores once it switches off.
   void keep() {
     if (guards) guards->keep();
   }
 
-  std::vector<char> due;           ///< for each of the plan's periods
-  std::optional<Guards> guards;    ///< none where the plan has none
-  ScheduleProbe* probe = nullptr;  ///< told of a stretch of calls; null where there is none
+  std::vector<char> due;           ///< one flag for each period of the plan
+  std::optional<Guards> guards;    ///< std::nullopt in a plan without guards
+  ScheduleProbe* probe = nullptr;  ///< measures a range of calls; nullptr if unused
 
  private:
   BoundBlocks& blocks_;

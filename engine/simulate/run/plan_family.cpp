@@ -13,17 +13,16 @@ namespace stepwire::run {
 
 namespace {
 
-constexpr std::size_t max_tried = 64;  // plans, of a sweep in which each point has another structure
-constexpr std::size_t at_once = 64;    // runs that a thread looks at
+constexpr std::size_t max_tried = 64;  // members, if all points differ in structure
+constexpr std::size_t at_once = 64;    // runs of one piece of work of a thread
 
-/// The plan of single runs, which need no sweep: it may have very many values.
+/// Returns the plan for single runs, without the sweep, whose list of values may be very long.
 std::shared_ptr<const plan::Plan> plan_of_runs(plan::Plan plan) {
   plan.diagram.sweep.reset();
   return std::make_shared<const plan::Plan>(std::move(plan));
 }
 
-/// Throws Error where a recorded signal has other elements than in the base plan, since all runs share a
-/// table.
+/// Throws Error if a recorded signal has other elements than in the base plan, since all runs share a table.
 void require_same_columns(const plan::Plan& plan, const plan::Plan& base) {
   for (std::size_t r = 0; r < plan.diagram.records.size(); ++r)
     for (std::size_t s = 0; s < plan.diagram.records[r].signals.size(); ++s) {
@@ -69,16 +68,17 @@ std::size_t PlanFamily::find(const std::vector<diagram::Setting>& values) {
         return add(std::move(member));
       }
     }
-  } catch (const yaml::Error&) {  // planning the file with these values says the same, with all places
+  } catch (const yaml::Error&) {  // planning the file reports the same fault, with all places
   }
   return add(std::make_unique<PlanMember>(plan_anew(values), values));
 }
 
-/// Reads the members without the lock of their list: the caller holds that of find(), which alone adds some.
+/// Returns the member that fits, without a lock of the list of members: the caller holds `finding_`, and only
+/// its holder adds members.
 std::optional<std::size_t> PlanFamily::known(const std::vector<diagram::Setting>& values,
                                              MemberTrial& trial) const {
   const std::size_t last = members_.size();
-  for (std::size_t m = last; m-- > last - std::min(last, max_tried);)  // values come in order
+  for (std::size_t m = last; m-- > last - std::min(last, max_tried);)  // similar ones are last
     if (members_[m]->may_take(values) && trial.takes(*members_[m], values)) return m;
   return std::nullopt;
 }
@@ -95,7 +95,7 @@ std::vector<std::size_t> PlanFamily::find_all(std::size_t runs, const ValuesOfRu
   return members;
 }
 
-/// Those of the runs from `first` on, where a member that is there fits; it adds none.
+/// Finds existing members for the runs [first, first + runs); std::nullopt for a run that none of them fits.
 std::vector<std::optional<std::size_t>> PlanFamily::find_known(std::size_t first, std::size_t runs,
                                                                const ValuesOfRun& values_of,
                                                                MemberTrials& trials, unsigned threads) {
@@ -106,7 +106,7 @@ std::vector<std::optional<std::size_t>> PlanFamily::find_known(std::size_t first
     trials.use([&](MemberTrial& trial) {
       for (std::size_t run = part * at_once; run < std::min(runs, (part + 1) * at_once); ++run) try {
           found[run] = known(values_of(first + run), trial);
-        } catch (const yaml::Error&) {  // find() throws it, in the order of the runs
+        } catch (const yaml::Error&) {  // find() throws it later, in the order of the runs
         }
     });
   });
@@ -159,7 +159,7 @@ const std::vector<diagram::Target>& PlanFamily::targets(std::size_t member) cons
 
 std::vector<plan::VariableBlock> PlanFamily::variable(std::size_t member) const {
   const auto& plan = this->member(member).plan();
-  const std::lock_guard lock(finding_);  // what differs is widened there
+  const std::lock_guard lock(finding_);  // find() extends the differences under this lock
   std::vector<plan::VariableBlock> variable;
   for (const auto& other : members_)
     if (other->plan() == plan) plan::unite(variable, *plan, other->variable());

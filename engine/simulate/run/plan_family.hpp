@@ -16,9 +16,9 @@ class PlanMember;
 class MemberTrial;
 class MemberTrials;
 
-/// The plans of one file for values that a sweep, a study or a fit sets: one plan serves all values that
-/// leave its structure as it is, and each other structure gets a plan of its own. Its calls may come from any
-/// thread.
+/// Set of plans of one file, for the values that a sweep or a study sets.
+///
+/// Values that leave the structure unchanged share one plan; each other structure has its own. Thread-safe.
 class PlanFamily {
  public:
   using ValuesOfRun = std::function<std::vector<diagram::Setting>(std::size_t run)>;
@@ -28,22 +28,22 @@ class PlanFamily {
              const plan::Plan& base);
   ~PlanFamily();
 
-  /// The member whose plan fits these values, each of another name; where there is none, the file is planned
-  /// anew. Throws Error where the values are refused.
+  /// Returns the index of the member whose plan fits these values, each of another name. Plans the file again
+  /// if no member fits. Throws Error for refused values.
   std::size_t find(const std::vector<diagram::Setting>& values);
-  /// The members of so many runs, whose values `values_of` names, found on so many threads (0: all cores);
-  /// the same ones at any number of them. Throws as find() does, of the first run that is refused, and names
-  /// it.
+  /// Finds the members of the first `runs` runs, with the values of `values_of`, on `threads` threads (0: all
+  /// cores). The result is the same for any number of threads. Throws as find() does, for the first refused
+  /// run, and names that run.
   std::vector<std::size_t> find_all(std::size_t runs, const ValuesOfRun& values_of, unsigned threads);
 
   std::size_t size() const;
   const plan::Plan& plan(std::size_t member) const;
-  /// The values of blocks that a run of a member sets.
+  /// Returns the values of blocks that a run of a member sets.
   const std::vector<diagram::Target>& targets(std::size_t member) const;
-  /// What differs between the runs of a member's plan, of those values that find() has seen. Members that set
-  /// other names in one plan share its code.
+  /// Returns the differences between the runs of a member's plan, for the values that find() has seen.
+  /// Members that set other names on the same plan share its code.
   std::vector<plan::VariableBlock> variable(std::size_t member) const;
-  /// Sets the values of a run, for which find() gave this member, and puts it at time 0.
+  /// Sets the values of a run, for which find() returned this member, and resets it to time 0.
   void begin(std::size_t member, const std::vector<diagram::Setting>& values, Executor& run) const;
 
  private:
@@ -60,13 +60,13 @@ class PlanFamily {
   std::string file_;
   std::vector<diagram::Setting> settings_;
   std::shared_ptr<const plan::Plan> base_;
-  mutable std::mutex finding_;  ///< one find() at a time, which alone adds members
-  mutable std::mutex looking_;  ///< the list of members itself
+  mutable std::mutex finding_;  ///< serialises find(), which alone adds members
+  mutable std::mutex looking_;  ///< guards the list of members
   std::vector<std::unique_ptr<PlanMember>> members_;
-  std::unique_ptr<MemberTrial> trial_;  ///< of find()
+  std::unique_ptr<MemberTrial> trial_;  ///< used by find()
 };
 
-/// Runs of a family that wait to be used again, so that a new one is made only for another thread.
+/// Pool of executors of a family. A new one is made only if all executors of a member are in use.
 class IdleRuns {
  public:
   explicit IdleRuns(const PlanFamily& family) : family_(family) {}
@@ -77,7 +77,7 @@ class IdleRuns {
  private:
   const PlanFamily& family_;
   std::mutex mutex_;
-  std::vector<std::vector<std::unique_ptr<Executor>>> idle_;  ///< of each member
+  std::vector<std::vector<std::unique_ptr<Executor>>> idle_;  ///< unused executors of each member
 };
 
 }  // namespace stepwire::run

@@ -15,24 +15,25 @@ namespace stepwire::run {
 
 std::vector<std::string> names_of(const std::vector<diagram::Setting>& values);
 
-/// A plan of a family, what its runs set, and what they share: the values that decide its structure.
+/// Plan of a family, the names that its runs set, and the values that its runs share because they decide the
+/// structure.
 class PlanMember {
  public:
   /// `values` are those of one run.
   PlanMember(std::shared_ptr<const plan::Plan> of, const std::vector<diagram::Setting>& values);
 
-  /// May a run of this member have these values?
+  /// True if these values have this member's names and structural values. They may still be refused when set.
   bool may_take(const std::vector<diagram::Setting>& values) const;
-  /// Sets them in a run of the plan.
+  /// Sets the values in a run of the plan.
   Executor::Setting set(const std::vector<diagram::Setting>& values, Executor& run) const;
-  /// Does one of its names decide the structure?
+  /// True if one of its names decides the structure.
   bool is_structural() const { return all_.structural(); }
 
   const std::shared_ptr<const plan::Plan>& plan() const { return plan_; }
   const std::vector<std::string>& names() const { return names_; }
-  /// The values of blocks that a run sets.
+  /// Returns the values of blocks that a run sets.
   const std::vector<diagram::Target>& targets() const { return free_.targets(); }
-  /// What has differed between the runs so far.
+  /// Returns the differences between the runs so far.
   const std::vector<plan::VariableBlock>& variable() const { return variable_; }
   void widen(const std::vector<plan::VariableBlock>& more);
 
@@ -41,19 +42,20 @@ class PlanMember {
 
   std::shared_ptr<const plan::Plan> plan_;
   std::vector<std::string> names_;
-  diagram::Variation all_;              ///< of all names
-  diagram::Variation free_;             ///< of those that are set in a run of the plan
-  std::vector<std::string> structure_;  ///< values of structural names; "" of others
+  diagram::Variation all_;              ///< all names
+  diagram::Variation free_;             ///< names that are set in a run of the plan
+  std::vector<std::string> structure_;  ///< values of structural names; "" for the others
   std::vector<plan::VariableBlock> variable_;
 };
 
-/// Runs in which values are tried, one of each member, and what these have shown to differ. For one thread.
+/// One executor of each member, in which values are tried, and the differences that were found. Not
+/// thread-safe.
 class MemberTrial {
  public:
-  /// Can a run of the member, which outlives the trial, have these values? Throws Error where they are
-  /// refused.
+  /// True if a run of the member, which must outlive the trial, can have these values. Throws Error for
+  /// refused values.
   bool takes(const PlanMember& member, const std::vector<diagram::Setting>& values);
-  /// Adds to a member what has differed between the values that it took here.
+  /// Adds the differences between the tried values to a member.
   void add_to(PlanMember& member) const;
 
  private:
@@ -65,7 +67,7 @@ class MemberTrial {
   std::unordered_map<const PlanMember*, Tried> tried_;
 };
 
-/// A trial for each thread that works at once.
+/// Pool of trials, one for each concurrent thread.
 class MemberTrials {
  public:
   template <class Work>
@@ -76,7 +78,7 @@ class MemberTrials {
     idle_.push_back(std::move(trial));
   }
 
-  /// All, while none is in use.
+  /// Returns all trials, while none is in use.
   const std::vector<std::unique_ptr<MemberTrial>>& all() const { return idle_; }
 
  private:

@@ -10,50 +10,49 @@
 
 namespace stepwire::run {
 
-/// What one point of a sweep has given.
+/// Result of one point of a sweep.
 struct PointResult {
   std::size_t point = 0;
   RunEnd end{};
-  std::vector<record::Recording> recordings{};  ///< what is kept of it, without columns of what is swept
+  std::vector<record::Recording> recordings{};  ///< of the point, without columns of swept parameters
 };
 
-/// Where points of a sweep come from and their results go, each once: several calls, or machines, may share
+/// Source of the points of a sweep and sink of their results, each once. Several calls or machines may share
 /// the points.
 class PointExchange {
  public:
   virtual ~PointExchange() = default;
-  /// A point that is to be run; nothing once there is none any more. From any thread.
+  /// Returns a point to run; std::nullopt after the last one. Thread-safe.
   virtual std::optional<std::size_t> next() = 0;
-  /// Waits, on a thread that begins nothing meanwhile, until what others gave does not take too much memory for
-  /// a further point. `held` is a point that next() has named and the thread has yet to run: it is not waited
-  /// for. From any thread.
+  /// Blocks until the results in memory leave room for a further point. The thread begins no run meanwhile.
+  /// The point `held` is a point that next() has returned and that the thread has yet to run; the wait
+  /// excludes it. Thread-safe.
   virtual void wait_for_room(std::optional<std::size_t> /*held*/) {}
-  /// Ends all waits for room, now and later: a thread takes no more points, and points that next() has named for
-  /// it may stay without a result. From any thread.
+  /// Ends all waits for room, now and later. The thread takes no further points, and points that next() has
+  /// returned to it may stay without a result. Thread-safe.
   virtual void leave() {}
-  /// What a point gave that next() has named; where its run was interrupted, what it gave until then. From
-  /// any thread.
+  /// Stores the result of a point that next() returned; after an interruption, the result up to then.
+  /// Thread-safe.
   virtual void take(PointResult result) = 0;
-  /// How much of its points is done, 0 to 1, for people. From any thread.
+  /// Returns the fraction of the points that is done, 0 to 1, for display. Thread-safe.
   virtual double done() const = 0;
 };
 
-/// Runs points of a job until there are no more, or until it is interrupted.
+/// Runs points of a job until none is left, or until it is interrupted.
 LaneReport run_points(const Job& job, const RunOptions& options, PointExchange& exchange);
 
-/// Joins what all points have given, in any order, to what run_job() gives. A point that is missing has no
-/// rows.
+/// Merges the results of all points, in any order, into the result of run_job(). A missing point has no rows.
 class JoinedPoints {
  public:
-  /// `numbers` are kept of each run in place of its rows, or null. Both must outlive it.
+  /// `numbers` replace the rows of each run; nullptr keeps rows. Both must outlive this object.
   JoinedPoints(const Job& job, const RunNumbers* numbers);
   void add(PointResult result);
   RunResult take();
 
  private:
   SweptColumns swept_;
-  std::optional<PooledRecording> recording_;  ///< where all rows are kept
-  std::optional<RowPerRun> kept_;              ///< where one row of each run is
+  std::optional<PooledRecording> recording_;  ///< used if all rows are kept
+  std::optional<RowPerRun> kept_;  ///< used if one row of each run is kept
   SweepEnds ends_;
 };
 

@@ -7,14 +7,14 @@
 
 namespace stepwire::run {
 
-/// The points of a sweep that have not begun, for several threads: mostly in their order, but points of one
-/// plan together where they are to be stepped together.
+/// Queue of the points of a sweep for several threads. Points are mostly in order, but points that share a
+/// plan are grouped if their runs use lanes.
 class PointQueue {
  public:
   explicit PointQueue(const Job& job) : job_(job), taken_(job.points.size()) {}
 
-  /// The next points, all of one member: the first that is left, and others behind it up to `most(first)`.
-  /// None at the end.
+  /// Returns the next points, all of one member: the first one left, and later ones up to `most(first)` in
+  /// total. Returns an empty list at the end.
   template <class Most>
   std::vector<std::size_t> take(const Most& most) {
     const std::lock_guard lock(mutex_);
@@ -32,7 +32,7 @@ class PointQueue {
   }
 
  private:
-  static constexpr std::size_t reach = 64;  ///< how far ahead points are taken, per point
+  static constexpr std::size_t reach = 64;  ///< search distance ahead, per point
 
   const Job& job_;
   std::mutex mutex_;

@@ -13,16 +13,17 @@
 
 namespace stepwire::run {
 
-/// Runs points of a job, and shares between them what they can share.
+/// Executor of points of a job: it holds the executors, the compiled code and the lanes that the points
+/// share.
 class PointRuns {
  public:
   /// Both must outlive it.
   PointRuns(const Job& job, const RunOptions& options);
 
-  /// How many points of the plan of this one are to be given to run(), at most.
+  /// Returns the largest number of points with the plan of this one that run() takes at once.
   std::size_t at_once(std::size_t point) const { return together_.at_once(member_of(point)); }
   std::size_t member_of(std::size_t point) const { return job_.points[point].member; }
-  /// Runs points of one member to their ends, which begin here. From any thread.
+  /// Runs points of one member from time 0 to their ends. Thread-safe.
   void run(std::vector<PendingRun>& runs);
   bool interrupted() const { return options_.interrupt && *options_.interrupt; }
   LaneReport lanes() const;
@@ -39,8 +40,8 @@ class PointRuns {
   std::atomic<std::size_t> done_ = 0;
 };
 
-/// On each thread, until make_take()'s function names no points any more: has `begin` make a place for what
-/// each of them records, runs them, and hands them to `done`.
+/// Runs groups of points on each thread, until the function of make_take() returns an empty list. Function
+/// `begin` makes the recording of each point, and `done` receives it after the run.
 template <class MakeTake, class Begin, class Done>
 void run_groups(PointRuns& runs, unsigned threads, const MakeTake& make_take, const Begin& begin,
                 const Done& done) {
@@ -58,11 +59,11 @@ void run_groups(PointRuns& runs, unsigned threads, const MakeTake& make_take, co
   });
 }
 
-/// Names all points of a job; nothing is kept of what has not begun before an interruption.
+/// Source of all points of a job. Points that have not begun before an interruption have no results.
 class AllPoints {
  public:
   AllPoints(const Job& job, const PointRuns& runs, SweepEnds& ends) : runs_(runs), ends_(ends), queue_(job) {}
-  /// The next points, of one member; none at the end. From any thread.
+  /// Returns the next points, of one member; an empty list at the end. Thread-safe.
   std::vector<std::size_t> take();
 
  private:
@@ -73,8 +74,8 @@ class AllPoints {
   PointQueue queue_;
 };
 
-/// Names points of an exchange, those of one member that come one after the other together. Of one thread, which
-/// leaves the exchange with it.
+/// Source of points from an exchange, which groups successive points of one member. For one thread, which
+/// leaves the exchange when this object is destroyed.
 class ExchangedPoints {
  public:
   ExchangedPoints(const PointRuns& runs, PointExchange& exchange) : runs_(runs), exchange_(exchange) {}
@@ -82,13 +83,13 @@ class ExchangedPoints {
   ExchangedPoints(const ExchangedPoints&) = delete;
   ExchangedPoints& operator=(const ExchangedPoints&) = delete;
 
-  /// Called once all points of the last call have been given to the exchange.
+  /// Call it after all points of the last call have been given to the exchange.
   std::vector<std::size_t> take();
 
  private:
   const PointRuns& runs_;
   PointExchange& exchange_;
-  std::optional<std::size_t> waiting_;  ///< the first of another member
+  std::optional<std::size_t> waiting_;  ///< first point of another member
 };
 
 }  // namespace stepwire::run

@@ -1,4 +1,5 @@
-// More than 300 lines with its header: all that joins runs to one table, column by column.
+// More than 300 lines with its header: all functions that merge the runs of a sweep into one table, by
+// columns.
 #include "engine/simulate/run/pooling.hpp"
 
 #include <fmt/format.h>
@@ -19,8 +20,8 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Long columns lie in huge pages, where the system has them: else a page fault for every few hundred numbers
-/// is what recording mostly costs.
+/// Resizes a column whose memory is in huge pages, if the kernel has them. Otherwise a page fault for every
+/// few hundred numbers is most of the cost of recording.
 void lengthen(std::vector<double>& values, std::size_t size) {
   constexpr std::uintptr_t huge = 2u << 20;
   values.reserve(size);
@@ -31,18 +32,18 @@ void lengthen(std::vector<double>& values, std::size_t size) {
   values.resize(size);
 }
 
-/// The swept parameter of a diagram; null where a block's own value is swept.
+/// Returns the swept parameter of a diagram; nullptr if the value of a block is swept.
 const diagram::DiagramParameter* parameter_of(const diagram::Diagram& diagram, const std::string& name) {
   const auto found = std::ranges::find(diagram.parameters, name, &diagram::DiagramParameter::name);
   return found == diagram.parameters.end() ? nullptr : &*found;
 }
 
-/// Does the value follow from parameters?
+/// True if the value depends on parameters.
 bool is_formula(const std::string& text) {
   return text.starts_with('=') || text.starts_with('$');
 }
 
-/// Where each text stands among the categories.
+/// Returns the index of each text among the categories.
 std::vector<double> indices_of(const std::vector<std::string>& texts,
                                const std::vector<std::string>& categories) {
   std::vector<double> indices;
@@ -51,7 +52,7 @@ std::vector<double> indices_of(const std::vector<std::string>& texts,
   return indices;
 }
 
-/// The numbers of texts; nothing where one of them is a formula.
+/// Returns the numbers of the texts; an empty list if one of them is a formula.
 std::vector<double> numbers_of(const std::vector<std::string>& texts) {
   if (std::ranges::any_of(texts, is_formula)) return {};
   std::vector<double> numbers;
@@ -101,7 +102,7 @@ SweptColumns::SweptColumns(const Job& job) : job_(job) {
   const diagram::Diagram& diagram = job.plan.diagram;
   for (const diagram::Sweep::Axis& axis : diagram.sweep->axes) {
     const diagram::DiagramParameter* parameter = parameter_of(diagram, axis.parameter);
-    // A block's own value may have been left to its default.
+    // A swept value of a block has the dimension of the axis, since the file may leave it to its default.
     const auto dimension = parameter && parameter->dimension ? parameter->dimension : axis.values.dimension();
     const bool is_words = has_words(axis);
     columns_.push_back({axis.parameter, dimension && !is_words ? unit::si_name(*dimension) : "", {}});
@@ -114,7 +115,7 @@ SweptColumns::SweptColumns(const Job& job) : job_(job) {
   }
 }
 
-/// The number that a formula gives at a point.
+/// Returns the value of a formula at a point.
 double SweptColumns::evaluated(std::size_t axis, std::size_t point) const {
   const plan::Plan& plan = job_.plan_of(point);
   const std::string& name = columns_[axis].name;

@@ -7,34 +7,36 @@
 
 namespace stepwire::run {
 
-/// Are the values of an axis words, which stand in its column as numbers? Else they are numbers or formulas.
+/// True if the values of an axis are words; its column then has their numbers. Otherwise the values are
+/// numbers or formulas.
 bool has_words(const diagram::Sweep::Axis& axis);
-/// The words of an axis in their order, each once: its column has their indices.
+/// Returns the distinct words of an axis in their order; its column has their indices.
 std::vector<std::string> words_of(const diagram::Sweep::Axis& axis);
 
-/// "speed=3, mass=1 kg".
+/// Returns "speed=3, mass=1 kg".
 std::string settings_text(const std::vector<diagram::Setting>& settings);
 
-/// The number of leading settings by whose values all points differ; as many as the shortest point has where
-/// no fewer do: trials of a study have more or fewer settings by their condition.
+/// Returns the smallest number of leading settings whose values differ between all points. Without one,
+/// returns the number of settings of the shortest point: trials of a study have more or fewer settings by
+/// condition.
 std::size_t telling_settings(const std::vector<std::vector<diagram::Setting>>& points);
 
-/// What tells apart the recordings of a job's points: its swept parameters, as columns behind the time. None
-/// without a sweep.
+/// Swept parameters of a job's points, as columns after the time. The list of columns is empty without a
+/// sweep.
 class SweptColumns {
  public:
   /// The job must outlive it.
   explicit SweptColumns(const Job& job);
 
-  /// Columns without rows.
+  /// Returns the columns, without rows.
   const std::vector<table::Column>& columns() const { return columns_; }
-  /// Where columns hold the numbers of words.
+  /// Returns the words of columns that hold numbers of words.
   const std::vector<record::Categories>& categories() const { return categories_; }
-  /// The numbers of one point, parallel to the columns.
+  /// Returns the numbers of one point, parallel to the columns.
   std::vector<double> numbers(std::size_t point) const;
-  /// The same as columns of one row.
+  /// Returns the columns with the one row of a point.
   std::vector<table::Column> of(std::size_t point) const;
-  /// Adds them to what was recorded at a point.
+  /// Adds the columns to the recording of a point.
   void add(record::Recording& recording, std::size_t point) const;
 
  private:
@@ -44,28 +46,29 @@ class SweptColumns {
   std::vector<table::Column> columns_;
   std::vector<record::Categories> categories_;
   std::vector<std::vector<double>>
-      numbers_;  ///< [axis][text]; empty where they hang on the point, and where the axis has numbers itself
+      numbers_;  ///< [axis][text]; empty list for formulas and for axes that have the numbers
 };
 
-/// Puts the runs of a recording behind those of another one, which has the same columns or none yet.
+/// Appends the runs of a recording to another one, which has the same columns or no columns yet.
 void append_runs(record::Recording& all, record::Recording&& more);
 
-/// What all points of a sweep record, in their order. Each point writes its rows where they stay.
+/// Pooled recording of all points of a sweep, in their order. Each point writes its rows directly to their
+/// final place.
 class PooledRecording {
  public:
   PooledRecording(const Job& job, const SweptColumns& swept, unsigned threads);
 
-  /// Recorders of a point; from any thread.
+  /// Returns the recorders of a point. Thread-safe.
   std::vector<record::Recorder> recorders(std::size_t point);
-  /// Notes what they have recorded; from any thread.
+  /// Stores how many rows the recorders of a point have written. Thread-safe.
   void done(std::size_t point, const std::vector<record::Recorder>& recorders);
-  /// Takes what a point has recorded elsewhere.
+  /// Copies the recordings of a point that were made elsewhere.
   void put(std::size_t point, const std::vector<record::Recording>& recorded);
-  /// Closes the gaps of points that ended early, and gives all recordings.
+  /// Closes the gaps of points that ended early, and returns all recordings.
   std::vector<record::Recording> take();
 
  private:
-  /// The recording of one request, with room for all rows.
+  /// Recording of one request, with room for all rows.
   struct Rows {
     record::Recording recording;
     std::vector<std::size_t> first, count;  ///< rows of each point

@@ -13,14 +13,14 @@ namespace {
 
 constexpr double no_row = std::numeric_limits<double>::quiet_NaN();
 
-/// The recording of one run, in which each row has the swept parameters as well.
+/// Returns a copy of the recording of one run, with the swept parameters as columns.
 record::Recording with_swept(const record::Recording& run, const SweptColumns& swept, std::size_t point) {
   record::Recording all = run;
   swept.add(all, point);
   return all;
 }
 
-/// Index of a point among the recorded ones; nullopt for any other point.
+/// Returns the index of a point among the recorded ones; std::nullopt for any other point.
 std::optional<std::size_t> place_of(const std::vector<std::size_t>& recorded_points, std::size_t point) {
   const auto found = std::ranges::lower_bound(recorded_points, point);
   if (found == recorded_points.end() || *found != point) return std::nullopt;
@@ -151,7 +151,7 @@ void RowPerRun::put(std::size_t point, std::vector<record::Recording> row) {
   recorded_[*place] = std::move(row);
 }
 
-/// An interrupted sweep has no rows of what it has not made.
+/// Removes the rows of points that were not run because the sweep was interrupted.
 void RowPerRun::drop_missing(record::Recording& kept) const {
   for (table::Column& column : kept.table.columns) {
     std::size_t end = 0;
@@ -161,7 +161,7 @@ void RowPerRun::drop_missing(record::Recording& kept) const {
   }
 }
 
-/// Pools one request of all recorded points.
+/// Pools the recordings of one request over all points whose rows are kept.
 record::Recording RowPerRun::pooled(std::size_t request) {
   record::Recording all;
   all.starts.clear();

@@ -10,26 +10,28 @@
 
 namespace stepwire::run {
 
-/// Does a sweep keep one row of each run: the last recorded one, or numbers (which may be null) that are made
-/// of all rows?
+/// True if a sweep keeps one row of each run: the last one, or numbers computed from all rows. `numbers` may
+/// be nullptr.
 bool keeps_a_row(const Job& job, const RunNumbers* numbers);
 
-/// What a run of a plan keeps, as recordings without rows and without columns of what is swept: one where
-/// numbers are kept, else one for each request.
+/// Returns the recordings that are kept of a run, without rows and without columns of swept parameters. With
+/// `numbers` it is one recording, else one for each request.
 std::vector<record::Recording> empty_recordings(const plan::Plan& plan, const RunNumbers* numbers);
-/// The same for a point of a job; beside numbers also one for each request where the point is recorded.
+/// Returns the same for a point of a job. With `numbers`, a point whose rows are kept also has one recording
+/// for each request.
 std::vector<record::Recording> empty_recordings(const Job& job, std::size_t point, const RunNumbers* numbers);
 
-/// Makes the row that a sweep keeps of a run, and forgets the others, but for runs whose rows stay. A run
-/// that a fault ended has a row of nan.
+/// Computes the row that a sweep keeps of a run and discards the others, except for runs whose rows are kept.
+/// The row of a run that ended with a fault is NaN.
 class RowMaker {
  public:
-  /// Job, columns and numbers must outlive it.
+  /// The job, the columns and the numbers must outlive it.
   RowMaker(const Job& job, const SweptColumns& swept, const RunNumbers* numbers);
 
-  /// What a run of a member records while it goes on; from any thread.
+  /// Returns the recording of a run in progress, of a member. Thread-safe.
   std::unique_ptr<record::RunRecording> take(std::size_t member);
-  /// The row of a point, and all rows of a run whose rows stay, in empty_recordings(); from any thread.
+  /// Returns the row of a point in the form of empty_recordings(), and all rows of a run whose rows are kept.
+  /// Thread-safe.
   std::vector<record::Recording> row_of(std::size_t point, bool whole,
                                         std::unique_ptr<record::RunRecording> recorded);
 
@@ -43,19 +45,19 @@ class RowMaker {
   const SweptColumns& swept_;
   const RunNumbers* numbers_;
   std::mutex mutex_;
-  std::vector<std::vector<std::unique_ptr<record::RunRecording>>> idle_;  ///< of each member
+  std::vector<std::vector<std::unique_ptr<record::RunRecording>>> idle_;  ///< unused, by member
 };
 
-/// The rows of a sweep that keeps one of each run, and of some runs all.
+/// Rows of a sweep that keeps one row of each run, and all rows of some runs.
 class RowPerRun {
  public:
-  /// Job and columns must outlive it.
+  /// The job and the columns must outlive it.
   RowPerRun(const Job& job, const SweptColumns& swept, const RunNumbers* numbers);
 
-  /// Keeps the row of a point, and its recordings behind that; from any thread.
+  /// Stores the row of a point, and the recordings after it. Thread-safe.
   void put(std::size_t point, std::vector<record::Recording> row);
-  /// The rows of all runs that were made, in the order of the sweep, and behind them the recordings of those
-  /// whose rows stay. Of these one that is missing has no rows.
+  /// Returns the rows of all completed runs in the order of the sweep, and after them the recordings of runs
+  /// whose rows are kept. A missing one of these has no rows.
   std::vector<record::Recording> recordings();
 
  private:
@@ -64,10 +66,10 @@ class RowPerRun {
 
   const Job& job_;
   const SweptColumns& swept_;
-  std::vector<char> made_;  ///< of each point
+  std::vector<char> made_;  ///< True for completed points.
   std::vector<record::Recording> kept_;
   std::vector<std::size_t> recorded_points_;
-  std::vector<std::vector<record::Recording>> recorded_;  ///< of each of these points, one for each request
+  std::vector<std::vector<record::Recording>> recorded_;  ///< by point and request
 };
 
 }  // namespace stepwire::run

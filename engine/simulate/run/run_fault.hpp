@@ -6,17 +6,17 @@
 
 namespace stepwire::run {
 
-/// What ends a run before its time.
+/// Fault that ends a run before its stop time.
 struct RunFault {
   std::string block, port;
   double time = 0.0;  ///< [s]
   yaml::Fault fault;
 };
 
-/// What a block had to say during a run.
+/// Diagnostic that a block has raised during a run.
 struct RaisedDiagnostic {
   std::string block, text;
-  double time = 0.0;  ///< when first [s]
+  double time = 0.0;  ///< first time [s]
 };
 
 }  // namespace stepwire::run

@@ -10,7 +10,8 @@
 
 namespace stepwire::run {
 
-/// What several threads share. The one that begins it is expected anyway.
+/// Group of tasks that threads share. It keeps RunMeeting::expected_ equal to the number of threads that may
+/// bring runs. The thread that begins the group is already counted.
 class RunMeeting::Tasks {
  public:
   Tasks(RunMeeting& meeting, std::size_t count, std::size_t threads)
@@ -95,7 +96,8 @@ std::size_t RunMeeting::waiting_for(std::size_t member) const {
   return static_cast<std::size_t>(std::ranges::count(waiting_, member, &Waiting::member));
 }
 
-/// Where all wait, the plan of which there are most goes, the first of equal ones.
+/// True if a group of this plan may start. Either its lanes are full, or all threads wait and it is the plan
+/// with the most waiting runs (the first of equal ones).
 bool RunMeeting::may_go(std::size_t member) const {
   if (waiting_for(member) >= together_.at_once(member)) return true;
   if (waiting_.size() + busy_ < expected_) return false;
@@ -115,7 +117,7 @@ std::vector<RunMeeting::Waiting*> RunMeeting::take(std::size_t member) {
   return group;
 }
 
-/// Steps a group of this plan, whoever brought its runs.
+/// Steps a group of runs of this plan in the calling thread. The lock is released meanwhile.
 void RunMeeting::go(std::size_t member, const plan::CompiledPlan* alone, std::unique_lock<std::mutex>& lock) {
   const std::vector<Waiting*> group = take(member);
   busy_ += group.size();

@@ -10,26 +10,28 @@
 
 namespace stepwire::run {
 
-/// Where threads bring runs that are to be made, one after the other each, so that those of one plan are
-/// stepped together: a thread waits until as many are there as there are lanes, or until no other thread can
-/// bring one.
+/// Collects runs of one plan from several threads into lanes.
+///
+/// Fits and tunings make runs one after the other in each of several threads, so no thread has enough runs to
+/// fill the lanes. Each thread therefore blocks in run() until its plan has as many runs as there are lanes,
+/// or until no other thread can bring a run. One of the waiting threads then steps the whole group.
 class RunMeeting {
  public:
-  /// The plans and what `interrupt` points to must outlive it.
+  /// The plans and `interrupt` must outlive it.
   RunMeeting(TogetherRuns::Members members, LaneUse use, plan::CodeSource* source,
              const std::atomic<bool>* interrupt)
       : together_(std::move(members), use, source, interrupt) {}
 
-  /// So many threads fill the lanes, where there may be some, of so many cores (0: all).
+  /// Returns the number of threads that fill the lanes of `cores` cores (0: all).
   unsigned threads(unsigned cores) const;
 
-  /// Does task(0) to task(count - 1), which bring runs, on so many threads; each is waited for until it ends
-  /// its last one. Tasks may do the same. What a task throws is thrown again.
+  /// Calls task(0) to task(count - 1), which bring runs, on `threads` threads. A thread counts as a source of
+  /// runs until its last task ends. Tasks may call this function. Exceptions of tasks are rethrown.
   void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task);
 
-  /// Makes a run that stands at time 0, and gives true; false, and nothing has happened, where it is to go
-  /// alone, by what `alone` points to; null: no code is there. Where lanes are not there yet, done() has to
-  /// say how far it went. From any thread that is expected.
+  /// Makes a run from time 0 in lanes and returns true. Returns false, with the run unchanged, if it is to be
+  /// made alone, with the code `alone` (nullptr: interpreted). While lanes are not compiled, the caller
+  /// reports ticks to done(). Thread-safe for threads of in_parallel().
   bool run(std::size_t member, const plan::CompiledPlan* alone, PendingRun& run);
   void done(std::int64_t ticks) { together_.done(ticks); }
   LaneReport lanes() const { return together_.report(); }
@@ -51,9 +53,9 @@ class RunMeeting {
   TogetherRuns together_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<Waiting*> waiting_;  ///< that have not begun, in the order in which they came
-  std::size_t expected_ = 1;       ///< threads that may bring runs; the first one always may
-  std::size_t busy_ = 0;           ///< of them, those whose runs go on
+  std::vector<Waiting*> waiting_;  ///< Runs that have not begun, in order of arrival.
+  std::size_t expected_ = 1;       ///< Threads that may bring runs, including the first one.
+  std::size_t busy_ = 0;           ///< Threads of them that are stepping their runs.
 };
 
 }  // namespace stepwire::run

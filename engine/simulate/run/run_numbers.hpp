@@ -8,11 +8,11 @@
 
 namespace stepwire::run {
 
-/// What is kept of a run in place of its rows.
+/// Numbers that a sweep keeps of a run in place of its rows.
 struct RunNumbers {
   std::vector<table::Column> columns;  ///< names and units, without rows
-  /// A number for each column from what one run recorded, its swept parameters as columns; nan where there is
-  /// none. Called from any thread.
+  /// Computes one number for each column from the recording of one run, with its swept parameters as columns;
+  /// NaN for a missing one. Thread-safe.
   std::function<std::vector<double>(std::span<const record::Recording> run)> of;
 };
 

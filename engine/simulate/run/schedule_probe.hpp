@@ -7,7 +7,8 @@
 
 namespace stepwire::run {
 
-/// Is told when a stretch of one phase's batches begins and ends to run, whatever of it is due.
+/// Observer of a range of kernel calls in one phase. It is called before and after the range runs, even if no
+/// call in it is due.
 class ScheduleProbe {
  public:
   virtual ~ScheduleProbe() = default;
@@ -16,7 +17,7 @@ class ScheduleProbe {
 
   const std::vector<plan::KernelCall>* phase =
       nullptr;                     ///< timed, outputs, stage, derivatives or updates of the plan
-  std::size_t first = 0, end = 0;  ///< the stretch: batches first to end - 1 of the phase
+  std::size_t first = 0, end = 0;  ///< range of calls [first, end) in the phase
 };
 
 }  // namespace stepwire::run

@@ -7,8 +7,8 @@
 
 namespace stepwire::run {
 
-/// The solver that a plan names; null without continuous states. Throws Error for one that is not known, or
-/// does not go with control of the error, or without.
+/// Returns the solver that a plan names; nullptr without continuous states. Throws Error for an unknown
+/// solver, and for one that is used with error control but has none, or the other way round.
 std::unique_ptr<solve::Solver> solver_of(const plan::Plan& plan);
 
 }  // namespace stepwire::run

@@ -7,11 +7,11 @@
 
 namespace stepwire::run {
 
-/// The steps of a solver that chooses their length.
+/// Step counts of a solver with error control.
 struct StepCount {
   std::int64_t accepted = 0, rejected = 0;
-  double largest_error = 0.0;  ///< of the accepted ones, in parts of what is allowed
-  bool stiff = false;          ///< has `auto` taken the stiff method?
+  double largest_error = 0.0;  ///< of the accepted steps, relative to the tolerance
+  bool stiff = false;          ///< true if `auto` has switched to the stiff method
 
   StepCount& operator+=(const StepCount& other) {
     accepted += other.accepted;
@@ -22,7 +22,7 @@ struct StepCount {
   }
 };
 
-/// Of a run up to now, from the numbers of its workspace.
+/// Returns the counts of a run up to now, from the numbers of its workspace.
 StepCount step_count(const plan::Plan& plan, const double* values);
 
 }  // namespace stepwire::run

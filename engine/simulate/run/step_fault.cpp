@@ -9,7 +9,7 @@ namespace stepwire::run {
 
 namespace {
 
-/// To two digits.
+/// Rounds down to two digits.
 double rounded_down(double value) {
   if (!(value > 0.0)) return 0.0;
   const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
@@ -26,7 +26,7 @@ std::string text_of_unstable(const diagram::Diagram& diagram, const double* repo
       longest > 0.0 ? fmt::format("A step of at most {:g} s", longest) : "A solver of higher order");
 }
 
-/// Of a step to the tick at `end`, which has come to `now`.
+/// Returns the message on a step to the tick at `end` that has reached the time `now`.
 std::string text_of_step(const diagram::Diagram& diagram, const double* report, double now, double end) {
   if (report[0] == solve::StepReport::unsolved)
     return fmt::format(

@@ -11,11 +11,11 @@ namespace stepwire::run {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double large = 1e3;  // of a state, in its own SI unit
+constexpr double large = 1e3;  // smallest checked state, in its SI unit
 constexpr Eigen::Index most_states = 400;
 
-/// The factor that a method gives to x of x' = lambda x in a step h, with z = h lambda: Hairer and Wanner,
-/// Solving Ordinary Differential Equations II, IV.2.
+/// Returns the modulus of the stability function R(z) of a method: the factor of x per step h in x' = lambda
+/// x, with z = h lambda. Hairer and Wanner, Solving Ordinary Differential Equations II, IV.2.
 double stability(const solve::Tableau& tableau, Complex z) {
   std::vector<Complex> slopes = {1.0};
   const auto sum = [&](const std::vector<double>& weights) {
@@ -27,10 +27,10 @@ double stability(const solve::Tableau& tableau, Complex z) {
   return std::abs(1.0 + z * sum(tableau.b));
 }
 
-/// The mode that grows most by the method, of those that do not by themselves.
+/// Mode with the largest growth by the method, among the modes that the equations damp.
 struct Mode {
-  double growth = 1.0;  ///< in a step
-  Complex rate = 0.0;   ///< [1/s]
+  double growth = 1.0;  ///< factor per step
+  Complex rate = 0.0;   ///< eigenvalue [1/s]
 };
 
 class StepProbe {
@@ -70,7 +70,7 @@ class StepProbe {
     stepper_.advance({time, time + length, length});
   }
 
-  /// True where a whole step and two halves differ by a tenth of a state.
+  /// True if one step and two half steps differ by a tenth of a state.
   bool errs() {
     const double h = plan_.diagram.step;
     step(time_, h);
@@ -110,7 +110,7 @@ class StepProbe {
     return worst;
   }
 
-  /// True where further steps make the states grow, in the time in which the mode doubles.
+  /// True if further steps amplify the states within the time in which the mode doubles.
   bool grows(double growth) {
     states_ = start_;
     const double h = plan_.diagram.step;
@@ -120,7 +120,7 @@ class StepProbe {
     return !(size <= 1.4 * start_.lpNorm<Eigen::Infinity>());
   }
 
-  /// The longest step [s] with which a mode does not grow by the method; 0 where there is none.
+  /// Returns the longest step [s] at which the method does not amplify a mode; 0 if there is no such step.
   double longest_step(Complex rate) const {
     double low = plan_.diagram.step, high = low;
     for (int k = 0; stability(tableau_, low * rate) > 1.0; ++k) {
@@ -147,7 +147,7 @@ class StepProbe {
   double* const values_;
   Stepper& stepper_;
   const solve::Tableau tableau_;
-  const std::vector<double> kept_;  ///< the whole workspace
+  const std::vector<double> kept_;  ///< copy of the whole workspace
   Eigen::Map<Eigen::VectorXd> states_;
   const Eigen::VectorXd start_;
   const double time_;

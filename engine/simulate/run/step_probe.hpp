@@ -4,13 +4,14 @@
 
 namespace stepwire::run {
 
-/// Finds, at the end of a run, whether an explicit solver with fixed steps has made states grow that the
-/// equations let fade, and writes it into the report of steps. The run stays as it was.
+/// Detects, at the end of a run, that an explicit solver with fixed steps was unstable: states grew that the
+/// equations damp. Writes the result into the report of steps and leaves the run unchanged.
 ///
-/// Looks at states beyond a thousand, each in its SI unit. There takes a step whole and as two halves. Where
-/// the results differ by a tenth, puts the eigenvalues of the equations into the stability function of the
-/// method. A mode is wrong where the method lets it grow, the equations do not, and further steps agree.
-/// Growth that the equations have themselves, or that a sampled controller causes, passes.
+/// The check needs a state above 1000 in its SI unit. First one step is compared with two half steps. If they
+/// differ by a tenth, the eigenvalues of the Jacobian are inserted into the stability function of the method.
+/// A mode is unstable if the method amplifies it, the equations do not, and further steps confirm the growth.
+/// Growth that the equations themselves or a sampled controller cause is accepted. The usual run costs one
+/// pass over its states; a Jacobian is evaluated only after the comparison fails.
 void find_unstable_steps(BoundBlocks& blocks, Stepper& stepper);
 
 }  // namespace stepwire::run

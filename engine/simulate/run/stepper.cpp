@@ -7,7 +7,7 @@
 
 namespace stepwire::run {
 
-/// The differential equations of the diagram, as a solver sees them at its stages.
+/// Differential equations of the diagram, as the solver evaluates them at its stages.
 struct Stepper::Equations : solve::System {
   explicit Equations(Stepper& stepper) : of(stepper) {
     const plan::Layout& layout = of.plan_.layout;
@@ -19,7 +19,7 @@ struct Stepper::Equations : solve::System {
     moving = {{0, count}};
     moving.reserve(of.states_.size() + 1);
   }
-  /// Leaves out what is off.
+  /// Finds the ranges of states that the solver integrates: those without an inactive guard.
   void find_moving() {
     const std::size_t first = of.plan_.layout.states;
     moving.clear();

@@ -9,24 +9,24 @@
 
 namespace stepwire::run {
 
-/// The continuous part of a run: takes the states of its numbers from one time to another.
+/// Continuous part of a run: integrates the states from one time to another.
 class Stepper {
  public:
-  /// Throws Error where the diagram names a solver that is not known.
+  /// Throws Error if the diagram names an unknown solver.
   Stepper(BoundBlocks& blocks, Participants& who);
   ~Stepper();
 
   bool moves() const { return solver_ != nullptr; }
-  /// Computes what follows from the time alone, if it has changed.
+  /// Computes the signals that depend on time alone, if the time has changed.
   void follow_time();
-  /// Computes outputs of continuous blocks, from the states and the inputs of the moment.
+  /// Computes the outputs of continuous blocks from the present states and inputs.
   void find_outputs() { stage_.run(); }
   void find_slopes() { derivatives_.run(); }
-  /// Goes from the slopes at the start of a step to the states at its end.
+  /// Integrates one step; the derivatives at its start must be computed.
   void advance(const solve::TimeStep& step, const solve::Stops* stops = nullptr);
-  /// Goes from one tick to the next.
+  /// Integrates from one tick to the next.
   void step(std::int64_t tick);
-  /// Writes the states at the start of the last step, where it has moved them.
+  /// Writes the states at the start of the last step, for the states that it has changed.
   void copy_start(double* states) const;
 
  private:
@@ -36,8 +36,8 @@ class Stepper {
   double* const values_;
   const bool guarded_;
   CallTable timed_, stage_, derivatives_;
-  std::vector<plan::ActivePiece> states_;  ///< continuous
-  std::unique_ptr<solve::Solver> solver_;  ///< none where nothing is continuous
+  std::vector<plan::ActivePiece> states_;  ///< Continuous states.
+  std::unique_ptr<solve::Solver> solver_;  ///< nullptr without continuous states
   std::unique_ptr<Equations> equations_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace stepwire::run {
 
-/// Where what `stop_when` reads lies in the workspace.
+/// Returns the workspace places of the signals that `stop_when` reads.
 inline std::vector<std::size_t> stop_offsets(const plan::Plan& plan) {
   std::vector<std::size_t> offsets;
   for (const diagram::SignalRef& variable : plan.diagram.stop_when->variables)
@@ -31,7 +31,7 @@ class StopConditionEvaluator {
   std::vector<std::size_t> offsets_;
 };
 
-/// The number that changes its sign where `stop_when` becomes true; the plan has one.
+/// Number that changes its sign where `stop_when` becomes true. The plan must have a `stop_when`.
 class StopMargin {
  public:
   explicit StopMargin(const plan::Plan& plan)

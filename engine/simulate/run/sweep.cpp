@@ -14,7 +14,7 @@ namespace stepwire::run {
 
 namespace {
 
-/// Recorders that write where the rows stay.
+/// Recorders that write rows directly to their final place.
 struct RecordersInPlace {
   std::vector<record::Recorder> all;
   std::vector<record::Recorder>& recorders() { return all; }
@@ -26,7 +26,7 @@ RunResult result_of(SweepEnds& ends, std::vector<record::Recording> recordings, 
   return result;
 }
 
-/// All points, into one recording, where each writes its rows at once.
+/// Runs all points into one recording, in which each point writes its own rows.
 RunResult run_all(const Job& job, const RunOptions& options) {
   const SweptColumns swept(job);
   PooledRecording recording(job, swept, options.threads);
@@ -45,7 +45,7 @@ RunResult run_all(const Job& job, const RunOptions& options) {
   return result_of(ends, recording.take(), runs);
 }
 
-/// All points, of which each keeps a row.
+/// Runs all points and keeps one row of each.
 RunResult run_for_rows(const Job& job, const RunOptions& options) {
   const SweptColumns swept(job);
   RowPerRun kept(job, swept, options.numbers);
@@ -64,7 +64,7 @@ RunResult run_for_rows(const Job& job, const RunOptions& options) {
   return result_of(ends, kept.recordings(), runs);
 }
 
-/// What is set from outside is not swept any more: each run has that value.
+/// Replaces the values of a swept parameter by the value of a setting, for all runs.
 void pin(diagram::Sweep& sweep, const std::vector<diagram::Setting>& settings) {
   for (diagram::Sweep::Axis& axis : sweep.axes)
     for (const diagram::Setting& setting : settings) {
@@ -76,7 +76,7 @@ void pin(diagram::Sweep& sweep, const std::vector<diagram::Setting>& settings) {
     }
 }
 
-/// Its points, with what each sets beside the values of the sweep.
+/// Adds the points of the sweep, with the settings of each beside the values of the sweep.
 void add_points(Job& job, const PointSettings& of_points, unsigned threads) {
   job.points.resize(static_cast<std::size_t>(job.plan.diagram.sweep->count()));
   for (std::size_t point = 0; point < std::min(job.points.size(), of_points.size()); ++point)
@@ -87,8 +87,8 @@ void add_points(Job& job, const PointSettings& of_points, unsigned threads) {
   for (std::size_t point = 0; point < members.size(); ++point) job.points[point].member = members[point];
 }
 
-/// A tolerance beside a solver that has none. Where the call or the sweep names the solver, that of the file
-/// may be meant for another one.
+/// Throws Error for a tolerance of a solver that has none. If the call or the sweep names the solver, the
+/// tolerance of the file may be meant for another one and is accepted.
 void refuse_idle_tolerance(const yaml::Document& document, const std::vector<diagram::Setting>& settings,
                            const diagram::Diagram& diagram) {
   if (!diagram.error_control && solve::find_called(diagram.solver, false)) return;
@@ -135,7 +135,7 @@ Job make_job(diagram::Loader& loader, const std::string& path, const std::vector
   Job job{plan::make_plan(loader.load(path, all)), {}, {}};
   require_solver_memory(job.plan);
   refuse_idle_tolerance(loader.document(path), all, job.plan.diagram);
-  static_cast<void>(Executor(job.plan));  // a block's start() may find what no plan shows
+  static_cast<void>(Executor(job.plan));  // start() of a block may find faults that planning does not
   auto& sweep = job.plan.diagram.sweep;
   if (sweep) pin(*sweep, all);
   if (sweep && !sweep->axes.empty())

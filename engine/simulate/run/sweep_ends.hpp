@@ -10,21 +10,21 @@
 
 namespace stepwire::run {
 
-/// " (in the run with speed=3)".
+/// Returns " (in the run with speed=3)".
 std::string which_run(const std::vector<diagram::Setting>& settings);
 
-/// Gathers how the runs of a sweep ended, in their order.
+/// Collects the ends of the runs of a sweep, in the order of the sweep.
 class SweepEnds {
  public:
   /// The job must outlive it.
   explicit SweepEnds(const Job& job) : job_(job) {}
 
-  /// From any thread.
+  /// Thread-safe.
   void add(std::size_t point, RunEnd end);
   RunEnd take();
 
  private:
-  using Place = std::pair<std::size_t, std::size_t>;  ///< point, and which of its diagnostics
+  using Place = std::pair<std::size_t, std::size_t>;  ///< point, and index of its diagnostic
 
   const Job& job_;
   std::mutex mutex_;

@@ -4,7 +4,7 @@ namespace stepwire::run {
 
 namespace {
 
-// Measured for g++ 12: what a compilation takes [s]; a few times more than expected does no harm.
+// Measured compile times of g++ 12 [s]; an estimate that is wrong by a factor of a few does no harm.
 constexpr double for_headers = 0.8, for_a_block = 1e-3;
 
 double compile_seconds(const std::vector<TieredExecution::Member>& plans) {

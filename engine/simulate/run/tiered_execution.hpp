@@ -9,21 +9,22 @@
 
 namespace stepwire::run {
 
-/// Compiles the plans of some runs, at once or beside them, and hands out the code when it is there.
+/// Compiles the plans of some runs, at once or in the background, and returns the code when it is ready.
 class TieredExecution {
  public:
-  /// A plan of some runs.
+  /// Plan of some runs.
   struct Member {
     const plan::Plan* plan;
-    std::vector<plan::VariableBlock> variable;  ///< what differs between its runs
+    std::vector<plan::VariableBlock> variable;  ///< differences between its runs
   };
 
-  /// All runs together have `ticks` to go.
+  /// `ticks` is the number of ticks of all runs together.
   TieredExecution(ExecutionMode engine, plan::CodeSource* source, std::vector<Member> plans, double ticks);
 
-  /// The code of the i-th plan; null while there is none, and of a plan that has come later. From any thread.
+  /// Returns the code of the plan with this index. Returns nullptr while it is not ready, and for a plan that
+  /// was added later. Thread-safe.
   const plan::CompiledPlan* code(std::size_t plan) const;
-  /// Notes that so many more ticks are done. From any thread.
+  /// Adds `ticks` to the number of done ticks. Thread-safe.
   void done(std::int64_t ticks) { compilation_.done(ticks); }
 
  private:
@@ -33,7 +34,7 @@ class TieredExecution {
   std::vector<Member> plans_;
   std::atomic<bool> ready_ = false;
   std::vector<plan::CompiledPlan> code_;
-  BackgroundCompilation compilation_;  ///< last: it uses the others
+  BackgroundCompilation compilation_;  ///< last member: its thread uses the others
 };
 
 }  // namespace stepwire::run

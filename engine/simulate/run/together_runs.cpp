@@ -9,9 +9,10 @@ namespace stepwire::run {
 
 namespace {
 
-constexpr std::int64_t tried = 1024;  // ticks that show which way is faster
+constexpr std::int64_t tried = 1024;  // ticks of the speed measurement
 
-/// The shortest time that a stretch of ticks has taken [s]: what else the machine does only makes it longer.
+/// Shortest measured time of an interval of ticks [s]. The minimum is the best estimate because other load
+/// only lengthens it.
 class Shortest {
  public:
   template <class Work>
@@ -27,7 +28,8 @@ class Shortest {
   double seconds_ = 1e9;
 };
 
-/// A step of all lanes takes as long as two of a run alone, or three.
+/// True if lanes are expected to be faster: a step of all lanes takes two to three times as long as a step of
+/// one run.
 bool pays(std::size_t runs, int lanes) {
   return 10 * runs >= 3 * static_cast<std::size_t>(lanes);
 }
@@ -60,7 +62,8 @@ bool TogetherRuns::run(std::size_t member, const plan::CompiledPlan* alone, std:
   return true;
 }
 
-/// Finds out once whether a member's runs are faster together; where they are not, all is as before.
+/// Decides once, by measurement, whether a member's runs stay in lanes. If not, resets the runs and
+/// recorders.
 bool TogetherRuns::stays(std::size_t member, LaneGroup& group, const plan::CompiledPlan* alone,
                          std::vector<PendingRun>& runs) {
   if (code_.is_decided(member) || use_ == LaneUse::at_once) return true;
@@ -76,7 +79,7 @@ bool TogetherRuns::stays(std::size_t member, LaneGroup& group, const plan::Compi
   return false;
 }
 
-/// The first ticks show it; those of the group count, and those of the run alone do not.
+/// Measures the first ticks in lanes and alone. The lanes keep their ticks; the single run is reset.
 bool TogetherRuns::is_faster(LaneGroup& group, Executor& alone, const plan::CompiledPlan* code) const {
   Shortest together, one;
   if (!code) return true;

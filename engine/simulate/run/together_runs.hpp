@@ -10,31 +10,31 @@
 
 namespace stepwire::run {
 
-/// A run that stands at time 0, and how it has ended.
+/// Run at time 0 and, afterwards, its end.
 struct PendingRun {
-  std::size_t index;  ///< which one of several
+  std::size_t index;  ///< index among several runs
   Executor* simulation;
   std::vector<record::Recorder>* recorders;
   RunEnd end{};
 };
 
-/// Steps runs that have one plan together, where that can be and is faster. From any thread.
+/// Steps runs of one plan in lanes, if that is possible and faster. Thread-safe.
 class TogetherRuns {
  public:
   using Members = std::vector<LaneCode::Member>;
 
-  /// The plans and what `interrupt` points to must outlive it.
+  /// The plans and `interrupt` must outlive it.
   TogetherRuns(Members members, LaneUse use, plan::CodeSource* source, const std::atomic<bool>* interrupt)
       : use_(use), interrupt_(interrupt), code_(use, source, std::move(members)) {}
 
-  /// How many runs of a member are to be given to run().
+  /// Returns the number of runs of a member that fill the lanes.
   std::size_t at_once(std::size_t member) const;
-  /// The same of any plan for which code is sought, once that is there.
+  /// Returns the largest number of lanes that the code will have, of any plan to be compiled.
   int most_lanes() const { return code_.most_lanes(); }
-  /// Runs them, which stand at time 0, to their ends. False, and nothing has happened, where they have to go
-  /// one by one. `alone` is the code that they go with then; null: none is there.
+  /// Runs all of them from time 0 to their ends. Returns false, with the runs unchanged, if they have to run
+  /// one by one. The code of single runs is `alone`; nullptr while there is none.
   bool run(std::size_t member, const plan::CompiledPlan* alone, std::vector<PendingRun>& runs);
-  /// Notes that a run has made so many ticks alone.
+  /// Adds the ticks of a run that was made alone.
   void done(std::int64_t ticks) { code_.done(ticks); }
 
   LaneReport report() const { return {code_.lanes(), code_.why_not()}; }

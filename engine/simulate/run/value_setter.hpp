@@ -10,23 +10,24 @@
 
 namespace stepwire::run {
 
-/// Sets values of a run between two ticks: what follows from them is evaluated, configured and prepared as
-/// by a run that begins with these values.
+/// Sets values of a run between two ticks. Dependent values are evaluated, configured and prepared as by a
+/// run that begins with these values.
 class ValueSetter {
  public:
   explicit ValueSetter(BoundBlocks& blocks) : blocks_(blocks), plan_(blocks.plan()) {}
 
-  /// One value for each name. Gives the blocks that are made anew; empty where the values need another
-  /// plan. Then, and where a value is refused (throws Error), everything stays as it was. Allocates.
+  /// Sets one value for each name. Returns the indices of the blocks that were rebuilt, or std::nullopt if
+  /// the values need another plan. In that case, and if it throws Error for a refused value, the run is
+  /// unchanged. Allocates.
   [[nodiscard]] std::optional<std::vector<std::size_t>> set(const diagram::Variation& variation,
                                                             std::span<const diagram::Assignment> values);
-  /// Why the last set() needs another plan.
+  /// Returns the reason why the last set() needs another plan.
   const std::string& structure_change() const { return structure_change_; }
-  /// The present value of a parameter of the diagram, by its index in Diagram::parameters.
+  /// Returns the present value of a parameter, by its index in Diagram::parameters.
   const Value& parameter(std::size_t index) const;
-  /// Blocks of which values were set.
+  /// Returns the blocks of which values were set.
   const plan::WrittenBlocks& written() const { return written_; }
-  /// Puts the values that are set now into a copy of the plan's diagram.
+  /// Writes the present values into a copy of the plan's diagram.
   void put_values(diagram::Diagram& diagram) const;
 
  private:
@@ -34,7 +35,7 @@ class ValueSetter {
 
   BoundBlocks& blocks_;
   const plan::Plan& plan_;
-  std::optional<diagram::ParameterState> parameters_;  ///< once one is set
+  std::optional<diagram::ParameterState> parameters_;  ///< present once a parameter is set
   plan::WrittenBlocks written_;
   std::string structure_change_;
 };

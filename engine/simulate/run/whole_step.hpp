@@ -6,8 +6,8 @@
 
 namespace stepwire::run {
 
-/// The step from a tick to the next, as a solver takes it: it sees a source that jumps there as it was
-/// before.
+/// Returns the step from a tick to the next. For plans with jumps it ends just before the next tick, so that
+/// the solver reads a source that jumps there as its limit from the left.
 inline solve::TimeStep whole_step(const plan::Plan& plan, std::int64_t tick) {
   const double end = plan.time_of(tick + 1), length = plan.diagram.step;
   return {plan.time_of(tick), plan.jumps ? solve::left_of(end, length) : end, length};

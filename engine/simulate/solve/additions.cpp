@@ -6,14 +6,14 @@ namespace stepwire::solve {
 
 namespace {
 
-/// The rows of a method: those of the stages after the first, then the weights of the result.
+/// Returns the rows of a method: those of the stages after the first, then the weights of the result.
 std::vector<std::vector<double>> rows_of(const Tableau& tableau) {
   std::vector<std::vector<double>> rows = tableau.a;
   rows.push_back(tableau.b);
   return rows;
 }
 
-/// Does a sum begin before the last slope of its row is known?
+/// True if a row has a sum to accumulate before its last derivative is known.
 bool waits(const std::vector<double>& row) {
   return std::any_of(row.begin(), row.end() - 1, [](double weight) { return weight != 0.0; });
 }
@@ -28,7 +28,7 @@ std::vector<SolverStage> stages_of(const Tableau& tableau) {
     const int own = waits(row) ? places++ : Addition::start;
     int from = Addition::start;
     for (std::size_t stage = 0; stage < row.size(); ++stage) {
-      const bool last = stage + 1 == row.size();  // complete, and now wanted, though this slope may not count
+      const bool last = stage + 1 == row.size();  // needed even if this weight is 0
       if (row[stage] == 0.0 && !last) continue;
       const int to = last ? Addition::states : own;
       stages[stage].additions.push_back({from, to, row[stage]});

@@ -6,24 +6,25 @@
 
 namespace stepwire::solve {
 
-/// What an explicit method does with a slope as soon as it is known: to = from + step weight slope.
+/// Update of an explicit method with a new derivative: to = from + step weight derivative.
 struct Addition {
-  static constexpr int states = -1;  ///< the states at which the next slope is wanted, or the result
-  static constexpr int start = 0;  ///< the states at the start of the step; above are sums that wait for more
+  static constexpr int states = -1;  ///< Place of the states of the next stage, or of the result.
+  static constexpr int start = 0;    ///< States at the start of the step. Larger places are partial sums.
   int from, to;
   double weight;
 };
 
-/// One stage of an explicit method.
+/// Stage of an explicit method.
 struct SolverStage {
   std::vector<Addition> additions;
-  double next = 1.0;  ///< time of the next stage, in steps
+  double next = 1.0;  ///< time of the next stage, as a fraction of the step
 };
 
-/// A Runge-Kutta method as a list of stages. No slope has to be kept.
+/// Converts a Runge-Kutta method into a list of stages whose derivatives need not be stored: each derivative
+/// is added to all partial sums at once.
 std::vector<SolverStage> stages_of(const Tableau& tableau);
 
-/// How many places the additions name, the start among them.
+/// Returns the number of places in the additions, including the start.
 int places_of(const std::vector<SolverStage>& stages);
 
 }  // namespace stepwire::solve

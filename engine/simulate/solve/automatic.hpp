@@ -7,17 +7,18 @@
 
 namespace stepwire::solve {
 
-/// An explicit method first, and Radau once steps are bounded by stability rather than by accuracy, by the
-/// test of DOPRI5 (Hairer and Wanner, Solving ODEs II, IV.2). Such steps are within a quarter of the bound,
-/// others mostly below its half, as measured on the problems of bench/solvers. For small tolerances the
-/// explicit method is Dop853. An interval between instants that is hardly longer than a step takes
-/// DormandPrince, with half the evaluations.
+/// Solver that starts with an explicit method and switches to Radau once stability limits the steps.
+///
+/// The switch follows the stiffness test of DOPRI5 (Hairer and Wanner, Solving ODEs II, IV.2). Steps that
+/// stability limits are within a quarter of the bound, other steps mostly below half of it, as measured on
+/// the problems of bench/solvers. For small tolerances the explicit method is Dop853. For intervals between
+/// instants that are hardly longer than a step it is DormandPrince, which needs half the evaluations.
 template <int max_states>
 class Automatic {
  public:
   explicit Automatic(Eigen::Index states) : plain_(states), fine_(states), stiff_(states) {}
 
-  /// Chooses the explicit method of an interval from the step that the last one ended with.
+  /// Chooses the explicit method of an interval from the last step size.
   void begin(const ErrorControl& control, double* numbers, double step, double length) {
     stiff_.begin(control, numbers, step, length);
     explicit_ = control.relative <= 1e-5 && step < 0.5 * length ? Used::fine : Used::plain;
@@ -45,7 +46,7 @@ class Automatic {
   bool ends_with_slope() const { return used_ != Used::stiff; }
   bool keeps_step() const { return used_ == Used::stiff; }
   static constexpr double first_order = 5.0;
-  /// Of the last attempt, for the length of the next step.
+  /// Returns the order of the last attempt, for the choice of the next step size.
   double order() const {
     return used_ == Used::stiff ? stiff_.order() : used_ == Used::fine ? fine_.order() : plain_.order();
   }
@@ -53,7 +54,8 @@ class Automatic {
  private:
   enum class Used { plain, fine, stiff };
 
-  /// The sign of a step that is `part` of the longest stable one; `between` where that is unclear.
+  /// Returns the evidence for stiffness of a step that is `part` of the longest stable one; `between` in the
+  /// unclear range.
   static double sign(double part, double clear, double between) {
     return part > 0.75 ? 1.0 : part > clear ? between : -0.25;
   }
@@ -61,8 +63,8 @@ class Automatic {
   DormandPrince<max_states> plain_;
   Dop853<max_states> fine_;
   Radau<max_states> stiff_;
-  Used explicit_ = Used::plain;  ///< of this interval
-  Used used_ = Used::plain;      ///< of the last attempt
+  Used explicit_ = Used::plain;  ///< method of this interval
+  Used used_ = Used::plain;      ///< method of the last attempt
 };
 
 }  // namespace stepwire::solve

@@ -7,18 +7,19 @@
 
 namespace stepwire::solve {
 
-/// What closing in on a root came to.
+/// Result of a bracketing root search.
 struct Bracket {
   double root;
-  bool solved;  ///< false also where the function jumps through zero
+  bool solved;  ///< false also if the function jumps through zero
 };
 
-/// A number and the function's value there.
+/// Argument and function value.
 struct Sample {
   double at, value;
 };
 
-/// Between two samples of different sign: where the secant meets zero, or the middle in turns.
+/// Returns a point between two samples of different sign: the zero of the secant, or the midpoint if `middle`
+/// is set.
 inline double between(const Sample& low, const Sample& high, bool middle) {
   const double half = low.at + 0.5 * (high.at - low.at);
   if (middle) return half;
@@ -26,7 +27,8 @@ inline double between(const Sample& low, const Sample& high, bool middle) {
   return secant > std::min(low.at, high.at) && secant < std::max(low.at, high.at) ? secant : half;
 }
 
-/// Looks around a number for one at which the function has another sign; both, where it is found.
+/// Searches for a sign change in growing distance from a number. Returns true, with both samples, if one is
+/// found.
 template <class May, class Function>
 bool find_sign_change(double around, const May& may, const Function& function, Sample& low, Sample& high) {
   low = {around, function(around)};
@@ -41,8 +43,8 @@ bool find_sign_change(double around, const May& may, const Function& function, S
   return false;
 }
 
-/// Does the function go on through zero between the samples, rather than jump? Then it changes more over a
-/// wider way.
+/// True if the function passes continuously through zero between the samples. A continuous function changes
+/// more over a wider interval; a jump does not.
 template <class Function>
 bool is_continuous(const Sample& low, const Sample& high, const Function& function) {
   const double wide = 1024.0 * (high.at - low.at);
@@ -50,7 +52,8 @@ bool is_continuous(const Sample& low, const Sample& high, const Function& functi
   return std::abs(high.value - low.value) <= 0.1 * change;
 }
 
-/// A root of a function of one number, as the last bit has it. may(): are there evaluations left?
+/// Finds a root of a scalar function to the last bit, by secants and bisections in turn. may() returns true
+/// while evaluations are left.
 template <class May, class Function>
 Bracket bracket_root(double around, double tolerance, const May& may, const Function& function) {
   Sample low{}, high{};

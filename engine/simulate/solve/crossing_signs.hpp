@@ -10,7 +10,8 @@ inline int sign_of(double number) {
   return (number > 0.0) - (number < 0.0);
 }
 
-/// Has a number another sign? 0 is a sign of its own. Every step waits for it: no branch for each number.
+/// True if any number has changed its sign; 0 is a sign of its own. The loop has no branches because every
+/// step waits for it.
 inline bool sign_changes(const double* before, const double* after, std::size_t count) {
   bool changes = false;
   for (std::size_t i = 0; i < count; ++i)
@@ -18,8 +19,9 @@ inline bool sign_changes(const double* before, const double* after, std::size_t 
   return changes;
 }
 
-/// The part of the way from `low` to `high`, times their scales, at which the first of the secants of what
-/// changes its sign meets 0. A number that leaves 0 mostly does so at once.
+/// Returns the first zero among the secants of the numbers that change their sign, as a fraction of the
+/// interval from low to high. The scales weight the two ends. A number that leaves 0 is assumed to do so at
+/// once if `at_once` is set, else in the middle.
 inline double first_secant(const double* start, const double* low, const double* high, std::size_t count,
                            double low_scale, double high_scale, bool at_once) {
   double first = 1.0;
@@ -34,14 +36,16 @@ inline double first_secant(const double* start, const double* low, const double*
   return first;
 }
 
-/// Stands before the numbers of may_cross_twice() after a step with events.
+/// Value of past[0] in may_cross_twice() after a step with events.
 constexpr double look_closer = -1.0;
 
-/// True where numbers may have passed 0 twice within a step, with one sign at both ends. `past` has the
-/// length of the step before and the numbers at its start, or look_closer, or a 0 at the start of a run. The
-/// sign is a parabola through the three that comes as near to 0 as half of its turn, or nearer; after events,
-/// and with `from_start` in the first step, there is none and the answer is yes. Leaves the start of this
-/// step in `past`.
+/// True if a number may have passed 0 twice within a step, with the same sign at both ends.
+///
+/// The test is a parabola through the number at the start of the last step and at both ends of this one. It
+/// reports a number if its vertex is within the step and comes within half of its rise of 0. After events,
+/// and with `from_start` in the first step, there is no parabola and the answer is true. Argument `past`
+/// holds the length of the last step and the numbers at its start. Its first entry is look_closer after
+/// events and 0 at the start of a run. The numbers at the start of this step are stored in `past`.
 inline bool may_cross_twice(const double* before, const double* after, double* past, std::size_t count,
                             bool from_start, double length) {
   bool may = past[0] == look_closer || (past[0] == 0.0 && from_start);

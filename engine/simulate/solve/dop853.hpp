@@ -4,8 +4,9 @@
 
 namespace stepwire::solve {
 
-/// DOP853 (Hairer, Norsett and Wanner, Solving ODEs I, II.5 and II.10): the method of order 8 of Dormand and
-/// Prince with estimates of orders 5 and 3. Twelve evaluations a step, for small tolerances.
+/// Coefficients of DOP853 (Hairer, Norsett and Wanner, Solving ODEs I, II.5 and II.10). This Dormand-Prince
+/// method of order 8 has error estimates of orders 5 and 3. It needs twelve evaluations per step and suits
+/// small tolerances.
 struct Dop853Pair {
   static constexpr int stages = 13;
   static constexpr double order = 8.0;

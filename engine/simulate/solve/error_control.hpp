@@ -12,26 +12,28 @@
 
 namespace stepwire::solve {
 
-/// How far steps may err: an error of `relative |x| + absolute` of a state counts as 1.
+/// Tolerances of the step size control. An error of `relative |x| + absolute` counts as 1.
 struct ErrorControl {
   double relative = 1e-6;
-  double absolute = 1e-9;           ///< in the state's own SI unit
-  std::int64_t max_steps = 100000;  ///< between two instants, rejected ones among them; beyond, the run ends
+  double absolute = 1e-9;           ///< In the SI unit of the state.
+  std::int64_t max_steps = 100000;  ///< Limit between two instants, with rejected steps.
 };
 
-/// Where a controlled solver keeps what it knows: numbers of the workspace, the first three as in StepReport.
+/// State of the step size control, as indices into numbers of the workspace. The first three numbers are a
+/// StepReport.
 struct ControlReport {
-  static constexpr std::size_t next = 3;      ///< length of the next step [s], 0 before the first
-  static constexpr std::size_t before = 4;    ///< error of the last step
-  static constexpr std::size_t steps = 5;     ///< that were accepted, and
-  static constexpr std::size_t rejected = 6;  ///< that were not
-  static constexpr std::size_t largest = 7;   ///< of the errors of those that were
-  static constexpr std::size_t stiff = 8;     ///< 1 once a method that chooses has taken the stiff one
-  static constexpr std::size_t signs = 9;     ///< how often in a row it looked stiff
+  static constexpr std::size_t next = 3;      ///< Length of the next step [s]; 0 before the first.
+  static constexpr std::size_t before = 4;    ///< Error of the last step.
+  static constexpr std::size_t steps = 5;     ///< Number of accepted steps.
+  static constexpr std::size_t rejected = 6;  ///< Number of rejected steps.
+  static constexpr std::size_t largest = 7;   ///< Largest error of an accepted step.
+  static constexpr std::size_t stiff = 8;  ///< 1 once an automatic solver has switched to the stiff method.
+  static constexpr std::size_t signs = 9;  ///< Accumulated evidence for stiffness.
   static constexpr std::size_t count = 10;
 };
 
-/// Decides, behind a step of a solver that chooses them, whether the way ends at that time.
+/// Predicate that decides after each step of a solver with error control whether the integration ends at that
+/// time.
 struct Stops {
   virtual bool operator()(double at) const = 0;
 
@@ -39,7 +41,7 @@ struct Stops {
   ~Stops() = default;
 };
 
-/// Slopes, with a decision behind each step.
+/// Derivative function with a stop predicate for the end of each step.
 template <class Evaluate>
 struct Asked {
   void operator()() const { evaluate(); }
@@ -53,11 +55,13 @@ Asked<Evaluate> asked(const Evaluate& evaluate, const Stops& stops) {
   return {evaluate, stops};
 }
 
-/// Goes from one instant to another in as many steps as the error takes (Hairer, Norsett and Wanner,
-/// Solving ODEs I, II.4): a PI controller, and Hairer's rule for the first step. A `Method` attempts one step
-/// and estimates its error. With `max_states` nothing is ever allocated; the results are the same to the last
-/// bit. Where `Evaluate` has stops(time), it is asked at the end of each step but the last one, with the
-/// states there, and the way ends there where it says so.
+/// Integrates from one instant to another with error control.
+///
+/// A `Method` attempts one step and estimates its error. A PI controller chooses the next step size, and
+/// Hairer's rule the first one (Hairer, Norsett and Wanner, Solving ODEs I, II.4). If `Evaluate` has
+/// stops(time), it is called at the end of each step but the last one, with the states there. The integration
+/// ends there if it returns true. With `max_states` no memory is allocated, and the results are the same to
+/// the last bit.
 template <template <int> class Method, int max_states = Eigen::Dynamic>
 class Controlled {
  public:
@@ -65,8 +69,8 @@ class Controlled {
     for (Vector* vector : {&origin_, &start_, &slope_}) vector->setZero(states);
   }
 
-  /// Advances `x` from `time` by `length`, to a time that is called `end`. On entry `dot` is evaluated at
-  /// (time, x); evaluate() does that again for other `x` and `*now`.
+  /// Integrates `x` from `time` over `length`; the end time is passed on as `end`. On entry `dot` must be the
+  /// derivative at (time, x). evaluate() recomputes it for the present `x` and `*now`.
   template <class Evaluate>
   void advance(double* x_place, double* dot_place, double* now, double time, double end, double length,
                const ErrorControl& control, double* numbers, const Evaluate& evaluate) {
@@ -97,7 +101,7 @@ class Controlled {
     numbers[ControlReport::next] = wished;
   }
 
-  /// The states at the start of the last call.
+  /// Returns the states at the start of the last call.
   const double* start() const { return origin_.data(); }
 
  private:
@@ -109,7 +113,7 @@ class Controlled {
            (control.absolute + control.relative * std::max(std::abs(start_[i]), std::abs(x[i])));
   }
 
-  /// Mean square of the errors, in parts of what is allowed.
+  /// Returns the root mean square of the errors, relative to the tolerances.
   template <class X>
   double norm(const X& x, const ErrorControl& control) const {
     double sum = 0.0;
@@ -121,7 +125,7 @@ class Controlled {
     return std::sqrt(sum / static_cast<double>(std::max<Eigen::Index>(x.size(), 1)));
   }
 
-  /// By how much the next step may be longer.
+  /// Updates the controller after an accepted step. Returns the factor for the next step size.
   double accept(double error, double* numbers) {
     double& before = numbers[ControlReport::before];
     numbers[ControlReport::steps] += 1.0;
@@ -135,14 +139,15 @@ class Controlled {
       if (method_.keeps_step() && clamped > 1.0 && clamped < 1.1) return 1.0;
     return clamped;
   }
-  /// By how much the next one must be shorter.
+  /// Updates the controller after a rejected step. Returns the factor for the next step size.
   double reject(double error, double* numbers) {
     numbers[ControlReport::rejected] += 1.0;
     rejected_ = true;
     return std::isfinite(error) ? std::max(0.2, 0.9 * std::pow(error, -1.0 / method_.order())) : 0.2;
   }
 
-  /// Stands at `at` with the slope there, behind an attempt or again before it.
+  /// Sets the time, the states and the derivative for the next attempt: at the end of an accepted step, else
+  /// at the start.
   template <class X, class Dot, class Evaluate>
   void go_on(X& x, Dot& dot, double* now, double at, bool accepted, const Evaluate& evaluate) {
     *now = at;
@@ -192,7 +197,7 @@ class Controlled {
   }
 
   Method<max_states> method_;
-  bool rejected_ = false;  ///< after an attempt that was
+  bool rejected_ = false;  ///< true after a rejected attempt
   Vector origin_, start_, slope_;
 };
 

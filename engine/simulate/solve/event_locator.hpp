@@ -13,19 +13,18 @@
 
 namespace stepwire::solve {
 
-/// Goes again over a step, from event to event. An event is an edge that a source has declared, or a
-/// crossing: an instant at which a number changes its sign. 0 is a sign of its own. A crossing is closed in
-/// between two times, each the end of a step of the solver from the last event on. The secant method of
-/// Dowell and Jarratt 1971 (Illinois, BIT 11) with halvings finds it to 1e-12 of the step or the last bit.
-/// The later time is the event.
+/// Repeats a step of the solver from event to event. An event is an edge that a source has declared, or a
+/// crossing: an instant at which a number changes its sign. 0 is a sign of its own. A crossing is bracketed
+/// between two times, each the end of a solver step from the last event. The Illinois method (Dowell and
+/// Jarratt 1971, BIT 11) with every fourth iteration a bisection reduces the bracket to 1e-12 of the step or
+/// to the last bit. The later time is the event.
 ///
-/// A `Run` has these functions: advance(from, to, length) takes the states of the workspace, with their
-/// slopes, to another time; follow() computes all that crossings depend on at its time and states;
-/// crossings(numbers) computes these; edge() gives the time of the next edge of a source; begin()
-/// computes stage outputs, slopes and follow(); failed() is true once a solver has found a step wrong, and
-/// forget_fault() takes that back, since steps of a search may go too far. At an event before() computes what
-/// guards find, round() computes outputs and updates, and after() does the same as begin() and is true where
-/// the run ends there.
+/// Functions of a `Run`: advance(from, to, length) integrates the states of the workspace, with their
+/// derivatives. Function follow() computes all that crossings depend on, crossings(numbers) the crossing
+/// functions. Function edge() returns the time of the next edge, and begin() computes stage outputs and
+/// derivatives and calls follow(). Function failed() is true after a failed step; forget_fault() resets it.
+/// At an event, before() computes what guards read, and round() outputs and updates. Function after() does
+/// the same as begin() and returns true if the run ends there.
 template <class Run>
 class EventLocator {
  public:
@@ -43,7 +42,7 @@ class EventLocator {
         end_(trial_ + 7 * task.crossing_count),
         kept_(end_ + task.state_count) {}
 
-  /// Goes from `start` on to `end`, `length` behind it.
+  /// Integrates from `start` to `end` over `length`, event by event.
   void advance(double start, double end, double length) {
     length_ = length;
     ever_faster_.begin(task_.crossing_count);
@@ -61,7 +60,7 @@ class EventLocator {
   }
 
  private:
-  /// Goes from `at` to the next event, or to the end. False where the run ends there.
+  /// Integrates from `at` to the next event or to the end. Returns false if the run ends there.
   bool go_on(double& at, double start, double end, std::int64_t& crossed) {
     const double from = at, edge = run_.edge();
     const bool at_edge = edge > from && edge < left_of(end, length_);
@@ -88,8 +87,8 @@ class EventLocator {
     return act() && (!crosses || turn_back(at, end));
   }
 
-  /// Looks for crossings before `at`, the present time: of three only the sign of one is seen at both ends,
-  /// of two none. A parabola for each state finds one, a step of the solver proves it, and `at` moves there.
+  /// Searches for crossings before `at` that the signs at both ends do not show: interpolates each state by a
+  /// parabola, and confirms a sign change by a step of the solver.
   bool crosses_inside(double from, double& at) {
     double* const states = values_ + task_.states;
     std::copy_n(states, task_.state_count, end_);
@@ -117,8 +116,8 @@ class EventLocator {
     return false;
   }
 
-  /// Rounding may leave a number on the wrong side that has been turned back at an event: a ball that
-  /// bounces. The run goes on a little later where it is on the right side. False where the run ends there.
+  /// Continues a little later after an event whose reversed number is on the wrong side by rounding, such as
+  /// a bouncing ball. Returns false if the run ends there.
   bool turn_back(double& at, double end) {
     const auto is_beyond = [&](std::size_t i) {
       return sign_of(low_[i]) != sign_of(high_[i]) && sign_of(start_[i]) == sign_of(high_[i]);
@@ -141,7 +140,7 @@ class EventLocator {
     std::copy_n(values_ + task_.derivatives, task_.state_count, slopes_);
   }
 
-  /// Does all that happens at the present instant. False where the run ends there.
+  /// Runs the event iteration of the present instant. Returns false if the run ends there.
   bool act() {
     run_.before();
     const double* const place = values_ + task_.first;
@@ -166,7 +165,7 @@ class EventLocator {
   }
   static bool is_same(double a, double b) { return a == b || (a != a && b != b); }
 
-  /// Looks at a crossing that has been located.
+  /// False if a located crossing is one too many, or if the intervals shrink towards zero.
   bool may_cross(std::int64_t crossed, double at) {
     for (std::size_t i = 0; i < task_.crossing_count; ++i) {
       if (sign_of(high_[i]) == sign_of(start_[i])) continue;
@@ -183,7 +182,7 @@ class EventLocator {
     values_[task_.report + EventReport::number] = number;
   }
 
-  /// Takes the states on, and computes the crossings there.
+  /// Integrates the states and computes the crossing functions at the end.
   void go(double from, double to, double length, double* numbers) {
     run_.advance(from, task_.jumps ? left_of(to, length) : to, length);
     arrive(to, length, numbers);
@@ -198,15 +197,15 @@ class EventLocator {
     std::copy_n(slopes_, task_.state_count, values_ + task_.derivatives);
   }
 
-  /// Times on both sides of a crossing.
+  /// Times before and after a crossing.
   struct Bracket {
     double low, high;
   };
 
-  /// Where a block takes its branch from what it is given at a stage, the last stages of a step to a crossing
-  /// see the other side of it. So the way there is taken in stretches, each a tenth of what is left, whose
-  /// ends are on this side; only the last one, of the width of the search, meets the other. `at`: a time
-  /// behind the crossing, and then that of the event. False where it turns out that nothing crosses.
+  /// Approaches a crossing from its near side, for plans whose blocks branch within a stage. A step across it
+  /// would evaluate the branch of the far side. So each substep leaves a tenth of the distance, until the
+  /// width of the search. `at` is a time after the crossing, on return that of the event. False if nothing
+  /// crosses.
   bool close_in(double from, double& at) {
     const double width = 1e-12 * length_, most = at;
     double high = most;
@@ -231,11 +230,11 @@ class EventLocator {
       from = next;
       at = most;
       high = beyond_crossing(from, found.high, most);
-      if (high == 0.0) return false;  // it has turned before
+      if (high == 0.0) return false;  // it has reversed before
     }
   }
 
-  /// Makes the present states those from which the solver sets out.
+  /// Makes the present states the start of further steps.
   void stand_at(double at) {
     values_[task_.time] = at;
     run_.begin();
@@ -244,7 +243,7 @@ class EventLocator {
     length_of_ = 0.0;
   }
 
-  /// A time behind a crossing that was found from further away; 0 where there is none up to `most`.
+  /// Returns a time after a crossing found from an earlier start; 0 if there is none up to `most`.
   double beyond_crossing(double from, double found, double most) {
     for (double at = found; true; at = std::min(most, std::max(std::nextafter(at, most), at + 2.0 * (at - from)))) {
       go_back();
@@ -254,7 +253,7 @@ class EventLocator {
     }
   }
 
-  /// A bracket of the first crossing that is found, with the states at its later end.
+  /// Returns a bracket of the first detected crossing, with the states at its later end.
   Bracket locate(double from, double end, double width) {
     double low = from, high = end, low_scale = 1.0, high_scale = 1.0;
     std::copy_n(start_, task_.crossing_count, low_);
@@ -266,7 +265,7 @@ class EventLocator {
       const bool at_high = sign_changes(start_, trial_, task_.crossing_count);
       (at_high ? high : low) = at;
       std::copy_n(trial_, task_.crossing_count, at_high ? high_ : low_);
-      // The end that stays counts for half, so that the next guess lies on its side.
+      // Illinois rule: the value of the retained end is halved, so that the next guess is on its side.
       low_scale = at_high ? 0.5 * low_scale : 1.0;
       high_scale = at_high ? 1.0 : 0.5 * high_scale;
     }
@@ -276,7 +275,7 @@ class EventLocator {
     return {low, high};
   }
 
-  /// Where the first of the secants meets zero, but no nearer to an end than half the width or the last bit.
+  /// Returns the first zero of the secants, at least half the width or one bit away from both ends.
   double guess(double low, double high, double low_scale, double high_scale, double width,
                bool at_once) const {
     const double first =
@@ -289,12 +288,12 @@ class EventLocator {
   const EventTask& task_;
   double* values_;
   const Run& run_;
-  double *x_, *slopes_;                    ///< behind the last event
-  double *start_, *high_, *low_, *trial_;  ///< crossings there, on both sides of a crossing, and between
+  double *x_, *slopes_;  ///< after the last event
+  double *start_, *high_, *low_, *trial_;  ///< crossing functions there, beyond, before, between
   EverFaster ever_faster_;
-  double* end_;                            ///< states at the end of a stretch
-  double* kept_;                           ///< signals and states before a round
-  double length_ = 0.0, length_of_ = 0.0;  ///< of the step, and of the stretch up to the next event
+  double* end_;  ///< states at the end of the interval
+  double* kept_;  ///< signals and states before an iteration
+  double length_ = 0.0, length_of_ = 0.0;  ///< length of the step, and of the interval up to the next event
 };
 
 }  // namespace stepwire::solve

@@ -6,9 +6,9 @@
 
 namespace stepwire::solve {
 
-/// Finds events of one crossing whose intervals shrink towards nothing, such as those of a ball that bounces
-/// ever faster. For each crossing and side it keeps the last time, the last interval, and how often that has
-/// shrunk.
+/// Detects events of one crossing whose intervals shrink towards zero (Zeno behaviour), such as those of a
+/// bouncing ball. It stores the last time, the last interval and the number of successive reductions for each
+/// crossing and direction.
 class EverFaster {
  public:
   EverFaster(double* numbers, std::size_t crossings)
@@ -20,7 +20,7 @@ class EverFaster {
     std::fill_n(times_, 2 * crossings, 0.0);
   }
 
-  /// Adds an event of a crossing, and tells whether it belongs to a row that ends in time.
+  /// Adds an event of a crossing. Returns true if it is part of a sequence of events that converges in time.
   bool add(std::size_t crossing, bool rises, double at, double step) {
     const std::size_t i = 2 * crossing + (rises ? 1 : 0);
     const double gap = at - last_[i];

@@ -6,8 +6,8 @@
 
 namespace stepwire::solve {
 
-/// Weights of a pair of explicit Runge-Kutta methods whose last stage is the slope at the end of the step:
-/// the next one begins with it.
+/// Weights of a pair of explicit Runge-Kutta methods. The last stage is the derivative at the end of the step
+/// and the first stage of the next one (FSAL).
 struct BogackiShampinePair {
   static constexpr int stages = 4;
   static constexpr double order = 3.0;
@@ -36,7 +36,7 @@ struct DormandPrincePair {
                                            -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 };
 
-/// One step of such a pair, and its error.
+/// Attempts a step of such a pair and estimates its error.
 template <class Pair, int max_states>
 class ExplicitPair {
  public:
@@ -63,11 +63,11 @@ class ExplicitPair {
   const auto& error() const { return error_; }
   bool ends_with_slope() const { return true; }
   static constexpr double first_order = Pair::order;
-  /// Of the last attempt, for the length of the next step.
+  /// Returns the order of the last attempt, for the choice of the next step size.
   double order() const { return Pair::order; }
 
-  /// Rate of the fastest decay times the step, in parts of what is stable, from the last two stages, both at
-  /// one time (Hairer and Wanner, Solving ODEs II, IV.2).
+  /// Returns the step times the largest decay rate, relative to the stability bound. It is estimated from the
+  /// last two stages, which have the same time (Hairer and Wanner, Solving ODEs II, IV.2).
   template <class X>
   double stiffness(const X& x, double step) const {
     double slopes = 0.0, points = 0.0;
@@ -89,13 +89,13 @@ class ExplicitPair {
     return sum;
   }
 
-  /// The error, by the step. Of two estimates the finer is weighed by how much smaller it is than the
-  /// coarser, so that it falls with the order of the method.
+  /// Returns the error divided by the step. With two estimates, the finer one is weighted by its ratio to the
+  /// coarser one, so that it decreases with the order of the method.
   double estimate(Eigen::Index i) const {
     const double fine = sum(i, Pair::error, Pair::stages);
     if constexpr (requires { Pair::coarse_error; }) {
       const double coarse = sum(i, Pair::coarse_error, Pair::stages);
-      const double ratio = 0.1 * coarse / fine;  // squares of the two themselves could fall to 0
+      const double ratio = 0.1 * coarse / fine;  // the squares of the two could underflow to 0
       return fine == 0.0 ? 0.0 : fine / std::sqrt(1.0 + ratio * ratio);
     }
     return fine;

@@ -7,8 +7,8 @@ namespace stepwire::solve {
 
 namespace {
 
-/// Two numbers side by side, a type that both compilers know. Most diagrams have few states, for which the
-/// loop that a compiler makes for many costs more than its work.
+/// Vector of two numbers, a type of both g++ and clang. Most diagrams have few states, for which a loop that
+/// the compiler vectorises costs more overhead than work.
 using Two = double __attribute__((vector_size(16)));
 
 template <class Number>
@@ -18,7 +18,8 @@ Number read(const double* place) {
   return number;
 }
 
-/// The sums for the elements at i. What is written is nowhere else read, or the same element.
+/// Computes the sums for the elements at i. The written elements are read nowhere else, or are the same
+/// element.
 template <class Number, int count, class Sum>
 void add_at(const Sum (&sums)[2], const double* slope, std::size_t i) {
   const Number by = read<Number>(slope + i);
@@ -56,7 +57,7 @@ ExplicitSolver::Pass ExplicitSolver::pass_of(const Addition* additions, bool two
   return {{sum(additions[0]), two ? sum(additions[1]) : Sum{}}, two};
 }
 
-/// Finds places and weights, which are the same at every step of a run.
+/// Computes places and weights, which are the same at every step of a run.
 void ExplicitSolver::prepare(const System& system, double length) {
   for (std::size_t stage = 0; stage < stages_.size(); ++stage) {
     const std::vector<Addition>& additions = method_[stage].additions;

@@ -8,7 +8,7 @@
 
 namespace stepwire::solve {
 
-/// An explicit Runge-Kutta method.
+/// Solver with an explicit Runge-Kutta method.
 class ExplicitSolver : public Solver {
  public:
   ExplicitSolver(const Tableau& tableau, std::size_t states);
@@ -16,21 +16,21 @@ class ExplicitSolver : public Solver {
   const double* start() const override { return sums_.data(); }
 
  private:
-  /// to = from + weight slope
+  /// Sum to = from + weight derivative.
   struct Sum {
     double* to;
     const double* from;
     double weight;
   };
-  /// One or two sums, on one way through memory.
+  /// One or two sums that are computed in one pass through memory.
   struct Pass {
     Sum sums[2];
     bool two;
   };
-  /// What is to be done with the slope of a stage.
+  /// Additions with the derivative of a stage.
   struct Stage {
     std::vector<Pass> passes;
-    double next;  ///< time of the next stage, in steps
+    double next;  ///< time of the next stage, as a fraction of the step
   };
 
   void prepare(const System& system, double length);
@@ -40,12 +40,12 @@ class ExplicitSolver : public Solver {
   void add(const Sum (&sums)[2], const System& system) const;
 
   std::vector<SolverStage> method_;
-  std::vector<double> sums_;   ///< states at the start, then one row for each sum that waits for more slopes
-  std::vector<Stage> stages_;  ///< for the states and the step of the last call
+  std::vector<double> sums_;   ///< states at the start, then one row for each partial sum
+  std::vector<Stage> stages_;  ///< stages for the states and the step of the last call
   const double* states_ = nullptr;
   double length_ = 0.0;
   StatePiece all_{};
-  std::span<const StatePiece> pieces_;  ///< of this step
+  std::span<const StatePiece> pieces_;  ///< pieces of this step
 };
 
 }  // namespace stepwire::solve

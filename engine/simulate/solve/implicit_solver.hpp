@@ -7,7 +7,7 @@
 
 namespace stepwire::solve {
 
-/// A method for stiff plants, such as Rosenbrock<>.
+/// Solver with a method for stiff plants, such as Rosenbrock<>.
 template <class Method>
 class ImplicitSolver : public Solver {
  public:
@@ -22,7 +22,7 @@ class ImplicitSolver : public Solver {
   Method method_;
 };
 
-/// One that chooses the length of its steps.
+/// Solver with step size control.
 template <template <int> class Method>
 class ControlledSolver : public Solver {
  public:
@@ -44,7 +44,7 @@ class ControlledSolver : public Solver {
 
   Controlled<Method> method_;
   ErrorControl control_;
-  std::vector<double> own_;  ///< where a system has no place for a report
+  std::vector<double> own_;  ///< used if a system has no place for a report
 };
 
 }  // namespace stepwire::solve

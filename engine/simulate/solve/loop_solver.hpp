@@ -11,12 +11,14 @@
 
 namespace stepwire::solve {
 
-/// Solves z = g(z), where z are the torn numbers of a loop and one pass through its blocks computes g:
-/// Newton's method from the last solution, each correction damped until the next is smaller (Deuflhard 2011,
-/// Newton Methods for Nonlinear Problems, 3.3), with a Jacobian by differences that is kept while corrections
-/// fall tenfold: for a linear loop once. Where that fails, a loop of one number is closed in between two
-/// guesses, and it all begins once more at 0, or at 1. With `max_unknowns` nothing is ever allocated; the
-/// results are the same to the last bit.
+/// Solves an algebraic loop z = g(z), where z are the numbers at which the loop is torn and g is one pass
+/// through its blocks.
+///
+/// Newton's method starts at the last solution. Each correction is damped until the next one is smaller
+/// (Deuflhard 2011, Newton Methods for Nonlinear Problems, 3.3). The Jacobian is computed by differences and
+/// reused while corrections shrink tenfold, so a linear loop needs it once. If Newton's method fails, a loop
+/// of one number is solved by bracketing, and then all is tried again from 0, or from 1. With `max_unknowns`
+/// no memory is allocated, and the results are the same to the last bit.
 template <int max_unknowns = Eigen::Dynamic>
 class LoopSolver {
  public:
@@ -26,9 +28,8 @@ class LoopSolver {
     jacobian_.setZero(unknowns, unknowns);
   }
 
-  /// pass() computes the outputs of the loop's blocks from what stands in the workspace. The torn numbers and
-  /// all that follows from them end as they solve the loop; where nothing does, that is written to the
-  /// report.
+  /// Solves the loop. pass() computes the outputs of the loop's blocks from the workspace. On return the torn
+  /// numbers and their dependents solve the loop. Without a solution, that is written to the report.
   template <class Pass>
   void solve(const LoopTask& loop, double* values, const Pass& pass) {
     passes_ = 0;
@@ -53,11 +54,11 @@ class LoopSolver {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_unknowns, max_unknowns>;
 
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  static constexpr double smallest = 1e-20;      // part of a signal's size that is as good as 0
-  static constexpr double smallest_size = 1e-9;  // of a signal at rest at 0, in its own SI unit
-  static constexpr double small_size = 1e-3;     // the same, where rounding allows no smaller corrections
-  static constexpr double shortest = 1e-12;      // part of a correction
-  static constexpr double keeps_matrix = 0.1;    // of a correction, the next
+  static constexpr double smallest = 1e-20;      // Fraction of a signal's size that counts as 0.
+  static constexpr double smallest_size = 1e-9;  // Size of a signal that is 0, in its SI unit.
+  static constexpr double small_size = 1e-3;     // Size below which rounding dominates.
+  static constexpr double shortest = 1e-12;      // Smallest damping factor.
+  static constexpr double keeps_matrix = 0.1;    // Largest ratio of corrections for reuse of the matrix.
 
   template <class Visit>
   static void each_number(const LoopTask& loop, double* values, const Visit& visit) {
@@ -79,7 +80,8 @@ class LoopSolver {
     for (std::size_t d = 0; d < loop.diagnostic_count; ++d)
       values[loop.report + LoopReport::count + d] = values[loop.diagnostics[d]];
   }
-  /// Says whether a pass has raised one: the last pass may have to do that again.
+  /// Restores the diagnostics. Returns true if a pass has raised one; the last pass may then have to raise it
+  /// again.
   static bool take_back_diagnostics(const LoopTask& loop, double* values) {
     bool raised = false;
     for (std::size_t d = 0; d < loop.diagnostic_count; ++d) {
@@ -113,17 +115,17 @@ class LoopSolver {
     return close_in(loop, evaluate);
   }
 
-  /// Are there passes left for more than the last ones of a search?
+  /// True if passes are left for more than the end of a search.
   bool may_close_in(const LoopTask& loop) const { return passes_ + 4 < loop.max_passes; }
 
-  /// Is the guess as good as a pass can tell?
+  /// True if the residual of the guess is at rounding level.
   bool is_rounding() const {
     for (Eigen::Index i = 0; i < guess_.size(); ++i)
       if (!(std::abs(residual_[i]) <= epsilon * std::abs(guess_[i]))) return false;
     return true;
   }
 
-  /// From the guess, whose residual is known.
+  /// Runs Newton's method from the guess, whose residual is known.
   template <class Evaluate>
   bool newton(const LoopTask& loop, const Evaluate& evaluate) {
     while (passes_ + guess_.size() < loop.max_passes) {
@@ -147,14 +149,14 @@ class LoopSolver {
     return is_negligible();
   }
 
-  /// A new matrix at the guess, and the correction by it.
+  /// Computes a new matrix at the guess, and the correction with it.
   template <class Evaluate>
   void renew(const Evaluate& evaluate) {
     point_ = guess_;
     base_ = residual_;
     differentiate(evaluate);
     residual_ = base_;
-    // What nobody computes at this instant stays as it is.
+    // A number that is not computed at this instant keeps its value.
     for (Eigen::Index i = 0; i < guess_.size(); ++i)
       if (base_[i] == 0.0 && jacobian_.row(i).isZero(0.0)) jacobian_(i, i) = -1.0;
     factors_.compute(jacobian_);
@@ -163,7 +165,8 @@ class LoopSolver {
     size_ = point_.cwiseAbs().cwiseMax(step_.cwiseAbs()).cwiseMax(smallest_size);
   }
 
-  /// By forward differences. Where a signal is 0, its residual says how far it may go.
+  /// Computes the Jacobian by forward differences. Where a signal is 0, its residual is the scale of the
+  /// difference.
   template <class Evaluate>
   void differentiate(const Evaluate& evaluate) {
     const double part = std::sqrt(epsilon);
@@ -177,8 +180,8 @@ class LoopSolver {
     is_at_guess_ = false;
   }
 
-  /// Goes from the point along the correction, as far as the next one is smaller. Returns which part of it; 0
-  /// where there is none, 1 also where rounding is all that is left.
+  /// Moves from the point along the correction until the next correction is smaller. Returns the damping
+  /// factor. Returns 0 if there is none, and also 1 if only rounding is left.
   template <class Evaluate>
   double go(const LoopTask& loop, const Evaluate& evaluate, double size, double shortest_part) {
     for (double part = 1.0; part > shortest_part && passes_ < loop.max_passes; part *= 0.5) {
@@ -195,7 +198,7 @@ class LoopSolver {
     return 0.0;
   }
 
-  /// In sizes of the signals where the matrix was made.
+  /// Returns the size of a correction, relative to the signals at the point of the matrix.
   double measure(const Vector& correction) const {
     double size = 0.0;
     for (Eigen::Index i = 0; i < correction.size(); ++i) {
@@ -205,7 +208,7 @@ class LoopSolver {
     return size;
   }
 
-  /// Would the correction change nothing?
+  /// True if the correction would change no bit.
   bool is_negligible() const {
     for (Eigen::Index i = 0; i < step_.size(); ++i)
       if (!(std::abs(step_[i]) <= 0.5 * epsilon * std::max(std::abs(point_[i]), smallest * scale_[i])))
@@ -213,7 +216,7 @@ class LoopSolver {
     return true;
   }
 
-  /// Is the correction within the tolerance?
+  /// True if the correction is within the tolerance.
   bool is_at_rest(const LoopTask& loop) const {
     for (Eigen::Index i = 0; i < step_.size(); ++i)
       if (!(std::abs(step_[i]) <= loop.tolerance * std::max(std::abs(point_[i]), scale_[i]))) return false;
@@ -250,14 +253,14 @@ class LoopSolver {
     report[LoopReport::number] = static_cast<double>(worst);
   }
 
-  Vector guess_, residual_;     ///< z, and g(z) - z
-  Vector point_, base_, step_;  ///< where the matrix was used last, its residual, and the correction there
-  Vector next_;                 ///< the correction at the guess, by the same matrix
-  Vector size_, scale_;         ///< of the signals: where the matrix was made; at the start
+  Vector guess_, residual_;     ///< The iterate z and its residual g(z) - z.
+  Vector point_, base_, step_;  ///< Last point of the matrix, its residual and its correction.
+  Vector next_;                 ///< Correction at the guess, with the same matrix.
+  Vector size_, scale_;         ///< Sizes of the signals at the matrix, and at the start.
   Matrix jacobian_;
   Eigen::PartialPivLU<Matrix> factors_;
   std::int64_t passes_ = 0;
-  bool is_at_guess_ = false;  ///< was the last pass made with this guess?
+  bool is_at_guess_ = false;  ///< true if the last pass was computed with this guess
 };
 
 }  // namespace stepwire::solve

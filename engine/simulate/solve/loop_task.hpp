@@ -5,33 +5,33 @@
 
 namespace stepwire::solve {
 
-/// A signal at which a loop is torn: where its numbers lie in the workspace.
+/// Signal at which a loop is torn, with the place of its numbers in the workspace.
 struct Tear {
   std::size_t offset, size;
 };
 
-/// What is known of a loop in a run: numbers of the workspace, in this order.
+/// Statistics of a loop in a run, as indices into numbers of the workspace.
 struct LoopReport {
-  static constexpr std::size_t instants = 0;  ///< at which it was solved, or tried
-  static constexpr std::size_t passes = 1;    ///< through its blocks, all together
-  static constexpr std::size_t most = 2;      ///< passes at one instant
-  static constexpr std::size_t unsolved = 3;  ///< instants
-  static constexpr std::size_t time = 4;      ///< of the first that is not solved [s]
-  static constexpr std::size_t residual = 5;  ///< there: the largest difference of a number and its guess
-  static constexpr std::size_t number = 6;    ///< which of the torn numbers has it
+  static constexpr std::size_t instants = 0;  ///< Instants at which it was solved or tried.
+  static constexpr std::size_t passes = 1;    ///< Total passes through its blocks.
+  static constexpr std::size_t most = 2;      ///< Largest number of passes at one instant.
+  static constexpr std::size_t unsolved = 3;  ///< Instants without a solution.
+  static constexpr std::size_t time = 4;      ///< Time of the first of them [s].
+  static constexpr std::size_t residual = 5;  ///< Largest residual there.
+  static constexpr std::size_t number = 6;    ///< Index of the torn number that has it.
   static constexpr std::size_t count = 7;
 };
 
-/// A loop as its solver sees it.
+/// Loop in the form that its solver needs.
 struct LoopTask {
   const Tear* tears;
   std::size_t tear_count;
-  const std::size_t* diagnostics;  ///< of its blocks, where they lie: what a guess raises is taken back
+  const std::size_t* diagnostics;  ///< Places of its blocks' diagnostics.
   std::size_t diagnostic_count;
-  std::size_t report;  ///< where a LoopReport lies, and behind it as many numbers as there are diagnostics
-  std::size_t time;    ///< where the time lies
-  double tolerance;    ///< largest correction that is none, in sizes of its signal
-  std::int64_t max_passes;  ///< at one instant
+  std::size_t report;       ///< Place of a LoopReport, followed by a number for each diagnostic.
+  std::size_t time;         ///< Place of the time.
+  double tolerance;         ///< Largest negligible correction, relative to the size of its signal.
+  std::int64_t max_passes;  ///< Limit at one instant.
 };
 
 }  // namespace stepwire::solve

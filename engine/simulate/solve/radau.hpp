@@ -12,13 +12,15 @@
 
 namespace stepwire::solve {
 
-/// One step of Radau IIA of order 5 (Hairer and Wanner, Solving ODEs II, IV.8): three implicit stages,
-/// L-stable and stiffly accurate. Rosenbrock methods need a new Jacobian for each step, and a wrong one costs
-/// them their order. This one solves its stages by Newton's method, so that a Jacobian serves as long as
-/// corrections fall fast, and its rounding does no harm. A change of variables (the eigenvectors of the
-/// method's matrix) splits the system of 3 n unknowns into one of n real and one of n complex unknowns.
-/// Stages begin at the polynomial of the step before. Cost of a step: three evaluations a correction, mostly
-/// two to four of them; one for each state for a Jacobian.
+/// Attempts a step of Radau IIA of order 5 (Hairer and Wanner, Solving ODEs II, IV.8), with three implicit
+/// stages, L-stable and stiffly accurate.
+///
+/// Rosenbrock methods need a new Jacobian for each step, and a wrong one reduces their order. Radau solves
+/// its stages by Newton's method, so a Jacobian is reusable as long as corrections shrink fast, and its
+/// rounding does no harm. A change of variables (the eigenvectors of the method's matrix) splits the system
+/// of 3 n unknowns into one of n real and one of n complex unknowns. The initial guess of the stages is the
+/// extrapolated polynomial of the previous step. A step costs three evaluations for each of usually two to
+/// four corrections, and one for each state with a new Jacobian.
 template <int max_states>
 class Radau {
  public:
@@ -33,11 +35,11 @@ class Radau {
     complex_matrix_.setZero(states, states);
   }
 
-  /// Forgets all that earlier calls left.
+  /// Resets all data of earlier calls.
   void begin(const ErrorControl& control, double*, double, double) {
     control_ = control;
-    // The estimate is of order 3, the method of order 5: the smaller the tolerance, the more the one exceeds
-    // the error of the other. The powers are fitted to the problems of bench/solvers.
+    // The estimate has order 3 and the method order 5: the smaller the tolerance, the more the estimate
+    // exceeds the error. The powers are fitted to the problems of bench/solvers.
     scale_ = std::min(1.0, 3.0 * std::pow(control.relative, 0.24));
     const double relative = control.relative / scale_;
     goal_ = std::max(10.0 * epsilon / relative, std::min(0.03, std::pow(relative, 0.43)));
@@ -67,10 +69,10 @@ class Radau {
   }
   const auto& error() const { return error_; }
   bool ends_with_slope() const { return false; }
-  /// A step that is hardly longer would need new factors.
+  /// A slightly longer step is not worth new factors.
   bool keeps_step() const { return true; }
   static constexpr double first_order = 4.0;
-  /// Of the last attempt, for the length of the next step.
+  /// Returns the order of the last attempt, for the choice of the next step size.
   double order() const { return 4.0; }
 
  private:
@@ -82,13 +84,13 @@ class Radau {
 
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   static constexpr int max_corrections = 8;
-  static constexpr double good_rate = 5e-3;  ///< of corrections, with which a Jacobian serves again
+  static constexpr double good_rate = 5e-3;  ///< contraction rate up to which a Jacobian is reused
   static constexpr double root6 = 2.449489742783178098;
   static constexpr double c[3] = {(4.0 - root6) / 10.0, (4.0 + root6) / 10.0, 1.0};
-  /// Eigenvalues of the inverse of the method's matrix: one real, one pair.
+  /// Eigenvalues of the inverse of the method's matrix: one real, one complex pair.
   static constexpr double real = 3.6378342527444957322;
   static constexpr double pair[2] = {2.6810828736277521339, 3.0504301992474105694};
-  /// Columns: the real eigenvector, and real and imaginary part of a complex one.
+  /// Columns are the real eigenvector, and real and imaginary part of a complex one.
   static constexpr double from_turned[3][3] = {
       {0.094438762488975241487, -0.14125529502095420843, -0.030029194105147424492},
       {0.25021312296533331138, 0.204129352293799932, 0.3829421127572619378},
@@ -104,7 +106,7 @@ class Radau {
     return weights[0] * of[0][i] + weights[1] * of[1][i] + weights[2] * of[2][i];
   }
 
-  /// Keeps the stages of the step before, which was accepted, for a guess of the next.
+  /// Stores the stages of the last step, which was accepted, for the guess of the next.
   void begin_step(double time) {
     has_past_ = is_solved_;
     if (has_past_)
@@ -135,7 +137,7 @@ class Radau {
     factored_step_ = step;
   }
 
-  /// Sets the stages to the polynomial of the step before, continued.
+  /// Extrapolates the polynomial of the last step to the stages.
   void predict(double step) {
     const double ratio = has_past_ ? step / past_step_ : 0.0;
     for (int k = 0; k < 3; ++k) {
@@ -154,7 +156,7 @@ class Radau {
       for (Eigen::Index i = 0; i < start_.size(); ++i) turned_[k][i] = sum(to_turned[k], stages_, i);
   }
 
-  /// The stages by Newton's method. False where corrections do not fall fast enough to be small in time.
+  /// Solves for the stages by Newton's method. Returns false if the corrections do not shrink fast enough.
   template <class X, class Dot, class Evaluate>
   bool iterate(X& x, const Dot& dot, double* now, double time, double end, double step,
                const Evaluate& evaluate) {
@@ -181,7 +183,7 @@ class Radau {
     return false;
   }
 
-  /// Makes one correction of the stages; returns its size, in parts of what is allowed.
+  /// Applies one correction to the stages. Returns its size relative to the tolerances.
   double correct(double step) {
     for (Eigen::Index i = 0; i < start_.size(); ++i) {
       const double f1 = sum(to_turned[1], slopes_, i), f2 = sum(to_turned[2], slopes_, i);
@@ -203,8 +205,8 @@ class Radau {
     return std::sqrt(squares / (3.0 * static_cast<double>(std::max<Eigen::Index>(start_.size(), 1))));
   }
 
-  /// The difference to a method of order 3. Where that is too large, once more with the derivative behind it,
-  /// which takes what is infinitely fast out of it.
+  /// Estimates the error by the difference to a method of order 3. A too large estimate is filtered with the
+  /// derivative at the corrected point, which removes infinitely fast components.
   template <class X, class Dot, class Evaluate>
   void estimate(X& x, const Dot& dot, double* now, double time, double step, const Evaluate& evaluate) {
     const auto solve = [&](const auto& slope) {
@@ -229,12 +231,12 @@ class Radau {
   }
 
   ErrorControl control_;
-  double scale_ = 1.0, goal_ = 0.0;  ///< of the estimate, in parts of it; of the last correction, likewise
-  bool is_here_ = false;             ///< the Jacobian is of this start
-  bool is_good_ = false;             ///< it may serve again
-  bool is_solved_ = false;           ///< the last attempt
+  double scale_ = 1.0, goal_ = 0.0;  ///< tolerance factors: estimate, last correction
+  bool is_here_ = false;             ///< true if the Jacobian is of this start
+  bool is_good_ = false;             ///< true if the Jacobian is reusable
+  bool is_solved_ = false;           ///< true if the last attempt was solved
   bool has_past_ = false;
-  double rate_ = 0.0;  ///< of corrections
+  double rate_ = 0.0;  ///< contraction rate of the corrections
   double factored_step_ = 0.0, tried_step_ = 0.0, past_step_ = 0.0, tried_ = 0.0;
   Vector start_, slope_, right_, error_, weight_;
   Vector stages_[3], turned_[3], slopes_[3], past_[3];

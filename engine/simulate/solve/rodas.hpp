@@ -7,9 +7,9 @@
 
 namespace stepwire::solve {
 
-/// One step of RODAS (Hairer and Wanner, Solving ODEs II, IV.7): linearly implicit, six stages, order 4 with
-/// an estimate of order 3, L-stable and stiffly accurate. The Jacobian is by forward differences: one
-/// evaluation for each state and step.
+/// Attempts a step of RODAS (Hairer and Wanner, Solving ODEs II, IV.7), a linearly implicit method of order 4
+/// with an estimate of order 3. It has six stages, is L-stable and stiffly accurate. The Jacobian by forward
+/// differences costs one evaluation for each state and step.
 template <int max_states>
 class Rodas {
  public:
@@ -38,11 +38,11 @@ class Rodas {
     for (Eigen::Index i = 0; i < x.size(); ++i) x[i] += stages_[stage_count - 1][i];
     return x.allFinite() && stages_[stage_count - 1].allFinite();
   }
-  /// The last stage is the difference to the method of order 3.
+  /// Returns the last stage, which is the difference to the method of order 3.
   const auto& error() const { return stages_[stage_count - 1]; }
   bool ends_with_slope() const { return false; }
   static constexpr double first_order = 4.0;
-  /// Of the last attempt, for the length of the next step.
+  /// Returns the order of the last attempt, for the choice of the next step size.
   double order() const { return 4.0; }
 
  private:
@@ -74,7 +74,7 @@ class Rodas {
     return sum;
   }
 
-  /// The matrix 1 / (step gamma) - J, and how slopes change with the time alone.
+  /// Computes the matrix 1 / (step gamma) - J, and the partial derivative of `dot` with respect to time.
   template <class X, class Dot, class Evaluate>
   void differentiate(X& x, Dot& dot, double* now, double time, double step, const Evaluate& evaluate) {
     *now = time;

@@ -11,10 +11,9 @@
 
 namespace stepwire::solve {
 
-/// The linearly implicit method behind MATLAB's ode23s (Shampine and Reichelt 1997, SIAM J. Sci. Comput.
-/// 18(1)): order 2, L-stable, for stiff plants. The Jacobian is by forward differences: one evaluation for
-/// each state and step. With `max_states` nothing is ever allocated; the results are the same to the last
-/// bit.
+/// Method of MATLAB's ode23s for stiff plants (Shampine and Reichelt 1997, SIAM J. Sci. Comput. 18(1)):
+/// linearly implicit, order 2, L-stable. The Jacobian by forward differences costs one evaluation for each
+/// state and step. With `max_states` no memory is allocated, and the results are the same to the last bit.
 template <int max_states = Eigen::Dynamic>
 class Rosenbrock {
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_states, 1>;
@@ -26,9 +25,9 @@ class Rosenbrock {
     jacobian_.setZero(states, states);
   }
 
-  /// Advances `x` by a step, from `time` to `end`. On entry `dot` is evaluated at (time, x); evaluate() does
-  /// that again for whatever stands in `x` and `*now`. A step whose error is beyond the tolerance is written
-  /// to `report`.
+  /// Integrates `x` over one step, from `time` to `end`. On entry `dot` must be the derivative at (time, x).
+  /// evaluate() recomputes it for the present `x` and `*now`. A step whose error is beyond the tolerance is
+  /// written to `report`.
   template <class Evaluate>
   void advance(double* x_place, double* dot_place, double* now, double time, double end, double step,
                const StepReport& report, const Evaluate& evaluate) {
@@ -50,7 +49,7 @@ class Rosenbrock {
     x = start_ + step * (k2_ + k1_);
     if (report) check(x, dot, now, time, end, step, report, evaluate);
   }
-  /// A step with its error, for a controller.
+  /// Attempts a step and estimates its error, for a step size controller.
   template <class X, class Dot, class Evaluate>
   bool attempt(X& x, Dot& dot, double* now, double time, double end, double step, double*,
                const Evaluate& evaluate) {
@@ -61,10 +60,10 @@ class Rosenbrock {
   const Vector& error() const { return error_; }
   bool ends_with_slope() const { return true; }
   static constexpr double first_order = 3.0;
-  /// Of the last attempt, for the length of the next step.
+  /// Returns the order of the last attempt, for the choice of the next step size.
   double order() const { return 3.0; }
 
-  /// The states at the start of the last step.
+  /// Returns the states at the start of the last step.
   const double* start() const { return start_.data(); }
 
  private:
@@ -77,24 +76,24 @@ class Rosenbrock {
   void differentiate(X& x, const Dot& dot, double* now, double time, double step, const Evaluate& evaluate) {
     *now = time;
     forward_differences(jacobian_, x, dot, start_, slope0_, step, evaluate);
-    // Far from time 0 a tiny fraction of a step is lost in rounding; a tenth of the step is not, and its
-    // error is of the method's own order.
+    // Far from time 0 a tiny fraction of a step would be lost in rounding. A tenth of the step is not, and
+    // its error is of the method's own order.
     const double ahead = time + 0.1 * step;
     *now = ahead;
     evaluate();
     if (ahead > time)
       slope_time_ = (dot - slope0_) / (ahead - time);
-    else  // so short a step has no time in it
+    else  // the step is too short for a difference in time
       slope_time_.setZero();
   }
 
-  /// The error as the paper estimates it, from the slope at the end.
+  /// Estimates the error as in the paper, from the derivative at the end.
   template <class X, class Dot, class Evaluate>
   void estimate(X& x, const Dot& dot, double* now, double end, double step, const Evaluate& evaluate) {
     next_ = x;
     *now = end;
     evaluate();
-    // half_ is the slope at the middle less k1_, and the paper's second slope is k2_ + k1_.
+    // half_ is the derivative at the middle minus k1_; the second slope of the paper is k2_ + k1_.
     right_ = dot - e32 * (k2_ - half_) - 2.0 * (k1_ - slope0_) + (step * d) * slope_time_;
     error_ = factors_.solve(right_);
     error_ = (step / 6.0) * (error_ - k1_ - 2.0 * k2_);

@@ -12,10 +12,10 @@
 
 namespace stepwire::solve {
 
-/// The singly diagonally implicit method of Alexander 1977 (SIAM J. Numer. Anal. 14(6)): three stages, order
-/// 3, L-stable, for stiff plants that are far from linear. Each stage is solved by Newton's method with one
-/// matrix as long as that converges, and a new one where it does not. With `max_states` nothing is ever
-/// allocated; the results are the same to the last bit.
+/// Singly diagonally implicit method of Alexander 1977 (SIAM J. Numer. Anal. 14(6)), for stiff plants that
+/// are far from linear: three stages, order 3, L-stable. Each stage is solved by Newton's method. One matrix
+/// serves until an iteration converges slowly; then it is recomputed. With `max_states` no memory is
+/// allocated, and the results are the same to the last bit.
 template <int max_states = Eigen::Dynamic>
 class Sdirk {
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_states, 1>;
@@ -27,9 +27,9 @@ class Sdirk {
     jacobian_.setZero(states, states);
   }
 
-  /// Advances `x` by a step, from `time` to `end`. On entry `dot` is evaluated at (time, x); evaluate() does
-  /// that again for whatever stands in `x` and `*now`. A stage that is not solved, or a step whose error is
-  /// beyond the tolerance, is written to `report`.
+  /// Integrates `x` over one step, from `time` to `end`. On entry `dot` must be the derivative at (time, x).
+  /// evaluate() recomputes it for the present `x` and `*now`. A stage that is not solved, or a step whose
+  /// error is beyond the tolerance, is written to `report`.
   template <class Evaluate>
   void advance(double* x_place, double* dot_place, double* now, double time, double end, double step,
                const StepReport& report, const Evaluate& evaluate) {
@@ -39,7 +39,7 @@ class Sdirk {
     if (report) check(x, dot, now, time, end, step, report, evaluate);
   }
 
-  /// A step with its error, for a controller.
+  /// Attempts a step and estimates its error, for a step size controller.
   template <class X, class Dot, class Evaluate>
   bool attempt(X& x, Dot& dot, double* now, double time, double end, double step, double*,
                const Evaluate& evaluate) {
@@ -50,30 +50,30 @@ class Sdirk {
   const Vector& error() const { return change_; }
   bool ends_with_slope() const { return false; }
   static constexpr double first_order = 3.0;
-  /// Of the last attempt, for the length of the next step.
+  /// Returns the order of the last attempt, for the choice of the next step size.
   double order() const { return 3.0; }
 
-  /// The states at the start of the last step.
+  /// Returns the states at the start of the last step.
   const double* start() const { return start_.data(); }
 
  private:
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_states, max_states>;
 
-  static constexpr int max_corrections = 40;  // of a stage
-  static constexpr double slow = 0.1;         // a correction that is no smaller part of the one before it
-  static constexpr double goal = 1e-12;       // of corrections, in sizes of their states
-  static constexpr double at_rest = 1e-6;     // the same, where they get no smaller
+  static constexpr int max_corrections = 40;  // per stage
+  static constexpr double slow = 0.1;      // ratio of successive corrections from which convergence is slow
+  static constexpr double goal = 1e-12;    // largest final correction, relative to the states
+  static constexpr double at_rest = 1e-6;  // the same if rounding prevents smaller corrections
   static constexpr double smallest_size = 1e-6;
 
-  static constexpr double gamma = 0.43586652150845899942;  // of 6 g^3 - 18 g^2 + 9 g - 1 = 0 the middle one
+  static constexpr double gamma = 0.43586652150845899942;  // middle root of 6 g^3 - 18 g^2 + 9 g - 1 = 0
   static constexpr double middle = (1.0 + gamma) / 2.0;
   static constexpr double b1 = -(6.0 * gamma * gamma - 16.0 * gamma + 1.0) / 4.0;
   static constexpr double b2 = (6.0 * gamma * gamma - 20.0 * gamma + 5.0) / 4.0;
   static constexpr double a[3][2] = {{0.0, 0.0}, {(1.0 - gamma) / 2.0, 0.0}, {b1, b2}};
-  /// Weights of order 2 on the first two stages, for the error.
+  /// Weights of order 2 on the first two stages, for the error estimate.
   static constexpr double second = (0.5 - gamma) / (middle - gamma);
 
-  /// The stages; false where one is not solved.
+  /// Computes the stages. Returns false if one is not solved.
   template <class X, class Dot, class Evaluate>
   bool take(X& x, const Dot& dot, double* now, double time, double end, double step,
             const Evaluate& evaluate) {
@@ -92,7 +92,7 @@ class Sdirk {
     return true;
   }
 
-  /// A new matrix at x, where the slope is slope_.
+  /// Computes a new matrix at x, where the derivative is slope_.
   template <class X, class Dot, class Evaluate>
   void renew(X& x, const Dot& dot, double step, const Evaluate& evaluate) {
     point_ = x;
@@ -102,8 +102,9 @@ class Sdirk {
     factors_.compute(jacobian_);
   }
 
-  /// x = base_ + step gamma f(x), from the x that is there. False where that is not found. A correction by an
-  /// old matrix that is hardly smaller than the one before it is not made: it may lead to another solution.
+  /// Solves x = base_ + step gamma f(x), starting at the present x. Returns false without a solution. A
+  /// correction with an old matrix that is hardly smaller than the last one is not applied, since it may lead
+  /// to another solution.
   template <class X, class Dot, class Evaluate>
   bool solve(X& x, const Dot& dot, double step, const Evaluate& evaluate) {
     double before = std::numeric_limits<double>::infinity();
@@ -118,17 +119,17 @@ class Sdirk {
         size = correct(x);
       }
       if (!std::isfinite(size)) return false;
-      // A law with a bend may throw corrections from one side of it to the other; halved ones meet between.
+      // At a kink corrections may alternate between its sides; halving them converges.
       if (size > 0.5 * before) change_ *= 0.5;
       x += change_;
-      // Rounding may keep corrections from getting smaller.
+      // Rounding may prevent smaller corrections.
       if (size <= goal || (is_slow && size > slow * before && size <= at_rest)) return true;
       before = size;
     }
     return false;
   }
 
-  /// The change that x needs by the matrix; returns it in sizes of the states.
+  /// Computes the correction of x with the matrix. Returns its size relative to the states.
   template <class X>
   double correct(const X& x) {
     change_ = factors_.solve(right_);
@@ -150,8 +151,8 @@ class Sdirk {
     report.write(StepReport::unsolved, worst.size, worst.state);
   }
 
-  /// The difference to the weights of order 2 on the right, and solved once more, as what is infinitely fast
-  /// is no error of the next step.
+  /// Estimates the error by the difference to the weights of order 2. One more solution with the matrix
+  /// removes infinitely fast components, which are no error of the next step.
   void estimate() {
     right_ = (1.0 - second - b1) * stages_[0] + (second - b2) * stages_[1] - gamma * stages_[2];
     change_ = factors_.solve(right_);
@@ -171,7 +172,7 @@ class Sdirk {
   }
 
   Vector start_, base_, slope_, point_, right_, change_;
-  Vector stages_[3];  ///< slope of each, times the step
+  Vector stages_[3];  ///< derivatives times the step
   Matrix jacobian_;
   Eigen::PartialPivLU<Matrix> factors_;
   StepCheck<max_states> check_;

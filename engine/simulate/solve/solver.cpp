@@ -15,11 +15,11 @@ using MakeControlled = std::unique_ptr<Solver> (*)(std::size_t states, const Err
 
 struct Entry {
   SolverKind kind;
-  Tableau (*tableau)() = nullptr;            ///< null for a method that is not explicit
-  CalledMethod method{};                     ///< of one that is implicit
-  MakeSolver make = nullptr;                 ///< likewise
-  CalledMethod controlled{};                 ///< of one that controls its error
-  MakeControlled make_controlled = nullptr;  ///< likewise
+  Tableau (*tableau)() = nullptr;            ///< nullptr for an implicit method
+  CalledMethod method{};                     ///< for an implicit method
+  MakeSolver make = nullptr;                 ///< for an implicit method
+  CalledMethod controlled{};                 ///< for a method with error control
+  MakeControlled make_controlled = nullptr;  ///< for a method with error control
 };
 
 template <class Method>

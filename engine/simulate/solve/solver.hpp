@@ -12,74 +12,77 @@
 
 namespace stepwire::solve {
 
-/// States from `first` to `end - 1`.
+/// Range of states [first, end).
 struct StatePiece {
   std::size_t first, end;
 };
 
-/// The differential equations of a run, as a solver sees them: x is set, evaluate() fills dot at the time in
-/// *time.
+/// Differential equations of a run, as a solver uses them. After x and *time are set, evaluate() computes
+/// dot.
 class System {
  public:
   virtual ~System() = default;
   virtual void evaluate() = 0;
-  /// Is the way ended at this time, up to which a solver that chooses its steps has come?
+  /// True if the integration ends at this time. Solvers with error control call it after each of their steps.
   virtual bool stops(double /*at*/) { return false; }
 
   double* time = nullptr;  ///< [s]
   double* x = nullptr;
   double* dot = nullptr;
   std::size_t count = 0;
-  std::vector<StatePiece> moving;  ///< where slopes may not be 0 in this step; empty: everywhere
-  StepReport report;               ///< where an implicit solver says what is wrong with a step
+  std::vector<StatePiece> moving;  ///< Ranges of states whose derivatives may differ from 0 in this step; an
+                                   ///< empty list means all.
+  StepReport report;               ///< Report of an implicit solver on a failed step.
 };
 
-/// A fixed step in time [s]. `end` is the time of the next tick as that will have it, which start + length
-/// may miss by a rounding.
+/// Fixed step in time [s]. `end` is the exact time of the next tick; start + length may differ from it by
+/// rounding.
 struct TimeStep {
   double start, end, length;
 
-  /// The time of a stage, a fraction of the step behind its start.
+  /// Returns the time of a stage at a fraction of the step.
   double at(double fraction) const { return fraction == 1.0 ? end : start + fraction * length; }
 };
 
-/// Advances x over one fixed step. Scratch memory is its own and made once.
+/// Integrates x over one fixed step. Its scratch memory is allocated once.
 class Solver {
  public:
   virtual ~Solver() = default;
-  /// x becomes the state at the step's end. On entry dot is already evaluated at its start. Leaves *time as
-  /// it pleases.
+  /// Integrates x to the end of the step. On entry dot must be the derivative at its start. *time is left
+  /// undefined.
   virtual void advance(System& system, const TimeStep& step) = 0;
-  /// The states at the start of the last step; of those that did not move anything.
+  /// Returns the states at the start of the last step; undefined for states that did not change.
   virtual const double* start() const = 0;
 };
 
 struct SolverKind {
   std::string name, doc;
   int order;
-  bool controls = false;  ///< may it choose the length of its steps?
-  bool fixed = true;      ///< may it take the steps of the file as they are?
+  bool controls = false;  ///< true if it has error control
+  bool fixed = true;      ///< true if it can take fixed steps
 };
 
-/// The solvers that a diagram file may name: euler, heun, bogacki_shampine, rk4, dormand_prince, rosenbrock,
-/// sdirk, and, with control of the error, dop853, rodas, radau and auto.
+/// Returns the solvers that a diagram file may name: euler, heun, bogacki_shampine, rk4, dormand_prince,
+/// rosenbrock, sdirk, and, with error control, dop853, rodas, radau and auto.
 const std::vector<SolverKind>& solver_kinds();
 
-/// The numbers of an explicit solver; nothing for one that is not explicit, or not known.
+/// Returns the coefficients of an explicit solver; std::nullopt for any other or unknown solver.
 std::optional<Tableau> find_tableau(const std::string& name);
 
-/// How code calls a solver whose stages it does not write out: one that is implicit, or controls its error.
+/// Call of a solver from generated code, for solvers whose stages are not written out: implicit ones, and
+/// those with error control.
 struct CalledMethod {
-  std::string type;  ///< "solve::Rosenbrock<{}>", with the states in the hole
+  std::string type;  ///< type with a placeholder for the number of states, "solve::Rosenbrock<{}>"
   std::vector<std::string> headers;
 };
-/// Nothing for one that is written out, or not known.
+/// Returns std::nullopt for a solver that is written out or unknown.
 std::optional<CalledMethod> find_called(const std::string& name, bool controlled);
 
-/// Does the solver look at the system at ticks alone, never between them?
+/// True if the solver evaluates the system at ticks only, never between them.
 bool evaluates_ticks_only(const std::string& name);
 
-/// Null for a name that is not known, or does not go with control of the error, or without.
+/// Returns nullptr for an unknown name, and for a solver that is used with error control but has none, or the
+/// other way round.
 std::unique_ptr<Solver> make_solver(const std::string& name, std::size_t states,
                                     const std::optional<ErrorControl>& control = {});
 

@@ -11,15 +11,15 @@
 
 namespace stepwire::solve {
 
-/// Repeats a step whose own estimate is in doubt with control of the error and compares the states. An
-/// implicit method damps what it cannot follow, and its estimate with it; a state that has jumped with its
-/// input is right all the same.
+/// Repeats a step with a doubtful error estimate under error control, and compares the states. An implicit
+/// method damps components that it does not resolve, and its estimate with them; a state that has jumped with
+/// its input is still correct.
 template <int max_states>
 class StepCheck {
  public:
   explicit StepCheck(Eigen::Index states) : solver_(states) { kept_.setZero(states); }
 
-  /// `x` stays as it is. The error is in sizes of the states.
+  /// Returns the error relative to the sizes of the states. `x` is restored.
   template <class X, class Start, class Evaluate>
   WorstError error(X& x, double* dot_place, const Start& start, double* now, double time, double end,
                    double step, const Evaluate& evaluate) {
@@ -38,7 +38,7 @@ class StepCheck {
     *now = end;
     evaluate();
     for (Eigen::Index i = 0; i < x.size(); ++i) {
-      // A state at rest at 0 whose input jumps within the step errs by some of what it moves in a step.
+      // A state that is 0 and whose input jumps in the step may err by a part of its change.
       const bool rests = std::abs(start[i]) <= WorstError::smallest_size;
       const double late = rests ? 16.0 * step * std::abs(dot_place[i]) : 0.0;
       worst.add(std::max(std::abs(kept_[i] - x[i]) - late, 0.0), size(start[i], x[i], step * dot_place[i]),
@@ -51,9 +51,9 @@ class StepCheck {
  private:
   static constexpr double slow = 4.0;
 
-  /// The size of a state that errors are compared with: the larger of its values at the start and at the end.
-  /// A state that falls by powers of ten and is slow at the end keeps its error, so that its size is that of
-  /// the end. A state that is as fast as the step there loses it in the next step.
+  /// Returns the size of a state that errors are compared with. It is the larger of the values at the start
+  /// and at the end. A state that decays by powers of ten and is slow at the end keeps its error, so its size
+  /// is the value at the end. A state with a time constant below the step loses the error in the next step.
   static double size(double start, double end, double change) {
     return std::abs(change) <= slow * std::abs(end) ? std::abs(end)
                                                     : std::max(std::abs(start), std::abs(end));

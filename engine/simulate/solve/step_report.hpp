@@ -5,14 +5,14 @@
 
 namespace stepwire::solve {
 
-/// A fault of a step, as its method finds it: numbers of the workspace.
+/// Fault of a step that its method has detected, as numbers of the workspace.
 struct StepReport {
   static constexpr double fine = 0.0, inaccurate = 1.0, unsolved = 2.0, too_many_steps = 3.0, unstable = 4.0;
   static constexpr std::size_t count = 3;
-  static constexpr std::size_t longest_step = 3;  ///< [s]; of a fixed step that is unstable
+  static constexpr std::size_t longest_step = 3;  ///< longest stable step [s], for an unstable fixed step
 
-  double* numbers = nullptr;  ///< what is wrong, how large, and in which state; null: nothing is looked for
-  double tolerance = 2.0;     ///< largest error of a step, in sizes of its state
+  double* numbers = nullptr;  ///< kind, size and state of the fault; nullptr disables the checks
+  double tolerance = 2.0;     ///< largest error of a step, relative to the state
 
   explicit operator bool() const { return numbers != nullptr; }
   void write(double what, double size, std::ptrdiff_t state) const {
@@ -22,9 +22,9 @@ struct StepReport {
   }
 };
 
-/// The largest of errors, in sizes of their states, and which state has it.
+/// Largest of several errors relative to the sizes of their states, and the state that has it.
 struct WorstError {
-  static constexpr double smallest_size = 1e-9;  ///< of a state, in its own SI unit
+  static constexpr double smallest_size = 1e-9;  ///< of a state, in its SI unit
   double size = 0.0;
   std::ptrdiff_t state = 0;
 

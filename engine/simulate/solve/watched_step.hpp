@@ -10,12 +10,14 @@
 
 namespace stepwire::solve {
 
-/// The way from a tick to the next with a solver that chooses its steps. Behind each of them crossings are
-/// looked at; where one may lie in it, or an edge of a source, that step alone is taken again from event to
-/// event. Where there is none, the steps are those of a run that looks for nothing.
+/// Integrates from one tick to the next with a solver with error control, and locates events.
 ///
-/// Beside the functions of a `Run` of EventLocator it has advance_watched(from, to, length, stops): the same
-/// as advance(), and it is asked behind each step but the last one whether the way ends there.
+/// The crossing functions are checked after each of the solver's own steps. Only a step that may contain a
+/// crossing or an edge of a source is repeated from event to event. Without events the steps are the same as
+/// in a run without event location.
+///
+/// Beside the functions of a `Run` of EventLocator, `Run` has advance_watched(from, to, length, stops). It is
+/// advance() with a predicate that is called after each step but the last one and may end the integration.
 template <class Run>
 class WatchedStep {
  public:
@@ -28,7 +30,7 @@ class WatchedStep {
 
   void advance(double start, double end, double length) {
     double from = start;
-    bool pending = false;  // has something crossed at the very end of the last stretch?
+    bool pending = false;  // true if something has crossed at the very end of the last interval
     while (from < end) {
       begin(from, pending);
       double reached = end;
@@ -46,7 +48,7 @@ class WatchedStep {
   }
 
  private:
-  /// Ends the way where something may have happened.
+  /// Predicate that ends the integration where an event may have happened.
   struct Here : Stops {
     Here(WatchedStep& step, double& reached) : step(step), reached(reached) {}
     bool operator()(double at) const override {
@@ -65,7 +67,7 @@ class WatchedStep {
     if (!pending) run_.crossings(before_);
     open(at);
   }
-  /// From here on nothing is known.
+  /// Begins a new interval at this time.
   void open(double at) {
     open_ = at;
     edge_ = run_.edge();
@@ -84,7 +86,7 @@ class WatchedStep {
       past[0] = look_closer;
       return true;
     }
-    if (edge_ > at) {  // one that lies there belongs to this stretch
+    if (edge_ > at) {  // an edge exactly at `at` is part of this interval
       std::copy_n(after_, task_.crossing_count, before_);
       open(at);
     }
@@ -99,8 +101,8 @@ class WatchedStep {
   const EventTask& task_;
   double* const values_;
   const Run& run_;
-  double *before_, *after_;         ///< crossings at the start of the stretch and at its end
-  double open_ = 0.0, edge_ = 0.0;  ///< the start of the stretch, and the next edge of a source there
+  double *before_, *after_;         ///< crossing functions at the start of the interval and at its end
+  double open_ = 0.0, edge_ = 0.0;  ///< start of the interval, and the next edge of a source there
 };
 
 }  // namespace stepwire::solve
