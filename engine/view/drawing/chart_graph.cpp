@@ -16,10 +16,10 @@ struct ChartNode {
   std::string name, parent;  ///< full names
   const Value* tree;
   bool holds = false;
-  std::vector<std::pair<std::string, std::string>> to;  ///< state and guard
+  std::vector<std::pair<std::string, std::string>> to;  ///< target state and guard
 };
 
-/// A text of the file that is no longer than fits beside an arrow.
+/// Returns the text of a guard, shortened to fit beside an arrow.
 std::string guard_text(const Value& guard) {
   const std::string text = guard.text() ? *guard.text() : "";
   return text.size() > longest_guard ? text.substr(0, longest_guard - 1) + "…" : text;
@@ -82,7 +82,7 @@ class ChartWriter {
       for (const auto& [name, time] : *timeout->map()) add(name, "after " + guard_text(time));
   }
 
-  /// As the block finds it: beside or within the state, or that of all that hold it.
+  /// Finds a state as the block does: beside or within the state, then in the states that hold it.
   std::string find(const std::string& name, std::string holder) const {
     for (;; holder.resize(holder.find('.') == std::string::npos ? 0 : holder.rfind('.'))) {
       const std::string full = holder.empty() ? name : holder + "." + name;
@@ -91,7 +91,7 @@ class ChartWriter {
     }
   }
 
-  /// Each arrow ends at a port of its own: arrows from different states do not run together.
+  /// Returns the port of a transition; each has its own, so that arrows from different states do not merge.
   static std::string entry(const ChartNode& from, std::size_t transition) {
     return from.name + "." + std::to_string(transition + 1);
   }

@@ -9,11 +9,11 @@
 
 namespace stepwire::drawing {
 
-/// The states of a block that has some (its tree `states`), as StateMachine; nothing for other blocks.
+/// Returns the states of a block with a tree `states`, such as StateMachine; std::nullopt for other blocks.
 std::optional<Value> chart_of(const diagram::DiagramBlock& block);
 
-/// States as nodes and transitions as wires, in the graph of graph.hpp; `id` is that of the block. A state
-/// that holds others is a group of these, in which it stands itself.
+/// Returns states as nodes and transitions as wires, in the graph format of graph.hpp; `id` is that of the
+/// block. A state that holds others is a group of these and also a node of that group.
 json::Json chart_graph(const Value& states, const std::string& id);
 
 }  // namespace stepwire::drawing

@@ -28,7 +28,8 @@ diagram::Diagram load(diagram::Loader& loader, const std::string& path) {
   return loader.load(name);
 }
 
-/// Units are found without a plan, so that a diagram whose loops cannot be ordered is drawn, too.
+/// Returns the diagram with units. They are found without a plan, so that a diagram with loops that cannot be
+/// ordered can be drawn too.
 diagram::Diagram with_units(diagram::Diagram diagram) {
   diagram::Report report(diagram);
   diagram::infer_units(report);
@@ -36,7 +37,7 @@ diagram::Diagram with_units(diagram::Diagram diagram) {
   return diagram;
 }
 
-/// Of what a picture follows from: what is drawn, the modules that draw, and the version of elkjs.
+/// Returns a hash of all inputs of a picture: the graph, the drawing modules, and the version of elkjs.
 std::string hash_of_picture(const std::string& module, const std::string& drawn) {
   std::vector<std::filesystem::path> files{module + "/package-lock.json"};
   for (const auto& entry : std::filesystem::directory_iterator(module))
@@ -66,7 +67,7 @@ std::vector<std::string> DiagramView::parts() const {
   for (const diagram::ScopeInfo& scope : diagram_.scopes)
     if (scope.prefix.starts_with(above) && scope.prefix != above)
       names.push_back(scope.prefix.substr(above.size(), scope.prefix.size() - above.size() - 1));
-  for (const diagram::DiagramBlock& block : diagram_.blocks)  // what has states has these inside
+  for (const diagram::DiagramBlock& block : diagram_.blocks)  // blocks with states can be opened too
     if (block.name.starts_with(above) && chart_of(block)) names.push_back(block.name.substr(above.size()));
   return names;
 }

@@ -6,24 +6,24 @@
 
 namespace stepwire::drawing {
 
-/// A checked diagram as it is drawn; for as long as the diagram and the documents that it was loaded from are
-/// there.
+/// Drawable view of a checked diagram. The diagram and the documents that it was loaded from must outlive it.
 class DiagramView {
  public:
-  /// `scope` is the file that is drawn: the diagram itself, or one that it uses as a part.
+  /// `scope` is the drawn file: the diagram itself, or a part of it.
   DiagramView(const diagram::Diagram& diagram, diagram::Loader& loader, int scope = 0)
       : diagram_(diagram), loader_(loader), scope_(scope) {}
 
   const diagram::Diagram& diagram() const { return diagram_; }
   int scope() const { return scope_; }
-  /// Names of all parts that can be opened: "rig", "rig.mount".
+  /// Returns the names of all parts that can be opened: "rig", "rig.mount".
   std::vector<std::string> parts() const;
   json::Json graph(const GraphOptions& options) const;
-  /// Names of all blocks and parts of the file and of its parts; with their outputs where `signals`.
+  /// Returns the names of all blocks and parts of the file and of its parts; with `signals` also those of
+  /// their outputs.
   std::vector<std::string> blocks(bool signals) const;
-  /// The blocks and parts of the file itself.
+  /// Returns the blocks and parts of the file itself.
   std::vector<std::string> children() const;
-  /// The signals that a drawing with these options has: those that labels can be on.
+  /// Returns the signals in a drawing with these options, which may have labels.
   std::vector<std::string> signals(const GraphOptions& options) const;
 
  private:
@@ -32,10 +32,10 @@ class DiagramView {
   int scope_;
 };
 
-/// A diagram file, or one that is only used as a part, to be drawn.
+/// Diagram file, or file of a part, to be drawn.
 class DrawnFile {
  public:
-  /// Loads and checks. Throws Error with everything that is wrong.
+  /// Loads and checks the file. Throws Error with all faults.
   DrawnFile(diagram::Loader& loader, const std::string& path);
 
   const DiagramView& view() const { return view_; }
@@ -45,9 +45,9 @@ class DrawnFile {
   DiagramView view_;
 };
 
-/// The picture of a graph, or of a mechanism as rig.mjs describes it, as SVG; the same JSON gives the same
-/// bytes. A picture is kept in cache_folder(), since laying one out takes seconds. Throws EnvironmentError
-/// where node or elkjs is missing.
+/// Returns a graph, or a mechanism in the format of rig.mjs, as SVG. The same JSON gives the same bytes. A
+/// layout takes seconds, so pictures are cached in cache_folder(). Throws EnvironmentError if node or elkjs
+/// is missing.
 std::string draw_picture(const json::Json& drawn);
 
 }  // namespace stepwire::drawing

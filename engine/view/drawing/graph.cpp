@@ -22,7 +22,7 @@ class GraphWriter {
   GraphWriter(const diagram::Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options)
       : diagram_(diagram), options_(options), selection_(diagram, hierarchy, options) {}
 
-  /// The whole, with the groups of its blocks.
+  /// Returns the complete graph, with its groups of blocks.
   Json whole(const Hierarchy& hierarchy) {
     signals_.insert(signals_.end(), hierarchy.inputs.begin(), hierarchy.inputs.end());
     Json drawn = graph(hierarchy, hierarchy.inputs, selection_.own_outputs(hierarchy), 0);
@@ -46,7 +46,7 @@ class GraphWriter {
                       {}});
   }
 
-  /// `outputs` are those of the file itself that are drawn.
+  /// `outputs` are the drawn ones of the file itself.
   Json graph(const Hierarchy& hierarchy, const std::vector<std::string>& inputs,
              const std::vector<int>& outputs, int depth) {
     const auto shown = selection_.shown(hierarchy, outputs);
@@ -71,7 +71,7 @@ class GraphWriter {
         .set("wires", std::move(wires));
   }
 
-  /// A port of the file itself, with the text on its wire; inside of a part that stands outside.
+  /// Returns a port of the file itself, with the text on its wire. A part has this text outside.
   Json marked(Json port, const Hierarchy& hierarchy, const std::string& name) const {
     const auto label = hierarchy.parent ? options_.labels.end() : options_.labels.find(name);
     if (label != options_.labels.end()) port.set("mark", label->second);
@@ -88,12 +88,12 @@ class GraphWriter {
     return Json::object().set("node", node).set("port", port);
   }
 
-  /// "u" for an input, "u.1" for the first of a list.
+  /// Returns "u" for an input, "u.1" for the first of a list.
   static std::string input_name(const ReferenceInput& input, std::size_t feed) {
     return input.feeds.size() == 1 ? input.name : input.name + "." + std::to_string(feed + 1);
   }
 
-  /// Are the names of these ports worth being drawn? Not of the only port, nor u or y alone.
+  /// True if the names of these ports are drawn: not for a single port, nor for a single u or y.
   static bool are_telling(const std::vector<std::string>& names, std::size_t declared) {
     return declared > 1 && !(names.size() == 1 && (names.front() == "u" || names.front() == "y"));
   }
@@ -137,7 +137,8 @@ class GraphWriter {
     return outputs;
   }
 
-  /// The text on the wire of a block's output, which may have the block's name `alone`; or null.
+  /// Returns the text on the wire of a block's output, by the output's name. If it is the block's only one
+  /// (`alone`), the block's name is valid too. Returns nullptr without a text.
   const std::string* label_of(const std::string& id, const std::string& output, bool alone) const {
     auto found = options_.labels.find(id + "." + output);
     if (found == options_.labels.end() && alone) found = options_.labels.find(id);
@@ -180,7 +181,7 @@ class GraphWriter {
     if (const auto every = sample_time_text(block, *child.written); !every.empty()) node.set("every", every);
   }
 
-  /// The ports that lead into what is in a frame: not those of the condition on which it runs.
+  /// Returns the ports of a frame that lead to its content, without those of its enable and trigger.
   static Json inner_ports(const Json& ports) {
     Json inner = Json::list();
     for (const Json& port : ports.items())
@@ -188,7 +189,7 @@ class GraphWriter {
     return inner;
   }
 
-  /// The states of a block that has some, in a frame with its ports.
+  /// Adds the states of a block, if any, in a frame with its ports.
   void add_chart(Json& node, const BlockReference& child, const std::string& id, const Json& inputs,
                  const Json& outputs) const {
     const auto states = chart_of(block_of(child));
@@ -252,8 +253,8 @@ class GraphWriter {
   const diagram::Diagram& diagram_;
   const GraphOptions& options_;
   Selection selection_;
-  std::vector<std::string> signals_;  ///< that have a place in what was drawn
-  std::size_t drawn_ = 0;             ///< blocks and parts
+  std::vector<std::string> signals_;  ///< signals that have a place in the drawing
+  std::size_t drawn_ = 0;             ///< number of blocks and parts
 };
 
 }  // namespace

@@ -9,19 +9,24 @@
 
 namespace stepwire::drawing {
 
-/// A diagram as the graph that draw.mjs draws:
+/// Returns a diagram as the graph that draw.mjs draws. Its parts are
+///
 ///   graph: {title (of the whole), inputs: [port], outputs: [port], nodes: [node], wires: [wire],
 ///          groups: [{name, members: [id]}] (of the whole)}
+///
 ///   node: {id, name, type, part, outline, lines, fraction, curve, axes, state, inputs: [port], outputs:
-///   [port],
-///          graph (of an opened part)}
-///   port: {port, label, sign, recorded, mark (text on the wire that begins there)}; only what is fed, wired
-///   or recorded has one wire: {from: end, to: end, unit} end: {node, port} or {constant}; the node "" is the
-///   file itself.
-/// What is to be opened and is not there is passed over.
+///          [port], graph (of an opened part)}
+///
+///   port: {port, label, sign, recorded, mark (text on the wire that begins there)}; listed if connected or
+///   recorded
+///
+///   wire: {from: end, to: end, unit}
+///   end: {node, port} or {constant}; the node "" is the file itself.
+///
+/// Names to be opened that do not exist are ignored.
 json::Json graph_of(const diagram::Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options);
 
-/// The signals that are drawn: those that labels can be on.
+/// Returns the drawn signals, which may have labels.
 std::vector<std::string> drawn_signals(const diagram::Diagram& diagram, const Hierarchy& hierarchy,
                                        const GraphOptions& options);
 

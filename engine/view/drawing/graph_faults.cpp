@@ -13,7 +13,7 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-/// "It has: a, b, c"; of many names the first ones.
+/// Returns "It has: a, b, c"; of many names the first ones.
 std::string listing(const std::string& opening, const Keys& names, const std::string& none) {
   constexpr std::size_t most = 24;
   if (names.empty()) return none;
@@ -22,7 +22,7 @@ std::string listing(const std::string& opening, const Keys& names, const std::st
                      names.size() > most ? ", ..." : "");
 }
 
-/// Looks names up, and gathers what is missing.
+/// Looks names up and collects the unknown ones.
 class OptionChecker {
  public:
   OptionChecker(const DiagramView& view, const GraphOptions& options) : view_(view), options_(options) {}

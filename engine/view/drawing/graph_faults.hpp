@@ -8,14 +8,14 @@
 
 namespace stepwire::drawing {
 
-/// A name in the options of a drawing that the diagram does not have.
+/// Unknown name in the options of a drawing.
 struct GraphFault {
-  std::string key;   ///< of the option: "hide"
-  std::string word;  ///< as it was given
+  std::string key;   ///< key of the option: "hide"
+  std::string word;  ///< the name as it was given
   yaml::Message message;
 };
 
-/// All that is wrong with the names in the options of a drawing.
+/// Returns all unknown names in the options of a drawing.
 std::vector<GraphFault> faults_of(const DiagramView& view, const GraphOptions& options);
 
 }  // namespace stepwire::drawing

@@ -1,5 +1,5 @@
-// More than 300 lines with its header: what one reading of a file and its parts finds, of blocks, buses and
-// conditions.
+// More than 300 lines with its header: blocks, buses and conditions are found in one pass over a file and its
+// parts.
 #include "engine/view/drawing/hierarchy.hpp"
 
 #include <map>
@@ -24,7 +24,7 @@ class OutlineReader {
       : diagram_(diagram), loader_(loader) {
     for (std::size_t i = 0; i < diagram.blocks.size(); ++i) {
       blocks_[diagram.blocks[i].name] = static_cast<int>(i);
-      // Of the copies for the fields of a bus the first is drawn, as the block that the file has.
+      // Of the copies of a block for the fields of a bus, the first one is drawn.
       if (!diagram.blocks[i].copy_of.empty())
         blocks_.try_emplace(diagram.blocks[i].copy_of, static_cast<int>(i));
     }
@@ -102,7 +102,7 @@ class OutlineReader {
       for (const char* key : {"enable", "trigger"}) add_condition(hierarchy, names, child, key);
   }
 
-  /// Finds what feeds what, once all children are known.
+  /// Finds the sources of all inputs. Requires that all children are known.
   void connect(Hierarchy& hierarchy, const yaml::Node& root) {
     diagram::Scope names;
     for (const BlockReference& child : hierarchy.children) names.names[child.name];
@@ -121,7 +121,7 @@ class OutlineReader {
     }
   }
 
-  /// Has the key of this input a value, as `initial: 2 m`, and not a signal?
+  /// True if the key of this input has a value, such as `initial: 2 m`, and not a signal.
   bool has_value_in_place(const BlockReference& child, std::size_t input) const {
     return block_of(child).inputs[input].empty() &&
            diagram::has_value(type_of(child), type_of(child).inputs[input].name);
@@ -134,7 +134,7 @@ class OutlineReader {
     ReferenceInput input{name, {}};
     if (list && node->is_list()) {
       for (const yaml::Node& item : node->items) input.feeds.push_back(feed(hierarchy, names, item));
-    } else if (node->is_map() && !node->find("value")) {  // a bus that is written where it is read
+    } else if (node->is_map() && !node->find("value")) {  // a bus literal
       for (const diagram::BusField& field : diagram::written_fields(*node))
         input.feeds.push_back(feed(hierarchy, names, *field.signal));
     } else {
@@ -143,13 +143,13 @@ class OutlineReader {
     child.inputs.push_back(std::move(input));
   }
 
-  /// Is a key of this name one of the child's own? `trigger` of a block with a reset.
+  /// True if a child has a key of this name itself, such as the `trigger` of a block with a reset.
   bool has_key(const BlockReference& child, const char* key) const {
     if (!child.part) return type_of(child).input(key) >= 0 || type_of(child).parameter(key);
     return std::ranges::find(child.part->inputs, key) != child.part->inputs.end();
   }
 
-  /// What decides when a child is active: the signals of its formula.
+  /// Adds the signals of the formula that enables a child.
   void add_condition(const Hierarchy& hierarchy, const diagram::Scope& names, BlockReference& child,
                      const char* key) {
     const yaml::Node* node = child.written->find(key);
@@ -168,13 +168,13 @@ class OutlineReader {
     const auto found = source(hierarchy, names, node.text);
     if (!found) return {};
     if (found->child >= 0) return wired(hierarchy, *found, node.text);
-    // An input that nobody feeds has the part's own default.
+    // An input of a part without a source has the part's default.
     const std::string& port = hierarchy.inputs[static_cast<std::size_t>(found->port)];
     const yaml::Node* fallback = unfed_default(hierarchy, port);
     return fallback ? feed(hierarchy, names, *fallback) : wired(hierarchy, *found, node.text);
   }
 
-  /// What is drawn of a wire that a file names so.
+  /// Returns the drawn form of a wire with this text.
   WireFeed wired(const Hierarchy& hierarchy, const WireSource& source, const std::string& text) const {
     WireFeed feed{source, {}};
     std::string whole = text;
@@ -197,7 +197,7 @@ class OutlineReader {
                             : hierarchy.children[static_cast<std::size_t>(source.child)].outputs[port];
   }
 
-  /// The name of the port itself, as a reference begins.
+  /// Returns the part of a reference that names the port itself.
   static std::string start_of(const Hierarchy& hierarchy, const WireSource& source, const std::string& text) {
     const std::string& port = port_name(hierarchy, source);
     if (source.child < 0) return port;
@@ -206,7 +206,7 @@ class OutlineReader {
     return text == full || text.starts_with(full + ".") ? full : name;
   }
 
-  /// The default of an input of a part that the using file leaves out; null otherwise.
+  /// Returns the default of an input of a part that has no source; nullptr otherwise.
   const yaml::Node* unfed_default(const Hierarchy& hierarchy, const std::string& port) {
     if (hierarchy.scope == 0) return nullptr;
     const diagram::ScopeInfo& info = diagram_.scopes[static_cast<std::size_t>(hierarchy.scope)];
@@ -216,7 +216,7 @@ class OutlineReader {
     return declared.is_map() ? declared.find("default") : nullptr;
   }
 
-  /// The keys with which a file uses a part.
+  /// Returns the keys with which a file uses a part.
   const yaml::Node& user_of(const diagram::ScopeInfo& info) {
     const diagram::ScopeInfo& user = diagram_.scopes[static_cast<std::size_t>(info.used_at.scope)];
     const std::string name =
@@ -236,13 +236,13 @@ class OutlineReader {
       const bool is_only = child.is_bus() || name.size() == whole.size();
       int port = is_only ? 0 : start_among(child.outputs, whole.substr(name.size() + 1));
       const bool is_copied = child.block >= 0 && !block_of(child).copy_of.empty();
-      if (port < 0 && is_copied) port = 0;  // a field of what the block passes on
+      if (port < 0 && is_copied) port = 0;  // field of a bus that the block passes through
       if (port >= 0) return WireSource{static_cast<int>(i), port};
     }
     return std::nullopt;
   }
 
-  /// The name with which a dotted text begins.
+  /// Returns the index of the name that is the beginning of a dotted text.
   static int start_among(const std::vector<std::string>& names, const std::string& text) {
     for (std::size_t i = 0; i < names.size(); ++i)
       if (text == names[i] || text.starts_with(names[i] + ".")) return static_cast<int>(i);

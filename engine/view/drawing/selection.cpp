@@ -5,8 +5,8 @@
 namespace stepwire::drawing {
 
 bool follows_pattern(const std::string& name, const std::string& pattern) {
-  // The last star is the only one that is ever widened: what it leaves over the earlier ones could not do
-  // better.
+  // Greedy matching: only the last star needs to be extended, since another length of an earlier star cannot
+  // match better.
   std::size_t at = 0, in_pattern = 0, star = std::string::npos, resumed = 0;
   while (at < name.size()) {
     if (in_pattern < pattern.size() && pattern[in_pattern] == '*') {
@@ -108,7 +108,8 @@ std::vector<int> Selection::own_outputs(const Hierarchy& hierarchy) const {
   return found;
 }
 
-/// The outputs that lead somewhere; where none does, all that are not hidden, unless what they lead to is.
+/// Returns the outputs with a visible sink. If none has one, returns all outputs of its own that are not
+/// hidden.
 std::vector<int> Selection::outputs_of(const Hierarchy& hierarchy, int child,
                                        const std::set<std::pair<int, int>>& used) const {
   const BlockReference& from = hierarchy.children[static_cast<std::size_t>(child)];

@@ -10,40 +10,40 @@
 
 namespace stepwire::drawing {
 
-/// What of a diagram's hierarchies is drawn: all but what is hidden, and of each child the outputs that lead
-/// somewhere.
+/// Selection of the drawn blocks and outputs: all but hidden blocks, and the outputs of each child that have
+/// a sink.
 class Selection {
  public:
-  /// The outputs of a child that are drawn; none where `hidden`.
+  /// Drawn outputs of a child; an empty list if it is hidden.
   struct Shown {
     bool hidden = false;
     std::vector<int> outputs;
   };
 
-  /// One thing that an input is fed by.
+  /// Connection of an input.
   struct Feed {
     const ReferenceInput* input = nullptr;
     std::size_t index = 0;  ///< in its list
   };
 
-  /// `hierarchy` is the file that is drawn.
+  /// `hierarchy` is the drawn file.
   Selection(const diagram::Diagram& diagram, const Hierarchy& hierarchy, const GraphOptions& options);
 
-  /// Full name of a file's block, seen from the file that is drawn.
+  /// Returns the full name of a block, relative to the drawn file.
   std::string name_in(const Hierarchy& hierarchy, const std::string& name) const;
-  /// For each child of a file, of whose own outputs `own` are drawn.
+  /// Returns the drawn outputs of each child of a file; `own` are the drawn outputs of the file itself.
   std::vector<Shown> shown(const Hierarchy& hierarchy, const std::vector<int>& own) const;
-  /// The outputs of the file itself that are drawn.
+  /// Returns the drawn outputs of the file itself.
   std::vector<int> own_outputs(const Hierarchy& hierarchy) const;
-  /// What is drawn of all that a child is fed by: not what is hidden, nor what an opened part needs for
-  /// hidden blocks only.
+  /// Returns the drawn connections of a child, without hidden sources and without inputs of an opened part
+  /// that only hidden blocks use.
   std::vector<Feed> feeds(const Hierarchy& hierarchy, const BlockReference& child, int depth) const;
   bool is_recorded(const Hierarchy& hierarchy, const WireSource& source) const;
   bool is_open(const std::string& name, int depth) const;
 
  private:
   bool hides(const std::string& name) const;
-  /// Is this signal left out, itself or with the block that gives it?
+  /// True if this signal is hidden, by itself or with its block.
   bool hides(const Hierarchy& hierarchy, const WireSource& source) const;
   bool feeds_hidden_only(const Hierarchy& part, const std::string& input) const;
   bool hides_child(const Hierarchy& hierarchy, const BlockReference& child) const {
@@ -58,7 +58,7 @@ class Selection {
 
   const diagram::Diagram& diagram_;
   const GraphOptions& options_;
-  std::size_t above_;  ///< letters that lie above the file that is drawn
+  std::size_t above_;  ///< length of the prefix above the drawn file
   std::set<std::pair<int, int>> recorded_;
 };
 

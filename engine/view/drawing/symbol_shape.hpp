@@ -6,7 +6,7 @@
 
 namespace stepwire::drawing {
 
-/// What draw.mjs calls an outline.
+/// Returns the name of an outline in draw.mjs.
 inline const char* outline_name(Symbol::Outline outline) {
   switch (outline) {
     case Symbol::Outline::triangle:
@@ -20,7 +20,7 @@ inline const char* outline_name(Symbol::Outline outline) {
   }
 }
 
-/// A sign for each input that a parameter such as "+-" holds.
+/// Returns the signs of the inputs in a parameter such as "+-".
 inline std::string signs_of(const diagram::DiagramBlock& block) {
   const ParameterSpec* parameter = block.type().parameter(block.type().symbol.signs);
   if (!parameter) return {};

@@ -47,7 +47,8 @@ bool is_word(char c) {
 
 const std::array<const char*, 10> superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 
-/// Appends the sign of print for the sign of the keyboard with which a text begins; returns how long that is.
+/// Appends the typographic sign for an ASCII sign at the beginning of a text. Returns the length of the ASCII
+/// sign.
 std::size_t append_sign(std::string_view text, std::string& result) {
   const auto sign = signs.find(text.substr(0, 2));
   if (sign != signs.end()) return result += sign->second, 2;
@@ -60,7 +61,7 @@ std::size_t append_sign(std::string_view text, std::string& result) {
   return 1;
 }
 
-/// Greek letters by name, and the signs of print for those of the keyboard.
+/// Replaces names of Greek letters, and ASCII signs by typographic ones.
 std::string typeset(std::string_view text) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
@@ -84,7 +85,7 @@ std::size_t length(std::string_view text) {
   return count;
 }
 
-/// "0.25", "−3", "10⁻⁵".
+/// Returns "0.25", "−3", "10⁻⁵".
 std::string number_text(double number) {
   const std::string text = fmt::format("{:.4g}", number);
   const std::size_t e = text.find('e');
@@ -106,7 +107,7 @@ std::string power(std::size_t exponent, std::string_view variable) {
   return text;
 }
 
-/// "s² + 2 s + 25" of [1, 2, 25].
+/// Returns "s² + 2 s + 25" for [1, 2, 25].
 std::string polynomial(const Eigen::VectorXd& coefficients, std::string_view variable) {
   std::string text;
   for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
@@ -121,7 +122,7 @@ std::string polynomial(const Eigen::VectorXd& coefficients, std::string_view var
   return text.empty() ? "0" : text;
 }
 
-/// Fills in the places of one block's symbol.
+/// Fills in the placeholders of a block's symbol.
 class Filler {
  public:
   Filler(const diagram::DiagramBlock& block, const yaml::Node& written, bool fraction)
@@ -184,7 +185,7 @@ class Filler {
   bool fraction_;
 };
 
-/// "MR", "Damper" of MRDamper.
+/// Returns "MR", "Damper" for MRDamper.
 std::vector<std::string> words_of(const std::string& name) {
   std::vector<std::string> words{""};
   for (std::size_t i = 0; i < name.size(); ++i) {

@@ -10,66 +10,66 @@
 
 namespace stepwire::gallery {
 
-/// A parameter that the source does not give.
+/// Parameter whose value is not in the source.
 struct Assumption {
   std::string name;
   std::string value;  ///< with its unit
   std::string doc;
 };
 
-/// A picture as SVG, in the folder of its entry.
+/// Picture as SVG, in the folder of its entry.
 struct GalleryPicture {
   std::string file;
   std::string title, caption;
-  std::string alt;                   ///< what it shows, in words
-  double width = 0.0, height = 0.0;  ///< at which it was drawn [px]
-  bool own = false;                  ///< the source has no such picture
-  bool dark = false;                 ///< it suits dark pages
-  bool dense = false;                ///< too small to be read on a card, which shows a part of it
+  std::string alt;                   ///< Description in words.
+  double width = 0.0, height = 0.0;  ///< Size at which it was drawn [px].
+  bool own = false;                  ///< True if the source has no such picture.
+  bool dark = false;                 ///< True if it is legible on dark pages.
+  bool dense = false;                ///< True if it is too small for a card, which then has a part of it.
 };
 
-/// A file that a reader may take along, in the folder of its entry or of another one that has the same file.
+/// File for download, in the folder of its entry or of another one that has the same file.
 struct GalleryDownload {
   std::string file;
   std::uintmax_t bytes = 0;
-  std::string folder{};  ///< of the entry that keeps the file; empty: of the entry itself
-  std::string label{};   ///< of the entry that keeps the file
+  std::string folder{};  ///< of the entry that has the file; empty: of the entry itself
+  std::string label{};   ///< of the entry that has the file
 };
 
-/// A file with pictures of several entries, a page each, and which page is the first of this entry.
+/// File with pictures of several entries, a page each, and the first page of this entry.
 struct GalleryPrint {
-  std::string file;  ///< in the gallery; empty where there is none
+  std::string file;  ///< Path in the gallery; empty without a file.
   std::size_t page = 1;
 };
 
-/// A diagram file, and where its copy lies in the gallery: "diagrams/parts/hand.yaml".
+/// Diagram file, and the path of its copy in the gallery: "diagrams/parts/hand.yaml".
 struct GallerySource {
   std::string path;
   std::string text;
 };
 
-/// What is shown of one diagram file, on a page of its own.
+/// Page of one diagram file.
 struct GalleryEntry {
-  std::string folder;                ///< of its page, pictures and data, in the gallery
-  std::string label;                 ///< "Figure 15"
-  std::optional<int> figure, table;  ///< numbers in the source, by which entries are ordered
-  std::string section;  ///< of the source: "2.5.1"; its chapter is what stands before the first dot
+  std::string folder;                ///< Folder of its page, pictures and data in the gallery.
+  std::string label;                 ///< Label "Figure 15".
+  std::optional<int> figure, table;  ///< Numbers in the source, by which entries are sorted.
+  std::string section;  ///< Section in the source, "2.5.1"; the part before the first dot is the chapter.
   std::string title;
   std::string caption;
-  std::string source_caption;           ///< of the figure, as the source prints it
-  std::string source_says;              ///< what its text says of the figure
-  std::vector<std::string> departures;  ///< what is done otherwise than in the source, a sentence each
+  std::string source_caption;           ///< Caption of the figure in the source.
+  std::string source_says;              ///< Quotation from the text of the source on the figure.
+  std::vector<std::string> departures;  ///< Departures from the source, a sentence each.
   std::vector<GalleryPicture> pictures;
   std::vector<claim::Verdict> verdicts;
   std::vector<Assumption> assumptions;
-  std::vector<GallerySource> sources;  ///< its diagram file, then the parts that it uses
+  std::vector<GallerySource> sources;  ///< Its diagram file, then its parts.
   std::vector<GalleryDownload> downloads;
   GalleryPrint print;
-  std::string note;   ///< what a reader should know of the downloads
-  std::string error;  ///< why it could not be run; empty where it could
+  std::string note;   ///< Note on the downloads.
+  std::string error;  ///< Reason why it could not be run; empty without one.
 };
 
-/// What came of a chapter of the source.
+/// Summary of the results for a chapter of the source.
 struct ChapterSummary {
   std::string chapter;  ///< "4"
   std::string title;
@@ -80,17 +80,17 @@ struct Gallery {
   std::string title;
   std::string introduction;
   std::vector<GalleryEntry> entries;
-  std::vector<ChapterSummary> summaries{};  ///< shown where an entry is of their chapter
+  std::vector<ChapterSummary> summaries{};  ///< each is on the page if there is an entry of its chapter
 };
 
-/// The chapter of the source: what stands before the first dot of its section.
+/// Returns the chapter: the part of its section before the first dot.
 std::string chapter_of(const GalleryEntry& entry);
 
-/// All texts of the gallery by their place in its folder: a front page, a page for each entry, copies of the
-/// diagram files and a page for each of them. They need nothing from elsewhere.
+/// Returns all texts of the gallery by their path. These are a front page, a page for each entry, copies of
+/// the diagram files and a page for each of them. They refer to nothing outside.
 std::map<std::string, std::string> gallery_files(const Gallery& gallery);
 
-/// "229 of 239 claims hold, 10 known not to hold, 108 invariants held throughout."
+/// Returns "229 of 239 claims hold, 10 known not to hold, 108 invariants held throughout."
 std::string gallery_verdict(const std::vector<GalleryEntry>& entries);
 
 }  // namespace stepwire::gallery

@@ -8,7 +8,7 @@
 namespace stepwire::gallery {
 namespace {
 
-/// Files with one ending, also behind it packed by gzip, and a name for them.
+/// Files with an extension, also with .gz appended, and their name.
 struct DownloadKind {
   const char* ending;
   const char* name;
@@ -35,7 +35,7 @@ Html download(const std::string& page, const std::string& path, std::uintmax_t b
               std::filesystem::path(path).filename().string(), size_text(bytes));
 }
 
-/// A file that another entry keeps is named with that entry.
+/// Returns the link to a file; a file of another entry is labelled with that entry.
 Html download(const GalleryEntry& entry, const GalleryDownload& file) {
   if (file.folder.empty()) return download(page_of(entry), entry.folder + "/" + file.file, file.bytes);
   return html("{}<span class=\"soft\">, the same as of {}</span>",
@@ -49,7 +49,7 @@ Html downloads_of_kind(const GalleryEntry& entry, const DownloadKind& kind) {
   return links.empty() ? links : html("<dt>{}</dt>\n<dd>{}</dd>\n", kind.name, links);
 }
 
-/// The pages of a file with more pictures that are of this entry.
+/// Returns the link to the pages of this entry in a file with more pictures.
 Html print_of(const GalleryEntry& entry) {
   if (entry.print.file.empty() || entry.pictures.empty()) return {};
   const std::size_t first = entry.print.page, last = first + entry.pictures.size() - 1;

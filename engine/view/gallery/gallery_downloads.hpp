@@ -6,10 +6,10 @@
 
 namespace stepwire::gallery {
 
-/// What a reader may take along of an entry, by what it is.
+/// Returns the downloads of an entry, sorted by kind.
 Html downloads_of(const GalleryEntry& entry);
 
-/// The diagram file of an entry in colours, with links to the parts that it uses.
+/// Returns the diagram file of an entry with syntax colours and links to its parts.
 Html diagram_of(const GalleryEntry& entry, const GallerySources& sources);
 
 }  // namespace stepwire::gallery

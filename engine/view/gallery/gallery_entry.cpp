@@ -10,7 +10,7 @@
 namespace stepwire::gallery {
 namespace {
 
-/// The entries around one, in the order of the gallery.
+/// Previous and next entry in the order of the gallery.
 struct Neighbours {
   const GalleryEntry* previous = nullptr;
   const GalleryEntry* next = nullptr;
@@ -55,7 +55,7 @@ Html error_of(const GalleryEntry& entry) {
   return entry.error.empty() ? Html{} : html("<pre class=\"error\">{}</pre>\n", entry.error);
 }
 
-/// The words of the source beside those of the file.
+/// Returns the caption of the source beside that of the file.
 Html beside(const GalleryEntry& entry) {
   Html source, here;
   if (!entry.source_caption.empty()) source += html("<p class=\"caption\">{}</p>\n", entry.source_caption);
@@ -80,7 +80,8 @@ Html claim(const claim::Verdict& verdict) {
   return item += html(" <code>{}</code></li>\n", verdict.check);
 }
 
-/// Invariants that held are one line; those that did not stand with the claims.
+/// Returns the claims. Invariants that held are summarised in one line; broken ones are listed with the
+/// claims.
 Html claims(const GalleryEntry& entry) {
   Html stated, held;
   std::size_t count = 0;

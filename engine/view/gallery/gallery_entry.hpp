@@ -7,8 +7,8 @@
 
 namespace stepwire::gallery {
 
-/// The page of one entry: its pictures, what the source says of it beside what is said here, claims, what is
-/// assumed, files to take along and its diagram file; with ways to its neighbours.
+/// Returns the page of one entry. It contains the pictures, the text of the source beside the own one,
+/// claims, assumptions, downloads and the diagram file, with links to its neighbours.
 std::string entry_page(const Gallery& gallery, const GallerySources& sources, std::size_t index);
 
 }  // namespace stepwire::gallery

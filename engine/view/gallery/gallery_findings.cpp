@@ -27,7 +27,7 @@ Html unexpected(const Gallery& gallery) {
       items);
 }
 
-/// A finding that is folded until a reader wants it.
+/// Returns a finding that is collapsed initially.
 Html folded(const std::string& id, const std::string& title, const std::string& count, const Html& content) {
   return html(
       "<details class=\"finding\" id=\"{}\">\n<summary><h2>{}</h2> <span "
@@ -35,7 +35,7 @@ Html folded(const std::string& id, const std::string& title, const std::string& 
       id, title, count, content);
 }
 
-/// A list of items under the name of each entry that has some.
+/// List of items for each entry that has some.
 class EntryList {
  public:
   void add(const GalleryEntry& entry, const Html& items, std::size_t count) {
@@ -98,7 +98,8 @@ class EntryLinks {
   const GalleryEntry* last_ = nullptr;
 };
 
-/// Values that entries share stand once, in the order of their first appearance.
+/// Returns the assumptions. Values that entries share are listed once, in the order of their first
+/// appearance.
 Html assumed(const Gallery& gallery) {
   using Key = std::tuple<std::string, std::string, std::string>;
   std::vector<Key> order;

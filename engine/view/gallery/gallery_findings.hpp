@@ -5,8 +5,8 @@
 
 namespace stepwire::gallery {
 
-/// What a reader should know of all entries: what ended otherwise than expected, what disagrees with the
-/// source, what is done otherwise than there and what is assumed, each with links to the entries.
+/// Returns the findings over all entries: unexpected results, disagreements with the source, departures from
+/// it and assumptions, each with links to the entries.
 Html gallery_findings(const Gallery& gallery);
 
 }  // namespace stepwire::gallery

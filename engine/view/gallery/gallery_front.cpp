@@ -9,15 +9,15 @@
 namespace stepwire::gallery {
 namespace {
 
-/// Its first picture that the source has, too.
+/// Returns the first picture of an entry that the source has too.
 const GalleryPicture* thumbnail_of(const GalleryEntry& entry) {
   const auto shown = std::ranges::find(entry.pictures, false, &GalleryPicture::own);
   if (shown != entry.pictures.end()) return &*shown;
   return entry.pictures.empty() ? nullptr : &entry.pictures.front();
 }
 
-/// The part of a picture that a card shows: of a band its beginning, of a block diagram its upper left part.
-/// The whole of either would be too small to be recognized.
+/// Returns the part of a picture that a card shows: the beginning of a wide one, the upper left part of a
+/// block diagram. All of either would be illegible.
 const char* part_of(const GalleryPicture& picture) {
   constexpr double band = 3.5;
   if (picture.width > band * picture.height) return " wide";
@@ -34,7 +34,7 @@ Html thumbnail(const GalleryEntry& entry) {
       static_cast<std::size_t>(picture->width), static_cast<std::size_t>(picture->height));
 }
 
-/// What a search finds beside what the card shows.
+/// Returns the words for searches, in addition to those on the card.
 std::string words_of(const GalleryEntry& entry) {
   std::string words = "section " + entry.section + " " + entry.folder + " " + entry.caption + " " +
                       entry.source_caption + " " + entry.source_says;
@@ -44,7 +44,7 @@ std::string words_of(const GalleryEntry& entry) {
   return words;
 }
 
-/// By what cards are filtered.
+/// Returns the properties by which cards are filtered.
 std::string traits_of(const GalleryEntry& entry) {
   std::string traits = entry.table ? "table" : "figure";
   if (entry.table && entry.figure) traits += " figure";

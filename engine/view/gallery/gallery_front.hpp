@@ -6,9 +6,8 @@
 
 namespace stepwire::gallery {
 
-/// The front page: how many claims hold; summaries of chapters; which claims end otherwise than expected;
-/// what disagrees with the source, what is done otherwise and what is assumed; a thumbnail of each entry, by
-/// chapter.
+/// Returns the front page. It contains the count of claims that hold, summaries of chapters, unexpected
+/// results, disagreements, departures, assumptions, and a thumbnail of each entry by chapter.
 std::string gallery_front(const Gallery& gallery);
 
 }  // namespace stepwire::gallery

@@ -6,7 +6,7 @@
 
 namespace stepwire::gallery {
 
-/// HTML as it is written. A text becomes HTML by html() alone, which escapes it.
+/// HTML text. Only html() converts other texts to HTML; it escapes them.
 struct Html {
   std::string code;
 
@@ -17,7 +17,7 @@ struct Html {
   }
 };
 
-/// A path, relative to the page on which it stands: what has a meaning in an address is written as its code.
+/// Path relative to the page that contains it; special characters are percent-encoded.
 struct Address {
   std::string path;
 };
@@ -32,28 +32,28 @@ inline std::string html_piece(std::size_t number) {
   return fmt::format("{}", number);
 }
 
-/// A template filled with pieces, at each {}: HTML as it is, texts and addresses escaped.
+/// Fills the placeholders {} of a template: HTML is copied, texts and addresses are escaped.
 template <typename... Pieces>
 Html html(fmt::string_view form, const Pieces&... pieces) {
   return {fmt::format(fmt::runtime(form), html_piece(pieces)...)};
 }
 
-/// "1 value", "2 values".
+/// Returns "1 value", "2 values".
 std::string counted(std::size_t count, const std::string& one, const std::string& several);
 
-/// The address of one place of the gallery on a page at another.
+/// Returns the address of one path of the gallery on the page of another.
 Address address_from(const std::string& page, const std::string& target);
 
-/// What a page of the gallery has around its content.
+/// Frame of a page of the gallery around its content.
 struct GalleryFrame {
-  std::string page;       ///< its place in the gallery: "fig15-map/index.html"
-  std::string title;      ///< of the window
-  Html navigation{};      ///< ahead of the content
-  Html links{};           ///< of its head
-  std::string look = "";  ///< class of its body
+  std::string page;       ///< path in the gallery: "fig15-map/index.html"
+  std::string title;      ///< title of the window
+  Html navigation{};      ///< before the content
+  Html links{};           ///< links of the head
+  std::string look = "";  ///< CSS class of the body
 };
 
-/// The whole page.
+/// Returns the whole page.
 std::string framed(const GalleryFrame& frame, const Html& content);
 
 }  // namespace stepwire::gallery

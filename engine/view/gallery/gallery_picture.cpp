@@ -16,9 +16,9 @@ namespace stepwire::gallery {
 namespace {
 
 constexpr double page_width = 1400.0, page_height = 820.0;  // of a screen [px]
-constexpr double max_scale = 1.5;                           // beyond it the letters of a picture shout
+constexpr double max_scale = 1.5;  // larger letters are too large to read comfortably
 
-/// "force [N], current [A]", each once; the label of the axis where it has one.
+/// Returns "force [N], current [A]", each once; the label of the axis if it has one.
 std::string labels_of(const plot::Panel& panel, const std::string& key) {
   const auto found = panel.series.find(key);
   if (found == panel.series.end()) return {};
@@ -30,7 +30,7 @@ std::string labels_of(const plot::Panel& panel, const std::string& key) {
   return fmt::format("{}", fmt::join(labels, ", "));
 }
 
-/// What is shown: the last of colour, z, y and x that there is; and over what.
+/// Returns the last of the channels color, z, y and x that the panel has, and its independent axes.
 std::string axes_of(const plot::Panel& panel) {
   std::vector<std::string> axes;
   for (const char* key : {"x", "y", "z", "color"})
@@ -41,7 +41,7 @@ std::string axes_of(const plot::Panel& panel) {
   return shown + (axes.empty() ? "" : " over ") + fmt::format("{}", fmt::join(axes, " and "));
 }
 
-/// What has no axes.
+/// Returns the description of a kind of plot without axes.
 std::string kind_in_words(const std::string& kind) {
   static const std::map<std::string, std::string> words{{"diagram", "the diagram as blocks and wires"},
                                                         {"rig", "the mechanism"},
@@ -58,7 +58,7 @@ std::string described(const plot::Panel& panel) {
   return text.empty() ? kind_in_words(panel.kind->name) : text;
 }
 
-/// The first title in a picture, by which a screen reader calls it.
+/// Returns the first title in a picture, which screen readers use.
 std::string title_of(const std::string& svg) {
   const std::size_t start = svg.find("<title>"), end = svg.find("</title>");
   if (start == std::string::npos || end == std::string::npos) return {};
@@ -68,7 +68,7 @@ std::string title_of(const std::string& svg) {
   return title;
 }
 
-/// The number of an attribute of the first element called svg; 0 where there is none.
+/// Returns an attribute of the first element svg as a number; 0 if it is missing.
 double attribute_of(const std::string& svg, const std::string& name) {
   const std::size_t start = std::min(svg.find("<svg"), svg.size());
   const std::string element = svg.substr(start, svg.find('>', start) - start);
@@ -76,7 +76,7 @@ double attribute_of(const std::string& svg, const std::string& name) {
   return at == std::string::npos ? 0.0 : std::strtod(element.c_str() + at + name.size() + 3, nullptr);
 }
 
-/// As large as a page and a screen let it be, but not smaller than it was drawn.
+/// Returns the largest scale that a page and a screen permit, at least 1.
 double scale_of(const GalleryPicture& picture) {
   const double widest = page_width / std::max(1.0, picture.width);
   const double fitting = std::min({widest, page_height / std::max(1.0, picture.height), max_scale});
@@ -95,7 +95,8 @@ Html image_of(const GalleryPicture& picture) {
               pixels(scale * picture.width));
 }
 
-/// Its enlargement is another state of the same place, which its address names, so that it needs no script.
+/// Returns the figure. Its enlargement is a state of the page that its address names, so it works without a
+/// script.
 Html figure_of(const GalleryPicture& picture, std::size_t number) {
   Html words;
   if (!picture.title.empty()) words += html("<strong>{}</strong> ", picture.title);

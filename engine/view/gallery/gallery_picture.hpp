@@ -9,18 +9,19 @@
 
 namespace stepwire::gallery {
 
-/// What a figure shows, in words: "force [N] over position [mm]; the block diagram".
+/// Returns the description of a figure: "force [N] over position [mm]; the block diagram".
 std::string described(const plot::Figure& figure);
 
-/// Takes from its SVG text its size and its title, which stands ahead of the other words, and whether it
-/// suits dark pages: it brings colours for them, or has no white ground.
+/// Reads from an SVG text its size, its title, which precedes all other texts, and whether it is legible on
+/// dark pages. It is if it has colours for them, or no white background.
 void read_picture(GalleryPicture& picture, const std::string& svg);
 
-/// Texts of pictures by their names, as a script: a page that was opened as a file may read them in no other
-/// way. They are JSON, packed by gzip, in base64.
+/// Returns texts of pictures by their names as a script, because a page that was opened as a file cannot read
+/// them in any other way. The script contains JSON, compressed by gzip, in base64.
 std::string picture_script(const std::map<std::string, std::string>& pictures);
 
-/// The pictures of an entry that the source has, or in a section of their own those that it has not.
+/// Returns the pictures of an entry that the source has, or with `own` a section of those that it does not
+/// have.
 Html pictures_of(const GalleryEntry& entry, bool own);
 
 }  // namespace stepwire::gallery

@@ -14,7 +14,7 @@ namespace {
 
 // Sizes in pixels of the picture.
 constexpr double margin = 30.0, letter = 14.0, line_height = 20.0, narrowest = 560.0, widest_text = 760.0;
-/// Bold letters are wider than plain ones.
+/// Width of bold letters relative to regular ones.
 constexpr double bold = 1.12;
 
 std::string label_of(const GalleryEntry& entry, const GalleryPicture& picture) {
@@ -29,7 +29,7 @@ std::string words_of(const GalleryEntry& entry, const GalleryPicture& picture) {
   return words + picture.caption;
 }
 
-/// Breaks words into lines of a width in pixels, the first of which begins behind a label.
+/// Breaks words into lines of a width in pixels; the first line begins after a label.
 std::vector<std::string> lines_of(const std::string& words, double label, double width) {
   std::vector<std::string> lines{""};
   std::istringstream stream(words);
@@ -57,7 +57,7 @@ std::string caption_svg(const std::string& label, const std::vector<std::string>
   return fmt::format("<g font-size=\"{}\" fill=\"#111\">\n{}</g>\n", letter, text);
 }
 
-/// The picture as an element of another one, at a place of its own.
+/// Returns the picture as a nested element of another one, at its position.
 std::string nested(const std::string& svg, double x) {
   const std::size_t start = std::min(svg.find("<svg"), svg.size());
   if (start == svg.size()) return {};

@@ -2,7 +2,7 @@
 
 namespace stepwire::gallery {
 
-/// What a browser with scripts adds to the gallery: a search, keys, panning of enlarged pictures, and PNG.
+/// Script of the gallery: search, keyboard, panning of enlarged pictures, and PNG export.
 inline constexpr const char* gallery_script = R"js('use strict';
 
 const element = (name, properties = {}, ...children) => {

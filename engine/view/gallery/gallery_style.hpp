@@ -2,7 +2,7 @@
 
 namespace stepwire::gallery {
 
-/// Style sheet of the gallery: fonts of the system, light and dark, from 320 px on.
+/// Style sheet of the gallery: system fonts, light and dark, for widths from 320 px.
 inline constexpr const char* gallery_style = R"css(:root {
   color-scheme: light dark;
   --page: #f7f7f5; --card: #ffffff; --text: #1d2226; --soft: #59636b; --line: #dfe2e4; --link: #0b5c9c;

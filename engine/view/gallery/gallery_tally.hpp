@@ -8,7 +8,7 @@
 
 namespace stepwire::gallery {
 
-/// How many claims there are, and how they ended; invariants are counted apart.
+/// Number of claims and their results; invariants are counted separately.
 struct ClaimTally {
   std::size_t all = 0, hold = 0, known = 0, fail = 0, surprise = 0, errors = 0;
   std::size_t invariants = 0, broken = 0;
@@ -16,23 +16,23 @@ struct ClaimTally {
   void count(const GalleryEntry& entry);
   void count(const claim::Verdict& verdict);
   bool bad() const { return fail + surprise + errors + broken > 0; }
-  /// Class of what shows it: bad, known or good.
+  /// Returns the CSS class of the result: bad, known or good.
   std::string look() const { return bad() ? "bad" : known > 0 ? "known" : "good"; }
-  /// "6 of 7 claims hold, 1 known not to hold, 4 invariants held throughout."
+  /// Returns "6 of 7 claims hold, 1 known not to hold, 4 invariants held throughout."
   std::string sentence() const;
 };
 
 ClaimTally tally_of(const GalleryEntry& entry);
 ClaimTally tally_of(const std::vector<GalleryEntry>& entries);
 
-/// Class of what shows a verdict.
+/// Returns the CSS class of a verdict.
 std::string look_of(const claim::Verdict& verdict);
 
-/// "Figure 15", or the title of what has no label.
+/// Returns "Figure 15", or the title of an entry without a label.
 std::string short_name(const GalleryEntry& entry);
-/// "Figure 15: Force over a map".
+/// Returns "Figure 15: Force over a map".
 std::string full_name(const GalleryEntry& entry);
-/// The place of its page in the gallery.
+/// Returns the path of its page in the gallery.
 std::string page_of(const GalleryEntry& entry);
 
 }  // namespace stepwire::gallery

@@ -12,13 +12,14 @@ bool is_digit(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Bytes of letters beyond ASCII stay together, since half a letter is none.
+/// True for a letter of a word. Bytes beyond ASCII are letters, so that no UTF-8 sequence is split.
 bool is_of_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' ||
          static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// Goes through a text line by line. What lies across lines, a quoted text or a block of text, is kept.
+/// Colours a text line by line. The state that extends over lines, a quoted text or a block of text, is
+/// stored.
 class YamlPainter {
  public:
   explicit YamlPainter(const PartAddress& part) : part_(part) {}
@@ -71,7 +72,7 @@ class YamlPainter {
     take("string", closed ? end + 1 : line_.size());
   }
 
-  /// A key with its colon, or a value up to where it ends.
+  /// Colours a key with its colon, or an unquoted value up to its end.
   void plain() {
     std::size_t end = at_;
     while (end < line_.size() && !ends_plain(end)) ++end;
@@ -104,7 +105,7 @@ class YamlPainter {
     at_ = end;
   }
 
-  /// A name of a parameter, a number, a word, or one sign between them.
+  /// Colours a name of a parameter, a number, a word, or one sign between them.
   void token(std::size_t end) {
     const char c = line_[at_];
     std::size_t stop = at_ + 1;
@@ -141,8 +142,8 @@ class YamlPainter {
   Html result_;
   std::string_view line_;
   std::size_t at_ = 0;
-  std::string key_;                     ///< of the value that is next
-  char quote_ = 0;                      ///< with which a text began that has not ended
+  std::string key_;                     ///< key of the next value
+  char quote_ = 0;                      ///< quote of an unfinished text
   std::optional<std::size_t> block_{};  ///< indentation of the key of a block of text
 };
 

@@ -7,11 +7,12 @@
 
 namespace stepwire::gallery {
 
-/// The address of the page of a part, by its path as the file has it; empty where there is none.
+/// Function that returns the address of the page of a part, by its path in the file; an empty address without
+/// a page.
 using PartAddress = std::function<Address(const std::string& path)>;
 
-/// A YAML text as HTML in colours: spans of the classes key, comment, string, number, name and type, and
-/// links at the parts that it uses.
+/// Returns a YAML text as HTML: spans of the classes key, comment, string, number, name and type, and links
+/// at its parts.
 Html painted_yaml(const std::string& text, const PartAddress& part);
 
 }  // namespace stepwire::gallery

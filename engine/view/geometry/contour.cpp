@@ -11,11 +11,11 @@ struct Point {
   double x = 0.0, y = 0.0;
 };
 
-/// An edge between two neighbouring centres: the lower left of them, and whether it goes up.
+/// Edge between two neighbouring centres: the lower left one, and whether it is vertical.
 using Edge = std::pair<std::size_t, bool>;
 
-/// Pieces of a contour, one or two for each square of four centres, tied together at the edges that they
-/// cross.
+/// Traces contours by marching squares: each square of four centres contributes one or two segments, which
+/// are linked at the edges that they cross.
 class Tracer {
  public:
   Tracer(const Grid& grid, double level) : grid_(grid), level_(level) {}
@@ -24,7 +24,7 @@ class Tracer {
     for (std::size_t row = 0; row + 1 < grid_.rows; ++row)
       for (std::size_t column = 0; column + 1 < grid_.columns; ++column) cross(column, row);
     std::vector<Curve> curves;
-    // Open curves first, from their ends; what is left is closed.
+    // Open curves first, from their ends; the remaining ones are closed.
     for (const bool open : {true, false})
       for (const auto& [edge, next] : links_)
         if (!next.empty() && (!open || next.size() == 1)) curves.push_back(follow(edge));
@@ -45,7 +45,7 @@ class Tracer {
     if (above(b) != above(c)) crossed.push_back({b, true});
     if (above(c) != above(d)) crossed.push_back({d, false});
     if (above(d) != above(a)) crossed.push_back({a, true});
-    // A saddle has four crossings; which two belong together is decided by its first corner.
+    // A saddle has four crossings; its first corner decides how they are paired.
     for (std::size_t i = 0; i + 1 < crossed.size(); i += 2) link(crossed[i], crossed[i + 1]);
   }
 

@@ -7,7 +7,7 @@
 namespace stepwire::geometry {
 namespace {
 
-/// Draws curves over cells, one after the other.
+/// Rasterises curves over cells, one after the other.
 class Raster {
  public:
   explicit Raster(Density& density) : density_(density), last_(density.counts.size(), 0) {}
@@ -20,7 +20,7 @@ class Raster {
   }
 
  private:
-  /// Marks a cell for each half cell of the way.
+  /// Marks the cells along a line, in steps of half a cell.
   void draw(double x0, double y0, double x1, double y1) {
     const double across = (x1 - x0) / density_.cell_width(), up = (y1 - y0) / density_.cell_height();
     const double largest = 4.0 * static_cast<double>(density_.columns + density_.rows);
@@ -46,7 +46,7 @@ class Raster {
   }
 
   Density& density_;
-  std::vector<std::uint32_t> last_;  ///< curve that went through each cell
+  std::vector<std::uint32_t> last_;  ///< last curve through each cell
   std::uint32_t curve_ = 0;
 };
 

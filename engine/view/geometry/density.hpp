@@ -8,7 +8,7 @@
 
 namespace stepwire::geometry {
 
-/// Equal cells over a part of the plane, row by row from the lowest, with how many curves go through each.
+/// Number of curves through each of the equal cells over a part of the plane, row by row from the lowest.
 struct Density {
   Extent x, y;
   std::size_t columns = 0, rows = 0;
@@ -18,7 +18,7 @@ struct Density {
   double cell_height() const { return y.width() / static_cast<double>(rows); }
 };
 
-/// Counts each curve, a line through its first two columns, once in each cell. The extents have widths.
+/// Counts each curve, a line through its first two columns, once in each cell. The extents must have a width.
 Density density_of(const std::vector<Curve>& curves, const Extent& x, const Extent& y, std::size_t columns,
                    std::size_t rows);
 

@@ -5,7 +5,7 @@
 
 namespace stepwire::geometry {
 
-/// Smallest and largest number seen.
+/// Minimum and maximum of the added numbers.
 struct Extent {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -13,11 +13,11 @@ struct Extent {
   void add(double value);
   bool empty() const { return !(low <= high); }
   double width() const { return high - low; }
-  /// Widened by a share of its width on both sides; where it is one point, so that it has a width at all.
+  /// Returns the extent widened by a share of its width on both sides; a single point gets a positive width.
   Extent padded(double share) const;
 };
 
-/// Smallest and largest value of a column.
+/// Returns the minimum and maximum of a column.
 Extent extent_of(const std::vector<double>& values);
 
 }  // namespace stepwire::geometry

@@ -13,7 +13,7 @@
 namespace stepwire::geometry {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();  // where no point is near
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();  // value far from all points
 
 /// Equally spaced values of one axis.
 struct Axis {
@@ -26,7 +26,8 @@ struct Axis {
   }
 };
 
-/// The few equally spaced values on which all numbers lie, if there are such.
+/// Returns the equally spaced values that contain all numbers; std::nullopt if there are no such values or
+/// too many.
 std::optional<Axis> lattice(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const double width = values.back() - values.front();
@@ -61,7 +62,7 @@ Grid average(const Curve& points, const Axis& x, const Axis& y) {
   return grid;
 }
 
-/// One point for each cell that has any, in their middle and with their mean.
+/// Averages the points of each cell and moves them to its centre.
 Curve one_for_each_cell(const Curve& points, const Axis& x, const Axis& y) {
   std::vector<std::array<double, 4>> sums(x.count * y.count);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -75,7 +76,7 @@ Curve one_for_each_cell(const Curve& points, const Axis& x, const Axis& y) {
   return result;
 }
 
-/// A plane through the values at three points.
+/// Plane through the values at three points.
 class Facet {
  public:
   Facet(const Curve& points, const Corners& corners) {
@@ -92,7 +93,7 @@ class Facet {
     return longest;
   }
 
-  /// Sets the cells whose centres lie in it.
+  /// Sets the cells whose centres are inside the triangle.
   void paint(Grid& grid) const {
     const auto [first, last] = cells(0, grid.x, grid.dx, grid.columns);
     const auto [low, high] = cells(1, grid.y, grid.dy, grid.rows);
@@ -105,7 +106,7 @@ class Facet {
   }
 
  private:
-  /// Cells along an axis that it may cover: the first, and the one behind the last.
+  /// Returns the range of cells along an axis that it may cover, [first, end).
   std::pair<std::size_t, std::size_t> cells(std::size_t axis, double start, double step,
                                             std::size_t count) const {
     const auto [low, high] = std::minmax({at_[0][axis], at_[1][axis], at_[2][axis]});
@@ -134,7 +135,7 @@ class Facet {
   std::array<std::array<double, 3>, 3> at_;
 };
 
-/// Between measured points that are no farther apart than the gap the value goes over linearly.
+/// Interpolates linearly between measured points that are not farther apart than the gap.
 void fill_gaps(const Curve& points, double gap, Grid& grid) {
   const double widest = std::max(gap, 2.0 * std::hypot(grid.dx, grid.dy));
   for (const Corners& corners : triangulate(points.columns[0], points.columns[1])) {
@@ -143,8 +144,8 @@ void fill_gaps(const Curve& points, double gap, Grid& grid) {
   }
 }
 
-/// An axis of a window: its cells, no larger than the grid's, and for each the one of the grid in which its
-/// middle lies, or none.
+/// Axis of a window: cells not larger than those of the grid, and for each the cell of the grid at its
+/// centre, if any.
 struct WindowAxis {
   Axis axis;
   std::vector<std::optional<std::size_t>> from;
@@ -162,7 +163,7 @@ struct WindowAxis {
   }
 };
 
-/// Do cells reach beyond a window?
+/// True if cells reach beyond a window.
 bool reaches_beyond(double first, double step, std::size_t count, const Extent& window) {
   const double low = first - 0.5 * step, high = low + static_cast<double>(count) * step, slack = 1e-6 * step;
   return low < window.low - slack || high > window.high + slack;

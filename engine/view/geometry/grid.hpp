@@ -8,10 +8,10 @@
 
 namespace stepwire::geometry {
 
-/// Values at the centres of equal cells, row by row from the lowest y; nan where nothing is known.
+/// Values at the centres of equal cells, row by row from the lowest y; NaN where unknown.
 struct Grid {
   double x = 0.0, y = 0.0;    ///< centre of the first cell
-  double dx = 1.0, dy = 1.0;  ///< width and height of a cell
+  double dx = 1.0, dy = 1.0;  ///< size of a cell
   std::size_t columns = 0, rows = 0;
   std::vector<double> values;
 
@@ -19,15 +19,18 @@ struct Grid {
   double at(std::size_t column, std::size_t row) const { return values[row * columns + column]; }
 };
 
-/// Points (x, y, value) as a grid. Points that lie on a lattice keep its cells; others are averaged in
-/// `cells` cells along each side, and between points that are no farther than `gap` apart the value is linear
-/// over their Delaunay triangles. What lies outside of the measured points stays nan.
+/// Converts points (x, y, value) into a grid.
+///
+/// Points on a lattice keep its cells. Other points are averaged in `cells` cells along each side. Between
+/// points that are at most `gap` apart the value is linear over their Delaunay triangles. Cells outside of
+/// the measured points are NaN.
 Grid make_grid(const Curve& points, std::size_t cells, double gap);
 
-/// The grid in a window of the plane, whose edges are those of cells; itself where it does not reach beyond.
+/// Returns the grid in a window of the plane whose edges are cell edges; the grid itself if it does not reach
+/// beyond the window.
 Grid within(const Grid& grid, const Extent& across, const Extent& up);
 
-/// Curves along which the grid, linear between centres, has this value.
+/// Returns the contour lines of the grid, linear between centres, at this value.
 std::vector<Curve> contour(const Grid& grid, double level);
 
 }  // namespace stepwire::geometry

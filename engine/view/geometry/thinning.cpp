@@ -8,7 +8,7 @@
 namespace stepwire::geometry {
 namespace {
 
-/// Rows of a stretch that must stay: its begin, and the extremes of each column.
+/// Adds the rows of a range that must be kept: its first one, and the extremes of each column.
 void keep_extremes(const Curve& curve, std::size_t begin, std::size_t end, std::vector<std::size_t>& rows) {
   std::vector<std::size_t> kept{begin};
   for (const auto& column : curve.columns) {
@@ -30,7 +30,7 @@ Curve chosen_rows(const Curve& curve, const std::vector<std::size_t>& rows) {
   return result;
 }
 
-/// Distance of rows from the line between two of them, in widths of the columns.
+/// Distance of rows from the chord between two of them, in widths of the columns.
 class Chord {
  public:
   Chord(const Curve& curve, const std::vector<double>& widths, std::size_t axes, std::size_t a, std::size_t b)
@@ -83,8 +83,8 @@ void keep_shape(const Curve& curve, const std::vector<double>& widths, std::size
   }
 }
 
-/// A piece has one colour, so that it ends where the colour is about to become another one: a jump is a short
-/// piece of its own.
+/// Keeps rows at changes of colour. A segment has one colour, so it ends where the colour changes, and a jump
+/// is a short segment of its own.
 void keep_colors(const std::vector<double>& color, double step, std::vector<bool>& kept) {
   double last = color.front();
   const auto changes = [&](std::size_t row) { return std::abs(color[row] - last) > step; };
@@ -98,7 +98,7 @@ void keep_colors(const std::vector<double>& color, double step, std::vector<bool
   }
 }
 
-/// Width of each column as it is drawn: of its values, or of the range that is shown of them.
+/// Returns the displayed width of each column: of its values, or of its given range.
 std::vector<double> widths_of(const Curves& all) {
   std::vector<double> low, high;
   for (const Curve& curve : all.curves) {
@@ -117,12 +117,12 @@ std::vector<double> widths_of(const Curves& all) {
   return high;
 }
 
-/// Rows nearer than this to the one before them are not seen beside it, in widths of the columns.
+/// Smallest visible distance between successive rows, in widths of the columns.
 constexpr double near = 1e-4;
 /// Factor of the budget up to which curves keep their shape.
 constexpr std::size_t shape_excess = 8;
 
-/// Removes rows nearer than `distance` to the last kept one that have its colour.
+/// Removes rows that are nearer than `distance` to the last kept one and have its colour.
 Curve sparser(const Curve& curve, const std::vector<double>& widths, double distance, bool colored) {
   if (curve.size() < 3) return curve;
   const std::size_t axes = curve.columns.size() - (colored ? 1 : 0);
@@ -143,7 +143,7 @@ Curve sparser(const Curve& curve, const std::vector<double>& widths, double dist
   return chosen_rows(curve, kept);
 }
 
-/// True for a curve over a rising column, as the time.
+/// True for a curve over an increasing column, such as time.
 bool ascends(const Curve& curve) {
   return std::ranges::is_sorted(curve.columns.front());
 }
@@ -197,8 +197,8 @@ std::vector<Curve> simplified(const std::vector<Curve>& curves, const std::vecto
   return simple;
 }
 
-/// Curves that have more than the budget however they are thinned: extremes of stretches of rows, and then
-/// tolerances that grow.
+/// Thins curves that exceed the budget by shape alone: first to the extremes of ranges of rows, then with
+/// increasing tolerances.
 std::vector<Curve> coarse(std::vector<Curve> curves, const std::vector<double>& widths, std::size_t budget,
                           bool colored) {
   constexpr std::size_t max_rows = 6000;

@@ -13,7 +13,7 @@ namespace {
 using Diagram = boost::polygon::voronoi_diagram<double>;
 using IntegerPoint = boost::polygon::point_data<std::int32_t>;
 
-/// Whole numbers, for which the predicates of the library are exact.
+/// Scales coordinates to integers, for which the predicates of the library are exact.
 std::vector<IntegerPoint> scaled(const std::vector<double>& x, const std::vector<double>& y) {
   constexpr double most = 1 << 30;
   const Extent across = extent_of(x), up = extent_of(y);
@@ -27,7 +27,8 @@ std::vector<IntegerPoint> scaled(const std::vector<double>& x, const std::vector
   return points;
 }
 
-/// The points whose cells meet at a corner of the diagram, counterclockwise: three, or more on one circle.
+/// Returns the points whose cells meet at a vertex of the diagram, counterclockwise: three, or more on one
+/// circle.
 std::vector<std::size_t> points_around(const Diagram::vertex_type& corner) {
   std::vector<std::size_t> points;
   const auto* edge = corner.incident_edge();

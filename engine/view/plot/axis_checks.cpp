@@ -9,7 +9,7 @@
 namespace stepwire::plot {
 namespace {
 
-/// Checks that what lies along an axis goes together; faults are gathered.
+/// Checks that all quantities along an axis are compatible; collects faults.
 class AxisChecks {
  public:
   AxisChecks(Panel& panel, const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults)
@@ -49,7 +49,7 @@ class AxisChecks {
     return !series.unit_text.empty() && series.unit_text != "1";
   }
 
-  /// A number that is SI of what it meets.
+  /// True for a plain number, which has the SI unit of its counterpart.
   static bool is_bare(const query::Series& series) {
     return series.unit_text.empty() && series.formula.columns.empty();
   }
@@ -88,7 +88,7 @@ class AxisChecks {
                            first.formula.text, first.unit_text, series.formula.text, series.unit_text));
   }
 
-  /// Without `by` there is one curve for each y, however many runs there are.
+  /// Checks the legend. Without `by` there is one curve for each y, for any number of runs.
   void check_legend(const std::vector<query::Series>& y) {
     if (panel_.series.contains("by") || panel_.legend.size() <= y.size()) return;
     fault(node_.find("legend")->mark, "legend",

@@ -13,7 +13,7 @@ namespace {
 constexpr double width = 680.0, row_height = 22.0, frame_height = 137.0;  // [pixels]
 constexpr double half_bar = 0.36, gap = 0.6;                              // [rows]
 
-/// Where each bar's middle lies, counted downwards in rows.
+/// Returns the centre of each bar, counted downwards in rows.
 std::vector<double> places(const std::vector<Bar>& bars) {
   std::vector<double> result;
   double place = 0.0;
@@ -25,7 +25,7 @@ std::vector<double> places(const std::vector<Bar>& bars) {
   return result;
 }
 
-/// The pieces of one kind.
+/// Returns the pieces of one kind.
 RectanglesMark pieces(const BarChart& chart, const std::vector<double>& at, std::size_t kind) {
   RectanglesMark mark{.color = chart.kinds[kind].color, .legend = chart.kinds[kind].name};
   for (std::size_t i = 0; i < chart.bars.size(); ++i) {
@@ -50,7 +50,7 @@ double longest(const std::vector<Bar>& bars) {
   return most > 0.0 ? most : 1.0;
 }
 
-/// The axis of names, the first bar on top.
+/// Returns the axis of names, with the first bar on top.
 PlotAxis names_of(const std::vector<Bar>& bars, const std::vector<double>& at) {
   PlotAxis axis{.range = {{(at.empty() ? 0.0 : at.back()) + 0.7, -0.7}},
                 .line = false,
@@ -60,7 +60,7 @@ PlotAxis names_of(const std::vector<Bar>& bars, const std::vector<double>& at) {
   return axis;
 }
 
-/// The length of each bar behind its end.
+/// Returns the text with the length of a bar at its end.
 TextMark length_text(const Bar& bar, double at) {
   return {.text = fmt::format("{:.1f}", length(bar)),
           .x = length(bar),

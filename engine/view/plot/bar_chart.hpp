@@ -7,29 +7,29 @@
 
 namespace stepwire::plot {
 
-/// One bar, made of a piece for each kind.
+/// Bar with a piece for each kind.
 struct Bar {
   std::string label;
-  std::vector<double> pieces;  ///< not below 0
-  bool aside = false;          ///< drawn below the others, behind a gap
+  std::vector<double> pieces;  ///< non-negative
+  bool aside = false;          ///< true below the others, after a gap
 };
 
-/// What pieces of one colour are.
+/// Kind of piece, with its colour.
 struct BarKind {
   std::string name;
   std::string color;  ///< "#0072B2"
 };
 
-/// Horizontal bars below each other, the first on top, each stacked of pieces of several kinds, with
-/// its length (one decimal) behind it.
+/// Chart of horizontal bars, the first on top, each stacked from pieces of several kinds, with its length
+/// (one decimal) at its end.
 struct BarChart {
   std::string title;
-  std::string axis;            ///< what the length of a bar is, with its unit
-  std::vector<BarKind> kinds;  ///< at most five, whose names stand in one line
+  std::string axis;            ///< quantity and unit of the length
+  std::vector<BarKind> kinds;  ///< at most five, with their names in one line
   std::vector<Bar> bars;
 };
 
-/// The chart as a figure of one plot.
+/// Returns the chart as a figure of one plot.
 FigureSpec figure_of(const BarChart& chart);
 
 }  // namespace stepwire::plot

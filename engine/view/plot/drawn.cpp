@@ -29,7 +29,7 @@ class Drawn {
   std::vector<query::NamedFormula>& drawn_;
 };
 
-/// The name with a number behind it, and also without where that is 1.
+/// Returns the names with a number appended, and also without it if it is 1.
 Names numbered_names(const Names& names, std::size_t number) {
   Names result;
   for (const std::string& name : names) result.push_back(fmt::format("{}.{}", name, number));
@@ -37,7 +37,7 @@ Names numbered_names(const Names& names, std::size_t number) {
   return result;
 }
 
-/// What is drawn over the panel: "figure.motion.x", "figure.rose.2.value".
+/// Adds the quantities over the panel: "figure.motion.x", "figure.rose.2.value".
 void add_overlays(const Panel& panel, const Drawn& drawn) {
   for (std::size_t i = 0; i < panel.motions.size(); ++i)
     for (const std::string& name : numbered_names({"motion"}, i + 1)) {
@@ -57,12 +57,12 @@ void add_overlays(const Panel& panel, const Drawn& drawn) {
     }
 }
 
-/// Returns true where the texts of the legend are those of rows, not of the curves of `by`.
+/// True if the texts of the legend name rows, not the curves of `by`.
 bool names_rows(const Panel& panel) {
   return !panel.legend.empty() && !panel.series.contains("by");
 }
 
-/// The rows of a channel by their texts; one x for all y has the texts of all.
+/// Adds the rows of a channel by their texts; a single x for all y has the texts of all.
 void add_labelled(const Panel& panel, const std::string& channel, const std::vector<query::Series>& rows,
                   const Drawn& drawn) {
   const std::size_t count = names_rows(panel) ? panel.legend.size() : rows.size();
@@ -74,7 +74,7 @@ void add_labelled(const Panel& panel, const std::string& channel, const std::vec
   }
 }
 
-/// The keys of the file come first, which a text may be, too.
+/// Adds the rows. Keys of the file have precedence, since a text may be the same.
 void add_rows(const Panel& panel, const Drawn& drawn) {
   if (panel.where) drawn.add("where", *panel.where);
   for (const auto& [key, rows] : panel.series)
@@ -90,7 +90,7 @@ void add_rows(const Panel& panel, const Drawn& drawn) {
   }
 }
 
-/// The numbers of the curves of a swept parameter, in the order of the legend.
+/// Returns the numbers of the curves of a swept parameter, in the order of the legend.
 std::vector<double> numbers_of_curves(const query::Series& by, const query::SymbolTable& names) {
   const query::RecordedName* swept = names.find(by.formula.text);
   if (!swept) return {};
@@ -99,7 +99,7 @@ std::vector<double> numbers_of_curves(const query::Series& by, const query::Symb
   return numbers;
 }
 
-/// The curves of `by` by their texts: a condition for each.
+/// Adds the curves of `by` by their texts, with the condition of each.
 void add_curves(const Panel& panel, const query::SymbolTable& names, const Drawn& drawn) {
   const query::Series* by = panel.find("by");
   if (!by) return;
@@ -112,7 +112,7 @@ void add_curves(const Panel& panel, const query::SymbolTable& names, const Drawn
   }
 }
 
-/// Recorded outputs of the blocks whose boundaries are drawn.
+/// Adds the recorded outputs of the blocks whose boundaries are drawn.
 void add_regions(const Panel& panel, const query::SymbolTable& names, const Drawn& drawn) {
   for (std::size_t i = 0; i < panel.regions.size(); ++i)
     for (const query::RecordedName& column : names.columns)
@@ -121,7 +121,7 @@ void add_regions(const Panel& panel, const query::SymbolTable& names, const Draw
                   column.name);
 }
 
-/// An expression of the plane's x and y with what is drawn along them.
+/// Replaces x and y in an expression of the plane by the quantities along these axes.
 std::string at_drawn_point(const std::string& text, const Panel& panel) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
@@ -187,7 +187,7 @@ std::vector<query::NamedFormula> drawn_quantities(const std::vector<Figure>& fig
   std::vector<query::NamedFormula> drawn;
   for (std::size_t picture = 0; picture < figures.size(); ++picture)
     for (std::size_t panel = 0; panel < figures[picture].panels.size(); ++panel) {
-      // a panel's number stands only behind that of its picture
+      // the number of a panel always follows that of its picture
       Names places = numbered_names({fmt::format("figure.{}", picture + 1)}, panel + 1);
       if (picture == 0 && panel == 0) places.emplace_back("figure");
       add_panel(figures[picture].panels[panel], names, Drawn(places, drawn));

@@ -9,8 +9,8 @@
 
 namespace stepwire::plot {
 
-/// Returns the quantities that the pictures of a file draw, by the names that its claims may use. A name is
-/// that of the panel, "figure.PICTURE.PANEL", and behind it one of these:
+/// Returns the quantities in the pictures of a file, by the names that its claims may use. A name is that of
+/// the panel, "figure.PICTURE.PANEL", followed by one of these:
 ///
 /// - CHANNEL.NUMBER is a row.
 ///
@@ -34,17 +34,17 @@ namespace stepwire::plot {
 ///
 /// - elements.NAME.x, elements.NAME.2.y, elements.NAME.direction.x is a coordinate of an element of a rig.
 ///
-/// Each number counts from 1. Numbers of rows, the panel and then also the picture may be left out where they
-/// are 1: "figure.color", "figure.2.y.3". Texts are written as name_of_label() has them.
+/// Each number counts from 1. The number of a row, the panel and then also the picture may be omitted if it
+/// is 1: "figure.color", "figure.2.y.3". Texts have the form of name_of_label().
 std::vector<query::NamedFormula> drawn_quantities(const std::vector<Figure>& figures,
                                                   const query::SymbolTable& names);
 
-/// A text of a figure as a part of a name: "0.5 A (as 0.35 A)" is 0_5_A_as_0_35_A. Of a text without letters
-/// and digits of ASCII it is the number.
+/// Returns a text of a figure as a part of a name: "0.5 A (as 0.35 A)" is 0_5_A_as_0_35_A. For a text without
+/// ASCII letters and digits, returns the number.
 std::string name_of_label(const std::string& label, std::size_t number);
 
-/// Where the objects of a scene are, under the names that claims may use: "scene.ball.x", "scene.guide.2.y"
-/// of the second of several points, and "scene.circle.radius".
+/// Returns the positions of the objects of a scene, by the names that claims may use: "scene.ball.x",
+/// "scene.guide.2.y" for the second of several points, and "scene.circle.radius".
 std::vector<query::NamedFormula> shown_quantities(const scene::Scene& scene);
 
 }  // namespace stepwire::plot

@@ -9,7 +9,8 @@
 namespace stepwire::plot {
 namespace {
 
-/// A Bode plot is two panels with one axis of frequencies, and a circle is round in a Nyquist plot.
+/// Adds a panel. A Bode plot becomes two panels with a common frequency axis, and a Nyquist plot has equal
+/// axes.
 void add_panel(Panel panel, Figure& figure) {
   if (panel.kind->name == nyquist_plot().name) panel.equal = true;
   if (panel.kind->name != bode_plot().name) return figure.panels.push_back(std::move(panel));

@@ -23,44 +23,44 @@ namespace stepwire::plot {
 
 struct PlotKind;
 
-/// Makes what a panel shows from what was recorded.
+/// Function that computes the content of a panel from recordings.
 using PanelContent = std::function<decltype(PanelSpec::content)(std::span<const record::Recording>)>;
 
-/// A point of the plane with a name, in the units of the axes.
+/// Named point of the plane, in the units of the axes.
 struct MarkedPoint {
   std::string name;
   double x = 0.0, y = 0.0;
 };
 
-/// The way of a point over a panel: a line with arrow heads.
+/// Path of a point over a panel: a line with arrow heads.
 struct Motion {
   query::Series x, y;  ///< in the units of the axes
   std::optional<query::Formula> where{};
-  double heads = 6.0;             ///< arrow heads along each stretch
-  std::string color = "#d11a1a";  ///< as gnuplot takes it
+  double heads = 6.0;             ///< number of arrow heads along each curve
+  std::string color = "#d11a1a";  ///< as in gnuplot
   std::size_t recording = 0;
 };
 
-/// What happens at one point in each direction: spokes of a disc, as long and as coloured as a value is.
+/// Values at one point for each direction, drawn as spokes of a disc whose length and colour are the value.
 struct Rose {
   query::Series x, y;          ///< the point, in the units of the axes
-  query::Series angle, value;  ///< direction of a spoke in radians, and what is shown there
+  query::Series angle, value;  ///< direction of a spoke [rad], and its value
   std::optional<query::Formula> where{};
-  std::optional<std::array<double, 2>> at{};  ///< middle of the disc; none: the point itself
+  std::optional<std::array<double, 2>> at{};  ///< centre of the disc; std::nullopt: the point itself
   double radius = 0.0;                        ///< of the disc, in the unit of x
   std::string name{};
   std::size_t recording = 0;
 };
 
-/// Number of each run that a channel reduces, and the name of its column.
+/// Reduced value of each run in a channel, and the name of its column.
 struct RunNumber {
   std::string name;
   claim::RunFormula formula;
 };
 
-/// What a file gives for an axis, in its unit.
+/// Options of an axis in a file, in its unit.
 struct AxisOptions {
-  std::string label{};  ///< empty: that of what is drawn along it
+  std::string label{};  ///< empty: that of the quantities along it
   std::optional<std::array<double, 2>> range{};
   bool log = false;
 };
@@ -68,67 +68,67 @@ struct AxisOptions {
 enum class CurveStyle { line, dashes, dots };
 enum class ArrowPivot { tail, middle, tip };
 
-/// One pair of axes. Numbers are in the units in which they are drawn. Its keys are the rows of
-/// panel_keys() and of the options of its kind.
+/// Panel with one pair of axes. Numbers are in the displayed units. Its keys are the rows of panel_keys() and
+/// of the options of its kind.
 struct Panel {
   const PlotKind* kind = nullptr;
   std::map<std::string, std::vector<query::Series>> series{};  ///< by key: x, y, color, ...
   std::string title{};
   AxisOptions x{}, y{}, z{}, color{};
   std::vector<query::Formula>
-      boundaries{};  ///< of the plane's x and y in SI; a curve is drawn where one is zero
-  std::vector<query::NamedOutline> regions{};  ///< in SI: shaded in the plane, and their lines drawn
+      boundaries{};  ///< expressions of the plane's x and y in SI, with a curve where one is zero
+  std::vector<query::NamedOutline> regions{};  ///< in SI: shaded in the plane, with their lines
   bool dashed_regions = false;
-  std::vector<MarkedPoint> marks{};  ///< drawn on top of everything, with their names
-  std::vector<MarkedPoint> texts{};  ///< written about their points
+  std::vector<MarkedPoint> marks{};  ///< in front of everything, with their names
+  std::vector<MarkedPoint> texts{};  ///< centred at their points
   std::vector<Motion> motions{};
   std::vector<Rose> roses{};
   std::vector<std::string> legend{};
-  std::map<std::string, std::string> names{};  ///< of rows, by the words of the recording
+  std::map<std::string, std::string> names{};  ///< names of rows, by the words of the recording
   std::optional<query::Formula> where{};
-  std::vector<std::size_t> recordings{};  ///< for each y, or one
-  std::vector<RunNumber> numbers{};       ///< that channels make of each run, which then is a row; else empty
-  std::vector<std::string> of_runs{};     ///< columns that are beside them, such as swept parameters
+  std::vector<std::size_t> recordings{};  ///< one for each y, or one for all
+  std::vector<RunNumber> numbers{};       ///< computed from each run, which then is a row; else empty
+  std::vector<std::string> of_runs{};     ///< further columns of these rows, such as swept parameters
   bool equal = false;
-  bool final_rows = false;                   ///< only the last row of each run
-  PanelContent content{};                    ///< of a plot that has no axes of its own
-  bool reads_rows = true;                    ///< of what was recorded
-  std::vector<query::NamedFormula> shown{};  ///< in it, by names below that of the panel
+  bool final_rows = false;                   ///< true if only the last row of each run is drawn
+  PanelContent content{};                    ///< of a plot without axes
+  bool reads_rows = true;                    ///< true if it reads rows of recordings
+  std::vector<query::NamedFormula> shown{};  ///< quantities in it, by names below that of the panel
 
-  // Options of single kinds; without a value it is as the kind has it.
+  // Options of single kinds; without a value the kind has a default.
   std::optional<double> bins{}, cells{}, gap{}, scale{}, elevation{}, azimuth{};
   std::vector<double> contour{}, lines{}, shade{}, shares{};  ///< ends of shaded ranges in pairs
   std::vector<CurveStyle> styles{};                           ///< in the order of the legend
   ArrowPivot pivot = ArrowPivot::middle;
-  bool points_only = false;                ///< of rows in space, or of runs without an order
-  bool tukey_whiskers = false;             ///< else they reach over all values
-  std::optional<std::size_t> reduction{};  ///< of each run, one of claim::reduction_names(); none: each row
+  bool points_only = false;                ///< true for rows in space, or of unordered runs, without lines
+  bool tukey_whiskers = false;             ///< true for Tukey whiskers, else they extend to the extremes
+  std::optional<std::size_t> reduction{};  ///< in claim::reduction_names(); std::nullopt: rows
 
   const query::Series* find(const std::string& key) const;
-  /// Options of the axis x, y, z or color; of another channel none.
+  /// Returns the options of the axis x, y, z or color; defaults for any other channel.
   const AxisOptions& axis(std::string_view name) const;
 };
 
-/// One picture: one panel or several.
+/// Picture with one panel or several.
 struct Figure {
   std::string title;
   std::string caption{};
-  bool own = false;  ///< the source has no such picture
+  bool own = false;  ///< true if the source has no such picture
   std::vector<Panel> panels{};
   int columns = 1;
-  int width = 0, height = 0;  ///< pixels; 0: as it suits the panels
+  int width = 0, height = 0;  ///< pixels; 0: by the panels
 };
 
-/// Reads the value under the key `figure`: one entry or a list. Everything that is wrong goes to `faults`.
+/// Reads the value under the key `figure`: one entry or a list. Collects all faults.
 std::vector<Figure> read_figures(const yaml::Node& node, const query::SymbolTable& names,
                                  yaml::Faults& faults);
 
-/// The keys of each kind of plot, by its name: alone in its picture, or as one of several panels, which a
-/// plot that is a picture for itself cannot be.
+/// Returns the keys of each kind of plot, by its name: alone in its picture, or as one of several panels. A
+/// plot without axes cannot be one of several.
 std::vector<yaml::Key> plot_forms(bool alone);
-/// The keys of a picture of several panels.
+/// Returns the keys of a picture of several panels.
 const yaml::Key& picture_form();
-/// What a figure of any kind may have: its plot, the keys of panels and those of pictures.
+/// Returns all keys that a figure of any kind may have: its plot, the keys of panels and those of pictures.
 const yaml::Key& figure_form();
 
 }  // namespace stepwire::plot

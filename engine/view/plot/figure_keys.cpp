@@ -55,7 +55,7 @@ void read_log(Panel& panel, const yaml::Node& node, const query::NamesReading& r
   }
 }
 
-/// A row that a reader of its own sets, behind `stage`.
+/// Returns a row with its own reader, which runs after `stage`.
 PanelKey own_key(std::string name, std::string doc, yaml::Key form,
                  void (*read_it)(const yaml::Node&, Panel&, const query::NamesReading&), KeyNeeds needs,
                  KeyStage stage = KeyStage::options) {

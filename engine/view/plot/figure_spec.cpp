@@ -13,13 +13,13 @@ namespace {
 
 constexpr double title_height = 34.0;  // [px]
 
-/// Width of each panel [px].
+/// Returns the width of each panel [px].
 double panel_width(const Figure& figure) {
   if (figure.width > 0) return static_cast<double>(figure.width) / figure.columns;
   return figure.columns == 1 ? 680.0 : figure.columns == 2 ? 520.0 : 400.0;
 }
 
-/// Not where a legend stands beside one of them.
+/// True if the panels have aligned axes; false if one of them has a legend beside it.
 bool has_aligned_axes(const Figure& figure, const std::vector<PanelSpec>& panels) {
   return figure.columns == 1 && panels.size() > 1 && std::ranges::all_of(panels, [](const PanelSpec& panel) {
            const auto& plot = std::get<PlotSpec>(panel.content);
@@ -37,7 +37,7 @@ PlotBuilder& FigureBuilder::add(Panel panel) {
   return plots_.emplace_back(panels_.back(), width_, share_);
 }
 
-/// Rows of panels, each as high as its highest panel.
+/// Returns the heights of the rows of panels, each that of its highest panel.
 std::vector<double> FigureBuilder::row_heights(double head) const {
   const auto columns = static_cast<std::size_t>(figure_.columns);
   std::vector<double> heights((plots_.size() + columns - 1) / columns, 0.0);
@@ -66,7 +66,7 @@ FigureSpec FigureBuilder::finished() {
   return spec;
 }
 
-/// A panel that reads the one recording of its numbers, all of whose rows are drawn.
+/// Returns a panel that reads the one recording of its numbers and draws all rows.
 static Panel panel_of_numbers(Panel panel) {
   panel.recordings = {0};
   panel.where.reset();

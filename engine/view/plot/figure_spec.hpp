@@ -10,16 +10,15 @@
 
 namespace stepwire::plot {
 
-/// Puts plots side by side as the title, the columns and the size of a figure have it; panels of that figure
-/// do not matter.
+/// Arranges plots with the title, columns and size of a figure; its panels are ignored.
 class FigureBuilder {
  public:
-  /// `count` is the number of plots, which share what a picture may hold.
+  /// `count` is the number of plots, which share the budget of a picture.
   FigureBuilder(Figure figure, std::size_t count);
 
-  /// A new plot with what its panel gives, to be drawn.
+  /// Adds a plot with the options of its panel, to be drawn by the caller.
   PlotBuilder& add(Panel panel);
-  /// The figure of all plots; once.
+  /// Returns the figure of all plots. Call it once.
   FigureSpec finished();
 
  private:
@@ -31,7 +30,7 @@ class FigureBuilder {
   std::deque<PlotBuilder> plots_;
 };
 
-/// What is drawn of recordings.
+/// Returns the drawable form of a figure of recordings.
 FigureSpec figure_spec(const Figure& figure, std::span<const record::Recording> recordings);
 
 }  // namespace stepwire::plot

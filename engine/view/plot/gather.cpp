@@ -17,7 +17,7 @@ std::vector<double> drawn_values(const query::Series& series, const record::Reco
   return values;
 }
 
-/// The key under which a panel has a channel: x, y, color, ...
+/// Returns the key of a channel in its panel: x, y, color, ...
 std::string key_of(const Panel& panel, const query::Series* channel) {
   for (const auto& [key, list] : panel.series)
     for (const query::Series& series : list)
@@ -29,16 +29,15 @@ double shown_width(const AxisOptions& axis) {
   return axis.range ? (*axis.range)[1] - (*axis.range)[0] : std::numeric_limits<double>::infinity();
 }
 
-/// Rows as they are found, with what decides about their curve.
+/// Selected rows, with the values that determine their curve.
 struct FoundRows {
   std::vector<std::vector<double>> columns;
   std::vector<double> by;
   std::vector<bool> drawn;
-  std::vector<bool> first;  ///< of a run
+  std::vector<bool> first;  ///< true for the first row of a run
 };
 
-/// Drops rows in which a column is not finite, or not above zero along a logarithmic axis, which has no place
-/// for it.
+/// Removes rows with a non-finite column, and those not above zero along a logarithmic axis.
 void drop_missing(FoundRows& found, const std::vector<const AxisOptions*>& axes) {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const double least = axes[i]->log ? 0.0 : -std::numeric_limits<double>::infinity();
@@ -68,7 +67,7 @@ FoundRows find_rows(const Panel& panel, const record::Recording& recording,
   return found;
 }
 
-/// Leaves only the last drawn row of each run.
+/// Keeps only the last drawn row of each run.
 void keep_final_rows(FoundRows& found) {
   bool taken = false;
   for (std::size_t row = found.drawn.size(); row-- > 0;) {

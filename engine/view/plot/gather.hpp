@@ -9,16 +9,17 @@
 
 namespace stepwire::plot {
 
-/// Rows of a recording as curves. A curve ends where a run ends, where a row is left out by `where` or is not
-/// finite, and where the value of `by` changes. With `rows: final` each run gives one row, and the runs are
+/// Returns rows of a recording as curves. A curve ends at the end of a run, at a row that `where` excludes or
+/// that is not finite, and at a change of `by`. With `rows: final` each run has one row, and the runs are
 /// joined.
 geometry::Curves gather(const Panel& panel, const record::Recording& recording,
                         const std::vector<const query::Series*>& channels);
 
-/// The same for columns of numbers, the first along x and the others along y, of a plot that no file gives.
+/// Returns the same for columns of numbers, the first along x and the others along y, of a plot that is not
+/// from a file.
 geometry::Curves curves_of(const Panel& panel, std::vector<std::vector<double>> columns);
 
-/// "0.1 A" for each value of a series that tells curves apart, or the word that the value stands for.
+/// Returns the label of each value of `by`, "0.1 A", or the word that the value is an index of.
 std::vector<std::string> labels_of(const query::Series& by, const std::vector<double>& groups,
                                    const record::Recording& recording);
 

@@ -8,19 +8,19 @@
 namespace stepwire::plot {
 namespace {
 
-/// Does a formula read columns, and not only the place in the plane?
+/// True if a formula reads columns other than the coordinates x and y.
 bool reads_columns(const query::Formula& formula) {
   return std::ranges::any_of(formula.columns, [](const auto& name) { return name != "x" && name != "y"; });
 }
 
-/// Overlays look at rows of their own.
+/// True if the panel has overlays, which have rows of their own.
 bool has_overlays(const Panel& panel) {
   const query::Series* note = panel.find("note");
   return !panel.motions.empty() || !panel.roses.empty() || (note && reads_columns(note->formula)) ||
          std::ranges::any_of(panel.boundaries, reads_columns);
 }
 
-/// What is drawn of a recording, nan where an axis has no place for it.
+/// Returns the drawn values of a recording; NaN for values that have no place on an axis.
 std::vector<std::vector<double>> shown_values(const Panel& panel, const record::Recording& run,
                                               std::size_t recording) {
   std::vector<std::vector<double>> shown;

@@ -8,20 +8,20 @@
 
 namespace stepwire::plot {
 
-/// The key `of` of plots of linear analyses: the name of one.
+/// Returns the key `of` of plots of linear analyses: the name of an analysis.
 PanelKey analysis_key();
 
-/// The results of one analysis, run by run of a sweep, in the runs that `where` selects by their first row.
+/// Results of one analysis, run by run of a sweep, for the runs whose first row `where` selects.
 class LinearRows {
  public:
   LinearRows(const Panel& panel, std::span<const record::Recording> recordings);
 
   std::size_t runs() const { return runs_.size(); }
-  /// A list of a run, `margin.gain`, without what it is filled up with; empty where there is none.
+  /// Returns a list of a run, `margin.gain`, without its padding; an empty list if it is missing.
   std::vector<double> list(const std::string& name, std::size_t run) const;
-  /// A number of a run; nan where there is none.
+  /// Returns a number of a run; NaN if it is missing.
   double number(const std::string& name, std::size_t run) const;
-  /// How the run is called in the legend: empty for a single one, and where there are many.
+  /// Returns the label of the run in the legend; empty for a single run, and for many.
   std::string label(std::size_t run) const;
   bool sampled(std::size_t run) const { return number("sample_time", run) > 0.0; }
 
@@ -32,7 +32,7 @@ class LinearRows {
   const record::Recording* recording_ = nullptr;
   const table::Table* table_ = nullptr;
   std::string name_;
-  std::vector<std::size_t> runs_;  ///< that are shown
+  std::vector<std::size_t> runs_;  ///< selected runs
 };
 
 }  // namespace stepwire::plot

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t most_lines = 200, most_points = 2500;
 
-/// Cells along both axes: a point fills one, of which a line needs many.
+/// Number of cells along both axes; larger ones for points, since a point fills one cell and a line many.
 struct Cells {
   std::size_t across, up;
 };
@@ -19,7 +19,7 @@ geometry::Extent shown_extent(const AxisOptions& axis, const geometry::Extent& c
   return axis.range ? geometry::Extent{(*axis.range)[0], (*axis.range)[1]} : covered.padded(0.0);
 }
 
-/// Each row of joined runs as a curve of its own.
+/// Returns each row of joined runs as a curve of its own.
 std::vector<geometry::Curve> points_of(const std::vector<geometry::Curve>& curves) {
   std::vector<geometry::Curve> points;
   for (const geometry::Curve& curve : curves)
@@ -49,7 +49,7 @@ void draw_density(const geometry::Curves& all, PlotBuilder& plot) {
   for (double& count : density.counts)
     if (count == 0.0) count = query::nothing;
   plot.range("color", {1.0, std::max(most, 2.0)});
-  plot.spec.color->log = true;  // where runs begin together there are many more than elsewhere
+  plot.spec.color->log = true;  // runs often begin together, with far higher counts there
   plot.spec.color->label = panel.color.label.empty() ? "runs" : panel.color.label;
   const double width = density.cell_width(), height = density.cell_height();
   plot.add_below(ImageMark{density.x.low + 0.5 * width, density.y.low + 0.5 * height, width, height,

@@ -4,10 +4,11 @@
 
 namespace stepwire::plot {
 
-/// Are these so many curves that lines would hide each other? Of several y or a `by` colours tell them apart.
+/// True for a number of curves at which lines would hide each other. False with several y or a `by`, whose
+/// curves are distinguished by colour.
 bool are_many(const Panel& panel, const geometry::Curves& all);
 
-/// Draws by colour through which cells how many curves go.
+/// Draws the number of curves through each cell as a colour.
 void draw_density(const geometry::Curves& all, PlotBuilder& plot);
 
 }  // namespace stepwire::plot

@@ -14,7 +14,7 @@ struct Point {
   double x = 0.0, y = 0.0;
 };
 
-/// A rectangle in pixels about its middle.
+/// Rectangle in pixels about its centre.
 struct Box {
   Point middle;
   double half_width = 0.0, half_height = 0.0;
@@ -28,12 +28,12 @@ struct Box {
   }
 };
 
-/// Pixels that the axes take up, from their lower left corner.
+/// Size of the axes in pixels; coordinates are from their lower left corner.
 struct PlotArea {
   double width = 0.0, height = 0.0;
 };
 
-/// Points of the plane in pixels.
+/// Conversion of points of the plane to pixels.
 class Pixels {
  public:
   Pixels(const PlotBuilder& plot, const PlotArea& area) : plot_(plot), area_(area) {}
@@ -54,7 +54,7 @@ class Pixels {
   PlotArea area_;
 };
 
-/// The ways along which a mark covers the plane.
+/// Returns the lines along which a mark covers the plane.
 std::vector<MarkRows> ways_of(const PlotMark& mark) {
   if (const auto* line = std::get_if<LineMark>(&mark)) return line->curves;
   if (const auto* band = std::get_if<BandMark>(&mark)) return {{band->x, band->low, {}, {}}};
@@ -64,8 +64,8 @@ std::vector<MarkRows> ways_of(const PlotMark& mark) {
   return {};
 }
 
-/// Does the line between two points come into the box? (Liang and Barsky: what is left of the line between
-/// the edges of the box, one after the other.)
+/// True if the line between two points meets the box (Liang and Barsky: the line is clipped at the edges one
+/// after the other).
 bool meets(const Box& box, const Point& from, const Point& to) {
   double enter = 0.0, leave = 1.0;
   const auto cut = [&](double start, double along, double half) {
@@ -79,7 +79,7 @@ bool meets(const Box& box, const Point& from, const Point& to) {
          cut(from.y - box.middle.y, to.y - from.y, box.half_height);
 }
 
-/// Where a name may stand beside its point: right and left of it, above and below, and aslant.
+/// Positions of a name beside its point: diagonal, right and left, above and below.
 constexpr std::array<Point, 8> sides{
     {{1.0, 1.0}, {-1.0, 1.0}, {1.0, -1.0}, {-1.0, -1.0}, {1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}};
 
@@ -90,7 +90,7 @@ class Placing {
     for (const PlotMark& mark : plot.spec.marks) std::ranges::move(ways_of(mark), std::back_inserter(ways_));
   }
 
-  /// The side where the name of a mark covers least.
+  /// Returns the position at which the name of a mark covers least.
   Point side(const MarkedPoint& mark) {
     const auto best =
         std::ranges::min_element(sides, {}, [&](const Point& side) { return covered(name_box(mark, side)); });
@@ -112,7 +112,7 @@ class Placing {
         std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
   }
 
-  /// How much lies under a name: other marks and the frame weigh more than any curve.
+  /// Returns the weight of everything under a name: other marks and the frame weigh more than any curve.
   double covered(const Box& box) const {
     constexpr double heavy = 1e6;
     double weight = 0.0;
@@ -126,7 +126,7 @@ class Placing {
     return weight;
   }
 
-  /// Rows of a way that lie in the box or lead into it.
+  /// Returns the weight of the rows of a line that are in the box or lead into it.
   double covered(const Box& box, const MarkRows& way) const {
     double weight = 0.0;
     for (std::size_t i = 0; i < way.x.size(); ++i) {
@@ -144,7 +144,7 @@ class Placing {
   std::vector<Box> names_;
 };
 
-/// The name of a mark on that side of its point.
+/// Returns the name of a mark at that position of its point.
 TextMark name_at(const MarkedPoint& mark, const Point& side) {
   using Align = TextMark::Align;
   return {.text = mark.name,

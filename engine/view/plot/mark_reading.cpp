@@ -6,7 +6,7 @@
 namespace stepwire::plot {
 namespace {
 
-/// Points of the plane under a key of the panel, and what one of them is called in messages.
+/// Points of the plane under a key of the panel, and the name of one of them in messages.
 struct Points {
   std::string one;
   std::vector<MarkedPoint>& found;
@@ -23,7 +23,7 @@ void read_point(const std::string& name, const yaml::Node& node, const Panel& pa
   if (x && y) points.found.push_back({name, *x, *y});
 }
 
-/// Is a point that was read as `mark` beyond a range that the file gives?
+/// True if a point, read as `mark`, is beyond a given range.
 bool is_hidden(const MarkedPoint& mark, const Panel& panel) {
   const auto beyond = [](const AxisOptions& axis, double value) {
     return axis.range && (value < (*axis.range)[0] || value > (*axis.range)[1]);

@@ -13,7 +13,7 @@ namespace {
 constexpr double cell = 44.0, letter = 7.2, head = 44.0, bar = 90.0;  // [px]
 constexpr std::size_t max_with_numbers = 16;
 
-/// Whole cells as coloured rectangles: those that are known, or the others in grey.
+/// Returns cells as coloured rectangles: the known ones, or the others in grey.
 RectanglesMark cells(const MatrixChart& chart, bool known) {
   RectanglesMark mark{.color = known ? "" : "#cccccc"};
   for (std::size_t row = 0; row < chart.values.size(); ++row)
@@ -30,7 +30,7 @@ RectanglesMark cells(const MatrixChart& chart, bool known) {
   return mark;
 }
 
-/// The numbers of cells, bright on dark ones.
+/// Returns the numbers of cells, bright on dark ones.
 std::vector<TextMark> numbers(const RectanglesMark& cells) {
   std::vector<TextMark> texts;
   for (std::size_t i = 0; i < cells.value.size(); ++i) {
@@ -55,7 +55,7 @@ PlotAxis names_of(const MatrixChart& chart, bool across) {
   return axis;
 }
 
-/// Room for the names left of the cells and below them [px].
+/// Returns the space for the names left of the cells and below them [px].
 double margin_of(const MatrixChart& chart) {
   std::size_t longest = 1;
   for (const std::string& name : chart.names) longest = std::max(longest, name.size());

@@ -7,14 +7,14 @@
 
 namespace stepwire::plot {
 
-/// A square of numbers from -1 to 1 between things, such as correlations: blue below zero, red above.
+/// Square matrix of numbers from -1 to 1, such as correlations: blue below zero, red above.
 struct MatrixChart {
   std::string title;
-  std::vector<std::string> names;           ///< of rows and columns alike
-  std::vector<std::vector<double>> values;  ///< [row][column]; nan is left grey
+  std::vector<std::string> names;           ///< of rows and columns
+  std::vector<std::vector<double>> values;  ///< [row][column]; NaN is grey
 };
 
-/// The chart as a figure of one plot, with its numbers where there is room for them.
+/// Returns the chart as a figure of one plot, with its numbers if there is space for them.
 FigureSpec figure_of(const MatrixChart& chart);
 
 }  // namespace stepwire::plot

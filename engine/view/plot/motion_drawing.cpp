@@ -22,7 +22,7 @@ double length_of(const geometry::Curve& curve) {
   return length;
 }
 
-/// Heads at even distances, each at the end of a small step to where it is.
+/// Adds arrow heads at equal distances, each at the end of a small step to its place.
 void add_heads(const geometry::Curve& curve, double count, VectorsMark& heads) {
   const double distance = length_of(curve) / count, tail = 1e-3 * distance;
   double gone = 0.0, next = 0.5 * distance;
@@ -57,7 +57,7 @@ void draw_motions(const Panel& panel, std::span<const record::Recording> recordi
       lines.push_back(geometry::simplify(curve, {plot.x.width(), plot.y.width()}, geometry::unseen, false));
     }
     if (lines.empty()) continue;
-    // what is drawn below later lies deeper
+    // a later call of add_below() draws deeper
     if (!heads.x.empty()) plot.add_below(std::move(heads));
     plot.add_below(LineMark{plane_rows(lines), {motion.color, 2.0}});
   }

@@ -3,7 +3,8 @@
 namespace stepwire::plot {
 namespace {
 
-/// The names of the panel's plane: x and y are its coordinates, whatever is recorded under these names.
+/// Returns the names of the panel's plane: x and y are its coordinates, even if columns of these names are
+/// recorded.
 query::SymbolTable plane_of(const query::SymbolTable& names) {
   query::SymbolTable plane = names;
   std::erase_if(plane.columns,
@@ -14,7 +15,7 @@ query::SymbolTable plane_of(const query::SymbolTable& names) {
   return plane;
 }
 
-/// The recording that has what a formula and the panel's `where` name.
+/// Returns the recording with the columns of a formula and of the panel's `where`.
 std::size_t recording_of(const query::Formula& formula, const Panel& panel, const yaml::Node& node,
                          const query::NamesReading& read) {
   return query::common_recording({panel.where ? &*panel.where : nullptr, &formula}, read.names, node,

@@ -11,8 +11,8 @@
 namespace stepwire::plot {
 namespace {
 
-/// What the variables of a formula are in the first row that the panel selects, 0 for what is no column; none
-/// where no row is selected.
+/// Returns the variables of a formula in the first row that the panel selects, 0 for those that are no
+/// column. Returns std::nullopt if no row is selected.
 std::optional<std::vector<double>> first_row(const query::Formula& formula, const Panel& panel,
                                              std::span<const record::Recording> recordings) {
   std::vector<double> values(formula.columns.size(), 0.0);
@@ -43,7 +43,7 @@ void draw_note(const Panel& panel, std::span<const record::Recording> recordings
                              .align = TextMark::Align::left});
 }
 
-/// Values of a boundary over the plane that is shown; `values` are those of its variables in a row.
+/// Returns values of a boundary over the displayed plane; `values` are its variables in a row.
 geometry::Grid boundary_grid(const query::Formula& boundary, std::vector<double> values, const Panel& panel,
                              const PlotBuilder& plot) {
   constexpr std::size_t cells = 240;
@@ -63,7 +63,7 @@ geometry::Grid boundary_grid(const query::Formula& boundary, std::vector<double>
   return grid;
 }
 
-/// Curves where the boundaries of the panel are zero.
+/// Draws curves where the boundaries of the panel are zero.
 void draw_boundaries(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   if (plot.x.empty() || plot.y.empty()) return;
   for (const query::Formula& boundary : panel.boundaries) {

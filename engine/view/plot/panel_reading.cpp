@@ -14,14 +14,14 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-/// The row of this name, or nullptr.
+/// Returns the row of this name, or nullptr.
 template <class AnyRow>
 const AnyRow* find_key(const std::vector<AnyRow>& keys, const std::string& name) {
   const auto found = std::ranges::find(keys, name, &AnyRow::name);
   return found == keys.end() ? nullptr : &*found;
 }
 
-/// Reads the keys of one panel; faults are gathered.
+/// Reads the keys of one panel; collects faults.
 class PanelReader {
  public:
   PanelReader(const yaml::Node& node, const query::SymbolTable& names, bool alone, yaml::Faults& faults)
@@ -35,7 +35,7 @@ class PanelReader {
     for (const auto& channel : panel_.kind->channels)
       if (!channel.otherwise.empty() && !node_.find(channel.key)) read_channel(in_place(channel));
     reading("").check_unknown(node_, plot_form(*panel_.kind, alone_));
-    // Options are read in the units of the channels, so they come second.
+    // Options are in the units of the channels, so they are read second.
     for (const auto& entry : node_.entries)
       if (!panel_.kind->channel(entry.key)) read_option(entry);
     for (const auto& channel : panel_.kind->channels)
@@ -82,7 +82,7 @@ class PanelReader {
     return panel_.kind != nullptr;
   }
 
-  /// Of a plot that is a picture for itself, which takes no keys of axes.
+  /// Reads a plot without axes, which takes no keys of axes and is alone in its picture.
   std::optional<Panel> read_picture() {
     if (!alone_) {
       fault(node_.mark, "figure.panels",
@@ -95,7 +95,7 @@ class PanelReader {
     panel_.content = panel_.kind->read(node_, names_, faults_);
     panel_.reads_rows = !panel_.kind->reads_rows || panel_.kind->reads_rows(node_);
     if (panel_.kind->shown) panel_.shown = panel_.kind->shown(node_, names_);
-    yaml::Faults told;  // by the plot already
+    yaml::Faults told;  // already reported by the plot
     if (const yaml::Node* where = node_.find("where"))
       panel_.where = query::read_formula(*where, names_, "figure.where", told);
     return std::move(panel_);
@@ -117,7 +117,7 @@ class PanelReader {
       }
   }
 
-  /// A legend shows a swept parameter in the unit in which the file has its numbers.
+  /// Sets the unit of a swept parameter in the legend to that of its numbers in the file.
   void show_as_written(query::Series& by) const {
     const query::RecordedName* name = names_.find(by.formula.text);
     const auto unit = name ? unit::parse_unit(name->unit) : std::nullopt;
@@ -128,7 +128,7 @@ class PanelReader {
     by.unit_text = name->unit;
   }
 
-  /// What counts where the file does not have a channel, as if it stood there.
+  /// Returns the default of a channel that the file does not have, as an entry of the file.
   yaml::Entry in_place(const Channel& channel) const {
     yaml::Entry entry{channel.key, node_.mark, {}};
     entry.value.kind = yaml::Node::Kind::scalar;
@@ -137,7 +137,7 @@ class PanelReader {
     return entry;
   }
 
-  /// The row of an option of the kind or of a key of panels; none where the plot takes no such key.
+  /// Returns the row of an option of the kind or of a key of panels; nullptr if the plot takes no such key.
   const PanelKey* find_row(const std::string& key) const {
     if (const PanelKey* option = find_key(panel_.kind->options, key)) return option;
     const PanelKey* row = find_key(panel_keys(), key);
@@ -157,7 +157,7 @@ class PanelReader {
         row.set(panel_, *value, reading(row.name));
   }
 
-  /// Beside a number of each run there is nothing that has several values in a run.
+  /// Checks that a panel of one number for each run has no channel with several values in a run.
   void check_numbers() {
     if (panel_.numbers.empty()) return;
     panel_.final_rows = true;
@@ -172,7 +172,7 @@ class PanelReader {
                             series.formula.text));
   }
 
-  /// Adds a fault for a key whose object is missing, as a line without a region.
+  /// Adds a fault for a key whose object is missing, such as a line without a region.
   void check_beside() {
     std::vector<std::pair<const char*, const char*>> beside{{"region_line", "region"}};
     if (panel_.kind->bar_of_channel)
@@ -183,14 +183,14 @@ class PanelReader {
               fmt::format("goes with '{}', which is not given", of));
   }
 
-  /// True for a series of numbers that the panel makes of each run, which no recording has.
+  /// True for a series of numbers that the panel computes from each run, which no recording has.
   bool is_number(const query::Series& series) const {
     return !series.formula.columns.empty() &&
            std::ranges::find(panel_.numbers, series.formula.columns.front(), &RunNumber::name) !=
                panel_.numbers.end();
   }
 
-  /// Each y is drawn with the other channels, so these must have been recorded together.
+  /// Finds the recordings. Each y is drawn with the other channels, so they must be in one recording.
   void find_recordings() {
     std::vector<const query::Formula*> shared;
     if (panel_.where) shared.push_back(&*panel_.where);

@@ -9,7 +9,7 @@ constexpr double space_budget = 4000.0, mesh_budget = 2500.0;
 
 using Channels = std::vector<const query::Series*>;
 
-/// Every so many rows of a curve, and its last one.
+/// Returns every `step`-th row of a curve, and its last one.
 geometry::Curve every_row(const geometry::Curve& curve, std::size_t step) {
   geometry::Curve result{std::vector<std::vector<double>>(curve.columns.size()), curve.group};
   for (std::size_t i = 0; i < curve.columns.size(); ++i) {
@@ -20,7 +20,7 @@ geometry::Curve every_row(const geometry::Curve& curve, std::size_t step) {
   return result;
 }
 
-/// The runs that the condition of a sheet selects, one line of a mesh each.
+/// Returns the runs that the condition of a sheet selects, as lines of a mesh.
 std::vector<geometry::Curve> lines_of(const query::Series& sheet, const Panel& panel,
                                       const record::Recording& recording, Channels channels,
                                       std::size_t most) {
@@ -52,7 +52,7 @@ void draw_points(const std::vector<geometry::Curve>& curves, bool colored, PlotB
       .rows = space_rows({joined(all)}).front(), .size = 4.3875, .color = colored ? "" : curve_color(0)});
 }
 
-/// The curves of all groups with as many rows as the picture may have.
+/// Returns the curves of all groups, reduced to the budget of the picture.
 std::vector<geometry::Curve> drawn_in_space(const geometry::Curves& all, const Panel& panel, bool colored,
                                             double share) {
   const std::size_t groups = std::max<std::size_t>(all.groups.size(), 1);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t places = 240;  // along x
 
-/// Between two rows of a curve, whose x rises; nan outside of it.
+/// Interpolates between two rows of a curve with increasing x; NaN outside of it.
 double value_at(const geometry::Curve& curve, double x) {
   const std::vector<double>& all = curve.columns[0];
   const auto above = std::ranges::lower_bound(all, x);
@@ -21,7 +21,7 @@ double value_at(const geometry::Curve& curve, double x) {
   return y[i - 1] + share * (y[i] - y[i - 1]);
 }
 
-/// The values of all curves of a group at a place, sorted.
+/// Returns the sorted values of all curves of a group at an x.
 std::vector<double> values_at(const geometry::Curves& all, std::size_t group, double x) {
   std::vector<double> values;
   for (const geometry::Curve& curve : all.curves)
@@ -31,7 +31,7 @@ std::vector<double> values_at(const geometry::Curves& all, std::size_t group, do
   return values;
 }
 
-/// Quantiles over the curves along x: the median, and for each share the ends of a band.
+/// Quantiles over the curves along x: the median, and the ends of a band for each share.
 struct Band {
   std::vector<double> x, median;
   std::vector<std::vector<double>> low, high;  ///< [share]

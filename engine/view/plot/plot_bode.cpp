@@ -34,7 +34,7 @@ void add_response(const std::vector<double>& x, const std::vector<double>& y, co
   plot.add(LineMark{{{x, y, {}, {}}}, {curve_color(run), 1.8}, 0.0, legend});
 }
 
-/// Beside a margin, on the side on which there is room.
+/// Writes a text beside a margin, on the side with space.
 void add_text(const std::string& text, double x, double y, PlotBuilder& plot) {
   const bool left = std::log(x / plot.x.low) > 0.8 * std::log(plot.x.high / plot.x.low);
   plot.spec.texts.push_back({.text = text,
@@ -47,14 +47,14 @@ void add_text(const std::string& text, double x, double y, PlotBuilder& plot) {
                              .rim = true});
 }
 
-/// The first distance that makes at most 8 ticks; none beyond the last.
+/// Returns the first tick distance with at most 8 ticks; std::nullopt beyond the last.
 std::optional<double> tick_step(double range, std::initializer_list<double> distances) {
   for (const double distance : distances)
     if (range <= 8.0 * distance) return distance;
   return std::nullopt;
 }
 
-/// Along the frequency, as far as one of both axes has rows.
+/// Completes the plot, with frequencies as far as either panel has rows.
 void finish(const char* label, const char* unit, double level, std::initializer_list<double> distances,
             PlotBuilder& plot) {
   name_axis(plot.spec.x, "frequency", "rad/s");
@@ -92,7 +92,7 @@ void draw_phase(const Panel& panel, std::span<const record::Recording> recording
     const double margin = per_degree * rows.number("margin.phase", run);
     const double at = rows.number("margin.phase_frequency", run);
     if (rows.runs() > 1 || !std::isfinite(margin) || !std::isfinite(at)) continue;
-    // The curve may have gone round since: the border is that of its own turn.
+    // The phase may have wrapped since, so the border is that of the turn at the margin.
     std::size_t row = 0;
     while (row + 1 < frequency.size() && frequency[row] < at) ++row;
     level += 360.0 * std::round((phase[row] - margin - level) / 360.0);

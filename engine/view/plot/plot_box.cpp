@@ -4,17 +4,17 @@
 namespace stepwire::plot {
 namespace {
 
-/// Samples that stand side by side above one label.
+/// Samples side by side above one label.
 struct Group {
   std::string label;
   std::vector<std::vector<double>> samples;  ///< one for each kind
 };
 
-/// What a box plot shows: groups along the axis, and in each of them one box of each kind.
+/// Groups along the axis, each with one box of each kind.
 struct Boxes {
   std::vector<Group> groups;
-  std::vector<double> kinds;            ///< values of `beside`, ascending
-  std::vector<std::string> kind_names;  ///< empty where there is no `beside`
+  std::vector<double> kinds;            ///< Values of `beside`, ascending.
+  std::vector<std::string> kind_names;  ///< Names of the kinds; empty without `beside`.
 };
 
 std::vector<double> values_of(const std::vector<geometry::Curve>& curves, std::size_t column) {
@@ -24,7 +24,7 @@ std::vector<double> values_of(const std::vector<geometry::Curve>& curves, std::s
   return values;
 }
 
-/// The kinds of all y, before their samples are sorted into them.
+/// Returns the kinds of all y, before the samples are sorted into them.
 Boxes kinds_of(const Panel& panel, const std::vector<geometry::Curves>& all,
                std::span<const record::Recording> recordings) {
   Boxes boxes;
@@ -81,11 +81,11 @@ void name_groups(const std::vector<Group>& groups, PlotAxis& axis) {
     axis.named_ticks.push_back({static_cast<double>(i + 1), groups[i].label});
     letters += groups[i].label.size() + 2;
   }
-  // Many or long labels would run into each other.
+  // Many or long labels would overlap.
   if (letters > 75) axis.label_angle = -35.0;
 }
 
-/// The boxes of one kind with their marks.
+/// Boxes of one kind with their marks.
 struct Kind {
   BoxesMark boxes;
   VectorsMark medians;
@@ -108,7 +108,7 @@ void append(const statistics::BoxSummary& box, double at, Kind& kind) {
   for (const double value : box.beyond) append({{at}, {value}, {}, {}}, kind.beyond);
 }
 
-/// Part of a group's room that a box and its neighbours take.
+/// Returns the share of a group's width for a box and its neighbours.
 double slot(const Boxes& boxes) {
   return boxes.kinds.size() == 1 ? 0.5 : 0.84 / static_cast<double>(boxes.kinds.size());
 }
@@ -120,7 +120,7 @@ void append_median(double at, double median, double width, VectorsMark& medians)
   medians.dy.push_back(0.0);
 }
 
-/// Adds the boxes of one kind; medians, means and what lies beyond are gathered for all kinds.
+/// Adds the boxes of one kind; collects medians, means and outliers for all kinds.
 void draw_kind(const Boxes& boxes, std::size_t index, statistics::Whiskers whiskers, Kind& all,
                PlotBuilder& plot) {
   const double aside =
@@ -142,7 +142,7 @@ void draw_kind(const Boxes& boxes, std::size_t index, statistics::Whiskers whisk
   if (!kind.boxes.x.empty()) plot.add(std::move(kind.boxes));
 }
 
-/// Every box first, so that no box covers the marks of another; marks have their text once.
+/// Draws all boxes first, so that no box covers the marks of another; marks have their text once.
 void draw_kinds(const Boxes& boxes, statistics::Whiskers whiskers, PlotBuilder& plot) {
   Kind all;
   for (std::size_t i = 0; i < boxes.kinds.size(); ++i) draw_kind(boxes, i, whiskers, all, plot);
@@ -150,7 +150,7 @@ void draw_kinds(const Boxes& boxes, statistics::Whiskers whiskers, PlotBuilder& 
   all.medians.pivot = 0.5;
   all.medians.legend = "median";
   plot.add(std::move(all.medians));
-  // Beside coloured boxes an asterisk has none of their colours.
+  // A dark asterisk differs from all coloured boxes.
   const std::string color = boxes.kinds.size() == 1 ? "#D55E00" : "#111111";
   using Symbol = PointsMark::Symbol;
   plot.add(PointsMark{all.means, Symbol::asterisk, 8.775, 1.5, color, "mean"});
@@ -158,7 +158,7 @@ void draw_kinds(const Boxes& boxes, statistics::Whiskers whiskers, PlotBuilder& 
     plot.add(PointsMark{all.beyond, Symbol::ring, 5.85, 1.2, "#666666", "beyond the whiskers"});
 }
 
-/// A dashed line across the box of each y at the first value beside it.
+/// Returns a dashed line across the box of each y at its first reference value.
 LineMark references_of(const Panel& panel, std::span<const record::Recording> recordings,
                        std::size_t groups) {
   LineMark lines{.line = {"#111111", 1.8, {4.0, 3.0}}};

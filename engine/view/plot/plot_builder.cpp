@@ -19,7 +19,8 @@ const std::vector<ColorStop>& rainbow() {
   return stops;
 }
 
-/// On a logarithmic axis of less than two decades 2 and 5 have labels beside the powers of ten.
+/// Returns labels at 2 and 5 for a logarithmic axis of less than two decades, in addition to the powers of
+/// ten.
 std::vector<double> between_decades(const geometry::Extent& shown) {
   std::vector<double> labels;
   if (shown.high > 100.0 * shown.low) return labels;
@@ -30,7 +31,7 @@ std::vector<double> between_decades(const geometry::Extent& shown) {
   return labels;
 }
 
-/// Entries that stand above the axes; more stand beside them. A legend never covers a curve.
+/// Largest legend above the axes; a longer one is beside them. A legend never covers a curve.
 constexpr std::size_t max_above = 4;
 
 PlotSpec::Legend legend_of(const std::vector<PlotMark>& marks) {

@@ -69,7 +69,7 @@ const std::vector<DrawingRow>& drawing_rows() {
   return rows;
 }
 
-/// Where the file has the word of a fault.
+/// Returns the place of the word of a fault in the file.
 yaml::Mark place_of(const drawing::GraphFault& fault, const yaml::Node& figure) {
   const yaml::Node& node = *figure.find(fault.key);
   for (const yaml::Node& item : node.items)
@@ -96,7 +96,7 @@ PanelContent read_diagram(const yaml::Node& node, const query::SymbolTable& name
   return [graph](std::span<const record::Recording>) { return DrawnGraph{DrawnGraph::Kind::diagram, graph}; };
 }
 
-/// Labelled signals by their labels: "labels.F_d".
+/// Returns the labelled signals by their labels: "labels.F_d".
 std::vector<query::NamedFormula> labelled_signals(const yaml::Node& node, const query::SymbolTable&) {
   std::vector<query::NamedFormula> signals;
   const yaml::Node* labels = node.find("labels");

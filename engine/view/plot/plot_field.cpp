@@ -8,7 +8,7 @@
 namespace stepwire::plot {
 namespace {
 
-/// One row for each cell of a lattice of `cells` by `cells`: the one nearest to its middle.
+/// Returns one row for each cell of a lattice of `cells` by `cells`: the one nearest to its centre.
 geometry::Curve one_for_each_cell(const geometry::Curve& points, double cells) {
   const geometry::Extent x = geometry::extent_of(points.columns[0]).padded(0.001),
                          y = geometry::extent_of(points.columns[1]).padded(0.001);
@@ -35,7 +35,7 @@ double longest_arrow(const geometry::Curve& arrows) {
   return longest;
 }
 
-/// Magnitude of the arrows as the colour, where the file names no other.
+/// Adds the magnitude of the arrows as the colour, if the file has no other.
 void add_magnitude(geometry::Curve& arrows) {
   if (arrows.columns.size() > 4) return;
   arrows.columns.emplace_back();
@@ -43,7 +43,7 @@ void add_magnitude(geometry::Curve& arrows) {
     arrows.columns[4].push_back(std::hypot(arrows.columns[2][i], arrows.columns[3][i]));
 }
 
-/// Arrows in the units of the axes, the longest as long as one cell.
+/// Scales the arrows to the units of the axes, the longest to the length of one cell.
 void scale_arrows(geometry::Curve& arrows, double length) {
   const double longest = longest_arrow(arrows);
   if (longest == 0.0) return;
@@ -57,7 +57,7 @@ query::Series magnitude_series(const query::Series& u, const query::Series& v) {
   return series;
 }
 
-/// Share of an arrow that lies behind its point.
+/// Returns the share of an arrow that is behind its point.
 double share_behind(ArrowPivot pivot) {
   return pivot == ArrowPivot::tip ? 1.0 : pivot == ArrowPivot::middle ? 0.5 : 0.0;
 }

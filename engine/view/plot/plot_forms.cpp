@@ -1,4 +1,4 @@
-// What each kind of plot takes, for its reader, the schema and the reference.
+// Keys of each kind of plot, for the reader, the schema and the reference.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 const char* const figure_example = "{plot: lines, x: time, y: rig.x}";
 
-/// Adds keys that are not there yet.
+/// Adds keys that are not in the list yet.
 template <class AnyRow>
 void add(const std::vector<AnyRow>& rows, std::vector<yaml::Key>& keys) {
   for (const AnyRow& row : rows)
@@ -28,7 +28,7 @@ yaml::Key channel_key(const Channel& channel) {
   return channel.required ? yaml::needed(std::move(made)) : made;
 }
 
-/// Keys of a picture of one plot.
+/// Returns the keys of a picture of one plot.
 std::vector<yaml::Key> own_picture_keys() {
   std::vector<yaml::Key> keys;
   add(picture_keys(), keys);

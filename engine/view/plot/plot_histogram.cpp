@@ -8,7 +8,7 @@
 namespace stepwire::plot {
 namespace {
 
-/// How many values lie in each of so many bins of an extent.
+/// Counts the values in each of `count` bins of an extent.
 RectanglesMark bins_of(const std::vector<double>& values, const geometry::Extent& extent, std::size_t count) {
   const double width = extent.width() / static_cast<double>(count);
   RectanglesMark bins{.color = curve_color(0), .edge = "#ffffff"};
@@ -25,7 +25,7 @@ RectanglesMark bins_of(const std::vector<double>& values, const geometry::Extent
   return bins;
 }
 
-/// What a reduction may make of the rows of a run.
+/// Returns the form of a reduction of the rows of a run.
 const yaml::Key& reduction_form() {
   static const yaml::Key form =
       yaml::form::word({"max", "min", "mean", "rms", "spread", "overshoot", "rise_time", "settling_time",
@@ -41,7 +41,7 @@ void read_reduction(Panel& panel, const yaml::Node& node, const query::NamesRead
       static_cast<std::size_t>(std::ranges::find(names, reduction_form().words[*word].word) - names.begin());
 }
 
-/// The reduced value of each run of which a row is selected, in the unit of the reduction.
+/// Returns the reduced value of each run with a selected row, in the unit of the reduction.
 std::vector<double> reduced(const Panel& panel, const record::Recording& recording, const query::Series& x) {
   claim::Rows rows{query::evaluate(x.formula, recording), {}, {}, {}, recording.starts};
   if (const table::Column* time = recording.table.find("time")) rows.time = time->values;
@@ -58,7 +58,7 @@ std::vector<double> reduced(const Panel& panel, const record::Recording& recordi
   return values;
 }
 
-/// Labels the axis of a reduced value; what is of the kind of x is drawn in its unit.
+/// Labels the axis of a reduced value; a value of the same dimension as x has the unit of x.
 void draw_reduced(const Panel& panel, const record::Recording& recording, const query::Series& x,
                   PlotBuilder& plot) {
   claim::Claim claim;

@@ -31,7 +31,7 @@ PanelKey shade_key() {
   return key;
 }
 
-/// What lies between `low` and `high`.
+/// Shades the range between `low` and `high`.
 void draw_interval(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   const query::Series *bottom = panel.find("low"), *top = panel.find("high");
   if (bottom && top)
@@ -65,7 +65,7 @@ void draw_xy(const Panel& panel, std::span<const record::Recording> recordings, 
 
 void draw_loop(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   draw_xy(panel, recordings, plot);
-  // Quadrants tell whether a loop takes or gives energy.
+  // The quadrant of a point is the direction of energy flow in a loop.
   plot.spec.x.zero_line = plot.spec.y.zero_line = true;
 }
 

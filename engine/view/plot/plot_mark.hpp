@@ -8,7 +8,7 @@
 
 namespace stepwire::plot {
 
-/// A member of a spec and its name in JSON.
+/// Member of a spec and its name in JSON.
 template <class Struct, class Value>
 struct SpecField {
   const char* name;
@@ -20,10 +20,10 @@ constexpr SpecField<Struct, Value> field(const char* name, Value Struct::*member
   return {name, member};
 }
 
-// Marks are what is drawn between the axes, in the units of these. The fields of each are listed once, for
-// the JSON; README.md of this folder has them for readers. Widths and sizes are pixels, colours "#rrggbb".
+// Marks are drawn between the axes, in their units. The fields of each are listed once, for the JSON;
+// README.md of this folder documents them. Widths and sizes are in pixels, colours "#rrggbb".
 
-/// Points that follow each other: columns of equal length; one that its mark has no use for is empty.
+/// Successive points: columns of equal length; columns that the mark does not use are empty.
 struct MarkRows {
   std::vector<double> x, y, z;
   std::vector<double> value;  ///< along the colour axis
@@ -47,7 +47,7 @@ struct LineStyle {
   }
 };
 
-/// Lines in the plane or in space, the pen lifted between two of them.
+/// Lines in the plane or in space, not connected with each other.
 struct LineMark {
   static constexpr const char* name = "line";
   std::vector<MarkRows> curves{};
@@ -61,7 +61,7 @@ struct LineMark {
   }
 };
 
-/// What lies between two lines over x, see-through.
+/// Transparent area between two lines over x.
 struct BandMark {
   static constexpr const char* name = "band";
   std::vector<double> x, low, high;
@@ -74,7 +74,7 @@ struct BandMark {
   }
 };
 
-/// A range of x, shaded behind all else from the lower to the upper edge of the frame.
+/// Range of x, shaded behind everything else over the full height of the frame.
 struct SpanMark {
   static constexpr const char* name = "span";
   double low = 0.0, high = 0.0;
@@ -86,7 +86,7 @@ struct SpanMark {
   }
 };
 
-/// A filled polygon; what runs the other way around in it stays free.
+/// Filled polygon; loops of the opposite orientation are holes.
 struct AreaMark {
   static constexpr const char* name = "area";
   std::vector<double> x, y;
@@ -139,7 +139,7 @@ struct BoxesMark {
 struct RectanglesMark {
   static constexpr const char* name = "rectangles";
   std::vector<double> x_low{}, x_high{}, y_low{}, y_high{};
-  std::vector<double> value{};  ///< along the colour axis, where there is no colour
+  std::vector<double> value{};  ///< along the colour axis, without a colour
   std::string color{};
   std::string edge{};  ///< colour of their edges; empty: none
   std::string legend{};
@@ -155,10 +155,10 @@ struct RectanglesMark {
 /// Equal cells coloured by their values.
 struct ImageMark {
   static constexpr const char* name = "image";
-  double x = 0.0, y = 0.0;    ///< centre of the first cell, the lowest on the left
-  double dx = 1.0, dy = 1.0;  ///< width and height of a cell
+  double x = 0.0, y = 0.0;    ///< centre of the lower left cell
+  double dx = 1.0, dy = 1.0;  ///< size of a cell
   std::size_t columns = 0, rows = 0;
-  std::vector<double> values;  ///< row by row; nan where nothing is known and nothing is drawn
+  std::vector<double> values;  ///< row by row; NaN cells are not drawn
 
   static auto fields() {
     return std::tuple{field("x", &ImageMark::x),
@@ -177,10 +177,10 @@ struct VectorsMark {
   std::vector<double> x{}, y{}, dx{}, dy{};
   std::vector<double> value{};
   LineStyle line{};
-  double pivot = 0.0;        ///< share of a stroke that lies behind its point
-  double head = 0.0;         ///< length of a head as a share of the picture's width; 0: none
-  double head_angle = 20.0;  ///< between its side and its stroke [degrees]
-  bool fixed_heads = false;  ///< else those of short strokes are smaller
+  double pivot = 0.0;        ///< Share of a stroke behind its point.
+  double head = 0.0;         ///< Length of a head as a share of the picture's width; 0: none.
+  double head_angle = 20.0;  ///< Angle between its side and its stroke [degrees].
+  bool fixed_heads = false;  ///< False if short strokes have smaller heads.
   std::string legend{};
 
   static auto fields() {
@@ -198,10 +198,10 @@ struct VectorsMark {
   }
 };
 
-/// A coloured surface spanned between lines in space that follow each other.
+/// Coloured surface between successive lines in space.
 struct SurfaceMark {
   static constexpr const char* name = "surface";
-  std::vector<MarkRows> lines;  ///< without values their z is the colour
+  std::vector<MarkRows> lines;  ///< without values, z determines the colour
 
   static auto fields() { return std::tuple{field("lines", &SurfaceMark::lines)}; }
 };
@@ -209,18 +209,18 @@ struct SurfaceMark {
 using PlotMark = std::variant<LineMark, BandMark, SpanMark, AreaMark, PointsMark, BoxesMark, RectanglesMark,
                               ImageMark, VectorsMark, SurfaceMark>;
 
-/// A text in front of all marks, with a dot at its point or without.
+/// Text in front of all marks, with or without a dot at its point.
 struct TextMark {
   enum class Align { left, center, right };
   static constexpr std::array alignments{"left", "center", "right"};
-  std::string text{};  ///< empty: the dot alone
+  std::string text{};  ///< empty: only the dot
   double x = 0.0, y = 0.0;
-  bool in_frame = false;  ///< x and y are shares of the frame, else places along the axes
+  bool in_frame = false;  ///< true for shares of the frame, else places along the axes
   Align align = Align::center;
-  std::array<double, 2> offset{};  ///< to the right and upwards, in widths and heights of a letter
+  std::array<double, 2> offset{};  ///< right and up, in widths and heights of a letter
   double size = 13.0;              ///< of the letters
   std::string color = "#111111";
-  bool rim = false;  ///< white around the letters, so that they are read on curves and colours
+  bool rim = false;  ///< white outline, legible on curves and colours
   double dot = 0.0;  ///< diameter; 0: none
 
   bool operator==(const TextMark&) const = default;

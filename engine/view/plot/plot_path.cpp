@@ -3,7 +3,7 @@
 namespace stepwire::plot {
 namespace {
 
-constexpr double piece_budget = 4000.0;  ///< each coloured piece is an element of its own in the picture
+constexpr double piece_budget = 4000.0;  ///< each coloured segment is an element of the picture
 
 void draw_path(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   const query::Series &x = *panel.find("x"), &y = *panel.find("y"), &color = *panel.find("color");

@@ -9,14 +9,14 @@ namespace stepwire::plot {
 namespace {
 
 const LineStyle pole_border{"#888888", 1.2, {4.0, 3.0}};
-constexpr double most_shown = 2.5;  // of a Nyquist curve, which may go to infinity
+constexpr double most_shown = 2.5;  // of a Nyquist curve, which may diverge
 
-/// Places in a plane of complex numbers.
+/// Points of the complex plane.
 struct Places {
   std::vector<double> x, y;
 };
 
-/// Without what the list is filled up with.
+/// Returns the points without the padding of the list.
 Places places_of(const LinearRows& rows, const std::string& name, std::size_t run) {
   Places all{rows.list(name + ".real", run), rows.list(name + ".imaginary", run)};
   while (all.x.size() > 1 && all.y.size() == all.x.size() && all.x.back() == all.x[all.x.size() - 2] &&
@@ -80,7 +80,7 @@ void draw_poles(const Panel& panel, std::span<const record::Recording> recording
   finish(unit_of(rows), plot);
 }
 
-/// Branches of one run: rows with the same number.
+/// Adds the branches of one run: rows with the same number.
 void add_branches(const LinearRows& rows, std::size_t run, PlotBuilder& plot) {
   const Places all = places_of(rows, "locus", run);
   const std::vector<double> branch = rows.list("locus.branch", run);
@@ -94,7 +94,8 @@ void add_branches(const LinearRows& rows, std::size_t run, PlotBuilder& plot) {
   if (!curves.empty()) plot.add(LineMark{curves, {curve_color(run), 1.6}});
 }
 
-/// As far as the poles and zeros and the closed loop lie, with room for where the branches go.
+/// Draws the locus. The range contains the poles, the zeros and the closed loop, with a margin for the
+/// branches.
 void draw_locus(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   const LinearRows rows(panel, recordings);
   for (std::size_t run = 0; run < rows.runs(); ++run) {
@@ -117,7 +118,7 @@ void draw_locus(const Panel& panel, std::span<const record::Recording> recording
   finish(unit_of(rows), plot);
 }
 
-/// Rows near enough to -1, with those of negative frequencies.
+/// Adds the rows near -1, with those of negative frequencies.
 void add_nyquist(const LinearRows& rows, std::size_t run, PlotBuilder& plot) {
   const Places all{rows.list("real", run), rows.list("imaginary", run)};
   MarkRows above, below;
@@ -135,7 +136,7 @@ void add_nyquist(const LinearRows& rows, std::size_t run, PlotBuilder& plot) {
   plot.add(LineMark{{above}, {curve_color(run), 1.8}, 0.0, rows.label(run)});
 }
 
-/// Where the curve crosses the real axis, and the circle.
+/// Marks where the curve crosses the real axis and the unit circle.
 void add_margins(const LinearRows& rows, PlotBuilder& plot) {
   const double gain = rows.number("margin.gain", 0), phase = rows.number("margin.phase", 0);
   Places crossings;

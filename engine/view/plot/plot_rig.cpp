@@ -47,7 +47,7 @@ Json path_of(const RigPoint& point, const record::Recording& recording, const qu
   return points;
 }
 
-/// Of a path all that it passes, of what else there is the place at the first row.
+/// Returns all points of a path, for other elements the point at the first row.
 Json points_of(const RigElement& element, const record::Recording& recording, const query::RunRows& rows,
                std::size_t dimensions) {
   if (element.kind == "path") return path_of(element.points.front(), recording, rows, dimensions);
@@ -84,8 +84,8 @@ std::string text_of(const std::variant<double, query::Formula>& coordinate, cons
                  : query::number_text(std::get<double>(coordinate), unit::Dimension{{1}}, names);
 }
 
-/// Adds the points of an element and its direction: "elements.F_e.x", of its second point "elements.F_e.2.x",
-/// "elements.F_e.direction.x".
+/// Adds the points of an element and its direction: "elements.F_e.x", "elements.F_e.2.x" for its second
+/// point, "elements.F_e.direction.x".
 void add_element(const RigElement& element, const std::string& name, const query::SymbolTable& names,
                  std::vector<query::NamedFormula>& shown) {
   for (std::size_t point = 0; point < element.points.size(); ++point)
@@ -99,7 +99,7 @@ void add_element(const RigElement& element, const std::string& name, const query
                      query::number_text(element.direction[i], std::nullopt, names)});
 }
 
-/// Elements that have names, by these; faults are those of read_mechanism().
+/// Returns the elements with names; faults are those of read_mechanism().
 std::vector<query::NamedFormula> named_elements(const yaml::Node& node, const query::SymbolTable& names) {
   yaml::Faults faults;
   const Rig rig = read_rig(node, names, faults);

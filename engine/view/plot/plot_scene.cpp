@@ -15,13 +15,13 @@ using yaml::form;
 
 namespace {
 
-/// The instants that a figure shows of the scene of its file.
+/// Instants of the scene that a figure shows.
 struct ChosenInstants {
   std::shared_ptr<const scene::Scene> scene;
   std::string file;
   yaml::Mark mark;
   std::vector<double> times;            ///< [s]; empty: the one instant of `where`
-  std::optional<query::Formula> where;  ///< of several runs that with the first row for which this is true
+  std::optional<query::Formula> where;  ///< of several runs, selects that of the first true row
   std::vector<std::string> words;
 };
 
@@ -38,7 +38,7 @@ void read_times(ChosenInstants& instants, const yaml::Node& node, const query::N
   }
 }
 
-/// Behind the times, of which each has a text.
+/// Reads the words, one for each time; requires the times.
 void read_words(ChosenInstants& instants, const yaml::Node& node, const query::NamesReading& read) {
   for (const yaml::Node& item : node.as_list()) instants.words.push_back(read.text(item));
   const std::size_t count = std::max<std::size_t>(1, instants.times.size());
@@ -71,7 +71,7 @@ ChosenInstants read_chosen(const yaml::Node& node, const query::SymbolTable& nam
   return instants;
 }
 
-/// The row of the run whose time is nearest to that instant.
+/// Returns the row of the run with the nearest time.
 std::size_t row_at(double instant, const query::RunRows& rows, const std::vector<double>& time) {
   std::size_t nearest = rows.begin;
   for (std::size_t row = rows.begin; row < rows.end; ++row)

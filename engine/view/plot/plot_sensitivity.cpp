@@ -11,31 +11,31 @@ namespace {
 constexpr double parameter_height = 44.0, room_around = 130.0;  // [pixels]
 constexpr double bar_width = 0.34;                              // [rows]
 
-/// What decides about the order, and what is drawn beside it.
+/// Measure that determines the order, and a second one beside it.
 struct Measures {
   const char *first, *second;
   const char *first_legend, *second_legend;
-  const char* axis;  ///< before the name of the outcome
+  const char* axis;  ///< prefix of the name of the outcome
 };
 constexpr Measures all_measures[] = {
     {".total.", ".first.", "total index", "first index", "part of the variance of "},
     {".size.", ".deviation.", "mean size of the effect", "deviation of the effect", "effect on "},
     {".partial.", ".rank.", "partial rank correlation", "rank correlation", "correlation with "}};
 
-/// The measures to which a column belongs as the one that decides; null where it is none.
+/// Returns the measures whose first one is a column of this name; nullptr without one.
 const Measures* measures_of(const std::string& column) {
   const auto found = std::ranges::find_if(
       all_measures, [&](const Measures& one) { return column.find(one.first) != std::string::npos; });
   return found == std::end(all_measures) ? nullptr : found;
 }
 
-/// A parameter with two numbers, each with its interval.
+/// Parameter with two numbers, each with its interval.
 struct SensitivityBar {
   std::string parameter;
   double value[2], low[2], high[2];
 };
 
-/// The outcomes whose sensitivity is known.
+/// Returns the outcomes with known sensitivity.
 std::vector<std::string> outcomes_of(const query::SymbolTable& names, std::string& column) {
   std::vector<std::string> all;
   for (const query::RecordedName& one : names.columns) {
@@ -100,7 +100,7 @@ void name_parameters(const std::vector<SensitivityBar>& bars, const Panel& panel
   }
 }
 
-/// A bar and its interval for each parameter, the first measure above the second.
+/// Draws a bar and its interval for each parameter, the first measure above the second.
 void draw_measure(const std::vector<SensitivityBar>& bars, std::size_t which, const char* legend,
                   geometry::Extent& extent, PlotBuilder& plot) {
   RectanglesMark boxes{.color = curve_color(which), .legend = legend};

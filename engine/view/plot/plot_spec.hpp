@@ -14,7 +14,7 @@
 
 namespace stepwire::plot {
 
-/// A place along an axis with its label.
+/// Labelled place along an axis.
 struct AxisTick {
   double at = 0.0;
   std::string label;
@@ -23,20 +23,20 @@ struct AxisTick {
   static auto fields() { return std::tuple{field("at", &AxisTick::at), field("label", &AxisTick::label)}; }
 };
 
-/// One axis. All numbers along it are in its unit.
+/// Axis of a plot. All numbers along it are in its unit.
 struct PlotAxis {
   std::string label{};
-  std::string unit{};                            ///< as people print it: mm, m/s², °; empty: not known
-  std::optional<std::array<double, 2>> range{};  ///< left or lower end first; none: as far as the marks
+  std::string unit{};                            ///< Printed unit: mm, m/s², °; empty if unknown.
+  std::optional<std::array<double, 2>> range{};  ///< Lower end first; std::nullopt: by the marks.
   bool log = false;
-  std::optional<double> step{};         ///< between ticks; none: as it suits the range
-  std::vector<double> more_ticks{};     ///< labelled beside the powers of ten of a logarithmic axis
-  std::vector<AxisTick> named_ticks{};  ///< in place of numbers
-  double label_angle = 0.0;             ///< by which the labels of ticks are turned [degrees]
-  bool line = true;                     ///< without it and named ticks there are no ticks either
+  std::optional<double> step{};         ///< Distance of ticks; std::nullopt: by the range.
+  std::vector<double> more_ticks{};     ///< Further labels of a logarithmic axis.
+  std::vector<AxisTick> named_ticks{};  ///< Ticks that replace numbers.
+  double label_angle = 0.0;             ///< Rotation of the tick labels [degrees].
+  bool line = true;                     ///< False also removes unnamed ticks.
   bool tick_marks = true;
   bool grid = true;
-  bool zero_line = false;  ///< a line where the other axis is zero
+  bool zero_line = false;  ///< true for a line at the zero of the other axis
 
   bool operator==(const PlotAxis&) const = default;
   static auto fields() {
@@ -55,7 +55,7 @@ struct PlotAxis {
   }
 };
 
-/// A colour of the colour axis; colours between two stops go over linearly.
+/// Colour of the colour axis; colours between two stops are interpolated linearly.
 struct ColorStop {
   double at = 0.0;  ///< share of the axis
   std::string color;
@@ -64,7 +64,7 @@ struct ColorStop {
   static auto fields() { return std::tuple{field("at", &ColorStop::at), field("color", &ColorStop::color)}; }
 };
 
-/// From where three axes are seen [degrees].
+/// View direction of three axes [degrees].
 struct SpaceView {
   double elevation = 62.0, azimuth = 35.0;
 
@@ -74,20 +74,21 @@ struct SpaceView {
   }
 };
 
-/// Axes with all that is drawn between them. A renderer takes nothing else.
+/// Axes with all marks between them: the complete input of a renderer.
 struct PlotSpec {
   enum class Legend { none, above, beside };
   static constexpr std::array legends{"none", "above", "beside"};
   std::string title{};
   PlotAxis x{}, y{};
-  std::optional<PlotAxis> z{};      ///< upwards, of a plot in space
-  std::optional<PlotAxis> color{};  ///< has a bar beside the plot
+  std::optional<PlotAxis> z{};      ///< vertical, for a plot in space
+  std::optional<PlotAxis> color{};  ///< with a bar beside the plot
   std::vector<ColorStop> palette{};
-  std::optional<SpaceView> view{};  ///< of a plot in space
-  bool equal = false;               ///< one unit is as long along all axes
-  bool closed_frame = false;        ///< lines on all four sides
+  std::optional<SpaceView> view{};  ///< for a plot in space
+  bool equal = false;               ///< true for equal scales of all axes
+  bool closed_frame = false;        ///< true for lines on all four sides
   Legend legend = Legend::none;
-  /// Place of the axes in the picture: left, top, width, height [px]; none: as their labels leave room.
+  /// Position of the axes in the picture: left, top, width, height [px]; std::nullopt: by the size of their
+  /// labels.
   std::optional<std::array<double, 4>> frame{};
   std::vector<PlotMark> marks{};  ///< later ones cover earlier ones
   std::vector<TextMark> texts{};
@@ -109,7 +110,7 @@ struct PlotSpec {
   }
 };
 
-/// A block diagram or a mechanism, as the drawing module takes it.
+/// Block diagram or mechanism, in the format of the drawing module.
 struct DrawnGraph {
   enum class Kind { diagram, rig } kind = Kind::diagram;
   json::Json graph;
@@ -118,26 +119,25 @@ struct DrawnGraph {
 /// Instants of a scene side by side.
 struct SceneInstants {
   std::shared_ptr<const scene::Scene> scene;
-  std::vector<std::vector<scene::SceneShape>>
-      shapes;                      ///< of each instant, in the order in which they are drawn
-  std::vector<std::string> words;  ///< below each instant
+  std::vector<std::vector<scene::SceneShape>> shapes;  ///< of each instant, in drawing order
+  std::vector<std::string> words;                      ///< below each instant
 };
 
-/// A panel and its place in the picture, from the upper left corner [px].
+/// Panel and its place in the picture, from the upper left corner [px].
 struct PanelSpec {
   double left = 0.0, top = 0.0, width = 0.0, height = 0.0;
   std::variant<PlotSpec, text::TextTable, DrawnGraph, SceneInstants> content;
 };
 
-/// One picture. A panel that is no plot has it for itself and is as large as it needs to be.
+/// Picture. A panel that is no plot is alone in it and determines its own size.
 struct FigureSpec {
   std::string title{};
-  double width = 0.0, height = 0.0;  ///< [px]; 0: as its one panel needs it
-  bool aligned = false;              ///< panels above each other have their axes in line
+  double width = 0.0, height = 0.0;  ///< [px]; 0: by its one panel
+  bool aligned = false;              ///< true for panels above each other with aligned axes
   std::vector<PanelSpec> panels{};
 };
 
-/// All that a picture holds; README.md of this folder describes it.
+/// Returns the content of a picture; README.md of this folder documents it.
 json::Json figure_json(const FigureSpec& figure);
 
 }  // namespace stepwire::plot

@@ -8,13 +8,13 @@ namespace {
 
 constexpr std::size_t cells = 500;
 
-/// Cells of the strip: the mean of all that passes over them; nan where nothing passes.
+/// Cells of the strip: the mean of all values that pass over them; NaN without any.
 class Strip {
  public:
   explicit Strip(const geometry::Extent& extent)
       : low_(extent.low), step_((extent.high - extent.low) / cells) {}
 
-  /// Between two rows that follow each other the colour goes over linearly.
+  /// Adds a segment between successive rows, with linear values.
   void pass(double x0, double value0, double x1, double value1) {
     const std::size_t from = cell(std::min(x0, x1)), to = cell(std::max(x0, x1));
     for (std::size_t i = from; i <= to; ++i) {
@@ -51,7 +51,7 @@ ImageMark strip_of(const geometry::Curves& all, const geometry::Extent& extent) 
   return strip.image();
 }
 
-/// A round step with which a short colour bar has two to five marks.
+/// Returns a round step with two to five ticks on a short colour bar.
 double few_steps(double width) {
   const double power = std::pow(10.0, std::floor(std::log10(0.4 * width)));
   for (const double step : {5.0, 2.0})
@@ -71,7 +71,7 @@ void draw_strip(const Panel& panel, std::span<const record::Recording> recording
   plot.y = {0.0, 1.0};
   plot.plane(0.0);
   plot.spec.x.grid = plot.spec.y.grid = plot.spec.y.line = false;
-  // The label of the colour bar stands beside the strip and must not be longer than that is high.
+  // The label of the colour bar is beside the strip and must not be longer than its height.
   plot.height = std::clamp(70.0 + 8.0 * static_cast<double>(color.axis_label().size()), 170.0, 320.0);
   const geometry::Extent shown = geometry::extent_of(strip.values);
   plot.color_bar(color, shown);

@@ -10,7 +10,7 @@
 namespace stepwire::plot {
 namespace {
 
-/// A table that a study makes.
+/// Reads a table of a study.
 PanelContent read_named_table(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults) {
   const auto fault = [&](const yaml::Mark& mark, const yaml::Message& message) {
     faults.add({{names.file, mark}, "figure.of", message, {}});
@@ -47,12 +47,12 @@ PanelContent read_table_plot(const yaml::Node& node, const query::SymbolTable& n
   };
 }
 
-/// Each cell by the name of its row and its heading, "thesis.compressed_length"; by their numbers where these
-/// have no letters.
+/// Returns each cell by the name of its row and its heading, "thesis.compressed_length"; by their numbers if
+/// these have no letters.
 std::vector<query::NamedFormula> cells_of(const yaml::Node& node, const query::SymbolTable& names) {
   std::vector<query::NamedFormula> cells;
   if (!node.find("rows") || !node.find("headings")) return cells;
-  yaml::Faults told;  // as the content was read
+  yaml::Faults told;  // already reported when the content was read
   const TableRows table = read_table_rows(node, names, told);
   for (std::size_t row = 0; row < table.lines.size(); ++row)
     for (std::size_t column = 1; column <= table.lines[row].cells.size(); ++column) {
@@ -79,7 +79,7 @@ PlotKind table_plot() {
                          "intervals", "comparisons", "effect_sizes", "power", "assumptions", "means",
                          "significance", "experiments", "experiments_significance", "sensitivity"})}};
   for (yaml::Key key : table_rows_form().of) {
-    key.required = false;  // `of` may stand in their place
+    key.required = false;  // `of` may replace them
     kind.options.push_back(described_key(key));
   }
   kind.plane = false;

@@ -5,7 +5,7 @@
 namespace stepwire::plot {
 namespace {
 
-constexpr double picture_budget = 14000.0;  ///< of a picture, so that it stays below some 300 kB
+constexpr double picture_budget = 14000.0;  ///< of a picture, which keeps it below some 300 kB
 constexpr std::size_t max_in_legend = 8;
 
 std::string legend_text(const Panel& panel, const query::Series& y, const geometry::Curves& curves,
@@ -16,7 +16,7 @@ std::string legend_text(const Panel& panel, const query::Series& y, const geomet
   return several ? y.label + ", " + curves.labels[group] : curves.labels[group];
 }
 
-/// One line under which all y can stand.
+/// Returns a label that applies to all y.
 query::Series common_label(const std::vector<query::Series>& all) {
   query::Series common = all.front();
   for (const query::Series& series : all) {
@@ -27,7 +27,7 @@ query::Series common_label(const std::vector<query::Series>& all) {
   return common;
 }
 
-/// A later curve is thinner, so that one that lies below it is still seen.
+/// Returns the style of a curve. Later curves are thinner, so that a curve behind them remains visible.
 LineStyle line_of(const Panel& panel, std::size_t entry, bool several) {
   LineStyle line{curve_color(entry), entry == 0 && several ? 2.4 : 1.6};
   if (entry >= panel.styles.size()) return line;
@@ -39,7 +39,7 @@ LineStyle line_of(const Panel& panel, std::size_t entry, bool several) {
   return line;
 }
 
-/// Final rows have dots where the file gives no style.
+/// Returns the size of dots. Final rows have dots if the file has no style.
 double dots_of(const Panel& panel, std::size_t entry) {
   return panel.final_rows && entry >= panel.styles.size() ? 4.875 : 0.0;
 }
@@ -49,13 +49,13 @@ geometry::Curve with_group_value(geometry::Curve curve, const geometry::Curves& 
   return curve;
 }
 
-/// The rows of a group that are drawn: each one where it has a point, else as many as its line needs.
+/// Returns the drawn rows of a group: all for points, else as many as its line needs.
 std::vector<geometry::Curve> drawn(const Panel& panel, const geometry::Curves& all, std::size_t group,
                                    std::size_t budget) {
   return panel.final_rows ? geometry::cut(all, group, budget) : geometry::thinned(all, group, budget);
 }
 
-/// Adds curves as a line, or its rows as points.
+/// Adds curves as a line, or their rows as points.
 void add_rows(const Panel& panel, const std::vector<geometry::Curve>& curves, LineMark line,
               PlotBuilder& plot) {
   if (!panel.points_only) return plot.add(std::move(line));
@@ -68,7 +68,7 @@ void add_rows(const Panel& panel, const std::vector<geometry::Curve>& curves, Li
   }
 }
 
-/// Many groups: the value of `by` is shown as a colour.
+/// Draws many groups with the value of `by` as a colour.
 void draw_by_color(const Panel& panel, const geometry::Curves& all, PlotBuilder& plot) {
   for (std::size_t group = 0; group < all.groups.size(); ++group) {
     auto curves = drawn(panel, all, group, rows_for(plot, all.groups.size()));
@@ -141,7 +141,7 @@ void draw_spans(const std::vector<double>& ends, PlotBuilder& plot) {
 }
 
 void set_line_ranges(PlotBuilder& plot) {
-  // The axis of time begins and ends with the record; the other one leaves the curves some room.
+  // The time axis ends with the recording; the other axis has a margin.
   const geometry::Extent all = plot.x;
   plot.plane(0.05);
   if (!plot.panel().x.range) plot.x = all.padded(0.0);

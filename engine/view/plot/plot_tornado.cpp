@@ -10,19 +10,19 @@ namespace {
 constexpr double row_height = 44.0, frame_height = 130.0;  // [pixels]
 constexpr double half_bar = 0.36;                          // [rows]
 
-/// A value of a parameter, and the outcome with it.
+/// Value of a parameter, and the resulting outcome.
 struct Setting {
   std::string text;
   double outcome = 0.0;
 };
 
-/// What one unknown does to the outcome.
+/// Effect of one unknown on the outcome.
 struct Swing {
   std::string name;
-  std::vector<Setting> settings;  ///< in their order in the file
+  std::vector<Setting> settings;  ///< in the order of the file
 };
 
-/// Means over the rows of one setting, as of several experiments.
+/// Mean over the rows of one setting, such as several experiments.
 struct Mean {
   std::string of, to;
   double sum = 0.0, count = 0.0;
@@ -30,7 +30,7 @@ struct Mean {
   double value() const { return sum / count; }
 };
 
-/// Which rows are the last of their runs of those that `where` selects.
+/// Returns the last row of each run among those that `where` selects.
 std::vector<std::size_t> final_rows(const Panel& panel, const record::Recording& recording) {
   const std::size_t rows = recording.table.rows();
   const std::vector<double> where =
@@ -47,7 +47,7 @@ std::vector<std::size_t> final_rows(const Panel& panel, const record::Recording&
   return last;
 }
 
-/// The outcome of each setting, in the order of the sweep.
+/// Returns the outcome of each setting, in the order of the sweep.
 std::vector<Mean> means_of(const Panel& panel, const record::Recording& recording) {
   const query::Series &x = *panel.find("x"), &by = *panel.find("by"), &to = *panel.find("to");
   const auto outcome = query::evaluate(x.formula, recording), of = query::evaluate(by.formula, recording),
@@ -73,7 +73,7 @@ geometry::Extent reach(const Swing& swing, double base) {
   return extent;
 }
 
-/// The widest first; the order of the file where they are as wide.
+/// Returns the swings, widest first; in the order of the file for equal widths.
 std::vector<Swing> swings_of(const std::vector<Mean>& means, double base) {
   std::vector<Swing> swings;
   for (const Mean& mean : means) {
@@ -86,7 +86,7 @@ std::vector<Swing> swings_of(const std::vector<Mean>& means, double base) {
   return swings;
 }
 
-/// The text of a value behind the end of its bar.
+/// Returns the text of a value at the end of its bar.
 TextMark end_text(const Setting& setting, double base, double y) {
   const bool left = setting.outcome < base;
   return {.text = setting.text,
@@ -98,7 +98,7 @@ TextMark end_text(const Setting& setting, double base, double y) {
           .color = "#333333"};
 }
 
-/// Each value has its share of the row's height, so that no bar hides another one on the same side.
+/// Draws a swing. Each value has its share of the row's height, so that no bar hides another one.
 void draw_swing(const Swing& swing, double row, double base, std::vector<RectanglesMark>& bars,
                 PlotBuilder& plot) {
   const double height = 2.0 * half_bar / static_cast<double>(swing.settings.size());
@@ -147,7 +147,7 @@ void draw_tornado(const Panel& panel, std::span<const record::Recording> recordi
   geometry::Extent extent{base->value(), base->value()};
   for (const Swing& swing : swings)
     for (const Setting& setting : swing.settings) extent.add(setting.outcome);
-  plot.range("x", extent.padded(0.2));  // room for the texts of the values
+  plot.range("x", extent.padded(0.2));  // space for the texts of the values
   name_rows(swings, panel, plot.spec.y);
   plot.height = frame_height + row_height * static_cast<double>(swings.size());
   draw_swings(swings, base->value(), plot);

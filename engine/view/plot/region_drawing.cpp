@@ -12,7 +12,7 @@ double drawn(const Panel& panel, const char* axis, double value) {
   return series ? series->unit.from_si(value) : value;
 }
 
-/// A line in the units of the axes.
+/// Returns a line in the units of the axes.
 geometry::Curve curve_of(const Panel& panel, const Outline& outline, const Outline::Line& line) {
   geometry::Curve curve{std::vector<std::vector<double>>(outline.space ? 3 : 2), 0};
   const char* axes[] = {"x", "y", "z"};
@@ -22,7 +22,7 @@ geometry::Curve curve_of(const Panel& panel, const Outline& outline, const Outli
   return curve;
 }
 
-/// Does a point lie within the ranges that the file gives for its axes?
+/// True if a point is within the given ranges of its axes.
 bool is_shown(const Panel& panel, const geometry::Curve& curve, std::size_t row) {
   const AxisOptions* axes[] = {&panel.x, &panel.y, &panel.z};
   for (std::size_t i = 0; i < curve.columns.size(); ++i) {
@@ -34,7 +34,7 @@ bool is_shown(const Panel& panel, const geometry::Curve& curve, std::size_t row)
   return true;
 }
 
-/// The pieces of a line in space that are shown; a renderer need not cut lines there.
+/// Returns the visible pieces of a line in space; renderers need not clip lines there.
 std::vector<geometry::Curve> shown_pieces(const Panel& panel, const geometry::Curve& curve) {
   std::vector<geometry::Curve> pieces;
   bool inside = false;
@@ -48,7 +48,7 @@ std::vector<geometry::Curve> shown_pieces(const Panel& panel, const geometry::Cu
   return pieces;
 }
 
-/// The lines of an outline; in the plane without points that cannot be told apart in the frame.
+/// Returns the lines of an outline; in the plane without points that are indistinguishable in the frame.
 std::vector<geometry::Curve> curves_of(const Panel& panel, const Outline& outline, const PlotBuilder& plot) {
   const std::vector<double> widths{plot.x.width(), plot.y.width()};
   std::vector<geometry::Curve> curves;
@@ -62,7 +62,8 @@ std::vector<geometry::Curve> curves_of(const Panel& panel, const Outline& outlin
   return curves;
 }
 
-/// All loops as one, from each back to where the first begins: holes run the other way around, and stay free.
+/// Returns all loops as one polygon, which returns from each loop to the beginning of the first. Holes have
+/// the opposite orientation and stay empty.
 geometry::Curve one_of(const std::vector<geometry::Curve>& loops) {
   geometry::Curve all{std::vector<std::vector<double>>(2), 0};
   for (const geometry::Curve& loop : loops)
@@ -75,7 +76,7 @@ geometry::Curve one_of(const std::vector<geometry::Curve>& loops) {
   return all;
 }
 
-/// What of a polygon lies on one side of a line of the frame. A renderer need not keep areas within it.
+/// Clips a polygon at a line of the frame, since renderers need not clip areas.
 geometry::Curve cut_off(const geometry::Curve& polygon, std::size_t axis, double limit, double side) {
   geometry::Curve result{std::vector<std::vector<double>>(2), 0};
   const auto inside = [&](std::size_t i) { return side * (polygon.columns[axis][i] - limit) <= 0.0; };

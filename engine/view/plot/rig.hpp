@@ -13,51 +13,52 @@
 
 namespace stepwire::plot {
 
-/// One to three coordinates [m]: numbers that the diagram has, or formulas of what was recorded.
+/// One to three coordinates [m]: numbers of the diagram, or formulas of recordings.
 using RigPoint = std::vector<std::variant<double, query::Formula>>;
 
-/// A kind of element, and how many points it takes.
+/// Kind of element, and its number of points.
 struct RigKind {
   std::string name;
   std::string doc;
   std::size_t min_points = 2, max_points = 2;
-  bool directed = false;  ///< it has a direction of its own
+  bool directed = false;  ///< true for a kind with a direction
 };
 
-/// All kinds of elements; mechanism.mjs draws them.
+/// Returns all kinds of elements; mechanism.mjs draws them.
 const std::vector<RigKind>& rig_kinds();
 
-/// A piece of a mechanism.
+/// Element of a mechanism.
 struct RigElement {
   std::string kind, name;
   std::vector<RigPoint> points;
-  std::optional<double> body;  ///< how long the housing of a link is [m]
-  double offset = 0.0;  ///< of a dimension, to the left of the way from its first point to its second [m]
-  std::vector<double> direction{};  ///< of a force and alike, along the axes; empty: as its kind has it
+  std::optional<double> body;  ///< Length of the housing of a link [m].
+  double offset = 0.0;  ///< Offset of a dimension, left of the line from its first point to its second [m].
+  std::vector<double> direction{};  ///< Components of the direction of a force; empty: by its kind.
 };
 
-/// A mechanism as a figure describes it.
+/// Mechanism of a figure.
 struct Rig {
   std::string title;
   std::vector<std::string> axes{"x", "y", "z"};  ///< their names
-  bool z_up = false;                             ///< z is drawn upwards, else y
-  bool schematic = false;                        ///< without axes and scale
-  std::map<std::string, RigPoint> points;        ///< that have names
+  bool z_up = false;                             ///< true if z is vertical, else y
+  bool schematic = false;                        ///< true without axes and scale
+  std::map<std::string, RigPoint> points;        ///< points with names
   std::vector<RigElement> elements;
-  std::optional<query::Formula> where;  ///< the first row for which this is true is drawn
+  std::optional<query::Formula> where;  ///< selects the drawn row, the first for which it is true
   std::size_t recording = 0;
   yaml::Mark mark;
 };
 
-/// The keys of a figure that a rig has.
+/// Returns the keys of a figure of a rig.
 const yaml::Key& rig_form();
 
-/// A mechanism as rig.mjs takes it; `points` gives those of an element, in so many dimensions, as a list.
+/// Returns a mechanism in the format of rig.mjs. `points` returns the points of an element, with `dimensions`
+/// coordinates each, as a list.
 json::Json rig_json(
     const Rig& rig,
     const std::function<json::Json(const RigElement& element, std::size_t dimensions)>& points);
 
-/// Reads them; what is wrong goes to `faults`.
+/// Reads a rig; collects faults.
 Rig read_rig(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults);
 
 }  // namespace stepwire::plot

@@ -1,4 +1,4 @@
-// A mechanism for rig.mjs.
+// Conversion of a mechanism for rig.mjs.
 #include <algorithm>
 #include <utility>
 

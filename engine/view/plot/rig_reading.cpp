@@ -15,7 +15,7 @@ using yaml::form;
 
 namespace {
 
-/// "anchors.1" of a block: a row of one of its parameters.
+/// Returns a row of a block's parameter, by the text "anchors.1".
 std::optional<RigPoint> row_of(const diagram::DiagramBlock& block, const std::string& rest) {
   const std::size_t dot = rest.find('.');
   const ParameterSpec* parameter = block.type().parameter(rest.substr(0, dot));
@@ -31,7 +31,7 @@ std::optional<RigPoint> row_of(const diagram::DiagramBlock& block, const std::st
   return point;
 }
 
-/// What elements are read with: the places that have names.
+/// Context for reading elements, with the named points.
 struct RigReading : query::NamesReading {
   RigReading(const query::NamesReading& read, const std::map<std::string, RigPoint>& named)
       : query::NamesReading(read), named(named) {}
@@ -49,7 +49,7 @@ std::optional<RigPoint> row_of_parameter(const std::string& text, const query::S
   return std::nullopt;
 }
 
-/// A place: [x, y], the name of a recorded vector, or a row of a block's parameter.
+/// Reads a point: [x, y], the name of a recorded vector, or a row of a block's parameter.
 std::optional<RigPoint> read_point(const yaml::Node& node, const query::NamesReading& read) {
   if (auto row = row_of_parameter(node.text, read.names)) return row;
   RigPoint point;
@@ -64,7 +64,7 @@ yaml::Key place_form() {
 
 void read_ends(const RigKind& kind, RigElement& element, const yaml::Node& node, const RigReading& read) {
   element.kind = kind.name;
-  // Several things in the list of a kind that takes one point are its coordinates.
+  // Several items for a kind with one point are the coordinates of that point.
   const bool is_point = kind.max_points == 1 && node.items.size() > 1;
   for (const yaml::Node& item : is_point ? std::span(&node, 1) : node.as_list()) {
     const auto named = item.is_scalar() ? read.named.find(item.text) : read.named.end();
@@ -78,7 +78,7 @@ void read_ends(const RigKind& kind, RigElement& element, const yaml::Node& node,
     read.fault(node.mark, fmt::format("there are {} points here; {}", count, kind.doc));
 }
 
-/// An angle from x towards y, or shares along the axes.
+/// Reads an angle from x towards y, or components along the axes.
 void read_direction(RigElement& element, const yaml::Node& node, const RigReading& read) {
   const yaml::Key share = form::computed();
   if (!node.is_list()) {

@@ -9,7 +9,7 @@ namespace {
 
 enum RoseColumn { point_x, point_y, spoke_angle, spoke_value };
 
-/// A rose with its rows, and where its disc is.
+/// Rose with its rows and the centre of its disc.
 struct DrawnRose {
   const Rose& rose;
   geometry::Curve rows;
@@ -26,7 +26,7 @@ struct DrawnRose {
     return line;
   }
 
-  /// From the middle of the disc, the largest value as long as its radius.
+  /// Returns the spokes from the centre of the disc; the largest value has the length of the radius.
   VectorsMark spokes(double full) const {
     VectorsMark spokes;
     for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -41,7 +41,7 @@ struct DrawnRose {
     return spokes;
   }
 
-  /// From the point to the edge of the disc; nothing where the point lies on it.
+  /// Returns the line from the point to the edge of the disc; std::nullopt if the point is on the disc.
   std::optional<MarkRows> leader() const {
     const double from_x = rows.columns[point_x].front(), from_y = rows.columns[point_y].front();
     const double distance = std::hypot(from_x - x, from_y - y);
@@ -91,7 +91,7 @@ void draw_leader(const MarkRows& leader, PlotBuilder& plot) {
   plot.spec.texts.push_back({.x = leader.x[0], .y = leader.y[0], .dot = 3.9});
 }
 
-/// The line through the ends of spokes.
+/// Returns the line through the ends of spokes.
 LineMark outline_of(const VectorsMark& spokes) {
   MarkRows ends;
   for (std::size_t i = 0; i < spokes.x.size(); ++i) {

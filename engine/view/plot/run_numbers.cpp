@@ -14,12 +14,12 @@ const yaml::Node& expression_of(const yaml::Node& node) {
   return signal ? *signal : node;
 }
 
-/// Without the unit behind " in ".
+/// Returns the text before " in ", without the unit.
 std::string without_unit(const std::string& text) {
   return text.substr(0, text.rfind(" in "));
 }
 
-/// The rows that a condition selects, in the runs in which they were recorded.
+/// Returns the rows that a condition selects, in their runs.
 record::Recording selected(const record::Recording& all, const query::Formula& where) {
   const std::vector<double> holds = query::evaluate(where, all);
   record::Recording some{{}, {}, all.categories};
@@ -36,13 +36,13 @@ record::Recording selected(const record::Recording& all, const query::Formula& w
   return some;
 }
 
-/// The first row of a run, and one behind its last.
+/// Returns the rows of a run, [first, end).
 std::pair<std::size_t, std::size_t> rows_of(const record::Recording& recording, std::size_t run) {
   const bool last = run + 1 == recording.starts.size();
   return {recording.starts[run], last ? recording.table.rows() : recording.starts[run + 1]};
 }
 
-/// Appends what a run has at its end, but for signals.
+/// Appends the values at the end of a run, without signals.
 void append_end(const record::Recording& rows, std::size_t end, record::Recording& numbers) {
   for (std::size_t i = 0; i < numbers.table.columns.size(); ++i)
     if (const table::Column* column = rows.table.find(numbers.table.columns[i].name))
@@ -65,7 +65,7 @@ std::optional<query::Series> read_run_series(const yaml::Node& node, const query
   formula.text = text;
   auto number = claim::read_run_formula(formula, read);
   if (!number) return std::nullopt;
-  // As long as the expression, so that all places stay.
+  // As long as the expression, so that all positions stay.
   std::string name = "_" + std::to_string(panel.numbers.size());
   name.resize(std::max(name.size(), text.size()), '_');
   query::SymbolTable names = read.names;
@@ -83,7 +83,7 @@ std::optional<query::Series> read_run_series(const yaml::Node& node, const query
 
 namespace {
 
-/// The recordings without the rows that the panel leaves out.
+/// Returns the recordings with the rows that the panel selects.
 std::vector<record::Recording> selected(const Panel& panel, std::span<const record::Recording> recordings) {
   std::vector<record::Recording> own(recordings.begin(), recordings.end());
   for (std::size_t i = 0; i < own.size(); ++i)
@@ -92,7 +92,7 @@ std::vector<record::Recording> selected(const Panel& panel, std::span<const reco
   return own;
 }
 
-/// Columns without rows of what is beside the numbers.
+/// Returns the columns, without rows, that accompany the numbers.
 record::Recording beside_numbers(const Panel& panel, const record::Recording& rows) {
   record::Recording numbers{{}, {}, rows.categories};
   for (const std::string& name : panel.of_runs)

@@ -33,7 +33,7 @@ Json json_of(const std::array<double, count>& numbers) {
   return Json::list_of(numbers);
 }
 
-/// Columns have the digits that a picture shows; what is no finite number is null.
+/// Returns a column with the digits that are visible in a picture; non-finite numbers are null.
 Json json_of(const std::vector<double>& column) {
   Json list = Json::list();
   for (const double value : column) list.push(query::rounded(value, 7));
@@ -72,7 +72,7 @@ Json json_of(const std::variant<Marks...>& mark) {
       },
       mark);
 }
-/// Fields that stand at their defaults are left out.
+/// True for a field with its default value, which is omitted.
 template <class Value>
 bool is_default(const Value& value, const Value& otherwise) {
   if constexpr (requires { value.empty(); })

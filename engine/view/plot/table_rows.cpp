@@ -21,7 +21,7 @@ void read_headings(TableRows& table, const yaml::Node& node, const query::NamesR
   for (const yaml::Node& item : node.items) table.columns.push_back(item.text.empty() ? "" : read.text(item));
 }
 
-/// Behind the headings, of which each has a value.
+/// Reads a line, with a value for each heading; requires the headings.
 void read_line(TableRows& table, const yaml::Entry& entry, const query::NamesReading& read) {
   const auto items = entry.value.as_list();
   if (!table.columns.empty() && items.size() + 1 != table.columns.size())

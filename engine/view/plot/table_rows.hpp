@@ -10,7 +10,7 @@
 
 namespace stepwire::plot {
 
-/// A table that a file writes itself: in each line a name, and expressions for the other columns.
+/// Table in a diagram file: in each line a name, and expressions for the other columns.
 struct TableRows {
   struct Line {
     std::string name;
@@ -20,19 +20,19 @@ struct TableRows {
   std::string file;
   yaml::Mark mark;
   std::string title;
-  std::vector<std::string> columns;  ///< headings; the first stands above the names
+  std::vector<std::string> columns;  ///< headings; the first one is that of the names
   std::vector<Line> lines;
-  std::optional<query::Formula> where;  ///< cells have the values of the first row for which this is true
+  std::optional<query::Formula> where;  ///< selects the row of the cells, the first for which it is true
   std::size_t recording = 0;
 };
 
-/// The keys `headings`, `rows` and `where`.
+/// Returns the keys `headings`, `rows` and `where`.
 const yaml::Key& table_rows_form();
 
-/// Reads `headings`, `rows`, `where` and `title` of a plot `table`; what is wrong goes to `faults`.
+/// Reads `headings`, `rows`, `where` and `title` of a plot `table`; collects faults.
 TableRows read_table_rows(const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults);
 
-/// Throws Error where `where` selects no row.
+/// Returns the table with its values. Throws Error if `where` selects no row.
 text::TextTable filled(const TableRows& rows, std::span<const record::Recording> recordings);
 
 }  // namespace stepwire::plot

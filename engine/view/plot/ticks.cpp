@@ -12,19 +12,19 @@ namespace {
 
 constexpr double letters = 13.0, label_gap = 8.0, label_line = 17.0;  // [px]
 
-/// The distance of ticks where there is room: that of gnuplot's `quantize_normal_tics` for a guide of 20.
+/// Returns the usual distance of ticks: that of gnuplot's `quantize_normal_tics` for a guide of 20.
 double usual_step(double width) {
   const double power = std::pow(10.0, std::floor(std::log10(width))), positions = 20.0 / (width / power);
   return power * (positions > 10.0 ? 0.2 : positions > 4.0 ? 0.5 : positions > 2.0 ? 1.0 : 2.0);
 }
 
-/// 1, 2, 5, 10, ...: the next one.
+/// Returns the next number of the sequence 1, 2, 5, 10, ...
 double next_step(double step) {
   const double power = std::pow(10.0, std::floor(std::log10(step) + 1e-9)), share = step / power;
   return power * (share < 1.5 ? 2.0 : share < 3.5 ? 5.0 : 10.0);
 }
 
-/// How far apart two labels beside each other must be, for the widest of an axis.
+/// Returns the smallest distance between adjacent labels, from the widest one of an axis.
 double widest_label(const geometry::Extent& shown, double step) {
   double widest = 0.0;
   for (double tick = std::ceil(shown.low / step); tick * step <= shown.high; ++tick)

@@ -4,16 +4,16 @@
 
 namespace stepwire::plot {
 
-/// Pixels that axes take up on the screen.
+/// Size of axes on the screen [px].
 struct AxesSize {
   double across = 0.0, up = 0.0;
 };
 
-/// The axes of a plot of that size, less what stands around them.
+/// Returns the size of the axes of a plot of that size, without the space for labels around them.
 AxesSize axes_size(const PlotSpec& plot, double width, double height);
 
-/// Sets the distance of ticks along all linear axes of a known range that have none yet: so far apart that
-/// their labels do not touch.
+/// Sets the distance of ticks along all linear axes with a known range and no distance, so that their labels
+/// do not overlap.
 void set_steps(PlotSpec& plot, const AxesSize& size);
 
 }  // namespace stepwire::plot

@@ -8,7 +8,7 @@
 namespace stepwire::render {
 
 /// Draws a figure into FOLDER/NAME.svg, or files of other kinds, and writes its spec to FOLDER/NAME.json, or
-/// under another name where something else has that. Throws EnvironmentError.
+/// to another name if that is taken. Throws EnvironmentError.
 void write_figure(const std::string& folder, const std::string& name, const plot::FigureSpec& figure,
                   const std::string& json_name = {}, const PictureKinds& kinds = usual_pictures);
 

@@ -15,7 +15,7 @@
 namespace stepwire::render {
 namespace {
 
-/// A file in memory that a child may open by its path; it is gone with this process, however that ends.
+/// File in memory that a child process may open by its path; it disappears with this process.
 class ScriptFile {
  public:
   explicit ScriptFile(std::string_view text) : number_(::memfd_create("script", MFD_CLOEXEC)) {
@@ -51,7 +51,7 @@ GnuplotAnswer run_gnuplot(const std::string& script) {
   const std::string program = subprocess::find_program("gnuplot");
   if (program.empty())
     throw io::EnvironmentError("gnuplot is not installed; on Debian it is the package gnuplot-nox");
-  // Its standard input it would read letter by letter, with a call of the system for each.
+  // gnuplot reads its standard input byte by byte, with a system call for each.
   const ScriptFile file(script);
   subprocess::ProcessResult result = subprocess::run_process({.command = {program, "-d", file.path()}});
   text::replace_all(result.errors, file.path(), "script");

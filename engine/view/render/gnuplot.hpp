@@ -4,17 +4,17 @@
 
 namespace stepwire::render {
 
-/// What gnuplot said.
+/// Output of gnuplot.
 struct GnuplotAnswer {
   std::string output;
-  std::string complaints;  ///< its standard error
+  std::string complaints;  ///< standard error
 };
 
-/// Whether gnuplot can be found.
+/// True if gnuplot is installed.
 bool has_gnuplot();
 
-/// Runs gnuplot on a script with its default settings (no start-up file of the user). Throws
-/// EnvironmentError where it is missing or fails.
+/// Runs gnuplot on a script with its default settings (no start-up file of the user). Throws EnvironmentError
+/// if it is missing or fails.
 GnuplotAnswer run_gnuplot(const std::string& script);
 
 }  // namespace stepwire::render

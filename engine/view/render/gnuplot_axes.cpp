@@ -9,12 +9,12 @@
 namespace stepwire::render {
 namespace {
 
-/// Label with its unit.
+/// Returns the label with its unit.
 std::string label_of(const plot::PlotAxis& axis) {
   return axis.unit.empty() ? axis.label : fmt::format("{} [{}]", axis.label, axis.unit);
 }
 
-/// "set xtics rotate by -35 ('a' 1, 'b' 2)".
+/// Returns "set xtics rotate by -35 ('a' 1, 'b' 2)".
 std::string named_ticks(const plot::PlotAxis& axis, const std::string& name) {
   std::vector<std::string> list;
   for (const plot::AxisTick& tick : axis.named_ticks)
@@ -36,7 +36,7 @@ std::string tick_commands(const plot::PlotAxis& axis, const std::string& name) {
   return text;
 }
 
-/// Commands of one axis, by gnuplot's name of it: x, y, z or cb.
+/// Returns the commands of one axis, by gnuplot's name: x, y, z or cb.
 std::string axis_commands(const plot::PlotAxis& axis, const std::string& name) {
   std::string text;
   if (const std::string label = label_of(axis); !label.empty())
@@ -61,7 +61,7 @@ std::string space_commands(const plot::PlotSpec& plot) {
   std::string text =
       fmt::format("set view {:.6g},{:.6g},1,1\nset xyplane 0\n", plot.view->elevation, plot.view->azimuth);
   text += "set border 4095 lc rgb '#bdbdbd' lw 0.6\nset grid x y z vertical\nset tics scale 0.4\n";
-  // Where x and y meet at the front, the last label of one would touch the first of the other.
+  // Where x and y meet at the front, their end labels would overlap.
   text += "set xtics offset -1.0,-0.4\nset ytics offset 1.4,-0.5\n";
   for (const char* axis : {"x", "y", "z"}) text += fmt::format("set {}label rotate parallel\n", axis);
   return text + (plot.equal ? "set view equal xyz\n" : "");
@@ -73,7 +73,8 @@ bool is_all_rectangles(const std::vector<plot::PlotMark>& marks) {
   return true;
 }
 
-/// Where rows have names the axes begin far from the left end: in their middle a long legend would be cut.
+/// Returns the position of the legend. Axes with named rows begin far from the left end, so a long legend
+/// centred on them would be cut off.
 const char* legend_place(const plot::PlotSpec& plot) {
   if (plot.legend == plot::PlotSpec::Legend::beside) return "outside right center vertical";
   return plot.y.named_ticks.empty() ? "outside top center horizontal" : "tmargin right horizontal";

@@ -6,13 +6,13 @@
 
 namespace stepwire::render {
 
-/// The commands of gnuplot for the axes, the frame, the grid and the legend of a plot.
+/// Returns gnuplot's commands for the axes, the frame, the grid and the legend of a plot.
 std::string axes_commands(const plot::PlotSpec& plot);
 
-/// The command that sets the colours of the colour axis; empty where there is none.
+/// Returns the command that sets the colours of the colour axis; an empty text without one.
 std::string palette_command(const plot::PlotSpec& plot);
 
-/// The commands that write texts in front of all marks.
+/// Returns the commands that write texts in front of all marks.
 std::string text_commands(const plot::PlotSpec& plot);
 
 }  // namespace stepwire::render

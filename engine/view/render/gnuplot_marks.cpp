@@ -25,7 +25,7 @@ std::vector<RowColumns> columns_of(const std::vector<plot::MarkRows>& curves) {
   return pieces;
 }
 
-/// "1:2:3" for three columns.
+/// Returns "1:2:3" for three columns.
 std::string using_all(const std::vector<RowColumns>& pieces) {
   std::string list = "1";
   for (std::size_t i = 1; i < pieces.front().size(); ++i) list += fmt::format(":{}", i + 1);
@@ -36,7 +36,7 @@ std::string color_word(const std::string& color) {
   return color.empty() ? "palette" : "rgb " + quoted(color);
 }
 
-/// "lw 1.6 dt (5,8) lc rgb '#0072B2'". gnuplot's dashes are in halves of a width.
+/// Returns "lw 1.6 dt (5,8) lc rgb '#0072B2'". gnuplot's dashes are in half line widths.
 std::string words_of(const plot::LineStyle& line) {
   std::vector<double> halves;
   for (const double length : line.dash) halves.push_back(2.0 * length);
@@ -49,8 +49,8 @@ const char* symbol_word(plot::PointsMark::Symbol symbol) {
   return symbol == plot::PointsMark::Symbol::ring ? "6" : "7";
 }
 
-/// Centres and values of all cells. One row alone stands twice with half its height, one column likewise:
-/// gnuplot refuses an image of either.
+/// Centres and values of all cells. A single row or column is split into two of half its size, since gnuplot
+/// refuses an image with one.
 struct ImageCells {
   std::vector<double> x, y, values;
 
@@ -84,7 +84,7 @@ std::string GnuplotMarks::data(const std::vector<Columns>& pieces, const char* g
     for (std::size_t row = 0; row < columns.front()->size(); ++row)
       for (const auto* column : columns)
         fmt::format_to(out, "{:.7g}{}", (*column)[row], column == columns.back() ? '\n' : ' ');
-    // Two empty lines make gnuplot lift its pen; after one alone it ties curves in space to a net.
+    // Two empty lines separate curves; after one alone gnuplot connects curves in space to a mesh.
     if (&columns != &pieces.back()) commands_ += gap;
   }
   commands_ += "EOD\n";
@@ -98,8 +98,8 @@ void GnuplotMarks::plot(const std::string& item, const std::string& legend, cons
 void GnuplotMarks::operator()(const plot::LineMark& mark) {
   const auto pieces = columns_of(mark.curves);
   if (pieces.empty()) return;
-  // gnuplot draws surfaces after all else, but lines that take part in hidden3d after them. The frame and the
-  // grid take part, too, unless they are behind.
+  // gnuplot draws surfaces after everything else, but lines with hidden3d after them. The frame and the grid
+  // are lines of hidden3d too, unless they are behind.
   const auto is_line = [](const plot::MarkRows& rows) { return rows.x.size() > 1; };
   if (has_surface_ && std::ranges::any_of(mark.curves, is_line))
     commands_ += "set hidden3d front\nset border behind\nset grid behind\n";
@@ -175,7 +175,7 @@ void GnuplotMarks::operator()(const plot::SurfaceMark& mark) {
 }
 
 std::string GnuplotMarks::text(bool space) const {
-  // Without any, the axes are drawn all the same.
+  // Without marks the axes are drawn too.
   if (items_.empty()) return commands_ + "plot 2 notitle\n";
   return commands_ + (space ? "splot " : "plot ") + fmt::format("{}\n", fmt::join(items_, ", \\\n  "));
 }

@@ -7,10 +7,10 @@
 
 namespace stepwire::render {
 
-/// The commands of gnuplot that draw the marks of one panel, in their order.
+/// Generates gnuplot's commands for the marks of one panel, in order.
 class GnuplotMarks {
  public:
-  /// `panel` starts the names of data blocks, so that panels of one picture do not share them.
+  /// `panel` is the prefix of the names of data blocks, so that panels of one picture do not share them.
   explicit GnuplotMarks(std::string panel) : panel_(std::move(panel)) {}
 
   void operator()(const plot::LineMark& mark);
@@ -24,7 +24,7 @@ class GnuplotMarks {
   void operator()(const plot::VectorsMark& mark);
   void operator()(const plot::SurfaceMark& mark);
 
-  /// Data blocks and settings, and behind them `plot` or `splot` with all marks; in space the latter.
+  /// Returns data blocks and settings, followed by `plot` or, with `space`, `splot` with all marks.
   std::string text(bool space) const;
 
  private:
@@ -37,10 +37,10 @@ class GnuplotMarks {
   std::string panel_, commands_;
   std::vector<std::string> items_;
   std::size_t blocks_ = 0;
-  bool has_surface_ = false;  ///< one was drawn before
+  bool has_surface_ = false;  ///< true after a surface
 };
 
-/// Size of gnuplot's points for a diameter [px] in pictures with its font of 13 pixels.
+/// Returns gnuplot's point size for a diameter [px] in pictures with its font of 13 pixels.
 double point_size(double diameter);
 
 }  // namespace stepwire::render

@@ -14,8 +14,8 @@
 namespace stepwire::render {
 namespace {
 
-/// Panels above each other have margins of one width; a colour bar has a place that leaves the axes as wide
-/// as those without one.
+/// Returns the margins. Panels above each other have equal ones, and a colour bar leaves the axes as wide as
+/// those without one.
 std::string margins(const plot::FigureSpec& figure) {
   if (!figure.aligned) return {};
   const bool colored = std::ranges::any_of(figure.panels, [](const plot::PanelSpec& panel) {

@@ -4,10 +4,10 @@
 
 namespace stepwire::render {
 
-/// Draws a figure whose panels are plots. Throws EnvironmentError where gnuplot is missing or fails.
+/// Draws a figure whose panels are plots. Throws EnvironmentError if gnuplot is missing or fails.
 Drawing render_gnuplot(const plot::FigureSpec& figure);
 
-/// All that gnuplot gets for such a figure.
+/// Returns the complete gnuplot script of such a figure.
 std::string gnuplot_script(const plot::FigureSpec& figure);
 
 }  // namespace stepwire::render

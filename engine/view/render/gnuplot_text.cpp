@@ -12,7 +12,7 @@
 namespace stepwire::render {
 namespace {
 
-/// The blank next to the middle; npos where there is none.
+/// Returns the blank nearest to the middle; npos without one.
 std::size_t middle_blank(const std::string& text) {
   std::size_t best = std::string::npos;
   const auto far = [&](std::size_t at) {
@@ -29,11 +29,11 @@ std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text::printable(text)) {
     if (c == '\'')
-      result += "’";  // gnuplot takes two for one, but not at the beginning
+      result += "’";  // gnuplot reads two as one, but not at the beginning
     else
       result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   }
-  text::replace_all(result, "]]>", "]] >");  // which gnuplot would leave as it is, and XML refuses
+  text::replace_all(result, "]]>", "]] >");  // gnuplot would copy it, and XML forbids it
   return result + "'";
 }
 
@@ -51,7 +51,7 @@ std::string fitted_title(const std::string& text, double room) {
   if (size < least && blank != std::string::npos) {
     const std::string first = text.substr(0, blank), second = text.substr(blank + 1);
     size = std::min(svg::fitted_size(first, usual, room), svg::fitted_size(second, usual, room));
-    // Within double quotes gnuplot would run what stands in backquotes.
+    // In double quotes gnuplot would execute text in backquotes.
     title = fmt::format(R"(sprintf("%s\n%s", {}, {}))", quoted(first), quoted(second));
   }
   return size < usual ? title + fmt::format(" font ',{:.1f}'", size) : title;

@@ -14,7 +14,7 @@ namespace {
 
 using Number = std::size_t;
 
-/// Returns the whole number behind a word.
+/// Returns the integer after a word.
 std::optional<Number> number_behind(std::string_view text, std::string_view word) {
   const std::size_t at = text.find(word);
   if (at == std::string_view::npos) return std::nullopt;
@@ -23,7 +23,7 @@ std::optional<Number> number_behind(std::string_view text, std::string_view word
   return std::from_chars(start, end, number).ec == std::errc{} ? std::optional(number) : std::nullopt;
 }
 
-/// Returns the dictionary of an object; an empty text where it is not found.
+/// Returns the dictionary of an object; an empty text if it is not found.
 std::string_view object_of(std::string_view pdf, Number number) {
   const std::string head = fmt::format("\n{} 0 obj\n", number);
   const std::size_t at = pdf.find(head);
@@ -46,7 +46,7 @@ std::vector<Number> kids_of(std::string_view pages) {
   return kids;
 }
 
-/// Returns a UTF-8 text as a string of PDF: UTF-16 in hexadecimal digits.
+/// Returns a UTF-8 text as a PDF string: UTF-16 in hexadecimal digits.
 std::string pdf_text(std::string_view text) {
   std::string digits = "<FEFF";
   while (const std::size_t length = text::utf8_length(text)) {
@@ -63,10 +63,10 @@ std::string pdf_text(std::string_view text) {
   return digits + ">";
 }
 
-/// The objects of a PDF file that an outline depends on.
+/// Objects of a PDF file that an outline depends on.
 struct Structure {
   Number size = 0, root = 0, table = 0,
-         pages = 0;          ///< objects, catalog, offset of their table, list of pages
+         pages = 0;          ///< count of objects, catalog, offset of the object table, list of pages
   std::vector<Number> kids;  ///< the pages
   std::string info;
 };
@@ -85,7 +85,7 @@ std::optional<Structure> structure_of(std::string_view pdf) {
   return found;
 }
 
-/// Appends objects to a PDF file and keeps their offsets.
+/// Appends objects to a PDF file and stores their offsets.
 class Update {
  public:
   explicit Update(std::string& pdf) : pdf_(pdf) {}
@@ -106,7 +106,7 @@ class Update {
   std::string rows_;
 };
 
-/// Returns the item of one bookmark; the items follow the outline in the numbers of objects.
+/// Returns the item of one bookmark; object numbers of items follow that of the outline.
 std::string item_of(const std::vector<Bookmark>& bookmarks, std::size_t index, const Structure& of) {
   const Number outline = of.size, own = outline + 1 + index;
   const Bookmark& bookmark = bookmarks[index];

@@ -24,7 +24,7 @@ set colorbox noborder
 set clip two
 )";
 
-/// Without the titles that gnuplot gives its plots, which a browser shows as hints: "gnuplot_plot_1".
+/// Removes the titles that gnuplot gives its plots, "gnuplot_plot_1", which browsers show as tooltips.
 void remove_hints(std::string& svg) {
   const std::string begin = "<title>gnuplot_plot_", end = "</title>";
   for (std::size_t at = 0; (at = svg.find(begin, at)) != std::string::npos;)

@@ -4,17 +4,19 @@
 
 namespace stepwire::render {
 
-/// The gnuplot commands that give all pictures one look. Lines may begin and end beyond the frame.
+/// Returns the gnuplot commands for the common style of all pictures. Lines may begin and end beyond the
+/// frame.
 std::string picture_style();
 
-/// The gnuplot command that starts a picture of so many pixels.
+/// Returns the gnuplot command that starts a picture of this size [px].
 std::string picture_terminal(double width, double height);
 
-/// The colour by which a finished picture knows texts that lie on curves.
+/// Colour that identifies texts on curves in a picture, for finished_picture().
 constexpr const char* rimmed_text = "#101010";
 
-/// The picture that gnuplot made, with what it does not offer: a list of fonts, crisp cells of maps, white
-/// rims of texts that lie on curves, a title that a screen reader says, and a look on dark screens.
+/// Completes gnuplot's picture with features that gnuplot does not have. These are a list of fonts, crisp
+/// cells of maps, white outlines of texts on curves, a title for screen readers, and colours for dark
+/// screens.
 std::string finished_picture(std::string svg, const std::string& title, bool has_color_scale);
 
 }  // namespace stepwire::render

@@ -38,7 +38,7 @@ std::string ending_of(PictureKind kind) {
 std::string converted(const std::string& svg, PictureKind kind, int width) {
   if (kind == PictureKind::svg) return svg;
   require_converter({kind});
-  // A PDF names the time at which it was made, unless this does.
+  // A PDF contains its time of creation, unless this is set.
   std::vector<std::string> command{"env", "SOURCE_DATE_EPOCH=0", converter, "--format=" + name_of(kind)};
   if (width > 0) command.insert(command.end(), {fmt::format("--width={}", width), "--keep-aspect-ratio"});
   if (width == 0 && kind == PictureKind::png) command.emplace_back("--zoom=2");

@@ -9,7 +9,7 @@
 namespace stepwire::render {
 namespace {
 
-/// The renderer of what a figure shows.
+/// Renderer for each content of a figure.
 struct Renderer {
   const plot::FigureSpec& figure;
 

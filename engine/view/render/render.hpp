@@ -8,18 +8,18 @@
 
 namespace stepwire::render {
 
-/// A picture, and what the program that drew it complained of (empty as a rule).
+/// Picture, and the warnings of the program that drew it (usually none).
 struct Drawing {
   std::string svg;
   std::string warnings;
 };
 
-/// Draws nothing but what the spec holds; the same spec gives the same bits. Throws EnvironmentError where
-/// gnuplot, or what else draws, is missing or fails.
+/// Draws exactly the content of the spec; the same spec gives the same bits. Throws EnvironmentError if
+/// gnuplot or another drawing program is missing or fails.
 Drawing render(const plot::FigureSpec& figure);
 
-/// Draws; the same data give the same bits. Throws EnvironmentError where gnuplot, or what else draws, is
-/// missing or fails.
+/// Draws a figure; the same data give the same bits. Throws EnvironmentError if gnuplot or another drawing
+/// program is missing or fails.
 Drawing draw(const plot::Figure& figure, std::span<const record::Recording> recordings);
 
 }  // namespace stepwire::render

@@ -9,7 +9,7 @@
 namespace stepwire::render {
 namespace {
 
-constexpr double frames_per_second = 20.0;  // of motion that is even in between
+constexpr double frames_per_second = 20.0;  // enough with linear motion in between
 constexpr std::size_t min_frames = 2, max_frames = 600;
 
 [[noreturn]] void nothing_to_show(const scene::Scene& scene, const std::string& file, const char* what) {
@@ -45,7 +45,7 @@ AnimationRows animation_rows(const scene::Scene& scene, const std::string& file,
       static_cast<std::size_t>(std::max(1.0, std::round(1.0 / (frames_per_second * between))));
   const std::size_t step = std::min(all.size() - 1, std::max(smooth, (all.size() - 1) / (most - 1) + 1));
   AnimationRows chosen;
-  // Counted from the last, which is what many a run goes for.
+  // Counted from the last row, which often is the result of a run.
   for (std::size_t i = (all.size() - 1) % step; i < all.size(); i += step) chosen.rows.push_back(all[i]);
   chosen.seconds = (time[chosen.rows.back()] - time[chosen.rows.front()]) / scene.animation.speed;
   return chosen;

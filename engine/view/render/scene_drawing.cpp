@@ -65,7 +65,8 @@ class FramePen {
   }
 
  private:
-  /// A line drawn over another: its share of the width, how much it hides, and its colour, else the shape's.
+  /// Line drawn over another one: its share of the width, its opacity, and its colour, else that of the
+  /// shape.
   struct Stroke {
     double share, opacity;
     const char* color;
@@ -110,12 +111,12 @@ class FramePen {
     return list;
   }
 
-  /// A round bar: dark at its edges and with light along its middle.
+  /// Draws a round bar: dark at its edges and light along its middle.
   void draw_rod(const scene::SceneShape& shape) {
     draw_strokes(shape, shape.points, {{1.25, 0.35, "#000000"}, {1.0, 1.0, ""}, {0.4, 0.45, "#ffffff"}});
   }
 
-  /// The line of a wall without points that nobody tells apart.
+  /// Returns the line of a wall without indistinguishable points.
   std::vector<Point> seen_points(const scene::SceneWall& wall) const {
     geometry::Curve curve{std::vector<std::vector<double>>(2), 0};
     for (const Point& at : wall.points)
@@ -162,7 +163,7 @@ class FramePen {
 
   void draw_text(const scene::SceneShape& shape) {
     const Point& at = shape.points.front();
-    // Whatever fonts there are, a sentence is not cut off: it is as small as it must be, and keeps off the
+    // A text is never cut off, in any font: its size is reduced to fit, and it keeps a distance from the
     // edges.
     const double size = svg::fitted_size(shape.object->text, scale_ * shape.size, scene_width - 2.0 * edge);
     const double half = 0.5 * size * svg::text_width(shape.object->text), height = scene_height(scene_);
@@ -180,7 +181,7 @@ class FramePen {
   double scale_;
 };
 
-/// What is behind everything: above and below.
+/// Returns the colours of the background: top and bottom.
 std::array<std::string, 2> background_colors(const scene::Scene& scene) {
   if (scene.background == "dark") return {"#18222d", "#0a0f15"};
   if (scene.background == "light") return {"#fbfcfd", "#e3e9ee"};
@@ -224,7 +225,7 @@ svg::SvgElement scene_sheet(const scene::Scene& scene, double width, double heig
   sheet.set("viewBox", fmt::format("0 0 {} {}", svg::svg_number(width), svg::svg_number(height)));
   svg::SvgElement name{"title"};
   name.text = title;
-  // What a scene shows has its own colours; on a dark screen the page around it is dark.
+  // A scene has its own colours; on a dark screen only the page around it is dark.
   svg::SvgElement style{"style"};
   style.text = "@media screen and (prefers-color-scheme: dark){.page{fill:#191919}.words{fill:#dddddd}}";
   sheet.add(std::move(name)).add(std::move(style)).add(scene_definitions(scene));

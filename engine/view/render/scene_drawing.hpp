@@ -9,23 +9,23 @@
 
 namespace stepwire::render {
 
-/// How wide a scene is drawn [px].
+/// Width of a drawn scene [px].
 constexpr double scene_width = 480.0;
 
-/// How high it is then [px]: a metre is as long upward as to the right.
+/// Returns the height of a drawn scene [px], at equal scales of both axes.
 double scene_height(const scene::Scene& scene);
 
-/// One instant as an <svg> of its own, without what all instants share. For any instant of a scene it has the
+/// Returns one instant as a nested <svg>, without the shared definitions. All instants of a scene have the
 /// same elements and attributes, with other values.
 svg::SvgElement scene_frame(const scene::Scene& scene, const std::vector<scene::SceneShape>& shapes);
 
-/// The colours of light on balls and of the background, to which frames refer.
+/// Returns the gradients of balls and of the background, which frames refer to.
 svg::SvgElement scene_definitions(const scene::Scene& scene);
 
-/// A whole picture of that size [px], with the definitions, for frames to be added.
+/// Returns a picture of that size [px] with the definitions, to which frames can be added.
 svg::SvgElement scene_sheet(const scene::Scene& scene, double width, double height, const std::string& title);
 
-/// Instants side by side, each with the words below it; empty words take no room.
+/// Returns instants side by side, each with its words below it; empty words need no space.
 std::string scene_still(const plot::SceneInstants& instants, const std::string& title);
 
 }  // namespace stepwire::render

@@ -6,7 +6,7 @@
 namespace stepwire::render {
 namespace {
 
-/// Begins the text behind an index. Without the second attribute librsvg drops a blank at its beginning.
+/// Begin of the text after an index. Without the second attribute librsvg drops a leading blank.
 constexpr const char* back = "<tspan dy=\"-3\" xml:space=\"preserve\">";
 
 bool is_word(char c) {
@@ -17,7 +17,7 @@ bool is_capital(char c) {
   return c >= 'A' && c <= 'Z';
 }
 
-/// The length of the index behind the underscore at `at`; 0 if it belongs to no quantity.
+/// Returns the length of the index after the underscore at `at`; 0 if it is not in a quantity.
 std::size_t index_length(const std::string& label, std::size_t at) {
   std::size_t start = at;
   while (start > 0 && is_word(label[start - 1])) --start;

@@ -13,7 +13,7 @@ using yaml::form;
 
 namespace {
 
-/// What an object is read with: the formulas of its scene, too.
+/// Context for reading an object, with the formulas of its scene.
 struct ObjectReading : query::NamesReading {
   std::vector<query::Formula>& formulas;
 
@@ -80,12 +80,12 @@ void read_points(SceneObject& object, const yaml::Node& node, const ObjectReadin
   for (const yaml::Node& item : node.items) read_point(object, item, read);
 }
 
-/// [x, y], or the name of a recorded vector.
+/// Returns the form of a point: [x, y], or the name of a recorded vector.
 yaml::Key point_form() {
   return form::either({form::signal(), form::pair(form::expression())});
 }
 
-/// What stands under the name of a kind.
+/// Returns the form of the value under the name of a kind.
 yaml::Key value_of(const SceneKind& kind) {
   if (kind.max_points == 0) return kind.name == "walls" ? form::block() : form::text();
   return kind.max_points == 1 ? point_form()
@@ -182,7 +182,8 @@ const ObjectTable& object_table() {
   return table;
 }
 
-/// What a Region says of itself, unless the file says otherwise.
+/// Sets the distance and the nearest point of walls to the outputs of their Region, unless the file has these
+/// keys.
 void complete_walls(SceneObject& object, const yaml::Node& node, const ObjectReading& read) {
   const ObjectReading crossed = yaml::below(read, "crossed");
   yaml::Node own = *node.find("walls");

@@ -9,7 +9,7 @@
 
 namespace stepwire::scene {
 
-/// The keys of an object, and what stands for a colour.
+/// Return the keys of an object, and the form of a colour.
 const yaml::Key& scene_object_form();
 const yaml::Key& scene_color_form();
 
@@ -17,8 +17,7 @@ const yaml::Key& scene_color_form();
 std::optional<SceneObject> read_scene_object(const yaml::Entry& entry, std::vector<query::Formula>& formulas,
                                              const query::NamesReading& read);
 
-/// A colour by its name or as "#rrggbb"; a fault names the colours there are, and the `other` words that may
-/// stand here.
+/// Reads a colour by its name or as "#rrggbb". A fault lists the colours and the `other` allowed words.
 std::optional<SceneColor> read_scene_color(const std::string& text, yaml::Mark mark,
                                            const std::vector<std::string>& other,
                                            const query::NamesReading& read);

@@ -8,22 +8,22 @@
 
 namespace stepwire::scene {
 
-/// What a pointer in the picture of a scene moves, in the place of who or what moves it in the file; names of
-/// signals. One of `place`, `force` and `motion` is there.
+/// Signals that a pointer in the picture of a scene drives, in place of their sources in the file. One of
+/// `place`, `force` and `motion` is set.
 struct ScenePointer {
-  std::string place;                  ///< a place [m]: it is where the pointer is
-  std::string force;                  ///< of a hand on the pin [N]: that of a hand which the pointer leads
-  std::string position, velocity;     ///< of that pin
-  std::array<std::string, 3> motion;  ///< position, velocity, acceleration of a pin: those of such a hand
-  std::string load;                   ///< the force that moves that pin [N], which the hand has to make
+  std::string place;                  ///< Position [m] that is set to that of the pointer.
+  std::string force;                  ///< Force [N] of a hand on the pin, which follows the pointer.
+  std::string position, velocity;     ///< Motion of that pin.
+  std::array<std::string, 3> motion;  ///< Position, velocity, acceleration of such a pin.
+  std::string load;                   ///< Force [N] that the hand has to exert to move that pin.
   yaml::Mark mark;
 };
 
-/// The keys of `pointer` in a scene.
+/// Returns the keys of `pointer` in a scene.
 const yaml::Key& scene_pointer_form();
 
-/// Reads what stands under the key `pointer` of a scene. Everything that is wrong goes to the faults of
-/// `read`; whether the diagram has such signals is looked at by who uses them.
+/// Reads the value of `pointer` in a scene; collects all faults in `read`. The caller must check that the
+/// diagram has such signals.
 std::optional<ScenePointer> read_scene_pointer(const yaml::Node& node, const query::NamesReading& read);
 
 }  // namespace stepwire::scene

@@ -118,7 +118,7 @@ Scene read_scene(const yaml::Node& node, const query::SymbolTable& names, yaml::
   scene.mark = node.mark;
   if (!scene_table().read(node, scene, read)) return scene;
   scene.recording = recording_of(scene, node, read);
-  for (const query::RecordedName& state : scene_state_names(scene))  // a name stands for one thing
+  for (const query::RecordedName& state : scene_state_names(scene))  // names must be unique
     if (names.find(state.name))
       read.fault(node.mark,
                  fmt::format("'{}' is recorded already, and would be what the scene shows; rename its object",

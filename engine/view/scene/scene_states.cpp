@@ -7,15 +7,14 @@
 namespace stepwire::scene {
 namespace {
 
-/// A column: what it is called, of which shape it tells, and of which colour; of visibility where that is
-/// empty.
+/// Column of a scene: its name, its shape, and its colour; for an empty colour it is the visibility.
 struct NamedState {
   std::string name;
   std::size_t shape = 0;
   std::string color;
 };
 
-/// Names of the colours that an object may have, if there are several.
+/// Returns the names of the colours that an object may have, if there are several.
 std::vector<std::string> colors_of(const SceneObject& object) {
   std::vector<std::string> names;
   const auto add = [&](const SceneColor& color) {
@@ -32,7 +31,7 @@ std::vector<NamedState> states_of(const Scene& scene) {
   for (const SceneObject& object : scene.objects) {
     const std::size_t shapes = object.kind->name == "walls" ? object.walls.size() : 1;
     const std::size_t told =
-        object.crossed ? shapes : std::min<std::size_t>(1, shapes);  // else they are alike
+        object.crossed ? shapes : std::min<std::size_t>(1, shapes);  // else all are alike
     for (std::size_t i = 0; i < told; ++i) {
       const std::string name =
           told > 1 ? fmt::format("scene.{}.{}", object.name, i + 1) : "scene." + object.name;

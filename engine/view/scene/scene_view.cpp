@@ -12,7 +12,7 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-/// Shares of the shorter side of the view, where the file gives no size.
+/// Default sizes as shares of the shorter side of the view.
 constexpr double ball_share = 0.025, point_share = 0.014, line_share = 0.008, wall_share = 0.022,
                  text_share = 0.045;
 
@@ -31,7 +31,7 @@ double distance_from(const SceneWall& wall, Point at) {
   return least;
 }
 
-/// Makes the shapes of one instant out of the values of all formulas.
+/// Computes the shapes of one instant from the values of all formulas.
 class Shaper {
  public:
   Shaper(const Scene& scene, std::vector<double> values)
@@ -84,7 +84,7 @@ class Shaper {
     return shape;
   }
 
-  /// The wall that is crossed, or one beyond the last.
+  /// Returns the index of the crossed wall; the number of walls if none is crossed.
   std::size_t crossed_wall(const SceneObject& object) const {
     if (!object.distance || !(values_[*object.distance] > 0.0)) return object.walls.size();
     if (!object.nearest) return 0;

@@ -15,7 +15,7 @@ std::string attribute_text(const SvgAttribute& attribute) {
   return fmt::format(" {}=\"{}\"", attribute.name, markup_escaped(attribute.value));
 }
 
-/// An element around its inner text.
+/// Returns an element around its inner text.
 std::string wrapped(const SvgElement& element, const std::string& inner) {
   std::string text = "<" + element.name;
   for (const SvgAttribute& attribute : element.attributes) text += attribute_text(attribute);
@@ -23,7 +23,7 @@ std::string wrapped(const SvgElement& element, const std::string& inner) {
   return text + (element.text.empty() ? ">\n" : ">") + inner + "</" + element.name + ">\n";
 }
 
-/// One element of all frames.
+/// One element in all frames.
 using Frames = std::vector<const SvgElement*>;
 
 void check_alike(const Frames& frames) {
@@ -38,7 +38,7 @@ void check_alike(const Frames& frames) {
   }
 }
 
-/// Values at even distances in time.
+/// Returns values at equal distances in time.
 std::string smooth_values(const Frames& frames, std::size_t attribute) {
   std::string values;
   for (const SvgElement* frame : frames)
@@ -46,7 +46,7 @@ std::string smooth_values(const Frames& frames, std::size_t attribute) {
   return fmt::format(" values=\"{}\"", markup_escaped(values));
 }
 
-/// Values that change at once, each with the share of the time at which it comes.
+/// Returns values that jump, each with the time of its jump as a share of the duration.
 std::string jumping_values(const Frames& frames, std::size_t attribute) {
   std::string values, times;
   const std::string* last = nullptr;
@@ -106,7 +106,7 @@ std::string markup_escaped(const std::string& text) {
 
 std::string svg_number(double value) {
   constexpr double digits = 100.0;
-  return fmt::format("{}", std::round(value * digits) / digits + 0.0);  // no -0
+  return fmt::format("{}", std::round(value * digits) / digits + 0.0);  // avoids -0
 }
 
 SvgElement& SvgElement::set(std::string attribute, std::string value) {

@@ -7,31 +7,31 @@
 
 namespace stepwire::svg {
 
-/// A text as it stands in SVG and HTML, in attributes as well: & < > " are replaced, control characters are
+/// Escapes a text for SVG and HTML, also for attributes: & < > " are replaced, control characters become
 /// blanks.
 std::string markup_escaped(const std::string& text);
 
-/// On a dark screen a picture is dark: lightness is turned round and hues stay. Paper, and programs that know
-/// no such rule, have it as it is.
+/// Style for dark screens: inverts lightness and keeps hues. On paper, and in programs without this rule, the
+/// picture is unchanged.
 constexpr const char* dark_style =
     "<style>@media screen and (prefers-color-scheme: dark){:root{filter:invert(.9) "
     "hue-rotate(180deg)}}</style>";
-/// A picture with a scale of colours keeps them, since dark and light have a meaning there; it is dimmed
-/// alone.
+/// Style for dark screens of a picture with a colour scale, whose dark and light have a meaning. The picture
+/// is only dimmed.
 constexpr const char* dimmed_style =
     "<style>@media screen and (prefers-color-scheme: dark){:root{filter:brightness(.85)}}</style>";
 
-/// A number of an attribute: two decimals [px], no zeros at its end.
+/// Returns a number of an attribute: two decimals [px], without trailing zeros.
 std::string svg_number(double value);
 
-/// An attribute of an element, with its value.
+/// Attribute of an element, with its value.
 struct SvgAttribute {
   std::string name;
   std::string value;
-  bool smooth = false;  ///< in an animation it goes evenly from frame to frame; else it jumps
+  bool smooth = false;  ///< true if an animation interpolates it between frames; else it jumps
 };
 
-/// An element of a picture: its attributes, and behind them text or further elements.
+/// Element of a picture: its attributes, followed by text or further elements.
 struct SvgElement {
   std::string name;
   std::vector<SvgAttribute> attributes{};
@@ -40,17 +40,17 @@ struct SvgElement {
 
   SvgElement& set(std::string attribute, std::string value);
   SvgElement& set(std::string attribute, double value);
-  /// A number that an animation changes evenly.
+  /// Sets a number that an animation interpolates.
   SvgElement& move(std::string attribute, double value);
   SvgElement& add(SvgElement child);
 };
 
-/// The element as text. An attribute without a value is left out.
+/// Returns the element as text. Attributes without a value are omitted.
 std::string svg_text(const SvgElement& element);
 
-/// One picture out of several that differ only in values of attributes: it shows the first, and goes through
-/// them all within `seconds`, the last included, again and again. Nothing but SVG's own animation is used.
-/// Throws std::invalid_argument where the pictures differ otherwise, or are fewer than two.
+/// Returns one picture that plays several ones, which may differ only in values of attributes, within
+/// `seconds`, in a loop. Uses only SVG's own animation, and begins with the first picture. Throws
+/// std::invalid_argument if the pictures differ otherwise, or are fewer than two.
 std::string animated_svg(const std::vector<SvgElement>& frames, double seconds);
 
 }  // namespace stepwire::svg

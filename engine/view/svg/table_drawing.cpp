@@ -11,7 +11,7 @@ namespace {
 
 constexpr double letter = 7.1, note_letter = 6.0, row_height = 23.0, gap = 26.0, margin = 18.0;  // [pixels]
 
-/// The SVG of a table while it grows downwards.
+/// SVG of a table that grows downwards.
 class TableDrawing {
  public:
   explicit TableDrawing(const text::TextTable& table) : table_(table), columns_(text::columns_of(table)) {

@@ -6,7 +6,7 @@
 
 namespace stepwire::svg {
 
-/// The table as SVG.
+/// Returns the table as SVG.
 std::string draw(const text::TextTable& table);
 
 }  // namespace stepwire::svg

@@ -4,11 +4,11 @@
 
 namespace stepwire::svg {
 
-/// Width of a text in sizes of its font, in the widest of the usual fonts without serifs (DejaVu Sans): in
-/// Helvetica, Arial or Liberation Sans it is narrower.
+/// Returns the width of a text in units of the font size, for the widest of the usual sans-serif fonts
+/// (DejaVu Sans). It is narrower in Helvetica, Arial or Liberation Sans.
 double text_width(std::string_view text);
 
-/// The size of a font, at most `wanted`, in which a text is no wider than `room`.
+/// Returns the preferred font size, reduced if needed so that the text fits into `room`.
 double fitted_size(std::string_view text, double wanted, double room);
 
 }  // namespace stepwire::svg
