@@ -13,7 +13,7 @@ struct Derivative : Resettable {
   State<> x{};
   DiscreteState<1> begun{};
 
-  bool follows = true;  // the filter begins as the input: settled, and no initial value is given
+  bool follows = true;  // true if settled, without an initial value
 
   void outputs() { show(x); }
   void outputs_at_instant() {
@@ -31,7 +31,7 @@ struct Derivative : Resettable {
     for (Index i = 0; i < x.size(); ++i) x.derivative[i] = still ? 0.0 : (u[i] - x[i]) / tau[i];
   }
 
-  /// Runs only where the filter follows the input, or something resets.
+  /// Runs only if the filter follows the input, or something resets.
   void update() {
     if (settles()) {
       x = u;
@@ -47,7 +47,7 @@ struct Derivative : Resettable {
   static void declare(Declare<Derivative>& is);
 
  private:
-  /// True at the first instant and at a reset, unless a value for the filter is given.
+  /// True at the first instant and at a reset, unless the filter has a given value.
   bool settles() const { return follows && (begun == 0.0 || (resetting() && !value.connected())); }
   template <class States>
   void show(const States& states) {

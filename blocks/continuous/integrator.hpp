@@ -6,16 +6,16 @@
 
 namespace stepwire {
 
-/// Integral of its input: dx/dt = u, y = x, within limits and with a reset where they are asked for.
+/// Integral of its input: dx/dt = u, y = x, optionally with limits and a reset.
 struct Integrator : Resettable {
-  // What every step needs lies together; most integrators have neither limits nor a reset.
+  // Members of every step are adjacent in memory; most integrators have neither limits nor a reset.
   Input<> u{};
   State<> x{};
   bool slope_is_input = true, limited = false;
 
   PerElement lower = -unlimited, upper = unlimited;
   Output<> y{}, before{};
-  DiscreteState<> stop{};  // 1 at the upper and -1 at the lower limit at the last tick, 0 between
+  DiscreteState<> stop{};  // 1 at the upper and -1 at the lower limit at the last tick, else 0
 
   void outputs() {
     for (Index i = 0; i < y.size(); ++i) y[i] = limit(x[i], i);
@@ -60,7 +60,8 @@ struct Integrator : Resettable {
     for (Index i = 0; i < x.size(); ++i) x.derivative[i] = still ? 0.0 : gated(u[i], i);
   }
   double limit(double number, Index i) const { return std::clamp(number, lower[i], upper[i]); }
-  /// A limit holds for whole steps: found in the middle of one, it would spoil the solver's order.
+  /// Stops the integration at a limit for whole steps; a change within a step would reduce the solver's
+  /// order.
   double gated(double rate, Index i) const { return stop[i] * rate > 0.0 ? 0.0 : rate; }
 };
 

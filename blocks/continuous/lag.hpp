@@ -11,9 +11,9 @@ struct Lag : Resettable {
   Output<> y{};
   State<> x{};
 
-  PerElement decay = 1.0;  // 1 / tau: every stage of every step waits for its slope, and a division is slow
+  PerElement decay = 1.0;  // 1 / tau; faster than a division in every stage
 
-  /// Runs only where something resets, as update() does.
+  /// Runs only if something resets, like update().
   void outputs() { y = x; }
   void outputs_at_instant() {
     const bool now = resetting();

@@ -14,7 +14,7 @@ struct LuenbergerObserver : Resettable {
 
   bool direct = false;
 
-  /// Runs only where something resets, as update() does.
+  /// Runs only if something resets, like update().
   void outputs() { estimate = x; }
   void outputs_at_instant() {
     if (resetting()) {
@@ -42,7 +42,7 @@ struct LuenbergerObserver : Resettable {
   static void declare(Declare<LuenbergerObserver>& is);
 
  private:
-  /// Adds the column of L times how far measurement k is from what is expected of it.
+  /// Adds the column of L times the innovation of measurement k.
   void correct_by(Index k) {
     double residual = measured[k];
     for (Index j = 0; j < x.size(); ++j) residual -= C(k, j) * x[j];

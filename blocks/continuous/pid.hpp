@@ -20,10 +20,10 @@ struct PID : Resettable {
   Input<1> automatic{};
   Output<> y{};
   State<> integral{}, filter{};
-  DiscreteState<1> hand{};   // 1 while the command is given by hand, as it was at the last instant
-  DiscreteState<1> begun{};  // 1 behind the first instant
+  DiscreteState<1> hand{};   // 1 in manual mode, as of the last instant
+  DiscreteState<1> begun{};  // 1 after the first instant
 
-  bool plain = true;  // does nothing but u and reference act?
+  bool plain = true;  // true if only u and reference are used
 
   void outputs() {
     y.each([&](Index i) { return limited(hand > 0.0 ? manual[i] : wanted(i, here(i)), i); });
@@ -44,7 +44,7 @@ struct PID : Resettable {
     }
   }
 
-  /// Runs only where the filter is settled, the integral part has limits of its own, or not all is plain.
+  /// Runs only if the filter is settled, the integral has limits of its own, or `plain` is false.
   void update() {
     if (!plain) {
       take_over();
@@ -66,20 +66,21 @@ struct PID : Resettable {
   static void declare(Declare<PID>& is);
 
  private:
-  /// Its states.
+  /// States of the controller.
   struct Parts {
     double integral, filter;
   };
 
   bool by_hand() const { return !plain && manual.connected() && !(automatic > 0.0); }
   Parts here(Index i) const { return {integral[i], filter[i]}; }
-  /// As the first instant or a reset leaves them: the derivative part is 0, unless its filter is at 0.
+  /// Returns the states after the first instant or a reset: the derivative part is 0, unless its filter
+  /// starts at 0.
   Parts at_instant(Index i) const {
     const bool back = !plain && resetting();
     if (!back && !(settled && begun == 0.0)) return here(i);
     return {back ? target(i) : integral[i], settled ? weighted(weight_d, i) : back ? 0.0 : filter[i]};
   }
-  /// The error with only a share of the reference in it.
+  /// Returns the error with a weighted reference.
   double weighted(const PerElement& weight, Index i) const {
     return reference.connected() ? u[i] - (1.0 - weight[i]) * reference[i] : u[i];
   }
@@ -90,7 +91,8 @@ struct PID : Resettable {
   }
   double limited(double number, Index i) const { return std::clamp(number, lower[i], upper[i]); }
 
-  /// A reset; and by hand the integral part takes whatever gives the same command once the controller acts.
+  /// Applies a reset. In manual mode, tracks the manual command with the integral part, for a bumpless
+  /// transfer.
   STEPWIRE_RARE void take_over() {
     hand = by_hand() ? 1.0 : 0.0;
     for (Index i = 0; i < integral.size(); ++i) {

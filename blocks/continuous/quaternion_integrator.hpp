@@ -5,7 +5,7 @@
 
 namespace stepwire {
 
-/// Attitude from an angular velocity: dq/dt = q w / 2 with w in the turned frame, or w q / 2 in the fixed
+/// Attitude from an angular velocity: dq/dt = q w / 2 with w in the rotating frame, or w q / 2 in the fixed
 /// one.
 struct QuaternionIntegrator : Resettable {
   enum class Frame { turned, fixed };
@@ -36,7 +36,7 @@ struct QuaternionIntegrator : Resettable {
     x.derivative[3] = 0.5 * (x[0] * rate[2] + s * (x[1] * rate[1] - x[2] * rate[0]));
   }
 
-  /// Errors of the solver change the length, too; each tick it is 1 again.
+  /// Normalises the quaternion at each tick, since errors of the solver change its length.
   void update() {
     x = y;
     remember_reset();

@@ -29,7 +29,7 @@ struct StateSpace : Resettable {
     add(B, u, x.derivative);
   }
 
-  /// Runs only where something resets.
+  /// Runs only if something resets.
   void update() {
     if (resetting()) x = Targets{*this};
     remember_reset();
@@ -46,7 +46,7 @@ struct StateSpace : Resettable {
     add(C, states, y);
     if (direct) add(D, u, y);
   }
-  /// to += matrix from, column by column as the matrix lies in memory, without a temporary.
+  /// Computes to += matrix from, column by column in memory order, without a temporary.
   template <class From, class To>
   static void add(const Matrix& matrix, const From& from, To& to) {
     for (Index j = 0; j < matrix.columns(); ++j) {

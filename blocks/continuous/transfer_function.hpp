@@ -26,7 +26,7 @@ struct TransferFunction : Resettable {
     for (Index i = 1; i < x.size(); ++i) x.derivative[i] = x[i - 1];
   }
 
-  /// Runs only where something resets.
+  /// Runs only if something resets.
   void update() {
     if (resetting()) x = Targets{*this};
     remember_reset();

@@ -13,7 +13,7 @@ namespace stepwire {
 /// Delay of a continuous signal by any time: y(t) = u(t - delay).
 struct TransportDelay {
   enum class Between { smooth, linear, hold };
-  static constexpr Index degree = 4;  ///< of the polynomial between samples, at most
+  static constexpr Index degree = 4;  ///< largest degree of the polynomial between samples
 
   double longest = 1.0;
   PerElement initial = 0.0;
@@ -21,15 +21,15 @@ struct TransportDelay {
   Input<> u{};
   Input<1> delay{};
   Output<> y{};
-  DiscreteState<> times{};    // of the rows, which are written in a circle [s]
-  DiscreteState<> samples{};  // rows of one sample each
-  DiscreteState<> edges{};    // at rows of instants 1, at echoes of these 2 and more, else 0
-  DiscreteState<1> newest{};  // row that was written last
-  DiscreteState<1> count{};   // rows that have been written
+  DiscreteState<> times{};    // Times of the rows of the ring buffer [s].
+  DiscreteState<> samples{};  // Samples, one for each row.
+  DiscreteState<> edges{};    // 1 at rows of instants, 2 and more at their echoes, else 0.
+  DiscreteState<1> newest{};  // Index of the last written row.
+  DiscreteState<1> count{};   // Number of written rows.
   Diagnostic out_of_range{}, full{};
 
   Index rows = 1;
-  double most = 1.0;  // delay that is kept [s]
+  double most = 1.0;  // largest stored delay [s]
   Period period{};
   Time t{};
 
@@ -56,20 +56,20 @@ struct TransportDelay {
   static void declare(Declare<TransportDelay>& is);
 
  private:
-  /// A stage reads what the tick before it has written, so the delay is at least a step; rounding is no
-  /// matter.
+  /// Returns the shortest delay: one step, with a margin for rounding, since a stage reads rows up to the
+  /// last tick.
   double shortest() const { return period * (1.0 - 1e-9); }
   double length() const { return std::clamp(double(delay), shortest(), std::max(most, shortest())); }
 
   Index known() const { return static_cast<Index>(count); }
-  /// Place of a row; 0 is the oldest.
+  /// Returns the index of a row in the ring buffer; row 0 is the oldest.
   Index place(Index row) const {
     const Index at = static_cast<Index>(newest) - (known() - 1 - row);
     return at < 0 ? at + rows : at;
   }
   double sample(Index row, Index i) const { return samples[place(row) * u.size() + i]; }
 
-  /// The last row that the delayed time has reached; -1 if none.
+  /// Returns the last row that the delayed time has reached; -1 without one.
   Index last_reached(double T) const {
     Index low = -1, high = known();
     while (high - low > 1) {
@@ -91,14 +91,17 @@ struct TransportDelay {
 
     Index begin = 0, order = 0;
     double value = 0.0, last_term = none;
-    double roughness = none;  ///< the last term where all rows are a mean step away
+    double roughness = none;  ///< last term for evenly spaced rows
   };
 
-  /// By Newton's polynomial through rows around. Of those that begin at or before `row` the one with the
-  /// smallest last term is taken: it does not reach across a jump or a corner (Harten, Engquist, Osher,
-  /// Chakravarthy 1987). One that ends at `row` is continued beyond it, up to a jump at the next row; it may
-  /// have fewer rows, behind another jump. At a corner in `row` itself both kinds are smooth, and the one
-  /// that has the next row is right: the other one misses that row by far more than the rows are rough.
+  /// Interpolates by Newton's polynomial through nearby rows.
+  ///
+  /// The stencil with the smallest last term is used, so that it does not cross a jump or a kink (ENO;
+  /// Harten, Engquist, Osher, Chakravarthy 1987). There are two kinds: stencils that reach beyond `row`, and
+  /// stencils that end at `row` and extrapolate, up to a jump at the next row. The latter may have fewer
+  /// rows, after another jump. At a kink in `row` itself both kinds are smooth. Then the stencil that
+  /// contains the next row is right: the other one misses that row by far more than the roughness of the
+  /// rows.
   double smooth(Index i, Index row, double at) const {
     const Index order = std::min(degree, known() - 1);
     Newton across, up_to;
@@ -117,8 +120,8 @@ struct TransportDelay {
     return across.roughness < 0.01 * std::abs(next - sample(row + 1, i)) ? across.value : up_to.value;
   }
 
-  /// True where a jump at the next row and one in `row`, or the start, leave this row to itself: nothing but
-  /// the straight line to the next one fits, or from there on rows lead elsewhere than here.
+  /// True if a row is isolated by jumps. Either there are a jump in `row` and one at the next row, so that
+  /// only a straight line fits. Or `row` is the first one and the later rows extrapolate to another value.
   bool is_alone(Index i, Index row, const Newton& across) const {
     if (row > 0) return across.order == 1 && edges[place(row)] > 0.0 && edges[place(row + 1)] > 0.0;
     const Index terms = std::min(degree, known() - 2);
@@ -146,7 +149,7 @@ struct TransportDelay {
     return {begin, order, value, std::abs(last_term), roughness};
   }
 
-  /// Writes a row, again where the last one has this time.
+  /// Writes a row; overwrites the last one if it has the same time.
   void store(bool at_event) {
     const bool again = known() > 0 && times[static_cast<Index>(newest)] == t;
     if (!again) {
@@ -162,8 +165,9 @@ struct TransportDelay {
     for (Index i = 0; i < u.size(); ++i) samples[at * u.size() + i] = u[i];
   }
 
-  /// 1 for an instant of others. An instant that this block itself has carried comes back to it in a loop,
-  /// each time with a further derivative that is smooth: from the sixth time on it is none, and 0.
+  /// Returns 1 for an instant of another block. In a loop, an instant that this block has delayed returns to
+  /// it, each time with one more smooth derivative. From the sixth time on it is no edge, and the result is
+  /// 0.
   Index order_of_instant() const {
     constexpr double most_echoes = 5.0;
     const double T = length();
@@ -173,7 +177,7 @@ struct TransportDelay {
     return 1;
   }
 
-  /// True where the input is far off the line through the last two rows.
+  /// True if the input is far off the line through the last two rows.
   bool has_jumped() const {
     const Index last = known() - 2;  // before the row of this time
     if (last < 1) return true;

@@ -1,4 +1,4 @@
-// More than 300 lines with its header: both interfaces of a unit share its process and its state.
+// More than 300 lines with its header: both interfaces of an FMU share its process and its state.
 #include "blocks/cosimulation/fmu.hpp"
 
 #include <algorithm>
@@ -38,11 +38,11 @@ void Fmu::show(const double* numbers) {
 
 void Fmu::follow() {
   if (!unit.works()) return;
-  // As bytes: they are numbers in name only.
+  // Compared as bytes, which are no numbers.
   const bool same = static_cast<double>(unit.moves) == unit_moves &&
                     std::memcmp(unit.last_kept.data(), unit_state.data(), unit.kept() * sizeof(double)) == 0;
   if (same) return;
-  if (unit_moves == 0.0)  // a guard has put 0 there
+  if (unit_moves == 0.0)  // a guard has reset it to 0
     return unit.refuse("its condition has reset it, and a unit starts but once; give `enable` states: hold");
   if (unit.kept() == 0)
     return unit.refuse(
@@ -66,7 +66,7 @@ void SteppedFmu::start() {
   if (unit.works()) std::copy_n(unit.exchange().outputs(), unit.numbers_shown(), unit_outputs.data());
 }
 
-// A step with which a unit ends leads to the last tick of the run.
+// A unit that requests the end of the run in a step ends it at the tick that the step reaches.
 void SteppedFmu::outputs() {
   follow();
   show(unit_outputs.data());
@@ -129,7 +129,7 @@ void ContinuousFmu::update() {
   settle();
 }
 
-/// Once for the inputs that it has at an instant.
+/// Acts once for the inputs of an instant.
 void ContinuousFmu::update_at_event() {
   if (!unit.works() || has_ended()) return;
   hand_over();

@@ -11,19 +11,19 @@
 
 namespace stepwire {
 
-/// A unit of FMI 2 or 3, whose variables are its ports: what both interfaces have in common.
+/// FMU of version 2 or 3 whose variables are the block's ports: common part of both interfaces.
 struct Fmu {
-  static constexpr std::size_t most_ports = 1024;  ///< inputs, and outputs
+  static constexpr std::size_t most_ports = 1024;  ///< limit for inputs and for outputs
   enum class Interface { automatic, co_simulation, model_exchange };
 
   FilePath file{};
   Interface interface = Interface::automatic;
   Tree parameters{};
   bool isolate = true;
-  std::vector<Input<>> inputs{};  ///< as many as are bound
+  std::vector<Input<>> inputs{};  ///< all connected inputs
   std::vector<Output<>> results{};
-  DiscreteState<> unit_state{};   ///< bytes of the unit's state, as numbers; one where it cannot be saved
-  DiscreteState<1> unit_moves{};  ///< how often the unit has moved on
+  DiscreteState<> unit_state{};   ///< bytes of the unit's state, as numbers; one if the unit cannot save it
+  DiscreteState<1> unit_moves{};  ///< number of state changes of the unit
   Diagnostic unit_failed{}, unit_over{};
   Time t{};
   RunningUnit unit{};
@@ -31,24 +31,24 @@ struct Fmu {
   std::string reason() const { return unit.message(); }
 
  protected:
-  /// Before the first tick.
+  /// Initialises the unit before the first tick.
   void begin();
-  /// Copies the state that the unit has saved into that of the block.
+  /// Copies the saved state of the unit into the state of the block.
   void keep();
-  /// Hands the inputs over that are wired.
+  /// Passes the connected inputs to the unit.
   void hand_over();
   void show(const double* numbers);
-  /// Puts the unit back to where the run was put back to.
+  /// Restores the unit after the run was restored to an earlier state.
   void follow();
-  /// True once the unit has ended the run: no call may follow.
+  /// True once the unit has ended the run, after which no call is allowed.
   bool has_ended() const { return unit.works() && unit.exchange().ended != 0; }
-  /// Notes that the unit has moved on, and what became of it.
+  /// Counts a change of the unit's state, and stores its result.
   void settle();
 };
 
-/// A unit that has its own solver: it goes from tick to tick.
+/// FMU with its own solver, stepped from tick to tick.
 struct SteppedFmu : Fmu {
-  DiscreteState<> unit_outputs{};  ///< its outputs after the last step
+  DiscreteState<> unit_outputs{};  ///< outputs after the last step
   Period period{};
 
   void outputs();
@@ -58,7 +58,7 @@ struct SteppedFmu : Fmu {
   static void declare(Declare<SteppedFmu>& is);
 };
 
-/// A unit whose states our solvers integrate.
+/// FMU whose states are integrated by the diagram's solver.
 struct ContinuousFmu : Fmu {
   State<> unit_states{};
   DiscreteState<1> unit_event{};  ///< time of its next event [s]

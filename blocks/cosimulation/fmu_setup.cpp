@@ -10,7 +10,7 @@ namespace stepwire {
 
 namespace {
 
-/// A value of the map, one number or a list.
+/// Returns the texts of a value of the map, one number or a list.
 std::vector<std::string> texts_of(const Value& value, const Configure& is) {
   std::vector<std::string> texts;
   if (value.text()) texts.push_back(*value.text());

@@ -5,7 +5,7 @@
 
 namespace stepwire {
 
-/// Reads the values of `parameters`, and tries the unit with them: what is wrong is refused with its line.
+/// Reads the values of `parameters` and tries the unit with them. Faults are refused with their line.
 void configure_unit(Fmu& block, Configure& is, fmi::Mode mode);
 
 }  // namespace stepwire

@@ -1,4 +1,4 @@
-// Types of units: as many as there are files, each with the ports of its own.
+// Block types of FMUs: one for each file, with its own ports.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,8 +20,8 @@ using BindInput = void (*)(void*, const double*, Eigen::Index);
 using UnbindInput = void (*)(void*);
 using BindOutput = void (*)(void*, double*, Eigen::Index);
 
-// A declaration binds its ports by functions, so there is one for each that a unit may have.
-/// The port k, made where it is not there yet.
+// A declaration binds ports by functions, so there is a function for each possible port.
+/// Returns port k, which is created if needed.
 template <class Port>
 Port& port_at(std::vector<Port>& ports, std::size_t k) {
   if (ports.size() <= k) ports.resize(k + 1);
@@ -90,7 +90,7 @@ void add_ports(BlockType& type, const fmi::Description& description) {
   }
 }
 
-/// No key of the block may be one of its ports.
+/// Throws if a port has the name of a key of the block.
 void refuse_taken_names(const BlockType& type) {
   std::set<std::string> taken{"block", "every", "enable", "trigger", "preset", "guard"};
   for (const ParameterSpec& parameter : type.parameters) taken.insert(parameter.name);
@@ -106,7 +106,7 @@ BlockType declared() {
   Block::declare(is);
   BlockType type = is.take();
   type.folder = "cosimulation";
-  type.header.clear();  // code cannot be made of what is foreign
+  type.header.clear();  // no code can be generated for foreign units
   return type;
 }
 
@@ -131,7 +131,7 @@ BlockType type_of(const fmi::Description& description, fmi::Mode mode) {
     add_ports<ContinuousFmu>(type, description);
     set_shape(type, "unit_states", description.state_count);
     type.timing = Timing::continuous;
-    type.at_events = true;  // without states and indicators it still has events by time
+    type.at_events = true;  // even without states and indicators it has time events
     CrossingSpec crossing{"an event of the unit", std::to_string(description.indicator_count), {}};
     for (const InputSpec& input : type.inputs) crossing.inputs.push_back(input.name);
     type.crossings.push_back(std::move(crossing));
@@ -140,7 +140,7 @@ BlockType type_of(const fmi::Description& description, fmi::Mode mode) {
   return type;
 }
 
-/// The interface that a word names, or the one that the unit has.
+/// Returns the interface with this name, or the one that the unit has.
 fmi::Mode mode_of(const fmi::Description& description, const std::string& word) {
   const bool steps = !description.co_simulation.identifier.empty();
   const bool exchanges = !description.model_exchange.identifier.empty();
@@ -160,7 +160,7 @@ BlockType any_fmu_type() {
 const BlockType& fmu_type(const std::string& file, const std::string& word) {
   using Known = std::pair<std::shared_ptr<const fmi::Package>, std::string>;
   static std::mutex mutex;
-  // The packages stay open, so that no other one comes to lie in the place of one whose type is known.
+  // The packages stay open, so that their addresses, which are keys here, are not reused.
   static std::map<Known, std::unique_ptr<const BlockType>> known;
   const auto package = fmi::open_package(file);
   const std::lock_guard lock(mutex);

@@ -6,11 +6,11 @@
 
 namespace stepwire {
 
-/// What all of them have in common, which is no unit's.
+/// Returns the type with the common properties of all FMUs, without a unit.
 BlockType any_fmu_type();
 
-/// The type of blocks of a unit: `word` is co_simulation, model_exchange, or anything else for the interface
-/// that the unit has, co-simulation where it has both. Throws fmi::UnitError.
+/// Returns the block type of a unit. `word` is co_simulation or model_exchange. Any other text selects the
+/// interface that the unit has (co-simulation if it has both). Throws fmi::UnitError.
 const BlockType& fmu_type(const std::string& file, const std::string& word);
 
 }  // namespace stepwire

@@ -10,8 +10,8 @@ struct Delay : Resettable {
   PerElement initial = 0.0;
   Input<> u{};
   Output<> y{};
-  DiscreteState<> samples{};  // rows of one sample each, written in a circle
-  DiscreteState<1> oldest{};  // row that is given next and then overwritten
+  DiscreteState<> samples{};  // ring buffer with a row for each sample
+  DiscreteState<1> oldest{};  // row that is the next output and is then overwritten
 
   Index periods = 1;
 

@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// Sum of its input over its ticks, as one of three approximations of an integral, within limits.
+/// Discrete integrator within limits, with one of three approximations of an integral.
 struct DiscreteIntegrator : Resettable {
   enum class Method { forward_euler, backward_euler, trapezoidal };
 
@@ -17,7 +17,7 @@ struct DiscreteIntegrator : Resettable {
   DiscreteState<> x{};
   Period period{};
 
-  double before = 0.0, after = 1.0;  // shares of u T that count before and after the output is given
+  double before = 0.0, after = 1.0;  // shares of u T that are added before and after the output
 
   void outputs() {
     y.each([&](Index i) { return sum(i); });
@@ -35,7 +35,7 @@ struct DiscreteIntegrator : Resettable {
  private:
   double increment(Index i) const { return gain[i] * period * u[i]; }
   double sum(Index i) const {
-    // The input is not read where it is not needed: it may come later in the order of evaluation.
+    // An unneeded input is not read, since it may be computed later.
     const double past = resetting() ? target(i) : x[i];
     const double all = before == 0.0 ? past : past + before * increment(i);
     return std::clamp(all, lower[i], upper[i]);

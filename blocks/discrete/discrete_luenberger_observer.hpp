@@ -11,8 +11,8 @@ struct DiscreteLuenbergerObserver : Resettable {
   Input<> u{}, measured{};
   Output<> estimate{};
   DiscreteState<> x{};
-  DiscreteState<> next{};      // space in which update() makes the next x
-  DiscreteState<> residual{};  // measurement less what was expected of it
+  DiscreteState<> next{};      // memory for the next x
+  DiscreteState<> residual{};  // measurement minus its prediction
 
   bool direct = false;
 

@@ -21,12 +21,12 @@ struct DiscretePID : Resettable {
   Input<> u{}, reference{};
   Output<> y{};
   DiscreteState<> integral{}, rate{}, last{};
-  DiscreteState<1> begun{};  // 1 behind the first tick
+  DiscreteState<1> begun{};  // 1 after the first tick
   Period period{};
 
-  double before = 0.0, after = 1.0;  // shares of ki T e that count before and after the output is given
-  PerElement per_time = 1.0;         // 1 / (tau + T): what runs after the controller waits for it
-  bool plain = true;                 // does nothing but u and reference act?
+  double before = 0.0, after = 1.0;  // shares of ki T e that are added before and after the output
+  PerElement per_time = 1.0;         // 1 / (tau + T), which is on the critical path
+  bool plain = true;                 // true if only u and reference are used
   Input<> actual{}, manual{};
   Input<1> automatic{};
 
@@ -58,7 +58,7 @@ struct DiscretePID : Resettable {
   bool by_hand() const { return !plain && manual.connected() && !(automatic > 0.0); }
   bool put_back() const { return !plain && resetting(); }
   double integral_before(Index i) const { return put_back() ? target(i) : integral[i]; }
-  /// The error with only a share of the reference in it.
+  /// Returns the error with a weighted reference.
   double weighted(const PerElement& weight, Index i) const {
     return reference.connected() ? u[i] - (1.0 - weight[i]) * reference[i] : u[i];
   }
@@ -70,7 +70,7 @@ struct DiscretePID : Resettable {
   double integral_now(Index i) const {
     return before == 0.0 ? integral_before(i) : within(integral_before(i) + before * increment(i), i);
   }
-  /// Backward difference of tau D' + D = e'; without a filter that is (e[k] - e[k-1]) / T.
+  /// Returns the backward difference of tau D' + D = e'; without a filter (e[k] - e[k-1]) / T.
   double slope(Index i) const {
     if (settled && (begun == 0.0 || put_back())) return 0.0;
     if (put_back()) return weighted(weight_d, i) * per_time[i];
@@ -79,7 +79,7 @@ struct DiscretePID : Resettable {
   }
   double wanted(Index i) const { return kp[i] * weighted(weight_p, i) + integral_now(i) + kd[i] * slope(i); }
 
-  /// By hand the integral part takes whatever gives the same command once the controller acts.
+  /// Returns the integral part that tracks the manual command, for a bumpless transfer.
   double taken_over(double want, Index i) const {
     return within(limited(manual[i], i) - (want - integral_now(i)), i);
   }

@@ -11,7 +11,7 @@ struct DiscreteStateSpace : Resettable {
   Input<> u{};
   Output<> y{};
   DiscreteState<> x{};
-  DiscreteState<> next{};  // space in which update() makes the next x
+  DiscreteState<> next{};  // memory for the next x
 
   bool direct = false;
 

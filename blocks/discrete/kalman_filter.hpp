@@ -10,11 +10,11 @@ struct KalmanFilter : Resettable {
   Matrix A, B, C, D, Q, R, P0;
   Input<> u{}, measured{};
   Output<> estimate{}, innovation{};
-  DiscreteState<> x{};           // what is expected before this tick's measurement
-  DiscreteState<> P{};           // its covariance
+  DiscreteState<> x{};           // prediction before this tick's measurement
+  DiscreteState<> P{};           // covariance of the prediction
   DiscreteState<> K{};           // gain of this tick
-  DiscreteState<> first_gain{};  // gain of a start
-  DiscreteState<> work{};        // space for the next covariance and gain
+  DiscreteState<> first_gain{};  // gain of the first tick
+  DiscreteState<> work{};        // memory for the next covariance and gain
   Diagnostic not_positive{};
   Time t{};
 
@@ -53,7 +53,7 @@ struct KalmanFilter : Resettable {
   dense::View covariance() const { return {P.elements(), states()}; }
   dense::View gain() const { return {K.elements(), states()}; }
 
-  /// The covariance of a start; the gain is that of a start, too, except within start() itself.
+  /// Sets the initial covariance and gain; within start() the gain is computed afterwards.
   void begin() {
     for (Index k = 0; k < P.size(); ++k) P[k] = P0.elements().empty() ? 0.0 : P0.elements()[k];
     K = first_gain;
@@ -71,14 +71,15 @@ struct KalmanFilter : Resettable {
     }
   }
 
-  /// x = A estimate + B u: what outputs() found is still there.
+  /// Computes x = A estimate + B u from the estimate of outputs().
   void predict_state() {
     x = 0.0;
     dense::add(A, estimate, x);
     if (u.connected()) dense::add(B, u, x);
   }
 
-  /// P = A ((I - K C) P (I - K C)' + K R K') A' + Q, in Joseph's form, which stays symmetric and positive.
+  /// Computes P = A ((I - K C) P (I - K C)' + K R K') A' + Q, in Joseph's form, which stays symmetric and
+  /// positive.
   bool predict_covariance() {
     const Index n = states(), p = outputs_count();
     const Lane one = work.elements(), two = one + n * n;
@@ -115,7 +116,7 @@ struct KalmanFilter : Resettable {
     return positive;
   }
 
-  /// K = P C' (C P C' + R)^-1
+  /// Computes K = P C' (C P C' + R)^-1.
   bool find_gain() {
     const Index n = states(), p = outputs_count();
     const Lane crossed = work.elements(), sum = crossed + n * p;

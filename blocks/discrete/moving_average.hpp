@@ -4,16 +4,16 @@
 
 namespace stepwire {
 
-/// Mean of the samples of a window that ends now.
+/// Mean of the samples in a window that ends now.
 struct MovingAverage : ResetInput {
   double window = 0.0;
   Input<> u{};
   Output<> y{};
-  DiscreteState<> samples{};  // rows of one sample each, written in a circle
-  DiscreteState<> sum{};      // of the samples in the window, without the one of this tick
-  DiscreteState<> fresh{};    // of the samples since the circle last closed
-  DiscreteState<1> row{};     // that the next sample is written to
-  DiscreteState<1> count{};   // of samples seen, up to a full window
+  DiscreteState<> samples{};  // Ring buffer with a row for each sample.
+  DiscreteState<> sum{};      // Sum of the samples in the window, without the present one.
+  DiscreteState<> fresh{};    // Sum of the samples since the ring buffer last wrapped.
+  DiscreteState<1> row{};     // Next row to be written.
+  DiscreteState<1> count{};   // Number of samples so far, up to a full window.
 
   Index length = 1;
 
@@ -32,7 +32,7 @@ struct MovingAverage : ResetInput {
     const Index here = static_cast<Index>(row);
     const bool closes = here + 1 == length;
     for (Index i = 0; i < u.size(); ++i) {
-      // Adding and subtracting would gather rounding errors for ever; each full circle the sum is taken anew.
+      // Adding and subtracting accumulates rounding errors, so the sum is recomputed at each wrap.
       const double together = fresh[i] + u[i];
       sum[i] = closes ? together : with_new(i);
       fresh[i] = closes ? 0.0 : together;
@@ -54,7 +54,7 @@ struct MovingAverage : ResetInput {
     row = 0.0;
     count = 0.0;
   }
-  /// The sum with this tick's sample in place of the one that leaves (0 while the window fills).
+  /// Returns the sum with the present sample in place of the one that leaves (0 while the window fills).
   double with_new(Index i) const { return sum[i] - samples[static_cast<Index>(row) * u.size() + i] + u[i]; }
 };
 

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Takes its input where a signal says so, and holds it in between.
+/// Samples its input when a trigger fires, and holds it in between.
 struct SampleAndHold {
   using Trigger = ResetInput::Trigger;
 
@@ -13,7 +13,7 @@ struct SampleAndHold {
   Input<1> when{};
   Output<> y{};
   DiscreteState<> last{};
-  DiscreteState<1> side{};  // of `when` at the last tick: -1 false, 1 true, 0 none seen yet
+  DiscreteState<1> side{};  // of `when` at the last tick: -1 false, 1 true, 0 unknown
 
   void outputs() {
     const bool now = takes();

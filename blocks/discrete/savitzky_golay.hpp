@@ -7,13 +7,12 @@
 
 namespace stepwire {
 
-/// Value or derivative of the polynomial that fits the samples of a window best, at the window's middle.
+/// Value or derivative at the centre of a window, of the polynomial of least squares through its samples.
 struct SavitzkyGolay : ResetInput {
   std::int64_t window = 5, order = 2, derivative = 0;
   Input<> u{};
   Output<> y{};
-  DiscreteState<>
-      samples{};  // rows of one sample each, written in a circle: all of the window but this tick's
+  DiscreteState<> samples{};  // ring buffer of the samples in the window, without the present one
   DiscreteState<1> oldest{};  // row of the first sample of the window
   DiscreteState<1> begun{};   // 0 at the first tick, then 1
 

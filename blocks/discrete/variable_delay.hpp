@@ -13,8 +13,8 @@ struct VariableDelay : Resettable {
   Input<> u{};
   Input<1> delay{};
   Output<> y{};
-  DiscreteState<> samples{};  // rows of one sample each, written in a circle
-  DiscreteState<1> newest{};  // row that was written last
+  DiscreteState<> samples{};  // ring buffer with a row for each sample
+  DiscreteState<1> newest{};  // last written row
 
   Index rows = 2;
   Period period{};
@@ -50,7 +50,7 @@ struct VariableDelay : Resettable {
   static void declare(Declare<VariableDelay>& is);
 
  private:
-  /// Where it begins.
+  /// Returns the begin of a row.
   Index row(Index before) const {
     const Index at = static_cast<Index>(newest) - before;
     return (at < 0 ? at + rows : at) * y.size();

@@ -7,13 +7,13 @@
 
 namespace stepwire {
 
-/// The force of the device on the hand that is wanted, from the largest resistance F_max, which points to the
-/// authorized region, and from the direction d in which the hand pushes or moves:
+/// Device force for the hand, from the largest resistance F_max, which points to the authorized region, and
+/// the direction d in which the hand pushes or moves:
 ///
 ///     D1, for each axis: F_out = F_max where F_max d < 0, else 0
 ///     D2: F_out = -|F_max| gain d/|d|, gain = sin(angle between d and F_max) up to 90 degrees, beyond it 1
 ///
-/// In a plane `angle` turns the axes of D1.
+/// In a plane, `angle` rotates the axes of D1.
 struct Directionality {
   enum class Law { D1, D2 };
   enum class Direction { force, motion };
@@ -24,7 +24,7 @@ struct Directionality {
   Input<> f_max{}, force{}, position{};
   Input<1> angle{};
   Output<> y{}, gain{};
-  DiscreteState<> behind{};     ///< a point that the position draws along, `travel` behind it
+  DiscreteState<> behind{};     ///< point that the position drags along at the distance `travel`
   DiscreteState<1> is_drawn{};  ///< 0 before the first tick
 
   void outputs() {
@@ -69,14 +69,14 @@ struct Directionality {
 
   double hand(Index i) const { return direction == Direction::motion ? way(i) : force[i]; }
 
-  /// A component of a force counts above the threshold.
+  /// Returns a component of a force, or 0 if it is not above the threshold.
   double pushed(double part) const {
     return direction == Direction::motion || std::abs(part) > threshold ? part : 0.0;
   }
 
   double way(Index i) const { return is_drawn == 0.0 ? 0.0 : position[i] - behind[i]; }
 
-  /// What counts as the direction of the hand; 0 where a force is not above the threshold.
+  /// Returns a component of the direction of the hand; 0 for a force that is not above the threshold.
   double toward(Index i) const { return law == Law::D1 ? pushed(hand(i)) : hand(i); }
 
   double length_of_direction() const {
@@ -88,7 +88,8 @@ struct Directionality {
     return stepwire::length_of(vector.size(), [&](Index i) { return static_cast<double>(vector[i]); });
   }
 
-  /// The sine from what is left of d beside F_max: exact also where both are nearly in line.
+  /// Returns the sine from the component of d perpendicular to F_max, which is accurate also for small
+  /// angles.
   double share_of_angle(double length, double most) const {
     double along = 0.0, beside = 0.0;
     for (Index i = 0; i < f_max.size(); ++i) along += toward(i) / length * (f_max[i] / most);

@@ -7,12 +7,13 @@
 
 namespace stepwire {
 
-/// Force feedback for a joint that can only resist: the resistance that its damper is asked for,
+/// Force feedback for a joint that can only resist. The commanded resistance of its damper is
 ///
 ///     y = |wanted| + kp e + I within [0, limit], e = |wanted| - |measured|, dI/dt = ki e, |I| <=
 ///     integral_limit,
 ///
-/// while the wanted effort of the device opposes the measured one of the hand; else y = 0 and I starts anew.
+/// while the desired effort of the device opposes the measured one of the hand. Otherwise y = 0 and I is
+/// reset.
 struct ForceFeedback {
   PerElement kp = 1.0, ki = 30.0, integral_limit = unlimited, limit = unlimited, threshold = 0.0;
   Input<> wanted{}, measured{};
@@ -33,13 +34,13 @@ struct ForceFeedback {
 
  private:
   bool pushes(Index i) const { return std::abs(measured[i]) > threshold[i]; }
-  /// A hand that does not push yet may be resisted as soon as it does.
+  /// True if the effort may resist, also before the hand pushes, so that it acts at once when it does.
   bool resists(Index i) const { return wanted[i] != 0.0 && !(pushes(i) && wanted[i] * measured[i] > 0.0); }
-  /// Before the hand pushes there is nothing to be compared with.
+  /// Returns the error; 0 before the hand pushes, when there is no measurement to compare with.
   double error(Index i) const { return pushes(i) ? std::abs(wanted[i]) - std::abs(measured[i]) : 0.0; }
   double asked(Index i) const { return std::abs(wanted[i]) + kp[i] * error(i) + integral[i]; }
 
-  /// Waits while the damper is asked for more or for less than it can give.
+  /// Returns the next integral, which is frozen while the command is outside of the damper's range.
   double next_integral(Index i) const {
     const double more = ki[i] * period * error(i);
     const bool is_stuck = more > 0.0 ? asked(i) >= limit[i] : asked(i) <= 0.0;

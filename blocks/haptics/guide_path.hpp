@@ -8,9 +8,12 @@
 
 namespace stepwire {
 
-/// Eases the resistance along a path from where the pin left the region, or started outside, to the nearest
-/// point of its boundary: error = min(distance, (1 - easing) distance + steepness beside), where beside is
-/// how far the pin is from the path beyond its half width.
+/// Reduces the resistance along a path. The path leads from where the pin left the region, or started
+/// outside, to the nearest point of its boundary:
+///
+///     error = min(distance, (1 - easing) distance + steepness beside)
+///
+/// Here `beside` is the distance of the pin from the path minus its half width.
 struct GuidePath {
   enum class Renewal { none, every_sample };
 
@@ -59,7 +62,8 @@ struct GuidePath {
                      [&](Index i) { return position[i] - start[i] - share * (target[i] - start[i]); });
   }
 
-  /// The start stays where it is until the pin is farther away than the trail, which then pulls it along.
+  /// Moves the start: it stays until the pin is farther away than the trail, and then is dragged along at
+  /// that distance.
   void follow() {
     SumOfSquares squares;
     for (Index i = 0; i < position.size(); ++i) squares.add(position[i] - from[i]);

@@ -7,9 +7,8 @@
 
 namespace stepwire {
 
-/// Lets commands through as long as nothing is wrong: y = share u, where share rises evenly from 0 to 1
-/// within `ramp`, and is 0 from the tick at which a fault is seen (latched until a reset) and while nobody
-/// holds the dead-man switch.
+/// Passes commands on while there is no fault: y = share u, where `share` rises linearly from 0 to 1 within
+/// `ramp`. It is 0 from the tick of a fault until a reset, and while the dead-man switch is released.
 struct Interlock {
   Texts causes{};
   double ramp = 0.1;
@@ -39,7 +38,7 @@ struct Interlock {
   void configure(Configure& is);
   static void declare(Declare<Interlock>& is);
 
-  /// Number of the cause that stands for a number that is none; those of `faults` follow.
+  /// Number of the cause for a non-finite number; those of `faults` follow.
   static constexpr double not_finite = 1.0;
 
  private:
@@ -49,7 +48,8 @@ struct Interlock {
   double eased() const { return ramp > 0.0 ? static_cast<double>(share) : 1.0; }
   double step() const { return ramp > 0.0 ? period / ramp : 1.0; }
 
-  /// Only the moment at which the reset is pressed counts, so that a reset that hangs hides nothing.
+  /// Returns the present cause. Only the rising edge of the reset counts, so that a stuck reset hides no
+  /// fault.
   double cause_now() const {
     const bool is_reset = resetting() && last_reset == 0.0;
     return latched > 0.0 && !is_reset ? static_cast<double>(latched) : present_fault();

@@ -8,12 +8,13 @@
 
 namespace stepwire {
 
-/// Of several layers of a resistance map one is active; events on the way of the end-effector switch them:
+/// Activates one of several layers of a resistance map. Events on the path of the end-effector switch between
+/// them:
 ///
 ///     y = sum of w_k u_k,  w = (1 - s) w(at the switch) + s (1 for the active layer, else 0),
 ///
-/// s growing from 0 to 1 over the blend time, so that a switch moves y from one tick to the next by at most
-/// (period/blend) times the largest difference of two layers.
+/// where s increases from 0 to 1 over the blend time. A switch therefore changes y from one tick to the next
+/// by at most (period/blend) times the largest difference of two layers.
 struct LayerActivator {
   Tree switches;
   double blend = 0.05;
@@ -24,18 +25,17 @@ struct LayerActivator {
   Output<1> layer{}, switched{};
   DiscreteState<> mixed{};              ///< weights of the layers at the last switch
   DiscreteState<1> active{}, share{};   ///< index of the active layer; s
-  DiscreteState<1> count{};             ///< switches so far
-  DiscreteState<> reached{}, waited{};  ///< for each switch: events of its sequence; ticks since the last
+  DiscreteState<1> count{};             ///< number of switches
+  DiscreteState<> reached{}, waited{};  ///< for each switch: events so far; ticks since
   DiscreteState<2> last_position{};
   DiscreteState<> last_distances{};
   DiscreteState<1> begun{};
   Period period{};
 
   Numbers ways{};    ///< `way_size` numbers for each switch
-  Numbers events{};  ///< as LayerEvent reads them, those of a sequence one behind the other
+  Numbers events{};  ///< numbers of each LayerEvent, sequence by sequence
 
-  /// What the numbers of a switch are: the layers between which it leads, where its events begin, and how
-  /// many they are.
+  /// Numbers of a switch: its source and target layer, its first event, and its number of events.
   enum WayNumber { from, to, first_event, event_count, way_size };
 
   void outputs() {
@@ -73,7 +73,7 @@ struct LayerActivator {
     return share >= 1.0 ? goal : (1.0 - share) * mixed[k] + share * goal;
   }
 
-  /// Looks for the next event of a sequence. One event at most happens at a tick.
+  /// Checks for the next event of a sequence; at most one event per tick.
   void follow(Index k) {
     waited[k] = waited[k] + 1.0;
     const auto next = static_cast<Index>(number(k, first_event) + reached[k]);
@@ -84,7 +84,7 @@ struct LayerActivator {
     if (reached[k] == number(k, event_count)) activate(number(k, to));
   }
 
-  /// At the first tick nothing has moved yet.
+  /// Returns the data for an event; at the first tick without motion.
   LayerMoment moment(const LayerEvent& event, double since) const {
     const Vector2 now{position[0], position[1]};
     LayerMoment is{now, now, 0.0, 0.0, since};

@@ -8,14 +8,14 @@
 
 namespace stepwire {
 
-/// What is known of the end-effector at two ticks that follow each other, when an event is looked for.
+/// Positions and distances of the end-effector at two successive ticks, for the check of an event.
 struct LayerMoment {
   Vector2 before, now;
   double distance_before, distance_now;  ///< from the region of the event, positive outside
-  double since;  ///< time since the layer became active or the last event of its sequence happened
+  double since;  ///< time since the activation of the layer or the last event of its sequence
 };
 
-/// An event of a LayerActivator, as `size` numbers in memory: its kind, and what it needs.
+/// Event of a LayerActivator, as `size` numbers in memory: its kind and its parameters.
 struct LayerEvent {
   enum Kind { passes, crosses, enters, leaves, elapses };
   static constexpr Index size = 6;
@@ -44,7 +44,7 @@ struct LayerEvent {
  private:
   Kind kind() const { return static_cast<Kind>(static_cast<int>(numbers[0])); }
 
-  /// How near to a point the way between both ticks comes.
+  /// Returns the distance between a point and the path between both ticks.
   static double distance_of_way(Vector2 point, const LayerMoment& is) {
     const Vector2 way = is.now - is.before;
     const double square = dot(way, way);
@@ -52,8 +52,8 @@ struct LayerEvent {
     return length(point - (is.before + share * way));
   }
 
-  /// From the right of the line from a to b to its left, or with numbers[5] = -1 the other way, between its
-  /// ends.
+  /// True if the path crosses the line from a to b between its ends. It must lead from right to left, or with
+  /// numbers[5] = -1 from left to right.
   bool crosses_line(Vector2 a, Vector2 b, const LayerMoment& is) const {
     const Vector2 line = b - a;
     const double was = numbers[5] * cross(line, is.before - a), now = numbers[5] * cross(line, is.now - a);

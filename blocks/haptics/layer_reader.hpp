@@ -9,7 +9,7 @@
 
 namespace stepwire {
 
-/// The switches of a LayerActivator as its numbers.
+/// Switches of a LayerActivator as its numbers.
 struct LayerSwitches {
   std::vector<double> ways, events;
 };
@@ -17,7 +17,7 @@ struct LayerSwitches {
 /// Reads the switches of a LayerActivator from its file and checks them.
 class LayerReader {
  public:
-  /// `refuse` throws: what is wrong, and with which piece of the tree.
+  /// Function that throws a message for a piece of the tree.
   using Refuse = std::function<void(const std::string& message, const Value& where)>;
 
   LayerReader(Index layers, Index regions, Refuse refuse)

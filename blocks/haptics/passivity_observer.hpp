@@ -6,13 +6,13 @@
 
 namespace stepwire {
 
-/// The energy account of a port. With the power F . v that flows in,
+/// Energy balance of a port. With the power F . v that flows in,
 ///
 ///     supplied = integral of F . v,   dissipated = supplied + booked - (stored - stored at the start)
 ///
-/// A device is passive where it gives out no more than it took in, dissipated >= 0, and a dissipative one
-/// where what is dissipated never comes back: then it never falls. Broken is what does so by more than
-/// `budget`.
+/// A device is passive if it returns no more energy than it has received, dissipated >= 0. A dissipative
+/// device never returns dissipated energy, so that `dissipated` never decreases. `broken` reports a violation
+/// by more than `budget`.
 struct PassivityObserver {
   enum class Judge { net, fall };
 
@@ -57,7 +57,8 @@ struct PassivityObserver {
     if (booked.connected()) lost += booked;
     return lost;
   }
-  /// How much energy has come out that never went in, or that was lost already.
+  /// True if more energy than the budget has been returned beyond the supplied, or with `fall` beyond the
+  /// highest dissipated one.
   bool exceeded(double lost) const { return (judge == Judge::net ? -lost : highest - lost) > budget; }
 };
 

@@ -33,7 +33,8 @@ struct Proportionality {
   static void declare(Declare<Proportionality>& is);
 
  private:
-  /// Straight from point to point; of two points at one error the later counts from there on.
+  /// Interpolates linearly between the points; of two points at one error, the later one applies from there
+  /// on.
   double between_points(double error) const {
     const Index last = points.size() - 1;
     if (error < points[0]) return values[0];

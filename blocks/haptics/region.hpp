@@ -7,16 +7,16 @@
 
 namespace stepwire {
 
-/// Signed distance from the boundary of an authorized region in the plane or in space, and the boundary point
-/// that is nearest.
+/// Signed distance from the boundary of an authorized region in the plane or in space, and the nearest
+/// boundary point.
 struct Region {
   Tree shape;
   Input<> position{};
   Output<1> distance{};
   Output<> nearest{}, direction{};
 
-  Numbers pieces{}, sleeves{};  ///< of a boundary in the plane, as BoundarySearch reads them
-  Numbers solids{};             ///< in space, as SpaceSearch reads them
+  Numbers pieces{}, sleeves{};  ///< boundary in the plane, for BoundarySearch
+  Numbers solids{};             ///< solids in space, for SpaceSearch
   double tolerance = 0.0;
 
   void outputs() {
@@ -41,7 +41,7 @@ struct Region {
     distance = side * found.distance;
     nearest[0] = found.at.x;
     nearest[1] = found.at.y;
-    // Beside the boundary itself the way there is nothing but rounding.
+    // On the boundary itself the direction to it is only rounding.
     const Vector2 way =
         found.distance > tolerance ? (side / found.distance) * (from - found.at) : found.normal;
     direction[0] = way.x;

@@ -1,4 +1,4 @@
-// What figures draw of a Region.
+// Outline of a Region for figures.
 #include <numbers>
 
 #include "blocks/haptics/region.hpp"
@@ -11,8 +11,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-/// Points along a piece, in the direction in which the region is to the left; of what has no end, some
-/// length.
+/// Appends points along a piece, with the region on the left. An infinite piece is cut off at `reach`.
 void append_points(const PlanePiece& piece, double reach, std::vector<Outline::Point>& points) {
   const double whole = std::isinf(piece.extent) ? reach : piece.length();
   const int steps = piece.is_line() ? 1 : static_cast<int>(std::ceil(piece.extent / (3.0 * degree)));
@@ -23,7 +22,7 @@ void append_points(const PlanePiece& piece, double reach, std::vector<Outline::P
   }
 }
 
-/// Straight pieces between points that nobody tells apart are left out.
+/// Removes points that are indistinguishable from straight lines between their neighbours.
 std::vector<Outline::Point> thinned(const std::vector<Outline::Point>& points, double least) {
   std::vector<Outline::Point> result;
   for (const Outline::Point& point : points) {
@@ -35,7 +34,7 @@ std::vector<Outline::Point> thinned(const std::vector<Outline::Point>& points, d
 }
 
 void outline_plane(const PlaneShape& shape, Outline& outline) {
-  constexpr double digits = 1e10;  // fineness is this share of the size
+  constexpr double digits = 1e10;  // ratio of size to fineness
   const double size = digits * fineness_of(shape);
   for (const PlaneShape& loop : loops_of(shape)) {
     Outline::Line line;
@@ -44,7 +43,7 @@ void outline_plane(const PlaneShape& shape, Outline& outline) {
       append_points(piece, 100.0 * size, line.points);
     }
     line.points = thinned(line.points, 1e-3 * size);
-    // Where two corners of a boundary meet in one, rounding leaves a loop that nobody sees.
+    // Where two corners of a boundary coincide, rounding leaves a loop of negligible size, which is omitted.
     constexpr std::size_t min_corners = 3;
     if (line.endless || line.points.size() >= min_corners) outline.lines.push_back(std::move(line));
   }
@@ -58,7 +57,7 @@ Vector3 crossed(Vector3 a, Vector3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The circle about a point in the plane of two directions.
+/// Returns the circle about a point in the plane of two directions.
 Outline::Line circle(Vector3 centre, double radius, Vector3 u, Vector3 v) {
   Outline::Line line;
   for (int angle = 0; angle <= 360; angle += 3) {
@@ -68,7 +67,7 @@ Outline::Line circle(Vector3 centre, double radius, Vector3 u, Vector3 v) {
   return line;
 }
 
-/// Three circles at right angles to each other about both ends of the middle line, and the lines between.
+/// Adds three perpendicular circles about both ends of the axis, and the lines between them.
 void outline_solid(const Solid& solid, double radius, Outline& outline) {
   const Vector3 w = solid.along, u = normal_of(solid), v = crossed(w, u);
   const Vector3 last = solid.start + solid.length * w;

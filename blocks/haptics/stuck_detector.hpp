@@ -6,8 +6,8 @@
 
 namespace stepwire {
 
-/// 1 where no element of u has changed by more than its tolerance for longer than `time`, in which `moving`
-/// was true throughout.
+/// Output 1 after no element of u has changed by more than its tolerance for longer than `time`, during which
+/// `moving` was true.
 struct StuckDetector {
   double time = 0.1;
   PerElement tolerance = 0.0;
@@ -31,7 +31,7 @@ struct StuckDetector {
   static void declare(Declare<StuckDetector>& is);
 
  private:
-  /// What it should not do.
+  /// True if the input is at rest although it should move.
   bool rests() const {
     if (!(moving > 0.0)) return false;
     for (Index i = 0; i < u.size(); ++i)

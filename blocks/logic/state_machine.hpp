@@ -8,8 +8,8 @@
 
 namespace stepwire {
 
-/// A finite state machine: states, which may hold others, with output values, counters that they set, and
-/// transitions where their guards hold.
+/// Finite state machine: nested states with output values, counters that they set, and transitions with
+/// guards.
 struct StateMachine {
   static constexpr Index max_inputs = 64, max_counters = 32, max_depth = 8, max_states = 256;
 
@@ -19,18 +19,19 @@ struct StateMachine {
   Inputs u{};
   Output<1> state{};
   Output<> y{}, counts{};
-  DiscreteState<1> active{}, begun{};  // index of the state; 0 before the first tick, then 1
-  DiscreteState<> ticks{};  // since the active state and those that hold it were entered, outermost first
-  DiscreteState<> kept{};   // the counters
-  DiscreteState<> past{};   // for each state the state in it that was active last, -1 for none
+  DiscreteState<1> active{}, begun{};  // Active state; 0 before the first tick, then 1.
+  DiscreteState<> ticks{};             // Ticks in the active state and its holders, outermost first.
+  DiscreteState<> kept{};              // Values of the counters.
+  DiscreteState<> past{};              // Last active inner state of each state, -1 for none.
 
-  Function guard{};    ///< of transition v[choice]: u1, u2, ..., counters, time in the state, choice
-  Function setting{};  ///< the value of setting v[choice]
-  Numbers values{};    ///< y of the first state, of the second, ...
-  Numbers parent{}, inner{}, history{};  ///< of each state: -1 for none; where it begins; is that remembered?
-  Numbers first_to{}, target{};          ///< where the transitions of each state begin; where they lead
-  Numbers first_setting{}, set_counter{};  ///< of enter, exit, each of each state, and of each transition
-  Numbers first_counts{};                  ///< the counters at the start
+  Function guard{};  ///< Guard of transition v[choice]; its variables are u1, u2, ..., counters, time in the
+                     ///< state, choice.
+  Function setting{};                      ///< Value of setting v[choice].
+  Numbers values{};                        ///< Output y of the first state, of the second, ...
+  Numbers parent{}, inner{}, history{};    ///< Of each state: outer (-1: none), initial inner, history.
+  Numbers first_to{}, target{};            ///< First transition of each state; target of each transition.
+  Numbers first_setting{}, set_counter{};  ///< First settings of enter, exit, each, transitions; counters.
+  Numbers first_counts{};                  ///< Initial values of the counters.
   Index first = 0, levels = 1;
   bool remembers = false, sets = false;
 
@@ -61,7 +62,7 @@ struct StateMachine {
   static void declare(Declare<StateMachine>& is);
 
  private:
-  /// A moment of the machine, which outputs() may change.
+  /// Working state of the machine during a tick.
   struct Now {
     Index leaf;
     double v[max_inputs + max_counters + 2];
@@ -87,7 +88,7 @@ struct StateMachine {
   }
   Index place_of_time() const { return u.count() + first_counts.size(); }
 
-  /// The moment after this tick's transition, if there is one.
+  /// Returns the state after this tick's transition, if any.
   Now next() {
     Now now;
     now.leaf = static_cast<Index>(active);
@@ -104,7 +105,8 @@ struct StateMachine {
     return now;
   }
 
-  /// Transitions of the outermost state come first.
+  /// Takes the first transition whose guard holds; those of the outermost state have precedence. Returns
+  /// false without one.
   bool moves(Now& now) {
     const Index time = place_of_time();
     for (Index l = 0; l < levels; ++l) {
@@ -141,7 +143,7 @@ struct StateMachine {
     }
   }
 
-  /// The settings of one occasion, one after the other.
+  /// Runs the settings of one event in order.
   void run(Now& now, Index occasion, double after) {
     const Index time = place_of_time();
     now.v[time] = after;

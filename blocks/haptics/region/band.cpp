@@ -6,13 +6,13 @@ namespace stepwire {
 
 namespace {
 
-constexpr double touching = 1e-9;  ///< [m] sides that are nearer to each other meet
+constexpr double touching = 1e-9;  ///< [m] sides that are nearer to each other touch
 
 double gap_at(const BandSide& left, const BandSide& right, double y) {
   return right.x(y) - left.x(y);
 }
 
-/// Heights at which the sides are compared: those of all pieces and many between.
+/// Returns the heights at which the sides are compared: those of all pieces and many in between.
 std::vector<double> heights(const BandSide& left, const BandSide& right, double low, double high) {
   constexpr int steps = 1000;
   std::vector<double> all;
@@ -36,7 +36,7 @@ void refuse_crossing(const BandSide& left, const BandSide& right, double low, do
   if (empty) throw ShapeError("the left boundary is the right one, so that the region is empty");
 }
 
-/// The edge at one end of y; the region is above it where `above`.
+/// Adds the edge at one end of y; with `above`, the region is above it.
 void close_end(const BandSide* left, const BandSide* right, double y, bool above, PlaneShape& shape) {
   const double side = above ? 1.0 : -1.0;
   if (left && right) {

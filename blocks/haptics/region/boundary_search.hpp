@@ -8,25 +8,26 @@
 
 namespace stepwire {
 
-/// The point of a boundary that is nearest to a position.
+/// Point of a boundary that is nearest to a position.
 struct BoundaryPoint {
   Vector2 at, normal;  ///< the normal points out of the region
   double distance = std::numeric_limits<double>::infinity();
-  double facing = 0.0;  ///< cosine between the normal and the way to the position: above 0 outside
+  double facing = 0.0;  ///< cosine between the normal and the vector to the position: above 0 outside
   Index piece = -1;
 };
 
-/// Finds the nearest point of a boundary in the plane, which lies in memory as numbers.
+/// Finds the nearest point of a boundary in the plane.
 ///
-/// The boundary is made of straight lines and arcs of circles, `piece_size` numbers for each:
-/// line: 0, start x y, direction x y, length, side;
-/// arc: radius * side, centre x y, direction x y from the centre to its middle, cosine and sine of half its
-/// angle. Side is 1 where the region is to the left of the line or inside of the circle, else -1.
+/// The boundary consists of straight lines and circular arcs. Each of them is `piece_size` numbers in memory.
+/// Line: 0, start x y, direction x y, length, side;
+/// Arc: radius * side, centre x y, direction x y from the centre to its middle, cosine and sine of half its
+/// angle. Side is 1 if the region is to the left of the line or inside of the circle, else -1.
 ///
-/// `leaf_size` pieces that follow each other share a sleeve, all points within a radius of a straight line,
-/// and sleeves are in sleeves: a complete binary tree of `leaves` leaves (a power of 2), from its root, with
-/// start x y, direction x y and length of its line, and its radius, for each node. Around pieces of a curve a
-/// sleeve is much tighter than a box, and so fewer are looked into.
+/// The search is a branch and bound on a tree of sleeves. A sleeve is the set of points within a radius of a
+/// line segment. Around pieces of a curve it is much tighter than a box, so fewer pieces are visited. Each
+/// leaf covers `leaf_size` successive pieces. The tree is complete and binary with `leaves` leaves (a power
+/// of 2). Each node, beginning with the root, has start x y, direction x y and length of its segment, and its
+/// radius.
 struct BoundarySearch {
   static constexpr Index piece_size = 7, leaf_size = 4, sleeve_size = 6;
 
@@ -34,11 +35,11 @@ struct BoundarySearch {
   Index count = 0;
   const double* sleeves = nullptr;
   Index leaves = 0;
-  double tolerance = 0.0;  ///< distances that differ by less are the same
+  double tolerance = 0.0;  ///< distances that differ by less are equal
 
   BoundaryPoint nearest(Vector2 from) const {
     BoundaryPoint best;
-    Open open[64];  // a tree of 64 bits' worth of leaves is less deep
+    Open open[64];  // more than the depth of any tree whose leaves fit into an index
     Index waiting = 0;
     open[waiting++] = {0, 0.0};
     while (waiting > 0) {
@@ -58,7 +59,7 @@ struct BoundarySearch {
   }
 
  private:
-  /// A node that is still to be looked into, and how near its pieces are at least.
+  /// Node to be visited, and a lower bound of the distance of its pieces.
   struct Open {
     Index node;
     double least;
@@ -86,15 +87,16 @@ struct BoundarySearch {
     }
   }
 
-  /// At a corner both pieces are equally near; the one that is seen less aslant tells on which side the
-  /// position lies. Of two that are as good in this, too, the first of the boundary counts.
+  /// True if a point replaces the best one. At a corner both pieces are equally near; the one with the larger
+  /// |facing| determines the side of the position. If that is equal too, the first piece of the boundary is
+  /// used.
   bool is_better(const BoundaryPoint& found, const BoundaryPoint& best) const {
     if (found.distance < best.distance - tolerance) return true;
     const double advantage = std::abs(found.facing) - std::abs(best.facing);
     return advantage > 1e-9 || (advantage > -1e-9 && found.piece < best.piece);
   }
 
-  /// The point of one piece that is nearest.
+  /// Nearest point of one piece.
   struct Touch {
     Vector2 at, normal;
   };
@@ -111,7 +113,7 @@ struct BoundarySearch {
     const Vector2 arm = from - centre;
     const double away = length(arm);
     Vector2 ray = (1.0 / away) * arm;
-    if (!(away > 0.0 && dot(ray, middle) >= piece[5])) {  // the end on whose side the position is
+    if (!(away > 0.0 && dot(ray, middle) >= piece[5])) {  // the end on the side of the position
       const double turn = cross(middle, arm) > 0.0 ? piece[6] : -piece[6];
       ray = piece[5] * middle + turn * turned_left(middle);
     }

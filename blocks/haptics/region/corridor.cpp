@@ -9,11 +9,11 @@ namespace stepwire {
 
 namespace {
 
-/// A short straight stretch of a chain.
+/// Short straight section of a chain.
 struct Stretch {
   PlanePiece line;
-  double start = 0.0;     ///< how far along the chain it begins
-  std::size_t piece = 0;  ///< of which it is a part
+  double start = 0.0;     ///< distance of its begin along the chain
+  std::size_t piece = 0;  ///< index of its piece
 };
 
 double length_of(const PlaneChain& chain) {
@@ -56,8 +56,8 @@ double distance_between(const PlanePiece& a, const PlanePiece& b) {
                    distance_to_stretch(b, a.start), distance_to_stretch(b, a.end())});
 }
 
-/// Do two stretches belong to one bend? The edges of a turn on the spot meet half a circle further on, and at
-/// a corner two straight lines are near to each other however sharp it is.
+/// True if two sections are part of one bend. The edges of a turn on the spot meet half a circle further on.
+/// At a corner two lines are near to each other for any angle.
 bool is_one_bend(const PlaneChain& chain, const Stretch& a, const Stretch& b, double half_width) {
   const double between = b.start - a.start - a.line.extent;
   const double least = std::numbers::pi * half_width;
@@ -83,7 +83,8 @@ void refuse_contact(const PlaneChain& chain, double half_width) {
     }
 }
 
-/// Both edges beside a piece of the middle line. An arc that is narrower than the corridor has no inner edge.
+/// Adds both edges of a piece of the centre line. An arc with a smaller radius than the half width has no
+/// inner edge.
 void add_edges(const PlanePiece& piece, double half_width, PlaneShape& edges) {
   for (const double side : {1.0, -1.0}) {
     PlanePiece edge = piece.with_side(side);
@@ -93,7 +94,7 @@ void add_edges(const PlanePiece& piece, double half_width, PlaneShape& edges) {
   }
 }
 
-/// The circle about a knot, cut where the edges of the pieces beside it touch it.
+/// Adds the circle about a knot, cut where the edges of the adjacent pieces touch it.
 void add_joint(Vector2 knot, const std::vector<Vector2>& directions, double half_width, PlaneShape& edges) {
   std::vector<double> angles;
   for (const Vector2 along : directions)
@@ -108,7 +109,7 @@ void add_joint(Vector2 knot, const std::vector<Vector2>& directions, double half
   }
 }
 
-/// The edges beside a bend this slight are so near to each other that the gap is not seen.
+/// True for a bend so slight that the gap between the adjacent edges is negligible.
 bool is_smooth(const std::vector<Vector2>& directions) {
   return directions.size() == 2 && std::abs(cross(directions[0], directions[1])) < 1e-4;
 }

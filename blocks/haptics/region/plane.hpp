@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// A point or a direction in the plane [m].
+/// Point or direction in the plane [m].
 struct Vector2 {
   double x = 0.0, y = 0.0;
 };
@@ -21,7 +21,7 @@ inline Vector2 operator*(double by, Vector2 a) {
 inline double dot(Vector2 a, Vector2 b) {
   return a.x * b.x + a.y * b.y;
 }
-/// Positive where b points to the left of a.
+/// Returns the cross product; positive if b points to the left of a.
 inline double cross(Vector2 a, Vector2 b) {
   return a.x * b.y - a.y * b.x;
 }
@@ -32,7 +32,7 @@ inline double length(Vector2 a) {
 inline Vector2 turned_left(Vector2 a) {
   return {-a.y, a.x};
 }
-/// The direction at this angle from the x-axis.
+/// Returns the direction at this angle from the x-axis.
 inline Vector2 direction_at(double angle) {
   return {std::cos(angle), std::sin(angle)};
 }

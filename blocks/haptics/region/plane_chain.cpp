@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t max_pieces = 20000;
 
-/// Puts arcs through three points of a curve each, as many as it takes.
+/// Fits arcs through three points of a curve each, in as many pieces as needed.
 class ArcFit {
  public:
   ArcFit(const PlaneCurve& curve, double first, double last, double tolerance)
@@ -51,7 +51,7 @@ class ArcFit {
     throw ShapeError(fmt::format("it has no finite value at {}", shown(parameter)));
   }
 
-  /// Beyond this radius the distance from the centre has too few digits left.
+  /// Beyond this radius the distance from the centre loses too many digits.
   static constexpr double largest_radius = 1e5;
 
   bool fits(const PlanePiece& piece, double first, double last) const {
@@ -68,8 +68,8 @@ class ArcFit {
     return std::abs(length(point - piece.centre) - piece.radius);
   }
 
-  /// However near to each other two parameters are, across a jump their points are not: a line that is all
-  /// but level fits there as well.
+  /// Throws if a curve jumps between two parameters. At a jump the points stay apart however close the
+  /// parameters are, and a nearly horizontal line would fit.
   void refuse_jump(double first, double last) const {
     const double before = length(at(last) - at(first));
     for (int i = 0; i < 18; ++i) {
@@ -112,13 +112,14 @@ PlaneChain chain_through(const std::vector<Vector2>& points, bool closed) {
 
 namespace {
 
-/// The equations for the slopes at the knots of a cubic spline of continuous curvature: the rows of a band
-/// matrix with three diagonals, and for a closed one with the corners.
+/// Equations for the derivatives at the knots of a cubic spline of continuous curvature: a tridiagonal
+/// matrix, for a closed spline with two corner elements.
 class SlopeEquations {
  public:
   explicit SlopeEquations(std::size_t count) : rows_(count, std::vector<double>(count, 0.0)), right_(count) {}
 
-  /// Adds what an interval that rises with `slope` from one knot to the other says of the slope at the knot.
+  /// Adds the contribution of an interval with derivative `slope` between its knots to the equation of the
+  /// first knot.
   void add(std::size_t knot, std::size_t other, double width, Vector2 slope) {
     rows_[knot][knot] += 2.0 / width;
     rows_[knot][other] += 1.0 / width;
@@ -136,7 +137,7 @@ class SlopeEquations {
   }
 
  private:
-  /// Takes unknown k out of row i. The matrix is diagonally dominant: no pivots are looked for.
+  /// Eliminates unknown k from row i. The matrix is diagonally dominant, so no pivoting is needed.
   void eliminate(std::size_t i, std::size_t k) {
     const double share = rows_[i][k] / rows_[k][k];
     if (share == 0.0) return;
@@ -164,7 +165,7 @@ std::vector<Vector2> spline_slopes(const std::vector<Vector2>& knots, const std:
   return slopes;
 }
 
-/// The cubic with these values and slopes at the ends of an interval of this width.
+/// Evaluates the cubic with these values and derivatives at the ends of an interval of this width.
 Vector2 cubic(Vector2 a, Vector2 b, Vector2 slope_a, Vector2 slope_b, double width, double t) {
   const double u = 1.0 - t;
   return (u * u * (1.0 + 2.0 * t)) * a + (t * t * (1.0 + 2.0 * u)) * b +

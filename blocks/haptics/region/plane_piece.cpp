@@ -10,7 +10,7 @@ namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 
-/// The angle in [0, 2 pi).
+/// Returns the angle in [0, 2 pi).
 double positive(double angle) {
   const double rest = std::fmod(angle, turn);
   return rest < 0.0 ? rest + turn : rest;
@@ -71,7 +71,7 @@ PlanePiece arc_about(Vector2 centre, double radius, double from, double extent) 
 }
 
 PlanePiece arc_through(Vector2 a, Vector2 b, Vector2 c) {
-  // Its height above its chord below which an arc is as good as straight: far below what is promised.
+  // Height above its chord below which an arc is replaced by a line, far below the promised tolerance.
   constexpr double flat = 2e-11;
   const Vector2 chord = c - a, to_b = b - a;
   const double twice_area = cross(chord, to_b);
@@ -79,7 +79,7 @@ PlanePiece arc_through(Vector2 a, Vector2 b, Vector2 c) {
   const double square = dot(chord, chord), b_square = dot(to_b, to_b);
   const Vector2 to_centre = (1.0 / (2.0 * twice_area)) * turned_left(b_square * chord - square * to_b);
   const Vector2 centre = a + to_centre;
-  const bool left = twice_area < 0.0;  // b to the right of the chord: the way turns left
+  const bool left = twice_area < 0.0;  // b is to the right of the chord: the arc turns left
   const Vector2 first = left ? a - centre : c - centre, last = left ? c - centre : a - centre;
   const double from = std::atan2(first.y, first.x);
   const double extent = positive(std::atan2(cross(first, last), dot(first, last)));
@@ -93,7 +93,7 @@ PlaneBox joined(const PlaneBox& a, const PlaneBox& b) {
 
 namespace {
 
-/// Where a line without end goes: to infinity, but not in a direction that it does not have.
+/// Returns the end of an infinite line: infinite in each coordinate with a component of its direction.
 Vector2 far_end(const PlanePiece& ray) {
   const auto far = [&](double start, double along) { return along == 0.0 ? start : along * ray.extent; };
   return {far(ray.start.x, ray.along.x), far(ray.start.y, ray.along.y)};
@@ -120,7 +120,7 @@ PlaneBox box_of(const PlanePiece& piece) {
 
 namespace {
 
-/// Keeps the places on `piece` of points that lie on it.
+/// Collects the places on `piece` of points that are on it.
 class Places {
  public:
   Places(const PlanePiece& piece, double tolerance) : piece_(piece), tolerance_(tolerance) {}
@@ -153,7 +153,7 @@ Points line_and_line(const PlanePiece& a, const PlanePiece& b) {
   return {a.start + (cross(b.start - a.start, b.along) / sine) * a.along};
 }
 
-/// Counted from the point of the line that is nearest to the centre.
+/// Returns the intersections; places on the line are relative to its point nearest to the centre.
 Points line_and_circle(const PlanePiece& line, const PlanePiece& arc, double tolerance) {
   const double foot = dot(arc.centre - line.start, line.along);
   const Vector2 nearest = line.start + foot * line.along;
@@ -191,7 +191,7 @@ std::vector<double> crossings(const PlanePiece& piece, const PlanePiece& other, 
     here.add(point);
     if (!here.take().empty()) on_piece.add(point);
   }
-  // Ends of the other that lie on this one: where a shared stretch begins and ends, and where they touch.
+  // Adds the ends of the other piece that are on this one: ends of a common section, and points of contact.
   on_piece.add(other.at(0.0));
   if (std::isfinite(other.length())) on_piece.add(other.end());
   return on_piece.take();

@@ -6,20 +6,19 @@
 
 namespace stepwire {
 
-/// A straight line or an arc of a circle as a piece of a boundary or of a curve. An arc runs
-/// counterclockwise.
+/// Straight line or circular arc, as a piece of a boundary or of a curve. Arcs run counterclockwise.
 struct PlanePiece {
-  double radius = 0.0;  ///< 0 for a line
-  Vector2 start;        ///< of a line
-  Vector2 along;        ///< direction of a line
-  Vector2 centre;       ///< of an arc
-  double from = 0.0;    ///< angle at which an arc begins
-  double extent = 0.0;  ///< length of a line, possibly infinite, or angle of an arc
-  double side = 1.0;    ///< 1: the region is to the left, -1: to the right
+  double radius = 0.0;  ///< 0 for a line.
+  Vector2 start;        ///< Start of a line.
+  Vector2 along;        ///< Direction of a line.
+  Vector2 centre;       ///< Centre of an arc.
+  double from = 0.0;    ///< Angle of the start of an arc.
+  double extent = 0.0;  ///< Length of a line, which may be infinite, or angle of an arc.
+  double side = 1.0;    ///< 1: the region is to the left; -1: to the right.
 
   bool is_line() const { return radius == 0.0; }
   double length() const { return is_line() ? extent : radius * extent; }
-  /// The point this far along it.
+  /// Returns the point at this distance along the piece.
   Vector2 at(double s) const;
   Vector2 direction(double s) const;
   Vector2 end() const { return at(length()); }
@@ -27,7 +26,7 @@ struct PlanePiece {
   PlanePiece with_side(double new_side) const;
 };
 
-/// Lowest and highest coordinates of something.
+/// Bounding box.
 struct PlaneBox {
   Vector2 low, high;
   bool meets(const PlaneBox& other, double margin) const;
@@ -35,17 +34,17 @@ struct PlaneBox {
 };
 
 PlanePiece line_between(Vector2 a, Vector2 b);
-/// From a point without end.
+/// Returns an infinite line from a point.
 PlanePiece ray_from(Vector2 start, Vector2 along);
 PlanePiece arc_about(Vector2 centre, double radius, double from, double extent);
-/// From a through b to c, with side 1 where the region is to the left of one who goes that way; a line where
-/// the three are in one.
+/// Returns the arc from a through b to c, with side 1 if the region is to its left; a line if the points are
+/// collinear.
 PlanePiece arc_through(Vector2 a, Vector2 b, Vector2 c);
 
 PlaneBox box_of(const PlanePiece& piece);
 PlaneBox joined(const PlaneBox& a, const PlaneBox& b);
 
-/// How far along `piece` it meets `other`; where they share a stretch, where that begins and ends.
+/// Returns the places along `piece` where it meets `other`; for a common section its begin and end.
 std::vector<double> crossings(const PlanePiece& piece, const PlanePiece& other, double tolerance);
 
 }  // namespace stepwire

@@ -1,5 +1,5 @@
-// More than 300 lines with its header: what makes a shape of the plane, and what joins two, work on the
-// same list of pieces.
+// More than 300 lines with its header: construction and union of plane shapes work on the same list of
+// pieces.
 #include "blocks/haptics/region/plane_shape.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ PlaneBox no_box() {
   return {{infinity, infinity}, {-infinity, -infinity}};
 }
 
-/// Corners of what is not without end.
+/// Returns the bounding box without infinite pieces.
 PlaneBox finite_box(const PlaneShape& shape) {
   PlaneBox box = no_box();
   for (const PlanePiece& piece : shape)
@@ -40,7 +40,7 @@ PlaneBox finite_box(const PlaneShape& shape) {
 
 namespace {
 
-/// Where one who has the region to the left begins and ends a piece.
+/// Start and end of a piece in the direction with the region on its left.
 struct Way {
   explicit Way(const PlanePiece& piece) {
     const bool is_ray = std::isinf(piece.extent);
@@ -56,7 +56,8 @@ double distance_to(const PlanePiece& line, Vector2 point) {
   return length(point - (line.start + s * line.along));
 }
 
-/// How far from a line any point of a piece may be. An arc is as near to its chord as it is high above it.
+/// Returns an upper bound of the distance between a line and the points of a piece. The bound for an arc is
+/// its height above its chord.
 double farthest(const PlanePiece& line, const PlanePiece& piece) {
   if (std::isinf(piece.extent)) return infinity;
   const double at_ends = std::max(distance_to(line, piece.at(0.0)), distance_to(line, piece.end()));
@@ -69,12 +70,12 @@ double farthest(const PlanePiece& line, const PlanePiece& piece) {
 void append_sleeve(const PlaneShape& shape, std::size_t first, std::size_t last,
                    std::vector<double>& numbers) {
   last = std::min(last, shape.size());
-  if (first >= last) {  // farther away than anything
+  if (first >= last) {  // empty sleeve, never visited
     numbers.insert(numbers.end(), {0.0, 0.0, 0.0, 0.0, 0.0, -infinity});
     return;
   }
   const Vector2 start = Way(shape[first]).start, end = Way(shape[last - 1]).end;
-  if (!std::isfinite(start.x) || !std::isfinite(end.x)) {  // a line without end: always looked into
+  if (!std::isfinite(start.x) || !std::isfinite(end.x)) {  // infinite line: always visited
     numbers.insert(numbers.end(), {0.0, 0.0, 0.0, 0.0, 0.0, infinity});
     return;
   }
@@ -82,7 +83,7 @@ void append_sleeve(const PlaneShape& shape, std::size_t first, std::size_t last,
   if (!(line.extent > 0.0)) line.along = {0.0, 0.0};
   double radius = 0.0;
   for (std::size_t i = first; i < last; ++i) radius = std::max(radius, farthest(line, shape[i]));
-  radius += 1e-9 * radius + 1e-15;  // its own rounding
+  radius += 1e-9 * radius + 1e-15;  // margin for rounding
   numbers.insert(numbers.end(), {start.x, start.y, line.along.x, line.along.y, line.extent, radius});
 }
 
@@ -90,7 +91,7 @@ void append_sleeve(const PlaneShape& shape, std::size_t first, std::size_t last,
 
 BoundaryTable::BoundaryTable(const PlaneShape& pieces_in_any_order)
     : tolerance(fineness_of(pieces_in_any_order)) {
-  PlaneShape shape;  // neighbours lie in one sleeve, which is tight then
+  PlaneShape shape;  // ordered, so that neighbours share a tight sleeve
   for (const PlaneShape& loop : loops_of(pieces_in_any_order))
     shape.insert(shape.end(), loop.begin(), loop.end());
   for (const PlanePiece& piece : shape) append_numbers(piece, pieces);
@@ -121,7 +122,7 @@ Vector2 inner_point(const PlanePiece& piece, double reach) {
 
 namespace {
 
-/// Finds boxes of pieces that may meet a box: they are sorted by their left ends.
+/// Finds pieces whose boxes may meet a given box, sorted by their left ends.
 class Neighbours {
  public:
   explicit Neighbours(const PlaneShape& pieces) : pieces_(pieces), order_(pieces.size()) {
@@ -148,7 +149,7 @@ class Neighbours {
   double widest_ = 0.0;
 };
 
-/// Places along a piece, sorted, with both of its ends, those left out that are near to one before.
+/// Returns the places along a piece, sorted, with both ends, without those close to their predecessor.
 std::vector<double> apart(const PlanePiece& piece, std::vector<double> places, double tolerance) {
   std::sort(places.begin(), places.end());
   std::vector<double> result{0.0};
@@ -159,7 +160,7 @@ std::vector<double> apart(const PlanePiece& piece, std::vector<double> places, d
   return result;
 }
 
-/// Parts that are kept and follow each other are one.
+/// Appends the kept parts of a piece; adjacent ones are merged.
 void append_kept(const PlanePiece& piece, const std::vector<double>& places, const IsKept& is_kept,
                  PlaneShape& result) {
   double first = 0.0;
@@ -191,14 +192,15 @@ PlaneShape kept_parts(const PlaneShape& pieces, const PlaneShape& others, double
 
 namespace {
 
-/// The first of the shape.
+/// Returns the smallest index.
 std::size_t smallest(const std::multimap<double, std::size_t>& left) {
   std::size_t least = left.begin()->second;
   for (const auto& [x, i] : left) least = std::min(least, i);
   return least;
 }
 
-/// The unused piece that begins nearest to a point, within a distance; the count of ways where there is none.
+/// Returns the unused piece whose start is nearest to a point, within a distance; the number of ways without
+/// one.
 std::size_t next_after(Vector2 point, const std::vector<Way>& ways,
                        const std::multimap<double, std::size_t>& left, double within) {
   std::size_t best = ways.size();
@@ -217,7 +219,7 @@ std::size_t next_after(Vector2 point, const std::vector<Way>& ways,
 std::vector<PlaneShape> loops_of(const PlaneShape& shape) {
   const double within = 1e6 * fineness_of(shape);  // beside a slight bend edges have a gap
   std::vector<Way> ways(shape.begin(), shape.end());
-  std::multimap<double, std::size_t> left;  // by where they begin
+  std::multimap<double, std::size_t> left;  // by their start
   for (std::size_t i = 0; i < ways.size(); ++i) left.emplace(ways[i].start.x, i);
   const auto take = [&](std::size_t i) {
     const auto [first, last] = left.equal_range(ways[i].start.x);
@@ -225,7 +227,7 @@ std::vector<PlaneShape> loops_of(const PlaneShape& shape) {
   };
   std::vector<PlaneShape> loops;
   while (!left.empty()) {
-    // What begins without end is the first of its loop: nothing leads to it.
+    // An infinite piece without a predecessor is the first of its loop.
     std::size_t i = std::isinf(left.rbegin()->first) ? left.rbegin()->second : smallest(left);
     loops.emplace_back();
     for (; i < ways.size(); i = next_after(ways[i].end, ways, left, within)) {
@@ -239,8 +241,8 @@ std::vector<PlaneShape> loops_of(const PlaneShape& shape) {
 
 namespace {
 
-/// Does a piece of shape `own` belong to the boundary of all? It does not inside of another one, and where
-/// two boundaries run along each other one is enough, or none if the shapes lie on both sides of it.
+/// True if a piece of shape `own` is part of the boundary of the union. It is not if it is inside of another
+/// shape. Where two boundaries coincide, one of them is kept, or none if the shapes are on opposite sides.
 bool bounds_all(const PlanePiece& piece, std::size_t own, const std::vector<BoundaryTable>& tables,
                 double reach, double tolerance) {
   const Vector2 point = inner_point(piece, reach);

@@ -14,7 +14,7 @@ using Corner = geometry::model::d2::point_xy<double>;
 using Polygon = geometry::model::polygon<Corner, false>;  // counterclockwise
 
 std::string fault_of(const Polygon& polygon) {
-  // Asked first, since what crosses itself has no orientation either.
+  // Checked first, since a polygon that crosses itself has no orientation.
   if (geometry::intersects(polygon))
     return "it crosses or touches itself; give its corners in their order along its edge";
   geometry::validity_failure_type failure = geometry::no_failure;
@@ -29,7 +29,7 @@ std::string fault_of(const Polygon& polygon) {
 PlaneShape polygon(std::vector<Vector2> corners) {
   Polygon outline;
   for (const Vector2 corner : corners) geometry::append(outline.outer(), Corner(corner.x, corner.y));
-  geometry::correct(outline);  // closes it, and has it run counterclockwise
+  geometry::correct(outline);  // closes it and makes it counterclockwise
   const std::string fault = fault_of(outline);
   if (!fault.empty()) throw ShapeError(fault);
   PlaneShape shape;

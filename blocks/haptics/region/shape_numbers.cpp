@@ -1,4 +1,4 @@
-// Lengths and points of a shape.
+// Texts of lengths and points of a shape.
 #include <fmt/format.h>
 
 #include <cmath>

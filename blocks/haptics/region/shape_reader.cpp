@@ -1,5 +1,4 @@
-// More than 300 lines with its header: each kind of shape has its keys and its check here, and nothing else
-// knows them.
+// More than 300 lines with its header: the keys and checks of all kinds of shapes.
 #include "blocks/haptics/region/shape_reader.hpp"
 
 #include <fmt/format.h>
@@ -11,10 +10,10 @@ namespace stepwire {
 
 namespace {
 
-/// How near to the curve the arcs lie that stand for it [m].
+/// Largest distance between a curve and the arcs that approximate it [m].
 constexpr double fit_tolerance = 4e-10;
 
-/// A kind of shape is told by the first of its keys.
+/// Kind of shape, identified by the first of its keys.
 struct ShapeKind {
   std::vector<std::string> keys;
   std::string example;

@@ -11,13 +11,13 @@
 
 namespace stepwire {
 
-/// A shape as a file gives it, in the plane or in space.
+/// Shape in a file, in the plane or in space.
 using AnyShape = std::variant<PlaneShape, SpaceShape>;
 
 /// Reads the shape of a Region from its file and checks it.
 class ShapeReader {
  public:
-  /// `refuse` throws: what is wrong, and with which piece of the tree.
+  /// Function that throws a message for a piece of the tree.
   using Refuse = std::function<void(const std::string& message, const Value& where)>;
 
   explicit ShapeReader(Refuse refuse) : refuse_(std::move(refuse)) {}
@@ -47,7 +47,8 @@ class ShapeReader {
   Refuse refuse_;
 };
 
-/// A number with a unit of this kind or none, or a formula of numbers, in SI; not finite where it is neither.
+/// Returns a quantity in SI: a number with a unit of this dimension or none, or a formula of numbers; not
+/// finite for any other text.
 double quantity_in(const std::string& text, const std::string& unit);
 
 }  // namespace stepwire

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// A point or a direction in space [m].
+/// Point or direction in space [m].
 struct Vector3 {
   double x = 0.0, y = 0.0, z = 0.0;
 };
@@ -25,7 +25,7 @@ inline double length(Vector3 a) {
   const double square = dot(a, a);
   return square > 0x1p-900 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(a.x, a.y, a.z);
 }
-/// Some direction at right angles to a, always the same one.
+/// Returns a unit vector perpendicular to a, always the same one.
 inline Vector3 beside(Vector3 a) {
   const Vector3 raw = a.y * a.y < 0.5 * dot(a, a) ? Vector3{a.z, 0.0, -a.x} : Vector3{a.y, -a.x, 0.0};
   return (1.0 / length(raw)) * raw;

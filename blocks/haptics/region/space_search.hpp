@@ -8,16 +8,15 @@
 
 namespace stepwire {
 
-/// The point of a boundary in space that is nearest to a position.
+/// Point of a boundary in space that is nearest to a position.
 struct SpacePoint {
   Vector3 at, outward;
   double distance = std::numeric_limits<double>::infinity();  ///< negative inside
 };
 
-/// Finds the nearest point of solids that are apart from each other: all points within a radius of a straight
-/// middle line, which for a sphere has no length, and for a shell not within an inner radius. They lie in
-/// memory as `solid_size` numbers each: start of the line x y z, its direction x y z, its length, radius,
-/// inner radius.
+/// Finds the nearest point of disjoint solids. A solid is the set of points within a radius of a straight
+/// axis, of length 0 for a sphere; a shell excludes an inner radius. Each has `solid_size` numbers in memory:
+/// start of the axis x y z, its direction x y z, its length, radius, inner radius.
 struct SpaceSearch {
   static constexpr Index solid_size = 9;
 

@@ -25,8 +25,8 @@ double distance_to(const Solid& line, Vector3 point) {
   return length(point - (line.start + s * line.along));
 }
 
-/// Between their middle lines: the distance of a point of one to the other is convex along it, so that the
-/// least is found by always cutting off a third.
+/// Returns the distance between the axes. The distance of a point of one to the other is a convex function,
+/// so ternary search finds the minimum.
 double distance_between(const Solid& a, const Solid& b) {
   double low = 0.0, high = a.length;
   const auto at = [&](double s) { return distance_to(b, a.start + s * a.along); };

@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// All points within a radius of a straight line, without those within an inner radius of it.
+/// All points within a radius of a line segment, without those within an inner radius.
 struct Solid {
   Vector3 start, along{0.0, 0.0, 1.0};
   double length = 0.0, radius = 0.0, inner_radius = 0.0;
@@ -15,13 +15,13 @@ struct Solid {
 using SpaceShape = std::vector<Solid>;
 
 Solid ball(Vector3 centre, double radius, double inner_radius);
-/// A straight corridor. Throws ShapeError where both ends are the same point.
+/// Returns a straight corridor. Throws ShapeError if both ends are equal.
 Solid corridor(Vector3 start, Vector3 end, double half_width);
 
-/// Throws ShapeError where two solids are not apart from each other.
+/// Throws ShapeError if two solids touch.
 void refuse_contact(const SpaceShape& solids);
 
-/// The numbers that SpaceSearch reads.
+/// Returns the numbers for SpaceSearch.
 std::vector<double> numbers_of(const SpaceShape& solids);
 
 }  // namespace stepwire
