@@ -8,8 +8,8 @@
 
 namespace stepwire {
 
-/// A finite state machine: states, which may hold others, with output values, counters that they set, and
-/// transitions where their guards hold.
+/// Finite state machine: nested states with output values, counters that they set, and transitions with
+/// guards.
 struct StateMachine {
   static constexpr Index max_inputs = 64, max_counters = 32, max_depth = 8, max_states = 256;
   static constexpr Index max_located = 8;  ///< guards of the active states; further ones act at ticks
@@ -198,7 +198,7 @@ struct StateMachine {
     }
   }
 
-  /// The settings of one occasion, one after the other.
+  /// Runs the settings of one event in order.
   void run(Now& now, Index occasion, double after) {
     const Index time_place = place_of_time();
     now.v[time_place] = after;
