@@ -116,7 +116,7 @@ struct LinkageCore {
     return sum;
   }
 
-  /// Adds a link's part of M, its force, and minus its part of h; nothing where it has no direction.
+  /// Adds a link's part of M, its force, and minus its part of h; no effect for a link of length 0.
   template <Index n>
   void add_link(Dimension<n>, Index k, const Link& now, Balance& sum) const {
     if (now.length == 0.0) return;
