@@ -1,4 +1,4 @@
-// What stands in an exported unit, and what it is when it is imported, whole or damaged.
+// Content of an exported unit, and its behaviour when it is imported, whole or damaged.
 #include "engine/app/fmu/unit_export.hpp"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ std::string refusal(const Scratch& folder, const std::string& yaml) {
   return "";
 }
 
-/// What the page of a unit says of its model exchange.
+/// Returns the documentation page of a unit, which describes its model exchange.
 std::string page_of(const std::string& yaml) {
   const Scratch folder;
   return unit_files(folder, "a", yaml, 3).at("documentation/index.html");
