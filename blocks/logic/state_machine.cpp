@@ -129,6 +129,11 @@ std::size_t start_of(const StateMachine& machine, const ChartReader& reader, con
   return start;
 }
 
+void declare_crossings(Declare<StateMachine>& is) {
+  for (Index guard = 1; guard <= StateMachine::max_located; ++guard)
+    is.crossing<&StateMachine::u>(fmt::format("guard {} of the active state begins to hold", guard));
+}
+
 }  // namespace
 
 void StateMachine::declare(Declare<StateMachine>& is) {
@@ -191,8 +196,7 @@ void StateMachine::declare(Declare<StateMachine>& is) {
       {.shape = "h", .doc = "the state that each held when it was left, -1 for none", .settable = false});
   is.clock<&StateMachine::period>();
   is.clock<&StateMachine::time>();
-  for (int guard = 1; guard <= max_located; ++guard)
-    is.crossing<&StateMachine::u>(fmt::format("guard {} of the active state begins to hold", guard));
+  declare_crossings(is);
   is.derived<&StateMachine::guard>();
   is.derived<&StateMachine::margin>();
   is.derived<&StateMachine::setting>();

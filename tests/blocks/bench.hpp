@@ -19,6 +19,8 @@ class Bench {
     for (std::size_t i = 0; i < type_.inputs.size(); ++i)
       if (planned_.inputs[i].empty())
         type_.inputs[i].unbind(block);
+      else if (type_.inputs[i].bind_list)
+        bind_list(i);
       else
         type_.inputs[i].bind(block, at(planned_.inputs[i].front()), planned_.inputs[i].front().size);
     for (std::size_t o = 0; o < type_.outputs.size(); ++o)
@@ -61,6 +63,11 @@ class Bench {
   bool has(std::size_t input) const { return !planned_.inputs[input].empty(); }
 
  private:
+  void bind_list(std::size_t input) {
+    std::vector<Inputs::Element>& elements = lists_.emplace_back();
+    for (const plan::SignalSlot& slot : planned_.inputs[input]) elements.emplace_back(at(slot), slot.size);
+    type_.inputs[input].bind_list(block_.get(), elements.data(), static_cast<Index>(elements.size()));
+  }
   double* at(const plan::SignalSlot& slot) { return values_.data() + slot.offset; }
   void run(const Kernels& kernels) {
     auto* first = static_cast<std::byte*>(block_.get());
@@ -71,6 +78,7 @@ class Bench {
   const plan::PlannedBlock& planned_;
   AnyBlock block_;
   std::vector<double> values_;
+  std::vector<std::vector<Inputs::Element>> lists_{};
 };
 
 }  // namespace stepwire

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace stepwire {
@@ -13,14 +14,14 @@ class SumOfSquares {
  public:
   void add(double x) {
     middle_ += x * x;
-    large_ += x * down * (x * down);
-    small_ += x * up * (x * up);
+    large_ += squared(lifted(x) * down);
+    small_ += squared(x * up);
   }
   /// Adds weight (a^2 + b^2).
   void add(double a, double b, double weight) {
     middle_ += weight * (a * a + b * b);
-    large_ += weight * (a * down * (a * down) + b * down * (b * down));
-    small_ += weight * (a * up * (a * up) + b * up * (b * up));
+    large_ += weight * (squared(lifted(a) * down) + squared(lifted(b) * down));
+    small_ += weight * (squared(a * up) + squared(b * up));
   }
 
   /// Returns the power of two that numbers must be multiplied by before they are squared.
@@ -33,6 +34,12 @@ class SumOfSquares {
  private:
   static constexpr double up = 0x1p600, down = 0x1p-600;  // scaled squares of 2^-1074 to 2^1023 are in range
   static constexpr double smallest = 0x1p-900, largest = 0x1p1000;
+  static constexpr double least_lifted = 0x1p100;
+
+  static double squared(double x) { return x * x; }
+  /// Returns a magnitude whose scaled square does not underflow, which costs a processor a hundred times the
+  /// product. Beside a sum that counts at this scale the smallest one vanishes.
+  static double lifted(double x) { return std::max(std::abs(x), least_lifted); }
 
   /// 1 / scale(), a power of two as well.
   double back() const { return middle_ > largest ? up : middle_ < smallest ? down : 1.0; }
