@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Every block of the library.
+/// Returns all blocks of the library.
 Registry blocks();
 
 }  // namespace stepwire

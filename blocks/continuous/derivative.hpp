@@ -13,8 +13,7 @@ struct Derivative : Resettable {
   State<> x{};
   DiscreteState<1> begun{};
 
-  bool follows =
-      true;  // true if the filter follows the input from the start: settled, without an initial value
+  bool follows = true;  // true if settled, without an initial value
 
   void outputs() { show(x); }
   void outputs_at_instant() {

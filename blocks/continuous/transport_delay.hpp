@@ -166,7 +166,8 @@ struct TransportDelay {
   }
 
   /// Returns 1 for an instant of another block. In a loop, an instant that this block has delayed returns to
-  /// it, each time with one more smooth derivative; after the fifth echo it is no edge and the result is 0.
+  /// it, each time with one more smooth derivative. From the sixth time on it is no edge, and the result is
+  /// 0.
   Index order_of_instant() const {
     constexpr double most_echoes = 5.0;
     const double T = length();

@@ -65,7 +65,7 @@ void SteppedFmu::start() {
   if (unit.works()) std::copy_n(unit.exchange().outputs(), unit.numbers_shown(), unit_outputs.data());
 }
 
-// A unit that asks to end the run in a step ends it at the tick that the step reaches.
+// A unit that requests the end of the run in a step ends it at the tick that the step reaches.
 void SteppedFmu::outputs() {
   follow();
   show(unit_outputs.data());

@@ -21,8 +21,7 @@ using UnbindInput = void (*)(void*);
 using BindOutput = void (*)(void*, double*, Eigen::Index);
 
 // A declaration binds ports by functions, so there is a function for each possible port.
-// Returns port k, which is created if needed.
-/// The port k, made where it is not there yet.
+/// Returns port k, which is created if needed.
 template <class Port>
 Port& port_at(std::vector<Port>& ports, std::size_t k) {
   if (ports.size() <= k) ports.resize(k + 1);

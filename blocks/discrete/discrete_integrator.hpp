@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// Sum of its input over its ticks, as one of three approximations of an integral, within limits.
+/// Discrete integrator within limits, with one of three approximations of an integral.
 struct DiscreteIntegrator : Resettable {
   enum class Method { forward_euler, backward_euler, trapezoidal };
 

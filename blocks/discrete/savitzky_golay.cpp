@@ -12,9 +12,9 @@ namespace stepwire {
 
 namespace {
 
-/// Returns the coefficients that compute the derivative at the centre exactly for every polynomial up to
-/// `order`, with the smallest sum of squares; these are those of least squares. Positions are scaled to -1 to
-/// 1, so that their powers stay comparable. `interval` is the time between samples [s].
+/// Returns the coefficients of the derivative at the centre that are exact for every polynomial up to `order`
+/// and have the smallest sum of squares. These are those of least squares. Positions are scaled to -1 to 1,
+/// so that their powers stay comparable. `interval` is the time between samples [s].
 Numbers coefficients_of(Index window, Index order, Index derivative, double interval) {
   const Index half = (window - 1) / 2;
   Eigen::MatrixXd powers(order + 1, window);

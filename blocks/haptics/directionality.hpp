@@ -7,7 +7,7 @@
 
 namespace stepwire {
 
-/// Device force for the hand, from the largest resistance F_max, which points to the authorised region, and
+/// Device force for the hand, from the largest resistance F_max, which points to the authorized region, and
 /// the direction d in which the hand pushes or moves:
 ///
 ///     D1, for each axis: F_out = F_max where F_max d < 0, else 0

@@ -23,11 +23,10 @@ struct LayerActivator {
   Input<2> position{};
   Output<> y{}, weights{};
   Output<1> layer{}, switched{};
-  DiscreteState<> mixed{};             ///< weights of the layers at the last switch
-  DiscreteState<1> active{}, share{};  ///< index of the active layer; s
-  DiscreteState<1> count{};            ///< number of switches
-  DiscreteState<> reached{},
-      waited{};  ///< for each switch: events of its sequence so far; ticks since the last
+  DiscreteState<> mixed{};              ///< weights of the layers at the last switch
+  DiscreteState<1> active{}, share{};   ///< index of the active layer; s
+  DiscreteState<1> count{};             ///< number of switches
+  DiscreteState<> reached{}, waited{};  ///< for each switch: events so far; ticks since
   DiscreteState<2> last_position{};
   DiscreteState<> last_distances{};
   DiscreteState<1> begun{};

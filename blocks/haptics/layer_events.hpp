@@ -52,8 +52,8 @@ struct LayerEvent {
     return length(point - (is.before + share * way));
   }
 
-  /// True if the path crosses the line from a to b between its ends: from right to left, or with numbers[5] =
-  /// -1 from left to right.
+  /// True if the path crosses the line from a to b between its ends. It must lead from right to left, or with
+  /// numbers[5] = -1 from left to right.
   bool crosses_line(Vector2 a, Vector2 b, const LayerMoment& is) const {
     const Vector2 line = b - a;
     const double was = numbers[5] * cross(line, is.before - a), now = numbers[5] * cross(line, is.now - a);

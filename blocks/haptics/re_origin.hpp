@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Moves a map so that the pin is in its authorised region: shifted = position - origin.
+/// Moves a map so that the pin is in its authorized region: shifted = position - origin.
 struct ReOrigin {
   double margin = 0.0;
   Input<> position{}, nearest{}, direction{};

@@ -7,7 +7,7 @@
 
 namespace stepwire {
 
-/// Signed distance from the boundary of an authorised region in the plane or in space, and the nearest
+/// Signed distance from the boundary of an authorized region in the plane or in space, and the nearest
 /// boundary point.
 struct Region {
   Tree shape;

@@ -7,8 +7,8 @@
 
 namespace stepwire {
 
-/// A power amplifier in current mode: tau di/dt = wanted - i, wanted = gain u within [lower, upper], or 0
-/// while it is inhibited.
+/// Power amplifier in current mode: tau di/dt = w - i. The command w is gain u within [lower, upper], or 0
+/// while the amplifier is inhibited.
 struct Amplifier {
   PerElement gain = 1.0, lower = -unlimited, upper = unlimited, tau = 1e-3;
   Input<> u{};
@@ -30,7 +30,7 @@ struct Amplifier {
   static void declare(Declare<Amplifier>& is);
 
  private:
-  /// Whatever is neither false nor a number inhibits.
+  /// True if inhibited; also for an input that is NaN.
   bool inhibited() const { return inhibit.connected() && !(inhibit <= 0.0); }
   double limited(Index i) const { return std::clamp(gain[i] * u[i], lower[i], upper[i]); }
   double wanted(Index i) const { return inhibited() ? 0.0 : limited(i); }

@@ -8,7 +8,7 @@
 
 namespace stepwire {
 
-/// A converter from volts to counts: with q = 2 range / 2^bits,
+/// Converter from volts to counts: with q = 2 range / 2^bits,
 ///
 ///     counts = floor(u / q + 1/2) within -2^(bits - 1) ... 2^(bits - 1) - 1
 struct AnalogToDigital {
@@ -18,7 +18,7 @@ struct AnalogToDigital {
   Output<> counts{};
   Diagnostic out_of_range{};
   Time time{};
-  double most = 1.0;  ///< counts of a voltage of `range`
+  double most = 1.0;  ///< counts at the voltage `range`
 
   void prepare() { most = std::exp2(static_cast<double>(bits - 1)); }
   void outputs() {

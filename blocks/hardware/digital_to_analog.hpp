@@ -8,14 +8,14 @@
 
 namespace stepwire {
 
-/// A converter from counts to volts: y = range / 2^(bits - 1) counts, of whole counts within
-/// -2^(bits - 1) ... 2^(bits - 1) - 1.
+/// Converter from counts to volts: y = range / 2^(bits - 1) counts, of whole counts within -2^(bits - 1) ...
+/// 2^(bits - 1) - 1.
 struct DigitalToAnalog {
   PerElement range = 10.0;
   std::int64_t bits = 14;
   Input<> counts{};
   Output<> y{};
-  double most = 1.0;  ///< counts of a voltage of `range`
+  double most = 1.0;  ///< counts at the voltage `range`
 
   void prepare() { most = std::exp2(static_cast<double>(bits - 1)); }
   void outputs() {

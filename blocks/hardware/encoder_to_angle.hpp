@@ -8,12 +8,12 @@
 
 namespace stepwire {
 
-/// The angle of an encoder from the counts of a board, also over wraps of the counter: from tick to tick
+/// Angle of an encoder from the counts of a board, unwrapped over overflows of the counter: from tick to tick
 ///
 ///     angle += 2 pi / counts_per_revolution step, step = change of the counts, wrapped to half the counter
 ///
-/// A step of more than `largest_step` is not believed: the angle stays, and fault is 1 until the counts are
-/// back within that of the last ones that were believed.
+/// A step of more than `largest_step` is rejected. The angle then stays, and fault is 1 until the counts are
+/// again within that step of the last accepted ones.
 struct EncoderToAngle {
   PerElement counts_per_revolution = 4000.0, zero = 0.0, largest_step = unlimited;
   std::int64_t bits = 24;
@@ -23,8 +23,8 @@ struct EncoderToAngle {
   DiscreteState<1> begun{};
   Diagnostic jumped{};
   Time time{};
-  PerElement turn = 1.0;  ///< angle of a count [rad]
-  double levels = 2.0;    ///< of the counter
+  PerElement turn = 1.0;  ///< angle per count [rad]
+  double levels = 2.0;    ///< count of the counter's values
 
   void prepare() {
     turn = counts_per_revolution.map([](double per_turn) { return 2.0 * std::numbers::pi / per_turn; });
@@ -54,7 +54,8 @@ struct EncoderToAngle {
     return change - levels * std::floor(change / levels + 0.5);
   }
   bool is_on_counter(Index i) const { return counts[i] >= 0.0 && counts[i] < levels; }
-  /// Half the counter may have been gone either way. Where the shaft is at the start nobody knows before.
+  /// True for a rejected step. A step of half the counter has no sign. At the first tick any position is
+  /// accepted, since it is unknown before.
   bool is_jump(Index i) const {
     const double size = std::abs(step(i));
     const bool near = begun == 0.0 || (size < 0.5 * levels && size <= largest_step[i]);

@@ -9,7 +9,7 @@
 
 namespace stepwire {
 
-/// A six-axis load cell: the voltages of its strain gauges, with the calibration C of its certificate,
+/// Six-axis load cell: the voltages of its strain gauges, with the calibration C of its certificate,
 ///
 ///     gauges = C^-1 [force / N, torque / (N m)] + offset + noise w, within -range ... range
 ///
@@ -51,13 +51,13 @@ struct LoadCell {
   }
 };
 
-/// Noise as measured at 1 kHz, 0.015 N along x and y, 10 V at full load on all axes.
+/// Noise as measured at 1 kHz, 0.015 N along x and y; 10 V at full load on all axes.
 inline void ati_mini40_si_80_4(LoadCell& cell) {
   cell.calibration = three_beams(80.0, 240.0, 4.0);
   cell.noise = 0.9e-3;
 }
 
-/// Noise in volts as that of the SI-80-4 (assumed).
+/// The noise in volts is assumed to be that of the SI-80-4.
 inline void ati_mini40_si_40_2(LoadCell& cell) {
   cell.calibration = three_beams(40.0, 120.0, 2.0);
   cell.noise = 0.9e-3;

@@ -5,8 +5,8 @@
 
 namespace stepwire {
 
-/// Force and torque from the voltages of a load cell's gauges: [force, torque] = C (gauges - bias), where the
-/// bias is `offset` until it is tared: while `tare` is true, the mean of the voltages since then.
+/// Force and torque from the voltages of a load cell's gauges: [force, torque] = C (gauges - bias). The bias
+/// is `offset` until the first tare. While `tare` is true, it is the mean of the voltages since then.
 struct LoadCellToWrench {
   Matrix calibration{};
   PerElement offset = 0.0;
@@ -26,7 +26,7 @@ struct LoadCellToWrench {
     }
     saturated = is_saturated() ? 1.0 : 0.0;
   }
-  /// A tare that begins starts its mean anew.
+  /// Accumulates the mean of a tare, which starts at its rising edge.
   void update() {
     if (is_taring()) {
       for (Index i = 0; i < 6; ++i) sum[i] = before(i) + gauges[i];
@@ -42,7 +42,7 @@ struct LoadCellToWrench {
   bool begins() const { return is_taring() && taring == 0.0; }
   double before(Index i) const { return begins() ? 0.0 : static_cast<double>(sum[i]); }
   double samples() const { return (begins() ? 0.0 : static_cast<double>(count)) + 1.0; }
-  /// What the gauges show without a load, as far as it is known.
+  /// Returns the estimate of the voltages without a load.
   double bias(Index i) const {
     if (is_taring()) return (before(i) + gauges[i]) / samples();
     return count > 0.0 ? sum[i] / count : offset[i];

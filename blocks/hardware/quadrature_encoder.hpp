@@ -8,7 +8,7 @@
 
 namespace stepwire {
 
-/// An incremental encoder and the counter of the board that reads it: with q = 2 pi / counts_per_revolution,
+/// Incremental encoder and the counter of the board that reads it: with q = 2 pi / counts_per_revolution,
 ///
 ///     counts = floor((angle - zero) / q + 1/2) modulo 2^bits, in 0 ... 2^bits - 1
 struct QuadratureEncoder {
@@ -16,8 +16,8 @@ struct QuadratureEncoder {
   std::int64_t bits = 24;
   Input<> angle{};
   Output<> counts{};
-  PerElement turn = 1.0;  ///< angle of a count [rad]
-  double levels = 2.0;    ///< of the counter
+  PerElement turn = 1.0;  ///< angle per count [rad]
+  double levels = 2.0;    ///< count of the counter's values
 
   void prepare() {
     turn = counts_per_revolution.map([](double per_turn) { return 2.0 * std::numbers::pi / per_turn; });

@@ -10,13 +10,13 @@
 
 namespace stepwire {
 
-/// An analogue sensor and the converter that reads it, at its ticks. With x = u - zero, what it shows is
+/// Analogue sensor and the converter that reads it, at its ticks. With x = u - zero, its output is
 ///
 ///     y = zero + interval round((held(x + linearity span sin(2 pi (x - lower) / span)) + noise w) /
 ///     interval)
 ///
-/// where held() keeps to [lower, upper], span = upper - lower, w is normal noise of variance 1 and
-/// interval = converter_range / 2^bits.
+/// where held() limits to [lower, upper], span = upper - lower, w is normal noise of variance 1 and interval
+/// = converter_range / 2^bits.
 struct Sensor {
   PerElement zero = 0.0, lower = -unlimited, upper = unlimited, linearity = 0.0, noise = 0.0;
   PerElement converter_range = 0.0;
@@ -26,7 +26,7 @@ struct Sensor {
   DiscreteState<1> sample{};
   Diagnostic out_of_range{};
   Time time{};
-  PerElement interval = 0.0;  ///< between two levels of the converter; 0: none
+  PerElement interval = 0.0;  ///< between two levels of the converter; 0: no converter
 
   void prepare() {
     const double levels = std::exp2(static_cast<double>(bits));
@@ -50,7 +50,7 @@ struct Sensor {
     const double held = std::clamp(x + deviation, lower[i], upper[i]);
     return noise[i] > 0.0 ? held + noise[i] * normal_quantile(even_sample(seed, i, sample)) : held;
   }
-  /// One period over the range: a curve that is right at both ends and in the middle.
+  /// Returns the nonlinearity: one sine period over the range, with zeros at both ends and in the middle.
   double deviation_at(double x, Index i) const {
     const double span = upper[i] - lower[i];
     return linearity[i] * span * std::sin(2.0 * std::numbers::pi * (x - lower[i]) / span);
@@ -60,8 +60,8 @@ struct Sensor {
   }
 };
 
-/// The stroke is the datasheet's. Assumed: linearity of 1 %, 10 V over the stroke, read by a 14-bit converter
-/// of -10 to 10 V (Sensoray 626) with 0.05 mm of noise.
+/// The stroke is that of the datasheet. Assumed: linearity of 1 %, 10 V over the stroke, read by a 14-bit
+/// converter of -10 to 10 V (Sensoray 626) with 0.05 mm of noise.
 inline void celesco_mlp_75(Sensor& sensor) {
   sensor.lower = 0.0;
   sensor.upper = 75e-3;
@@ -71,8 +71,7 @@ inline void celesco_mlp_75(Sensor& sensor) {
   sensor.bits = 14;
 }
 
-/// The axes x and y; -10 to 10 V over the range, read by a 14-bit converter. The noise is as measured at 1
-/// kHz.
+/// The axes x and y; -10 to 10 V over the range, read by a 14-bit converter. The noise was measured at 1 kHz.
 inline void ati_mini40_si_80_4(Sensor& sensor) {
   sensor.lower = -80.0;
   sensor.upper = 80.0;

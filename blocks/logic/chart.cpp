@@ -21,7 +21,7 @@ class Choice final : public Function::Source {
     return chosen.formula(v, chosen.places);
   }
 
-  /// "v[2] == 0.0 ? double(A) : v[2] == 1.0 ? double(B) : double(C)"
+  /// Returns "v[2] == 0.0 ? double(A) : v[2] == 1.0 ? double(B) : double(C)".
   std::string cpp() const override {
     if (formulas_.empty()) return "0.0";
     std::string text;

@@ -10,54 +10,54 @@
 
 namespace stepwire {
 
-/// A formula of a StateMachine: variable i is the number at places[i] of what the machine knows.
+/// Formula of a StateMachine: variable i is the number at places[i] of the machine's variables.
 struct ChartFormula {
   expression::Expression formula;
   std::vector<std::size_t> places;
 };
 
-/// A counter that is given a value.
+/// Assignment to a counter.
 struct ChartSetting {
   std::size_t counter;
   ChartFormula value;
 };
 
 struct ChartTransition {
-  std::size_t target;  ///< a state, which may hold others
+  std::size_t target;  ///< state, which may hold others
   ChartFormula guard;
   std::vector<ChartSetting> set;
 };
 
-/// A state of a StateMachine, as its file has it. States stand in the order of the file, each behind the one
-/// that holds it.
+/// State of a StateMachine in its file. States are in the order of the file, each after the one that holds
+/// it.
 struct ChartState {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  std::string name;  ///< with those of the states that hold it: "on.fast"
+  std::string name;  ///< with those of the enclosing states: "on.fast"
   std::size_t parent = none, initial = none;
   bool history = false;
   std::vector<double> output;
   std::vector<ChartSetting> enter, exit, each;
-  std::vector<ChartTransition> to;  ///< in the order in which they are tried
+  std::vector<ChartTransition> to;  ///< in order of priority
 };
 
-/// What formulas of a chart may name, and where the numbers are: inputs, counters, the time in the state.
+/// Variables of the formulas of a chart and their places: inputs, counters, the time in the state.
 struct ChartNames {
-  std::vector<std::string> inputs;  ///< empty: u1, u2, ... (u where there is one)
+  std::vector<std::string> inputs;  ///< empty: u1, u2, ... (u for a single one)
   std::size_t input_count = 0;
   std::vector<std::string> counters;
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::size_t place(std::string_view name) const;  ///< or none
+  std::size_t place(std::string_view name) const;  ///< returns `none` for an unknown name
   std::size_t counter(std::string_view name) const;
   std::size_t after() const { return input_count + counters.size(); }
-  std::string text() const;  ///< for people
+  std::string text() const;  ///< list for messages
 };
 
-/// Throws: what is wrong, and with which piece of the tree.
+/// Function that throws a message for a piece of the tree.
 using ChartRefuse = std::function<void(const std::string& message, const Value& where)>;
 
-/// Reads the formulas and numbers of a chart and checks them.
+/// Reads and checks the formulas and numbers of a chart.
 class ChartFormulas {
  public:
   ChartFormulas(ChartNames names, ChartRefuse refuse);
@@ -71,7 +71,7 @@ class ChartFormulas {
   ChartRefuse refuse_;
 };
 
-/// One of many formulas, by a number among those that it is a function of.
+/// Returns a function that selects one of many formulas by the number at `place_of_choice`.
 Function choice_of(std::vector<ChartFormula> formulas, std::size_t place_of_choice);
 
 }  // namespace stepwire

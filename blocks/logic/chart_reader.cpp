@@ -10,7 +10,7 @@ namespace stepwire {
 
 namespace {
 
-/// `name:` with nothing behind it is a state without output and transitions.
+/// True for `name:` without content: a state without output and transitions.
 bool is_empty(const Value& tree) {
   return tree.text() && (tree.text()->empty() || *tree.text() == "~");
 }
@@ -154,8 +154,8 @@ std::vector<ChartTransition> ChartReader::read_map(std::size_t from, const Value
   return to;
 }
 
-/// [{to: cool, when: "u > 5", priority: 1, set: {tries: 0}}, ...]: those with a priority come first, 1 before
-/// 2.
+/// Reads [{to: cool, when: "u > 5", priority: 1, set: {tries: 0}}, ...]. Those with a priority are first, 1
+/// before 2.
 std::vector<ChartTransition> ChartReader::read_list(std::size_t from, const Value& list) const {
   std::vector<std::pair<double, ChartTransition>> ranked;
   for (const Value& entry : *list.list()) {
@@ -190,7 +190,7 @@ ChartTransition ChartReader::read_transition(std::size_t from, const Value& entr
   return made;
 }
 
-/// {cool: 3 s}: after all other transitions, where the state has lasted so long.
+/// Reads {cool: 3 s}: transitions after all others, once the state has lasted so long.
 std::vector<ChartTransition> ChartReader::read_timeouts(std::size_t from, const Value& map) const {
   if (!map.map())
     refuse_(fmt::format("'timeout' of state '{}' must be a map of target: time", states_[from].name), map);
@@ -204,7 +204,7 @@ std::vector<ChartTransition> ChartReader::read_timeouts(std::size_t from, const 
   return to;
 }
 
-/// A state without an output has that of the state that holds it.
+/// Copies the output of the enclosing state to states without an output.
 void ChartReader::level_outputs() {
   std::size_t size = 0;
   for (std::size_t s = 0; s < states_.size(); ++s) {

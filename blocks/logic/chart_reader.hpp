@@ -16,7 +16,8 @@ class ChartReader {
   ChartReader(const Value& tree, ChartNames names, ChartRefuse refuse);
 
   const std::vector<ChartState>& states() const { return states_; }
-  /// The state of a name as it stands in the file or with those that hold it; or none.
+  /// Returns the state with this name, which may be relative to a state or qualified by the enclosing states;
+  /// `none` if there is no such state.
   std::size_t find(const std::string& name, std::size_t from = none) const;
   std::string names() const;
   std::size_t leaf_of(std::size_t state) const;

@@ -4,10 +4,10 @@
 
 namespace stepwire {
 
-/// Is `u` less than, equal to, ... `to`? 1 where it is, 0 where not.
+/// Comparison: 1 if `u` is less than, equal to, ... `to`, else 0.
 struct Compare {
   enum class Relation { less, less_equal, greater, greater_equal, equal, not_equal };
-  static constexpr int relations = 6;  // each is also known by its sign, in the same order behind the words
+  static constexpr int relations = 6;  // each also has a sign as its name, in the same order after the words
 
   Relation operator_ = Relation::less;
   Input<> u{}, to{};

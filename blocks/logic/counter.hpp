@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Counts edges of its input, or its ticks, within limits that it holds or wraps around at.
+/// Counts edges of its input, or its ticks, within limits at which it stops or wraps around.
 struct Counter : Resettable {
   enum class Beyond { hold, wrap };
 
@@ -14,7 +14,7 @@ struct Counter : Resettable {
   Input<1> u{}, down{};
   Output<1> y{};
   DiscreteState<1> count{};
-  DiscreteState<1> last{};  // side of the input at the last tick: -1 false, 1 true, 0 none seen yet
+  DiscreteState<1> last{};  // input at the last tick: -1 false, 1 true, 0 unknown
 
   void outputs() { y = counted(); }
 
@@ -29,7 +29,7 @@ struct Counter : Resettable {
   static void declare(Declare<Counter>& is);
 
  private:
-  /// Without an input each tick counts but the first.
+  /// True if this tick counts; without an input, every tick but the first.
   bool counts() const { return u.connected() ? fires(count_at, last, u > 0.0) : last != 0.0; }
   double counted() const {
     if (resetting()) return target(0);

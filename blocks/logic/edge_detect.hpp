@@ -4,15 +4,15 @@
 
 namespace stepwire {
 
-/// 1 for one tick where its input becomes true, false, or either. True is above 0.
+/// Output 1 for one tick when its input becomes true, false, or either. True is above 0.
 struct EdgeDetect {
   enum class Edge { rising, falling, either };
 
   Edge edge = Edge::rising;
   Input<> u{};
   Output<> y{};
-  DiscreteState<> side{};   // -1 false, 1 true, 0 none seen yet
-  DiscreteState<> found{};  // 1 from an edge between two ticks up to the tick that shows it
+  DiscreteState<> side{};   // -1 false, 1 true, 0 unknown
+  DiscreteState<> found{};  // 1 from an edge between two ticks up to the next tick
 
   void outputs() {
     for (Index i = 0; i < y.size(); ++i) y[i] = found[i] > 0.0 || detected(i) ? 1.0 : 0.0;

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// A threshold that does not flutter: becomes 1 at an upper and 0 at a lower one.
+/// Threshold with hysteresis: becomes 1 at an upper and 0 at a lower threshold.
 struct Hysteresis {
   PerElement lower = 0.0, upper = 0.0;
   Input<> u{};

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Remembers: 1 from `set` until `reset`. True is above 0.
+/// Flip-flop: 1 from `set` until `reset`. True is above 0.
 struct Latch {
   enum class Priority { reset, set };
 

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Joins truths: 1 where its operator holds for its inputs, 0 where not. True is above 0.
+/// Logic gate: 1 if its operator holds for its inputs, else 0. True is above 0.
 struct Logic {
   enum class Operator { and_, or_, not_, nand, nor, xor_, xnor };
 

@@ -16,7 +16,7 @@ double number_of(std::size_t index) {
   return index == ChartState::none ? -1.0 : static_cast<double>(index);
 }
 
-/// Lists that are walked from one number to the next: {{a, b}, {}, {c}} begin at 0, 2, 2 and end at 3.
+/// Flattened lists with their begins: {{a, b}, {}, {c}} begin at 0, 2, 2 and end at 3.
 class Flat {
  public:
   void begin() { first_.push_back(static_cast<double>(formulas_.size())); }
@@ -85,7 +85,7 @@ void take_transitions(StateMachine& machine, const std::vector<ChartState>& stat
   machine.sets = !set.formulas().empty();
 }
 
-/// The counters' names, and their first values.
+/// Reads the counters' names and initial values.
 std::vector<std::string> read_counters(StateMachine& machine, const Configure& is) {
   const Value tree = machine.counters.value();
   std::vector<std::string> names;
@@ -119,7 +119,7 @@ void check_inputs(const StateMachine& machine, std::size_t inputs, const Configu
         fmt::format("there are {} names for {} inputs; each needs one", machine.variables.size(), inputs));
 }
 
-/// The state that the chart begins in, from which all others can be reached.
+/// Returns the initial state of the chart, from which all others must be reachable.
 std::size_t start_of(const StateMachine& machine, const ChartReader& reader, const Configure& is) {
   const std::string wanted(machine.initial.view());
   const std::size_t start = wanted.empty() ? 0 : reader.find(wanted);

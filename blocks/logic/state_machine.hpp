@@ -8,8 +8,8 @@
 
 namespace stepwire {
 
-/// A finite state machine: states, which may hold others, with output values, counters that they set, and
-/// transitions where their guards hold.
+/// Finite state machine: nested states with output values, counters that they set, and transitions with
+/// guards.
 struct StateMachine {
   static constexpr Index max_inputs = 64, max_counters = 32, max_depth = 8, max_states = 256;
   static constexpr Index max_located = 8;  ///< guards of the active states; further ones act at ticks
@@ -20,22 +20,23 @@ struct StateMachine {
   Inputs u{};
   Output<1> state{};
   Output<> y{}, counts{};
-  DiscreteState<1> active{}, begun{};        // index of the state; 0 before the first tick, then 1
-  DiscreteState<1> last_tick{}, moved_at{};  // times of the last tick and of the last transition
-  // Ticks since the active state and those that hold it were entered, outermost first. An entry between two
-  // ticks counts from the first of them, and is later than it by `late`.
+  DiscreteState<1> active{}, begun{};        // Active state; 0 before the first tick, then 1.
+  DiscreteState<1> last_tick{}, moved_at{};  // Times of the last tick and of the last transition [s].
+  // Ticks in the active state and its holders, outermost first. An entry between two ticks counts from the
+  // first of them, and is later than it by `late` [s].
   DiscreteState<> ticks{}, late{};
-  DiscreteState<> kept{};  // the counters
-  DiscreteState<> past{};  // for each state the state in it that was active last, -1 for none
+  DiscreteState<> kept{};  // Values of the counters.
+  DiscreteState<> past{};  // Last active inner state of each state, -1 for none.
 
-  Function guard{};    ///< of transition v[choice]: u1, u2, ..., counters, time in the state, choice
-  Function margin{};   ///< of the same: passes 0 where the guard begins to hold
-  Function setting{};  ///< the value of setting v[choice]
-  Numbers values{};    ///< y of the first state, of the second, ...
-  Numbers parent{}, inner{}, history{};  ///< of each state: -1 for none; where it begins; is that remembered?
-  Numbers first_to{}, target{};          ///< where the transitions of each state begin; where they lead
-  Numbers first_setting{}, set_counter{};  ///< of enter, exit, each of each state, and of each transition
-  Numbers first_counts{};                  ///< the counters at the start
+  Function guard{};   ///< Guard of transition v[choice]; its variables are u1, u2, ..., counters, time in the
+                      ///< state, choice.
+  Function margin{};  ///< Same variables; passes 0 where the guard becomes true.
+  Function setting{};                      ///< Value of setting v[choice].
+  Numbers values{};                        ///< Output y of the first state, of the second, ...
+  Numbers parent{}, inner{}, history{};    ///< Of each state: outer (-1: none), initial inner, history.
+  Numbers first_to{}, target{};            ///< First transition of each state; target of each transition.
+  Numbers first_setting{}, set_counter{};  ///< First settings of enter, exit, each, transitions; counters.
+  Numbers first_counts{};                  ///< Initial values of the counters.
   Index first = 0, levels = 1;
   bool remembers = false, sets = false;
 
@@ -91,7 +92,7 @@ struct StateMachine {
   static void declare(Declare<StateMachine>& is);
 
  private:
-  /// The machine at an instant, before or after its transition.
+  /// State of the machine at an instant, before or after its transition.
   struct Now {
     Index leaf;
     double v[max_inputs + max_counters + 2];
@@ -118,7 +119,7 @@ struct StateMachine {
   }
   Index place_of_time() const { return u.count() + first_counts.size(); }
 
-  /// False between ticks, and at a tick after its update.
+  /// True at a tick before its update.
   bool is_tick() const { return begun == 0.0 || time - last_tick >= (1.0 - 1e-9) * period; }
   double time_in(Index level) const {
     if (is_tick()) return ticks[level] * period - late[level];
@@ -140,7 +141,7 @@ struct StateMachine {
     return now;
   }
 
-  /// Returns the machine after the transition of this instant, if there is one. An instant has one at most.
+  /// Returns the state after the transition of this instant, if any. An instant has one at most.
   Now next() {
     Now now = present();
     if (sets && begun == 0.0)
@@ -160,7 +161,8 @@ struct StateMachine {
     begun = 1.0;
   }
 
-  /// Transitions of the outermost state come first.
+  /// Takes the first transition whose guard holds; those of the outermost state have precedence. Returns
+  /// false without one.
   bool moves(Now& now) {
     const Index time_place = place_of_time();
     for (Index l = 0; l < levels; ++l) {
@@ -198,7 +200,7 @@ struct StateMachine {
     }
   }
 
-  /// The settings of one occasion, one after the other.
+  /// Runs the settings of one event in order.
   void run(Now& now, Index occasion, double after) {
     const Index time_place = place_of_time();
     now.v[time_place] = after;

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Passes one of two inputs on, as a third one says.
+/// Passes on one of two inputs, selected by a third one.
 struct Switch {
   enum class Criterion { greater, greater_equal, not_equal };
 

@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// The size of each element: y = |u|.
+/// Absolute value of each element: y = |u|.
 struct Abs {
   Input<> u{};
   Output<> y{};

@@ -6,14 +6,14 @@
 
 namespace stepwire {
 
-/// Where a number lies among increasing points: between points[index] and the next one, `share` of the way.
-/// Below the first point the share is negative, above the last one greater than 1.
+/// Position of a number among increasing points: between points[index] and the next one, at the fraction
+/// `share`. Below the first point the share is negative, above the last one greater than 1.
 struct Bracket {
   Index index;
   double share;
 };
 
-/// Needs two points or more.
+/// Returns the bracket of x; requires two points or more.
 inline Bracket bracket(const Numbers& points, double x) {
   const double* const first = points.data();
   const double* const above = std::upper_bound(first + 1, first + points.size() - 1, x);

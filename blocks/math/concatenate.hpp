@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Matrices side by side: y = [u1, u2, ...].
+/// Horizontal concatenation of matrices: y = [u1, u2, ...].
 struct Concatenate {
   Inputs u{};
   Output<> y{};

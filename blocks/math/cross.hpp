@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// The vector product in space: y = u1 x u2.
+/// Cross product of two vectors in space: y = u1 x u2.
 struct Cross {
   Inputs u{};
   Output<3> y{};

@@ -13,7 +13,8 @@ namespace stepwire {
 
 namespace {
 
-/// Which input a name of a formula is, from 0: u1 is the first, and u is a name for it too; -1 if it is none.
+/// Returns the index of the input with this name in a formula: u1 is 0, and u is another name for it. Returns
+/// -1 for any other name.
 Index input_of(std::string_view name) {
   if (name == "u") return 0;
   if (name.size() < 2 || name[0] != 'u' || name[1] == '0') return -1;
@@ -22,13 +23,13 @@ Index input_of(std::string_view name) {
   return error == std::errc() && end == name.data() + name.size() ? number - 1 : -1;
 }
 
-/// What a block's formula calls its inputs.
+/// Names of the inputs in a block's formula.
 class InputNames {
  public:
   InputNames(const std::vector<std::string>& variables, Index inputs)
       : variables_(variables), inputs_(inputs) {}
 
-  /// -1 where no input has the name.
+  /// Returns the index of an input; -1 for an unknown name.
   Index operator()(std::string_view name) const {
     if (variables_.empty()) return input_of(name) < inputs_ ? input_of(name) : -1;
     const auto found = std::find(variables_.begin(), variables_.end(), name);

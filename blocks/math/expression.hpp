@@ -9,17 +9,17 @@
 
 namespace stepwire {
 
-/// A formula over its inputs, element by element: y = expression(u1, u2, ...).
+/// Formula of its inputs, element by element: y = expression(u1, u2, ...).
 struct ExpressionBlock {
   static constexpr Index max_inputs = 64;
-  static constexpr std::size_t max_conditions = 4;  ///< that are located; further ones act at ticks
+  static constexpr std::size_t max_conditions = 4;  ///< located conditions; others act at ticks
 
   Text expression = Text::literal<"u1">();
   Texts variables{};
   Inputs u{};
   Output<> y{};
   Function formula{};                              ///< of one element of each input
-  std::array<Function, max_conditions> margins{};  ///< of the same: each passes 0 where a condition changes
+  std::array<Function, max_conditions> margins{};  ///< of the same: 0 where a condition changes
 
   void outputs() {
     for (Index k = 0; k < y.size(); ++k) y[k] = value_of(formula, k);

@@ -6,11 +6,11 @@
 
 namespace stepwire {
 
-/// What a table says beyond its ends: the value at the end, the straight line of its last piece, or no
-/// number, which ends the run.
+/// Extrapolation of a table: the value at the end, the straight line of the last piece, or NaN, which ends
+/// the run.
 enum class Extrapolation { hold, linear, refuse };
 
-/// The bracket of x with a share that follows this rule outside of the points.
+/// Returns the bracket of x, with a share that follows this rule outside of the points.
 inline Bracket bracket(const Numbers& points, double x, Extrapolation beyond) {
   Bracket at = bracket(points, x);
   if (at.share >= 0.0 && at.share <= 1.0) return at;
@@ -19,7 +19,7 @@ inline Bracket bracket(const Numbers& points, double x, Extrapolation beyond) {
   return at;
 }
 
-/// From one value to another; both ends are met exactly.
+/// Interpolates between two values; both ends are exact.
 inline double between(double from, double to, double share) {
   return (1.0 - share) * from + share * to;
 }

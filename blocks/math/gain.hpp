@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Each element times a number: y = gain u.
+/// Gain of each element: y = gain u.
 struct Gain {
   PerElement gain = 1.0;
   Input<> u{};

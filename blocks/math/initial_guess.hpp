@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// y = u, and where an algebraic loop goes through it, what the search for its solution begins with.
+/// Passes its input on, y = u. In an algebraic loop its parameter is the initial guess of the solution.
 struct InitialGuess {
   PerElement guess = 0.0;
   Input<> u{};

@@ -11,9 +11,9 @@
 
 namespace stepwire {
 
-/// The inverse of a matrix, by Gauss and Jordan in place with pivots from each column.
+/// Inverse of a matrix by Gauss-Jordan elimination in place with partial pivoting.
 struct Inverse {
-  static constexpr Index most_rows = 8192;  // more fit into no plan, with as many columns
+  static constexpr Index most_rows = 8192;  // no plan has memory for more, with as many columns
 
   Input<> u{};
   Output<> y{};
@@ -25,7 +25,7 @@ struct Inverse {
 
   void outputs() {
     y = u;
-    Places from;  // not set here: a small matrix uses little of it
+    Places from;  // uninitialised: a small matrix uses little of it
     for (Index k = 0; k < rows; ++k) from[static_cast<std::size_t>(k)] = static_cast<std::uint16_t>(k);
     for (Index k = 0; k < rows; ++k) {
       const Index best = take_pivot(k);
@@ -39,10 +39,10 @@ struct Inverse {
   static void declare(Declare<Inverse>& is);
 
  private:
-  /// Where each row stood.
+  /// Original index of each row.
   using Places = std::array<std::uint16_t, most_rows>;
 
-  /// Brings the largest number of a column up; returns in which row it was.
+  /// Swaps the largest number of a column into row k; returns its row.
   Index take_pivot(Index k) {
     Index best = k;
     for (Index row = k + 1; row < rows; ++row)
@@ -51,7 +51,7 @@ struct Inverse {
     return best;
   }
 
-  /// Is a pivot no more than what rounding leaves of its row and column, whatever their units?
+  /// True if a pivot is at the rounding level of its row and column, which makes it independent of units.
   bool is_rounding(double pivot, Index row, Index column) const {
     double in_row = 0.0, in_column = 0.0;
     for (Index k = 0; k < rows; ++k) {

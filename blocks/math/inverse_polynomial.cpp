@@ -8,7 +8,7 @@ namespace stepwire {
 
 namespace {
 
-/// Between neighbours that are this near, a polynomial of a device does not turn back unseen.
+/// number of checked intervals, fine enough for polynomials of real devices
 constexpr int steps = 1000;
 
 void refuse_what_does_not_rise(const InversePolynomial& block, const Configure& is) {

@@ -6,10 +6,10 @@
 
 namespace stepwire {
 
-/// The argument at which a polynomial that rises over a range has a value: p(y) = u, lower <= y <= upper.
-/// Halvings of the range find it to a millionth; the polynomial's quadratic part there and a step of Newton's
-/// method do the rest, without leaving what was found. Each call takes as long as any other, and nothing in
-/// it branches, so that several runs go through it together.
+/// Inverse of a polynomial that increases over a range: p(y) = u, lower <= y <= upper.
+///
+/// Bisection of the range finds y to a millionth; a step with the local quadratic and a Newton step complete
+/// it, within the bracket. Each call takes the same time and has no branches, so lanes can run it together.
 struct InversePolynomial {
   Numbers coefficients{1.0, 0.0}, range{0.0, 1.0};
   Input<> u{};
@@ -19,7 +19,7 @@ struct InversePolynomial {
     y.each([&](Index k) { return argument(u[k]); });
   }
 
-  /// Highest power first.
+  /// Returns the value; coefficients are in descending order.
   double value(double x) const {
     double sum = 0.0;
     for (Index i = 0; i < coefficients.size(); ++i) sum = sum * x + coefficients[i];
@@ -47,7 +47,7 @@ struct InversePolynomial {
   static void declare(Declare<InversePolynomial>& is);
 
  private:
-  /// p(x + d) = value + slope d + curve d^2 + ...
+  /// Local expansion p(x + d) = value + slope d + curve d^2 + ...
   struct Expansion {
     double value = 0.0, slope = 0.0, curve = 0.0;
   };
@@ -61,8 +61,8 @@ struct InversePolynomial {
     }
     return at;
   }
-  /// To where the quadratic part has the value, in the form that also holds without a curve or without a
-  /// slope.
+  /// Returns the step to the root of the quadratic, in the form that is also accurate for a curve or a slope
+  /// of 0.
   static double quadratic_step(const Expansion& at, double wanted) {
     const double missing = wanted - at.value, square = at.slope * at.slope + 4.0 * at.curve * missing;
     return quotient(2.0 * missing, at.slope + std::sqrt(square > 0.0 ? square : 0.0));
@@ -70,7 +70,7 @@ struct InversePolynomial {
   static double newton_step(const Expansion& at, double wanted) {
     return quotient(wanted - at.value, at.slope);
   }
-  /// None where nothing rises.
+  /// Returns missing / rise; 0 if the rise is not positive.
   static double quotient(double missing, double rise) {
     const double divisor = rise > 0.0 ? rise : 1.0;
     return (rise > 0.0 ? missing : 0.0) / divisor;

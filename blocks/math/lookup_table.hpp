@@ -5,7 +5,7 @@
 
 namespace stepwire {
 
-/// A curve given by points, straight between them, of each element: y = f(u).
+/// Piecewise linear curve through points, for each element: y = f(u).
 struct LookupTable {
   Numbers points{0.0, 1.0}, values{0.0, 1.0};
   Extrapolation extrapolation = Extrapolation::hold;

@@ -5,7 +5,7 @@
 
 namespace stepwire {
 
-/// A surface given on a grid, bilinear between its points, of each element: y = f(row, column).
+/// Bilinear surface on a grid, for each element: y = f(row, column).
 struct LookupTable2D {
   Numbers rows{0.0, 1.0}, columns{0.0, 1.0};
   Matrix values{2, 2, {0.0, 0.0, 0.0, 0.0}};

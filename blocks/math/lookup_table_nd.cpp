@@ -26,7 +26,7 @@ class NestedReader {
     return numbers;
   }
 
-  /// All numbers of lists that are nested as deep as there are sizes, and as long as these say.
+  /// Collects all numbers of nested lists, which must have the depth and lengths of `sizes`.
   void gather(const Value& tree, const std::vector<double>& sizes, std::size_t depth,
               std::vector<double>& all) const {
     const auto size = static_cast<std::size_t>(sizes[depth]);

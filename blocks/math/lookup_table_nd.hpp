@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// A table over a grid of several dimensions, linear between its points along each.
+/// Table over a grid of several dimensions, multilinear between its points.
 struct LookupTableND {
   static constexpr Index max_dimensions = 8;
 
@@ -15,9 +15,9 @@ struct LookupTableND {
   Inputs u{};
   Output<> y{};
 
-  Numbers grid{};   ///< the points of the first dimension, of the second, ...
-  Numbers count{};  ///< how many points each dimension has
-  Numbers table{};  ///< the values; those that lie one behind the other differ in the last dimension
+  Numbers grid{};   ///< Points of the first dimension, of the second, ...
+  Numbers count{};  ///< Number of points of each dimension.
+  Numbers table{};  ///< Values; the index of the last dimension varies fastest.
 
   void outputs() {
     for (Index k = 0; k < y.size(); ++k) y[k] = value_at(k);
@@ -27,7 +27,7 @@ struct LookupTableND {
   static void declare(Declare<LookupTableND>& is);
 
  private:
-  /// Halves the values along one dimension after the other, from the corners of the cell on.
+  /// Interpolates along one dimension after the other, from the corners of the cell.
   double value_at(Index k) const {
     Bracket at[max_dimensions];
     Index stride[max_dimensions];

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// A matrix times a vector: y = gain u.
+/// Product of a constant matrix and a vector: y = gain u.
 struct MatrixGain {
   Matrix gain{1, 1, {1.0}};
   Input<> u{};

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// The product of two matrices, of which a vector is one of one column: y = a b.
+/// Product of two matrices: y = a b; a vector is a matrix of one column.
 struct MatrixMultiply {
   Input<> a{}, b{};
   Output<> y{};

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// The least or the greatest of several signals, element by element.
+/// Minimum or maximum of several signals, element by element.
 struct MinMax {
   enum class Function { min, max };
 

@@ -7,7 +7,7 @@
 
 namespace stepwire {
 
-/// The length of a vector: y = sqrt(sum u_k^2), or sum |u_k|, or max |u_k|.
+/// Norm of a vector: y = sqrt(sum u_k^2), or sum |u_k|, or max |u_k|.
 struct Norm {
   enum class Kind { euclidean, sum, max };
 
@@ -22,7 +22,7 @@ struct Norm {
       const double size = std::abs(u[k]);
       squares.add(size);
       sum += size;
-      max = size <= max ? max : size;  // so that no number stays no number
+      max = size <= max ? max : size;  // preserves NaN
     }
     y = kind == Kind::euclidean ? squares.root() : kind == Kind::sum ? sum : max;
   }

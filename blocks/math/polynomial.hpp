@@ -4,9 +4,9 @@
 
 namespace stepwire {
 
-/// A polynomial of each element: y = c1 u^(n-1) + c2 u^(n-2) + ..., highest power first. Even and odd powers
-/// go by Horner's rule each (Knuth, The Art of Computer Programming 2, section 4.6.4): two chains that do not
-/// wait for one another.
+/// Polynomial of each element: y = c1 u^(n-1) + c2 u^(n-2) + ..., highest power first. Even and odd powers
+/// are evaluated separately by Horner's rule (Knuth, The Art of Computer Programming 2, section 4.6.4), which
+/// gives two independent chains.
 struct Polynomial {
   Numbers coefficients{1.0, 0.0}, hold{};
   Input<> u{};
@@ -30,7 +30,7 @@ struct Polynomial {
     return with_first * square + coefficients[i] + other * x;
   }
 
-  /// A fit says nothing outside of what it was fitted to.
+  /// Limits the argument to the range of the fit, outside of which the polynomial is invalid.
   double held(double x) const {
     if (hold.size() == 0) return x;
     const double lowest = hold[0], highest = hold[1];

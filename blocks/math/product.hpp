@@ -10,7 +10,7 @@ struct Product {
   Output<> y{};
 
   void outputs() {
-    if (y.size() == 1 && u.count() == 2) {  // most of all products
+    if (y.size() == 1 && u.count() == 2) {  // the most frequent case
       y[0] = u.first(0) * u.first(1);
     } else {
       multiply_all();

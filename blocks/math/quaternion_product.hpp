@@ -5,7 +5,7 @@
 
 namespace stepwire {
 
-/// Product of two quaternions: the turn `right`, followed by the turn `left`.
+/// Product of two quaternions: the rotation `right`, followed by the rotation `left`.
 struct QuaternionProduct {
   bool inverse = false;
   Input<4> left{}, right{};

@@ -7,7 +7,7 @@
 
 namespace stepwire {
 
-/// The same numbers, column by column, as a matrix of another shape.
+/// Matrix of another shape with the same numbers, column by column.
 struct Reshape {
   std::int64_t rows = 1, columns = 1;
   Input<> u{};

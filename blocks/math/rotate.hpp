@@ -6,8 +6,8 @@
 
 namespace stepwire {
 
-/// A vector of the plane turned by an angle: y = [c u1 - s u2, s u1 + c u2] with c, s = cos, sin of the
-/// angle; the other way with `inverse`.
+/// Rotation of a vector in the plane, or with `inverse` the reversed one. With c and s the cosine and sine of
+/// the angle, y = [c u1 - s u2, s u1 + c u2].
 struct Rotate {
   bool inverse = false;
   Input<2> u{};

@@ -5,7 +5,7 @@
 
 namespace stepwire {
 
-/// A vector of space turned: y = R u, or y = R' u with `inverse`.
+/// Rotation of a vector in space: y = R u, or y = R' u with `inverse`.
 struct Rotate3D {
   rotation::Order order = rotation::Order::zyx;
   bool inverse = false;

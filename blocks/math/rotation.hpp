@@ -7,20 +7,20 @@
 
 namespace stepwire {
 
-/// Rotations of space: matrices column by column, quaternions as [w, x, y, z].
+/// Rotations in space: matrices are stored column by column, quaternions as [w, x, y, z].
 namespace rotation {
 
-/// Sequences of axes about which three angles turn one after the other, each about the axes turned so far.
+/// Sequences of axes of three successive rotations, each about the rotated axes.
 enum class Order { xyz, xzy, yxz, yzx, zxy, zyx, xyx, xzx, yxy, yzy, zxz, zyz };
 
-/// The axes of a sequence: 0, 1, 2 for x, y, z.
+/// Writes the axes of a sequence: 0, 1, 2 for x, y, z.
 inline void axes_of(Order order, Index* axes) {
   constexpr Index all[12][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0},
                                 {0, 1, 0}, {0, 2, 0}, {1, 0, 1}, {1, 2, 1}, {2, 0, 2}, {2, 1, 2}};
   for (Index k = 0; k < 3; ++k) axes[k] = all[static_cast<int>(order)][k];
 }
 
-/// q = a b
+/// Computes q = a b.
 template <class A, class B, class Product>
 void multiply(const A& a, const B& b, Product&& q) {
   q[0] = a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3];
@@ -29,7 +29,7 @@ void multiply(const A& a, const B& b, Product&& q) {
   q[3] = a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0];
 }
 
-/// The matrix of a quaternion of any length but 0; nothing that is a number for that.
+/// Computes the matrix of a quaternion of any length but 0, for which the result is NaN.
 template <class Q, class M>
 void matrix_of(const Q& of, M&& m) {
   SumOfSquares squares;
@@ -47,7 +47,7 @@ void matrix_of(const Q& of, M&& m) {
   m[8] = 1.0 - s * (q[1] * q[1] + q[2] * q[2]);
 }
 
-/// The matrix of three turns one after the other.
+/// Computes the matrix of three successive rotations.
 template <class Angles, class M>
 void matrix_of_angles(Order order, const Angles& angles, M&& m) {
   Index axes[3];
@@ -64,7 +64,7 @@ void matrix_of_angles(Order order, const Angles& angles, M&& m) {
   }
 }
 
-/// The quaternion of a turn by an angle about an axis of any length but 0.
+/// Computes the quaternion of a rotation by an angle about an axis of any length but 0.
 template <class Axis>
 void quaternion_of_axis(const Axis& axis, double angle, double* q) {
   const double length = length_of(3, [&](Index k) { return axis[k]; });

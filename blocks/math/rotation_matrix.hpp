@@ -5,7 +5,7 @@
 
 namespace stepwire {
 
-/// The matrix of a turn of space.
+/// Matrix of a rotation in space.
 struct RotationMatrix {
   rotation::Order order = rotation::Order::zyx;
   Input<3> angles{}, axis{};

@@ -5,7 +5,7 @@
 
 namespace stepwire {
 
-/// Chosen rows and columns of a matrix.
+/// Selected rows and columns of a matrix.
 struct Slice {
   Numbers rows{1.0}, columns{1.0};
   Input<> u{};

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Matrices one below the other.
+/// Vertical concatenation of matrices.
 struct Stack {
   Inputs u{};
   Output<> y{};

@@ -29,7 +29,7 @@ struct Sum {
     const double a = u.first(0);
     if (u.count() == 1) return with_sign(0, a);
     const double b = u.first(1);
-    const std::uint64_t two = negative & 3u;  // most sums have two inputs, and these signs
+    const std::uint64_t two = negative & 3u;  // most sums have two inputs with these signs
     double sum = two == 0 ? a + b : two == 2 ? a - b : with_sign(0, a) + with_sign(1, b);
     for (Index i = 2; i < u.count(); ++i) sum += with_sign(i, u.first(i));
     return sum;

@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// Refuses points of a table that do not increase, or of which there are fewer than two.
+/// Refuses points of a table that do not increase, or are fewer than two.
 template <auto parameter>
 void require_increasing(const Configure& is, const Numbers& points) {
   if (points.size() < 2)

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Rows become columns: y = u'.
+/// Transpose of a matrix: y = u'.
 struct Transpose {
   Input<> u{};
   Output<> y{};

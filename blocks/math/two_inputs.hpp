@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// Refuses a list of inputs that has not two elements.
+/// Refuses a list of inputs that does not have two elements.
 template <auto list>
 void require_two(const Configure& is) {
   if (is.count<list>() != 2)

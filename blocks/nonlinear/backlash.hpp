@@ -8,7 +8,7 @@
 
 namespace stepwire {
 
-/// Play of a gear: the output moves only where the input pushes it at one end of the gap.
+/// Backlash of a gear: the output moves only while the input pushes it at one end of the gap.
 struct Backlash : Resettable {
   PerElement width = 1.0;
   Input<> u{};
@@ -39,7 +39,8 @@ struct Backlash : Resettable {
   static void declare(Declare<Backlash>& is);
 
  private:
-  /// As long as it is pushed it stands at 0, give or take some rounding, which counts as beyond.
+  /// Margin of the crossing functions. While the output is pushed, they are 0 up to rounding, and must count
+  /// as above 0.
   static constexpr double epsilon = 4.0 * std::numeric_limits<double>::epsilon();
   double pushed(Index i) const {
     const double half = width[i] / 2.0;

@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// Coulomb and viscous friction: y = coulomb sign(u) + viscous u, the sign smoothed where asked for.
+/// Coulomb and viscous friction: y = coulomb sign(u) + viscous u, with an optionally smoothed sign.
 struct Coulomb {
   PerElement coulomb = 1.0, viscous = 0.0, smoothing = 0.0;
   Input<> u{};
@@ -26,7 +26,7 @@ struct Coulomb {
   double direction(Index i) const {
     const double v = u[i], width = smoothing[i];
     if (width > 0.0) return std::tanh(v / width);
-    return v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : v;  // 0 stays 0, and what is no number stays none
+    return v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : v;  // preserves 0 and NaN
   }
 };
 

@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// The nearest multiple of an interval: y = interval floor(u / interval + 1/2).
+/// Nearest multiple of an interval: y = interval floor(u / interval + 1/2).
 struct Quantizer {
   PerElement interval = 1.0;
   Input<> u{};

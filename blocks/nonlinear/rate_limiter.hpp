@@ -6,13 +6,13 @@
 
 namespace stepwire {
 
-/// Follows its input, but no faster than its rates allow.
+/// Follows its input with limited rates.
 struct RateLimiter : Resettable {
   PerElement rising = 1.0, falling = -1.0;
   Input<> u{}, rising_{}, falling_{};
   Output<> y{};
   DiscreteState<> last{};
-  DiscreteState<1> elapsed{};  // since the last tick: none at the first one
+  DiscreteState<1> elapsed{};  // time since the last tick; 0 at the first tick
   Period period{};
 
   void outputs() {
@@ -30,7 +30,7 @@ struct RateLimiter : Resettable {
   static void declare(Declare<RateLimiter>& is);
 
  private:
-  /// A rate of the wrong sign is none: a signal that says so holds the output still.
+  /// Returns the rising rate. A rate signal of the wrong sign counts as 0 and holds the output.
   double fastest_rise(Index i) const { return rising_.connected() ? std::max(rising_[i], 0.0) : rising[i]; }
   double fastest_fall(Index i) const {
     return falling_.connected() ? std::min(falling_[i], 0.0) : falling[i];

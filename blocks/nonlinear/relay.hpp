@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Switches between two values, on at an upper and off at a lower threshold.
+/// Switch between two values with hysteresis: on at an upper and off at a lower threshold.
 struct Relay {
   PerElement switch_on = 0.0, switch_off = 0.0, when_on = 1.0, when_off = 0.0;
   Input<> u{};

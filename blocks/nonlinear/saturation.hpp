@@ -6,12 +6,12 @@
 
 namespace stepwire {
 
-/// The input within limits: y = min(max(u, lower), upper).
+/// Limited input: y = min(max(u, lower), upper).
 struct Saturation {
   PerElement lower = -unlimited, upper = unlimited;
   Input<> u{};
   Output<> y{};
-  Input<> lower_{}, upper_{};  // in place of the numbers where they are wired
+  Input<> lower_{}, upper_{};  // replace the parameters if connected
 
   void outputs() {
     y.each([&](Index i) { return limited(i); });
@@ -30,7 +30,7 @@ struct Saturation {
  private:
   double low(Index i) const { return lower_.connected() ? lower_[i] : lower[i]; }
   double high(Index i) const { return upper_.connected() ? upper_[i] : upper[i]; }
-  /// Signals may cross: the upper one holds then.
+  /// Limits the input; of crossed limits the upper one applies.
   double limited(Index i) const { return std::min(std::max(u[i], low(i)), high(i)); }
 };
 

@@ -7,8 +7,8 @@
 
 namespace stepwire {
 
-/// Next via point along a circle of radius R, from where the hand will be at the end of the movements under
-/// way, (r, theta) about the centre:
+/// Next via point along a circle of radius R, from the position of the hand at the end of the present
+/// movements, (r, theta) about the centre:
 ///
 ///     r' = r + (R - r) (1 - exp(-correction interval)),   theta' = theta + speed interval / R.
 struct CirclePlan {
@@ -17,8 +17,8 @@ struct CirclePlan {
   double radius = 1.0, correction = 0.0;
   Output<2> step{}, righting{}, outward{};
   Output<1> turned{}, off{};
-  DiscreteState<2> facing{};  ///< outward at the last tick; 0 before the first
-  DiscreteState<1> angle{};   ///< turned until then
+  DiscreteState<2> facing{};  ///< outward at the last tick; 0 before the first one
+  DiscreteState<1> angle{};   ///< turned until the last tick
 
   void outputs() {
     const double x = position[0] - center[0], y = position[1] - center[1], r = std::hypot(x, y);
@@ -37,13 +37,13 @@ struct CirclePlan {
   static void declare(Declare<CirclePlan>& is);
 
  private:
-  /// From the last tick to this one, within half a turn.
+  /// Returns the angle from the last tick to this one, within half a turn.
   double turn() const {
     return std::atan2(facing[0] * outward[1] - facing[1] * outward[0],
                       facing[0] * outward[0] + facing[1] * outward[1]);
   }
 
-  /// The step from (x, y), about the centre, to the via point.
+  /// Computes the step from (x, y), about the centre, to the via point.
   void plan(double x, double y) {
     const double r = std::hypot(x, y), theta = std::atan2(y, x) + speed * interval / radius;
     const double next = r - (radius - r) * std::expm1(-correction * interval);

@@ -6,8 +6,8 @@
 
 namespace stepwire {
 
-/// The mean of directions that are judged again and again, each with an error of its own (`noise`) and one
-/// that stays (`bias`): with w <- (1 - forgetting) w + 1 looks counted, of which each is forgotten alike,
+/// Mean of directions that are judged repeatedly, each with an independent error (`noise`) and a constant one
+/// (`bias`). With w <- (1 - forgetting) w + 1, the discounted count of looks,
 ///
 ///     y = direction of the sum,   1/precision = bias^2 + noise^2 q/w^2,   q <- (1 - forgetting)^2 q + 1.
 struct DirectionAverage {

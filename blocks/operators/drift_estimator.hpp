@@ -6,9 +6,9 @@
 
 namespace stepwire {
 
-/// Kalman filter for a vector x in the plane that drifts (an Ornstein-Uhlenbeck process over s), from
-/// channels that each measure it along one direction d, as z = d x + noise. With r = exp(-|change of s| /
-/// correlation), from tick to tick
+/// Kalman filter for a drifting vector x in the plane (an Ornstein-Uhlenbeck process over s). Each channel
+/// measures it along one direction d, as z = d x + noise. With r = exp(-|change of s| / correlation), from
+/// tick to tick
 ///
 ///     x <- r x,  P <- r^2 P + (1 - r^2) deviation^2 I,
 ///
@@ -16,16 +16,16 @@ namespace stepwire {
 ///
 ///     x <- x + K (z - d x),  P <- P - K (P d)',  K = P d p / (1 + p d P d),
 ///
-/// so that precisions add up, and a channel of precision 0 says nothing.
+/// so precisions add up, and a channel of precision 0 is ignored.
 struct DriftEstimator {
   double deviation = 1.0, correlation = 1.0;
   Inputs measured{}, precision{};
   Input<2> direction{};
   Input<1> along{};
   Output<2> estimate{};
-  Output<3> covariance{};  ///< P, its elements 11, 12 and 22
+  Output<3> covariance{};  ///< elements 11, 12 and 22 of P
   DiscreteState<2> before{};
-  DiscreteState<3> spread{};  ///< estimate and covariance after the last tick
+  DiscreteState<3> spread{};  ///< covariance after the last tick
   DiscreteState<1> last{}, begun{};
 
   void outputs() {
@@ -41,7 +41,7 @@ struct DriftEstimator {
     begun = 1.0;
   }
 
-  /// Nothing is known but how far it drifts.
+  /// Sets the initial covariance to the stationary one of the drift.
   void start() { spread[0] = spread[2] = deviation * deviation; }
 
   void configure(Configure& is);

@@ -6,11 +6,11 @@
 
 namespace stepwire {
 
-/// What a hand expects of its own motion: that of a mass which a spring and a dashpot lead,
+/// Predicted motion of a hand: that of a mass that a spring and a dashpot lead,
 ///
 ///     e' = (equilibrium - e)/muscle,   mass x'' = damping (e' - x') + stiffness (e - x),
 ///
-/// in semi-implicit steps of a fourth of the period. The learnt load and the force that makes up for it
+/// in semi-implicit steps of a quarter of the period. The learnt load and the force that compensates it
 /// cancel.
 struct ForwardModel {
   Input<2> equilibrium{};

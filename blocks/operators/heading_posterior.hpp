@@ -8,15 +8,17 @@
 
 namespace stepwire {
 
-/// Probability of the direction psi in which a region lies, on 72 headings. Of the directions that are shown,
-/// mu with precision k, each counts as a von Mises likelihood, exp(k cos(psi - mu)). Of the resistance F to a
-/// push along phi, at each judgement, by the second law of directionality
+/// Posterior probability of the direction psi of a region, on 72 headings.
+///
+/// Each displayed direction mu with precision k contributes a von Mises likelihood, exp(k cos(psi - mu)). At
+/// each judgement, the resistance F to a push along phi contributes by the second law of directionality
 ///
 ///     p(psi) <- p(psi)^(1 - forgetting) N(F; max(E, F_max g), (weber F_expected)^2 + (unsure E)^2),
 ///     g = |sin(phi - psi)|, and 1 beyond 90 degrees,
 ///
-/// with the resistance E of a free motion. Both mirrored sides count alike; without a force nothing is felt.
-/// While the hand is held, the resistance is known to be F or more, and N is the probability of that.
+/// with the resistance E of a free motion. Mirrored directions have equal likelihoods; without a force there
+/// is no contribution. While the hand is held, the resistance is known to be at least F, and N is the
+/// probability of that.
 struct HeadingPosterior {
   static constexpr Index headings = 72;
 
@@ -24,7 +26,7 @@ struct HeadingPosterior {
   Inputs direction{}, precision{};
   Input<1> force{}, push{}, maximum{}, free{}, moving{}, judged{};
   Output<1> heading{}, deviation{}, sure{};
-  DiscreteState<headings> felt{};  ///< logarithm of the likelihood of all that was felt
+  DiscreteState<headings> felt{};  ///< log-likelihood of all felt resistances
   DiscreteState<3> last{};         ///< heading, deviation and sure of the last judgement
 
   void outputs() {
@@ -65,7 +67,8 @@ struct HeadingPosterior {
     describe(p);
   }
 
-  /// The most probable heading, or the last one where it is less than `change` times as probable.
+  /// Returns the most probable heading; the last one unless the new one is at least `change` times as
+  /// probable.
   Index chosen(const std::array<double, headings>& p) const {
     const Index best = std::max_element(p.begin(), p.end()) - p.begin();
     const auto steps = static_cast<Index>(std::lround(last[0] / angle(1)));
@@ -74,7 +77,8 @@ struct HeadingPosterior {
     return at(best) < change * at(current) ? current : best;
   }
 
-  /// The chosen heading, the mean of those beside it; how wide the whole is; and how much lies within.
+  /// Computes the outputs: the chosen heading, averaged with its neighbours, the circular standard deviation,
+  /// and the probability within `within` of it.
   void describe(const std::array<double, headings>& p) {
     constexpr Index beside = 3;
     const Index best = chosen(p);
@@ -95,7 +99,8 @@ struct HeadingPosterior {
     deviation = std::sqrt(-2.0 * std::log(std::clamp(std::hypot(x, y), 1e-12, 1.0)));
   }
 
-  /// How much of the cell about a heading `away` from the chosen one lies within.
+  /// Returns the share of the cell about a heading at the distance `away` from the chosen one that is within
+  /// `within`.
   double share_within(double away) const { return std::clamp(0.5 + (within - away) / angle(1), 0.0, 1.0); }
 
   std::array<double, headings> felt_now() const {
@@ -108,7 +113,7 @@ struct HeadingPosterior {
     return now;
   }
 
-  /// Its logarithm, up to a constant. A hand that is held feels no more than it pushes.
+  /// Returns the log-likelihood up to a constant. A held hand feels at most its own push.
   double likelihood(double away) const {
     constexpr double quarter = turn / 4.0, root_of_two = 1.4142135623730951, least = 1e-12;
     const double gain = away < quarter ? std::sin(away) : 1.0;

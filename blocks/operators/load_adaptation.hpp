@@ -7,14 +7,16 @@
 
 namespace stepwire {
 
-/// Learnt resistance R = fast + slow to a motion of velocity v, from the force that is felt: with the
-/// direction u = v / max(|v|, v_s), the share moving = min(1, |v| / v_s), and what resists R_felt = force u,
+/// Learnt resistance R = fast + slow to a motion of velocity v, from the felt force.
+///
+/// With the direction u = v / max(|v|, v_s), the share moving = min(1, |v| / v_s), and the felt resistance
+/// R_felt = force u,
 ///
 ///     fast' = -fast/T_f + moving b_f (R_felt - R),   slow' = -slow/T_s + moving b_s (R_felt - R),
 ///     F' = (R u - F)/onset,   |F| <= min(strength, most L),
 ///
-/// where L follows R_felt, upward at once and downward in the time `reflex`; `fast` is cut by as much as R is
-/// above L then.
+/// where L follows R_felt, upward at once and downward in the time `reflex`. The part of R above L is removed
+/// from `fast`.
 struct LoadAdaptation {
   Input<2> force{}, velocity{};
   double fast_time = 1.14, fast_rate = 0.35, slow_time = 75.0, slow_rate = 0.033;
@@ -22,7 +24,7 @@ struct LoadAdaptation {
   Output<2> y{};
   Output<1> learned{}, felt{};
   DiscreteState<2> push{};                  ///< F
-  DiscreteState<1> fast{}, slow{}, held{};  ///< held is L
+  DiscreteState<1> fast{}, slow{}, held{};  ///< `held` is L
   Period period;
 
   void outputs() {

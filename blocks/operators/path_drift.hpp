@@ -7,7 +7,7 @@
 
 namespace stepwire {
 
-/// Drift of a sense by movement: with the path s that the position has gone,
+/// Drift of a sense by movement: with the path length s of the position,
 ///
 ///     d(drift)/ds = (place - drift)/path,   exactly from tick to tick.
 struct PathDrift {

@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// Kalman filter for a position x whose motion m is predicted, the same variance P along each axis:
+/// Kalman filter for a position x whose motion m is predicted, with the same variance P along each axis:
 ///
 ///     x <- x + change of m,  P <- P + (doubt |change of m|)^2,
 ///     for each measurement z of precision p:  P <- P/(1 + p P),  x <- x + p P (z - x).
@@ -37,7 +37,7 @@ struct PositionEstimate {
 
  private:
   void predict() {
-    constexpr double nothing_known = 1e6;  // [m^2]: the first measurement counts alone
+    constexpr double nothing_known = 1e6;  // [m^2]: only the first measurement has weight
     const bool first = begun == 0.0;
     const double x = first ? 0.0 : model[0] - last[0], y_moved = first ? 0.0 : model[1] - last[1];
     y[0] = first ? model[0] : before[0] + x;

@@ -6,8 +6,7 @@
 
 namespace stepwire {
 
-/// Refuses a list of precisions that has another length than what they are the precisions of: directions,
-/// channels.
+/// Refuses a list of precisions whose length differs from that of the directions or channels.
 template <auto Measured, auto Precision, class Configuring>
 void require_precision_of_each(Configuring& is, const char* what) {
   const auto measured = is.template count<Measured>(), precisions = is.template count<Precision>();

@@ -8,25 +8,25 @@
 
 namespace stepwire {
 
-/// A movement made of overlapping pieces. Every `interval` a piece of the duration `overlap` interval begins,
-/// which goes from the last via point to the next one in minimum jerk, with s its time over its duration:
+/// Movement composed of overlapping submovements. Every `interval` one of the duration `overlap` interval
+/// begins. It leads from the last via point to the next one with minimum jerk, with s its time over its
+/// duration:
 ///
 ///     m(s) = 10 s^3 - 15 s^4 + 6 s^5.
 ///
-/// The next via point is `step` farther than the last one, of which what is not ahead of the hand in the
-/// direction of `step`, or of `correction` beside that, has fallen to exp(-interval/hold), and no farther
-/// from the hand than `reach`. A hand that is led farther than that is let go: the excess falls to
-/// exp(-t/reflex).
+/// The next via point is at `step` from the last one, but at most at `reach` from the hand. The lead of the
+/// last via point over the hand decays to exp(-interval/hold), except along `step`, and along `correction`
+/// beside it. If the hand is led farther than `reach`, the excess decays as exp(-t/reflex).
 struct Submovements {
   Input<2> step{}, position{}, correction{};
   Input<1> reach{};
   double interval = 0.3, overlap = 1.5, latency = 0.0, hold = unlimited, reflex = unlimited;
   Output<2> equilibrium{}, velocity{}, pending{};
   Output<1> begins{};
-  DiscreteState<2> goal{};               ///< the last via point
-  DiscreteState<2> newer{}, older{};     ///< the two pieces that may be under way, as displacements
-  DiscreteState<1> age{}, older_age{};   ///< times since they began
-  DiscreteState<1> waited{}, started{};  ///< time before the first piece, and whether it has begun
+  DiscreteState<2> goal{};               ///< last via point
+  DiscreteState<2> newer{}, older{};     ///< displacements of the two submovements that may be active
+  DiscreteState<1> age{}, older_age{};   ///< times since their begin
+  DiscreteState<1> waited{}, started{};  ///< time before the first submovement, and 1 after its begin
   Period period;
 
   void outputs() {
@@ -47,13 +47,13 @@ struct Submovements {
     waited = waited + period;
   }
 
-  /// Nothing is under way.
+  /// Starts without an active submovement.
   void start() { age = older_age = interval * overlap; }
 
   static void declare(Declare<Submovements>& is);
 
  private:
-  static constexpr double tick = 1e-9;  // [s]: sums of periods are not exact
+  static constexpr double tick = 1e-9;  // tolerance for sums of periods [s]
   static double way(double s) { return s >= 1.0 ? 1.0 : s * s * s * (10.0 + s * (6.0 * s - 15.0)); }
   static double rate(double s) { return s >= 1.0 ? 0.0 : 30.0 * s * s * (1.0 - s) * (1.0 - s); }
   bool due() const { return started != 0.0 ? age >= interval - tick : waited >= latency - tick; }
@@ -80,8 +80,8 @@ struct Submovements {
     started = 1.0;
   }
 
-  /// Keeps how far the hand is behind along a correction: a push against what does not
-  /// give way grows with each piece as long as the error is there.
+  /// Keeps the lag of the hand along a correction. So a push against an obstacle increases with each
+  /// submovement while the error lasts.
   void keep_correction(const std::array<double, 2>& beside, double kept, double* ahead) const {
     const double square = correction[0] * correction[0] + correction[1] * correction[1];
     const double along = beside[0] * correction[0] + beside[1] * correction[1];

@@ -7,23 +7,24 @@
 
 namespace stepwire {
 
-/// What the resistance F to a motion tells of the side on which one has left a corridor. F stands out from
-/// the resistance E of a free motion where F > E + just (weber E + threshold). A wall that is felt was
-/// entered with the probability `entered`; else it was there before, and is felt again since the push has
-/// turned (law D2 of thesis 3.4.2 resists no push inward), which is no evidence of its side. With the way r
-/// that was felt outward since then the odds of the outer side are P/(1 - P) exp(l), where
+/// Infers from the resistance F to a motion the side on which the hand has left a corridor.
+///
+/// A wall is felt if F exceeds the resistance E of a free motion: F > E + just (weber E + threshold). With
+/// the probability `entered` it was entered just now. Otherwise it was there before and is felt again because
+/// the push has turned. That is no evidence of its side: law D2 of thesis 3.4.2 resists no inward push. With
+/// the outward path r since then, the odds of the outer side are P/(1 - P) exp(l), where
 ///
 ///     P = 1/2 + entered (1/(1 + exp(-1.702 rate/wrong)) - 1/2)  (a rate with a normal error `wrong`),
 ///     l = ((F - W(-r))^2 - (F - W(r))^2)/(2 e^2 + 2 (slope wrong t)^2),
 ///     e^2 = (weber F)^2 + threshold^2 + E^2.
 ///
-/// W(r) = offset + slope max(0, r) is what the wall would resist by then, a time t after. How much of F is
-/// that of a free motion cannot be felt, hence E in its error e. All errors last as long as the wall is felt,
-/// so that what was felt before adds nothing to what is felt now. With side = tanh of half the logarithm of
-/// the odds and d = (F - offset)/slope the hand is at side (half + d), with the variance of the other side
-/// and of the felt force. A hand that is `held` feels no more than it pushes: the wall resists F or more, and
-/// with Phi the normal distribution l = log(Phi((W(r) - F)/e)/Phi((W(-r) - F)/e)), e^2 with the doubt as
-/// above.
+/// W(r) = offset + slope max(0, r) is the resistance of the wall after a time t. The part of the free motion
+/// in F is unknown, so its error e contains E. All errors are constant while the wall is felt, so only the
+/// present values count. With side = tanh of half the logarithm of the odds and d = (F - offset)/slope, the
+/// hand is at side (half + d). Its variance contains the other side and the error of the felt force.
+///
+/// A `held` hand feels at most its own push, so the wall resists with F or more. Then l = log(Phi((W(r) -
+/// F)/e)/Phi((W(-r) - F)/e)) with the normal distribution Phi, and e^2 includes (slope wrong t)^2.
 struct WallSense {
   double weber = 0.1, threshold = 0.0, just = 3.0, wrong = 1.0;
   double offset = 0.0, slope = 1.0, half = 0.0;
@@ -71,7 +72,7 @@ struct WallSense {
     return limited(first + (inner * inner - outer * outer) / (2.0 * square));
   }
 
-  /// log Phi(z), of which no less counts than what limited() leaves.
+  /// Returns log Phi(z), with a lower bound for limited().
   static double log_probability(double z) {
     return std::log(std::max(1e-12, 0.5 * std::erfc(-z * std::sqrt(0.5))));
   }

@@ -5,10 +5,10 @@
 
 namespace stepwire {
 
-/// The bare Bouc-Wen element, dz/dt = A v - beta |v| |z|^(n-1) z - gamma v |z|^n, with any parameters.
+/// Bouc-Wen element, dz/dt = A v - beta |v| |z|^(n-1) z - gamma v |z|^n, with any parameters.
 struct BoucWen {
   PerElement A = 1.0, beta = 0.5, gamma = 0.5, n = 1.0;
-  PerElement z_max = 0.0, ratio = 0.0;  ///< limit of z and gamma/beta; 0: beta and gamma are given
+  PerElement z_max = 0.0, ratio = 0.0;  ///< limit of z and gamma/beta; 0: beta and gamma apply
   Input<> velocity{};
   Output<> z{};
   State<> z_{};

@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// The factors of a Bouc-Wen law.
+/// Coefficients of a Bouc-Wen law.
 struct BoucWenFactors {
   double A = 1.0, beta = 0.0, gamma = 0.0;
 };
@@ -15,20 +15,20 @@ struct BoucWenFactors {
 ///
 ///     dz/dt = A v - beta |v| |z|^(n-1) z - gamma v |z|^n,
 ///
-/// and its energy: an element of force alpha z stores alpha z^2 / (2 A) and loses alpha/A times lost(v, z),
-/// which is never negative if and only if A > 0 and beta >= |gamma|.
+/// and its energy. An element of force alpha z stores alpha z^2 / (2 A) and dissipates alpha/A times lost(v,
+/// z), which is never negative if and only if A > 0 and beta >= |gamma|.
 struct BoucWenLaw : BoucWenFactors {
   double n = 1.0;
 
-  /// z after some travel, and the integral of lost() on the way.
+  /// Variable z after some travel, and the integral of lost() on the path.
   struct Travelled {
     double z, lost;
   };
 
-  /// |z|^n
+  /// Returns |z|^n.
   double power(double z) const { return n == 1.0 ? std::abs(z) : std::pow(std::abs(z), n); }
 
-  /// dz/dt
+  /// Returns dz/dt.
   double rate(double v, double z) const {
     const double p = power(z);
     return A * v - beta * std::abs(v) * std::copysign(p, z) - gamma * v * p;
@@ -36,18 +36,18 @@ struct BoucWenLaw : BoucWenFactors {
 
   double lost(double v, double z) const { return power(z) * (beta * std::abs(v * z) + gamma * v * z); }
 
-  /// The same law by where z settles in a steady motion, and by gamma/beta.
+  /// Returns the law with this limit of z in a steady motion and this gamma/beta.
   static BoucWenLaw of_limit(double A, double limit, double ratio, double n) {
     const double beta = A / std::pow(limit, n) / (1.0 + ratio);
     return {{A, beta, ratio * beta}, n};
   }
 
-  /// Where z settles in a steady motion; only for beta + gamma > 0.
+  /// Returns the limit of z in a steady motion; requires beta + gamma > 0.
   double limit() const { return std::pow(A / (beta + gamma), 1.0 / n); }
 
-  /// Solution over a time in which the velocity goes in a straight line from v0 to v1: exact for n = 1, else
-  /// by sub-steps (see forward_by_steps); stable for any travel where beta >= |gamma|. The law knows no time,
-  /// only travel: where the motion turns back in between, both ways count.
+  /// Solves over a time in which the velocity changes linearly from v0 to v1. The result is exact for n = 1,
+  /// else by substeps (see forward_by_steps), and stable for any travel if beta >= |gamma|. The law depends
+  /// on travel and not on time; if the motion reverses in between, both parts are integrated.
   Travelled over(double z, double v0, double v1, double duration) const {
     if (!(v0 * v1 < 0.0)) return travel(z, 0.5 * (v0 + v1) * duration);
     const double turn = duration * v0 / (v0 - v1);
@@ -56,7 +56,7 @@ struct BoucWenLaw : BoucWenFactors {
     return {back.z, out.lost + back.lost};
   }
 
-  /// Solution over a travel dx in one direction.
+  /// Solves over a travel dx in one direction.
   Travelled travel(double z, double dx) const {
     if (dx >= 0.0) return forward(z, dx);
     const Travelled mirrored = forward(-z, -dx);
@@ -64,7 +64,7 @@ struct BoucWenLaw : BoucWenFactors {
   }
 
  private:
-  /// For dx >= 0 the law is dz/dx = A - k z with k = beta - gamma below zero and beta + gamma above it.
+  /// Solves for dx >= 0, where dz/dx = A - k z with k = beta - gamma below zero and beta + gamma above it.
   Travelled forward(double z, double dx) const {
     if (n != 1.0) return forward_by_steps(z, dx);
     if (z >= 0.0) return relax(z, dx, beta + gamma);
@@ -75,16 +75,18 @@ struct BoucWenLaw : BoucWenFactors {
     return {above.z, below.lost + above.lost};
   }
 
-  /// For any n: dz/dx = A - k |z|^(n-1) z by exponential Rosenbrock steps of third order (exprb32; M.
-  /// Hochbruck, A. Ostermann, J. Schweitzer 2009), each of which changes z by a small part of its limit. They
-  /// are exact where the law is linear, so that the settled motion takes one step however stiff it is.
+  /// Solves dz/dx = A - k |z|^(n-1) z for any n.
+  ///
+  /// Uses exponential Rosenbrock steps of third order (exprb32; M. Hochbruck, A. Ostermann, J. Schweitzer
+  /// 2009), each of which changes z by a small part of its limit. They are exact where the law is linear. So
+  /// the steady motion takes one step for any stiffness.
   Travelled forward_by_steps(double z, double dx) const {
     const double part = 1.0 / (48.0 * n), stiffest = beta + std::abs(gamma);
     const double least = stiffest > 0.0 ? part * std::pow(A / stiffest, 1.0 / n) : dx * A;
     Travelled way{z, 0.0};
     for (double left = dx; left > 0.0;) {
       double change = std::max(least, part * std::abs(way.z));
-      // Not far across zero, where the law has a kink.
+      // Steps end shortly after zero, where the law has a kink.
       if (way.z < 0.0) change = std::max(std::min(change, -way.z), 0.1 * least);
       const Tangent tangent = tangent_at(way.z);
       const double h = std::min(left, reach(tangent, change));
@@ -95,18 +97,19 @@ struct BoucWenLaw : BoucWenFactors {
     return way;
   }
 
-  /// The law near some z for dx > 0: dz/dx, and how it falls with z, which it never grows with.
+  /// Linearisation of the law near some z for dx > 0: dz/dx, and its decrease with z, which is never
+  /// negative.
   struct Tangent {
     double slope, fall;
   };
 
   Tangent tangent_at(double z) const {
-    // the only power, since it is nearly all that a step costs
+    // the only power, which is most of the cost of a step
     const double k = (z < 0.0 ? beta - gamma : beta + gamma) * std::pow(std::abs(z), n - 1.0);
     return {A - k * z, k * n};
   }
 
-  /// Travel after which z has changed by so much, the law being taken for linear; infinite where it never
+  /// Returns the travel after which z has changed by `change` in the linearised law; infinite if it never
   /// does.
   static double reach(const Tangent& tangent, double change) {
     const double s = std::abs(tangent.slope), j = tangent.fall;
@@ -120,7 +123,7 @@ struct BoucWenLaw : BoucWenFactors {
     const double linear = z + s * h * decay;
     const double bend = tangent_at(linear).slope - s + j * (linear - z);
     const double correction = 2.0 * h * third(y, rise) * bend, end = linear + correction;
-    const double mean = z + s * h * rise + 0.25 * correction;  // which grows with the cube of the way
+    const double mean = z + s * h * rise + 0.25 * correction;  // cubic in the travel
     return {end, std::max(0.0, A * h * mean - 0.5 * (end - z) * (end + z))};
   }
 
@@ -129,7 +132,7 @@ struct BoucWenLaw : BoucWenFactors {
     return k == 0.0 ? -z / A : std::log1p(-z * k / A) / k;
   }
 
-  /// dz/dx = A - k z. The loss, the integral of k z^2, is the work A z minus what z^2/2 gained.
+  /// Solves dz/dx = A - k z. The loss, the integral of k z^2, is the work A z minus the gain of z^2/2.
   Travelled relax(double z, double dx, double k) const {
     const double slope = (A - k * z) * dx;
     const double mean_rise = mean_of_decay(k * dx);
@@ -138,16 +141,16 @@ struct BoucWenLaw : BoucWenFactors {
     return {end, std::max(0.0, A * dx * mean - 0.5 * (end - z) * (end + z))};
   }
 
-  /// (1 - exp(-s)) / s
+  /// Returns (1 - exp(-s)) / s.
   static double mean_of_decay(double s) { return s == 0.0 ? 1.0 : -std::expm1(-s) / s; }
 
-  /// (1 - (1 - exp(-s)) / s) / s; its series near zero, where the difference would lose its digits.
+  /// Returns (1 - (1 - exp(-s)) / s) / s; by its series near zero, where the difference would cancel.
   static double mean_of_rise(double s, double decay) {
     if (s > 0.01) return (1.0 - decay) / s;
     return 1.0 / 2 - s * (1.0 / 6 - s * (1.0 / 24 - s * (1.0 / 120 - s / 720)));
   }
 
-  /// (1/2 - mean_of_rise(s)) / s
+  /// Returns (1/2 - mean_of_rise(s)) / s.
   static double third(double s, double rise) {
     if (s > 0.01) return (0.5 - rise) / s;
     return 1.0 / 6 - s * (1.0 / 24 - s * (1.0 / 120 - s / 720));

@@ -7,7 +7,7 @@
 
 namespace stepwire {
 
-/// Dahl's model of friction: a force F against the motion with dF/dx = stiffness (1 - sign(v) F /
+/// Dahl's friction model: a force F against the motion with dF/dx = stiffness (1 - sign(v) F /
 /// coulomb)^shape.
 struct Dahl {
   PerElement stiffness = 1e5, coulomb = 1.0, shape = 1.0;

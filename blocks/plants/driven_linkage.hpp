@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Links from the ground to one pin whose motion is given: external = M(p) a + h(p, v) - sum of (force e +
+/// Links from the ground to one pin with prescribed motion: external = M(p) a + h(p, v) - sum of (force e +
 /// torque/l n).
 struct DrivenLinkage : LinkageCore {
   Input<> position{}, velocity{}, acceleration{};

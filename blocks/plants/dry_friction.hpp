@@ -7,21 +7,21 @@
 
 namespace stepwire {
 
-/// Dry friction on a mass that is held or slides: parameters, ports and modes of Friction and Karnopp, which
-/// differ in when a body is held.
+/// Dry friction on a mass that sticks or slides: parameters, ports and modes of Friction and Karnopp, which
+/// differ in the condition for sticking.
 struct DryFriction {
   PerElement mass = 1.0, coulomb = 1.0, breakaway = 0.0, viscous = 0.0, stribeck = 0.0;
   Input<> force{}, velocity{};
   Output<> y{}, slides{};
-  DiscreteState<> way{};   // 1 and -1 while it slides that way, 0 while it is held, as at the last instant
-  DiscreteState<> rest{};  // velocity at the last instant, which a held mass still has
+  DiscreteState<> way{};   // sign of the sliding, 0 while sticking, as of the last instant
+  DiscreteState<> rest{};  // velocity at the last instant, which a sticking mass still has
 
   Period period{};
 
  protected:
-  /// Greatest friction [N] of a body at rest.
+  /// Returns the largest friction [N] of a body at rest.
   double highest(Index i) const { return std::max(breakaway[i], coulomb[i]); }
-  /// Dry friction [N] of a body in motion.
+  /// Returns the dry friction [N] of a body in motion.
   double sliding(Index i) const {
     const double v = velocity[i], more = highest(i) - coulomb[i];
     const double part = stribeck[i] > 0.0 ? std::exp(-(v / stribeck[i]) * (v / stribeck[i])) : 0.0;
@@ -29,12 +29,12 @@ struct DryFriction {
   }
   double sliding_force(Index i, double now) const { return -now * sliding(i) - viscous[i] * velocity[i]; }
 
-  /// True where no force of one step explains a velocity against `way`: a reset has turned the body.
+  /// True for a velocity against `way` that no force of one step explains: a reset has reversed the body.
   bool is_thrown_back(Index i) const {
     const double most = highest(i) + std::abs(force[i]) + viscous[i] * std::abs(rest[i]);
     return std::abs(velocity[i]) > 2.0 * most * period / mass[i];
   }
-  /// Force [N] that takes the velocity `left` from the mass within a step.
+  /// Returns the force [N] that removes the velocity `left` from the mass within a step.
   double braking(Index i, double left) const { return -mass[i] * left / period; }
 };
 

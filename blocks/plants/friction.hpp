@@ -4,8 +4,8 @@
 
 namespace stepwire {
 
-/// Dry friction on a mass, which sticks: at rest it balances the other forces up to `breakaway`, in motion it
-/// is coulomb + (breakaway - coulomb) exp(-(v/stribeck)^2) + viscous |v| against the motion.
+/// Dry friction on a mass, with sticking. At rest it balances the other forces up to `breakaway`. In motion
+/// it is coulomb + (breakaway - coulomb) exp(-(v/stribeck)^2) + viscous |v| against the motion.
 struct Friction : DryFriction {
   void outputs() {
     for (Index i = 0; i < y.size(); ++i) show(i, way[i], rest[i]);
@@ -27,7 +27,7 @@ struct Friction : DryFriction {
   static void declare(Declare<Friction>& is);
 
  private:
-  /// True where the velocity is not of a force: behind a reset, or at a start in motion.
+  /// True if the velocity was not caused by a force: after a reset, or at a start in motion.
   bool is_moved(Index i) const {
     if (way[i] != 0.0) return is_thrown_back(i);
     return std::abs(velocity[i]) > 2.0 * std::abs(rest[i]) + 1e-9 * highest(i) * period / mass[i];

@@ -8,15 +8,15 @@
 
 namespace stepwire {
 
-/// Two rigid stops for a mass: it is thrown back with `restitution` of its speed, or rests against the stop
-/// where that would be slower than `slow`, until the other forces pull it away.
+/// Two rigid stops for a mass. It rebounds with `restitution` of its speed. If that is below `slow`, it rests
+/// against the stop until the other forces pull it away.
 struct HardStop {
   PerElement mass = 1.0, lower = -unlimited, upper = unlimited, restitution = 0.0, slow = 1e-3;
   Input<> force{}, position{}, velocity{};
   Output<> y{}, hit{}, rebound{}, rests{};
-  DiscreteState<> side{};  // 1 and -1 while it rests at the upper and the lower stop, as at the last instant
-  DiscreteState<> rest{};  // velocity that a mass which rests still had at the last instant
-  DiscreteState<> struck{};  // 1 where it was hit at the last instant, -1 where not, 0 before the first one
+  DiscreteState<> side{};  // 1 and -1 while it rests at the upper and the lower stop, as of the last instant.
+  DiscreteState<> rest{};  // Velocity of a resting mass at the last instant.
+  DiscreteState<> struck{};  // 1 after a hit at the last instant, else -1; 0 before the first one.
 
   Period period{};
 
@@ -53,14 +53,14 @@ struct HardStop {
   static void declare(Declare<HardStop>& is);
 
  private:
-  /// The stop that it runs into: 1 the upper, -1 the lower, 0 none.
+  /// Returns the stop that it hits: 1 the upper, -1 the lower, 0 none.
   double meets(Index i) const {
     if (side[i] != 0.0) return 0.0;
     if (position[i] >= upper[i] && velocity[i] > 0.0) return 1.0;
     return position[i] <= lower[i] && velocity[i] < 0.0 ? -1.0 : 0.0;
   }
-  /// A reset hears the edge of `hit`, so there is none at the first instant, and none right behind another: a
-  /// mass that its bounce does not take away from the stop rests there.
+  /// True for a new hit. Resets react to the edge of `hit`, so there is none at the first instant and none
+  /// directly after another. A mass that does not leave the stop by its rebound rests there.
   bool is_hit(Index i) const { return meets(i) != 0.0 && struck[i] < 0.0; }
   bool is_slow(Index i) const { return restitution[i] * std::abs(velocity[i]) <= slow[i]; }
 
@@ -69,7 +69,7 @@ struct HardStop {
     return is_slow(i) || struck[i] > 0.0 ? meets(i) : 0.0;
   }
 
-  /// Takes the rest of the velocity from a mass that rests, within a step.
+  /// Removes the remaining velocity from a resting mass within a step.
   void show(Index i, double now, double left) {
     rests[i] = now;
     y[i] = now == 0.0 ? 0.0 : -force[i] - mass[i] * left / period;

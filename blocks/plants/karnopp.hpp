@@ -5,7 +5,7 @@
 namespace stepwire {
 
 /// Karnopp's model of dry friction: a body slower than `band` counts as at rest. There the friction balances
-/// the other forces up to `breakaway`; faster, it is that of Friction.
+/// the other forces up to `breakaway`. Above the band it is that of Friction.
 struct Karnopp : DryFriction {
   PerElement band = 1e-3;
   Output<> pseudo{};
@@ -34,14 +34,14 @@ struct Karnopp : DryFriction {
  private:
   bool is_held(Index i) const { return std::abs(force[i]) <= highest(i); }
 
-  /// A step may carry a body through the whole band.
+  /// Returns the next mode. A step may carry a body through the whole band.
   double next_way(Index i) const {
     const double v = velocity[i];
     if (std::abs(v) <= band[i]) return 0.0;
     if (way[i] * v < 0.0 && is_held(i) && !is_thrown_back(i)) return 0.0;
     return v > 0.0 ? 1.0 : -1.0;
   }
-  /// Velocity that is to be taken from the body: none from one that breaks away.
+  /// Returns the velocity to be removed from the body; 0 for a body that breaks away.
   double next_rest(Index i) const { return next_way(i) == 0.0 && is_held(i) ? velocity[i] : 0.0; }
 
   void show(Index i, double now, double left) {

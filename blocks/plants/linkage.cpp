@@ -11,12 +11,12 @@ namespace stepwire {
 
 namespace {
 
-/// The number for link k, also while one number stands for all links.
+/// Returns the number of link k; a single number applies to all links.
 double of_link(const PerElement& numbers, Index k) {
   return numbers[std::min(k, numbers.size() - 1)];
 }
 
-/// A link that is heavy along itself and across: then the pin is heavy in every direction.
+/// True for a link with inertia along itself and across, which makes the mass matrix of the pin regular.
 bool carries_pin(const LinkageCore& linkage, Index k) {
   const bool across = of_link(linkage.housing_inertia, k) + of_link(linkage.rod_inertia, k) > 0.0;
   return of_link(linkage.rod_mass, k) > 0.0 && (across || linkage.anchors.columns() == 1);

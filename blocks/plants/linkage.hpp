@@ -34,7 +34,7 @@ struct Linkage : LinkageCore {
   static void declare(Declare<Linkage>& is);
 
  private:
-  /// Leaves the acceleration in the place of the load. M is symmetric and positive definite: no pivoting.
+  /// Replaces the load by the acceleration. M is symmetric and positive definite, so no pivoting is needed.
   void solve(Balance& now) const {
     const Index size = dimensions();
     for (Index j = 0; j < size; ++j)

@@ -8,22 +8,22 @@
 
 namespace stepwire {
 
-/// n telescopic links from anchors at the ground to one pin, on a line, in the plane or in space. A link is a
-/// housing that turns about its anchor and a rod that slides in it and ends at the pin, both thin and
-/// straight; joints have no friction, and there is no gravity.
+/// Set of n telescopic links from anchors on the ground to one pin, on a line, in the plane or in space. A
+/// link is a housing that rotates about its anchor and a rod that slides in it and ends at the pin. Both are
+/// thin and straight; joints have no friction, and there is no gravity.
 ///
-/// With p the pin's position, e the unit vector along a link, l its length, w = v - (e.v) e the velocity
-/// across it and J(l) = housing_inertia + rod_inertia + rod_mass (l - rod_centre)^2 its inertia about the
-/// anchor:
+/// Notation: p is the pin's position, e the unit vector along a link, l its length. The velocity across it is
+/// w = v - (e.v) e. Its inertia about the anchor is J(l) = housing_inertia + rod_inertia + rod_mass (l -
+/// rod_centre)^2. Then
 ///
 ///     T = 1/2 pin_mass v^2 + sum over links of 1/2 rod_mass (e.v)^2 + 1/2 J(l)/l^2 w^2
 ///     M(p) a + h(p, v) = external + sum of force e + torque/l n            (Lagrange's equations of T)
 ///     M = pin_mass 1 + sum of rod_mass e e^T + mu (1 - e e^T),  mu(l) = J/l^2
 ///     h = sum of rod_mass rod_centre w^2/l^2 e + mu' (e.v) w
 ///
-/// A torque about an anchor, in the plane, acts at the pin along n, which is e turned left by a right angle.
+/// A torque about an anchor, in the plane, acts at the pin along n, which is e rotated left by a right angle.
 struct LinkageCore {
-  using Vector = std::array<double, 3>;  ///< on a line and in the plane the further elements are 0
+  using Vector = std::array<double, 3>;  ///< on a line and in the plane, further elements are 0
 
   Matrix anchors;
   PerElement rod_mass = 0.0, rod_inertia = 0.0, rod_centre = 0.0, housing_inertia = 0.0;
@@ -39,15 +39,15 @@ struct LinkageCore {
   void configure(Configure& is);
 
  protected:
-  /// A link at an instant.
+  /// State of a link at an instant.
   struct Link {
     double length = 0.0, rate = 0.0;
-    Vector along{};        ///< unit vector from the anchor to the pin; 0 where they coincide
+    Vector along{};        ///< unit vector from the anchor to the pin; 0 if they coincide
     Vector across{};       ///< velocity of the pin across the link
     double turning = 0.0;  ///< square of that velocity
   };
 
-  /// M a = load: the forces on the pin, less h.
+  /// Equations M a = load: the forces on the pin minus h.
   struct Balance {
     std::array<Vector, 3> mass{};
     Vector load{};
@@ -109,14 +109,14 @@ struct LinkageCore {
         kinetic_energy + 0.5 * (rod_mass[k] * now.rate * now.rate + mass_across(k, now.length) * now.turning);
   }
 
-  /// The pin alone.
+  /// Returns the equations of the pin without links.
   Balance begin_balance() const {
     Balance sum;
     for (Index i = 0; i < dimensions(); ++i) at(row(sum, i), i) = pin_mass;
     return sum;
   }
 
-  /// Adds a link's part of M, its force, and minus its part of h; nothing where it has no direction.
+  /// Adds a link's part of M, its force, and minus its part of h; no effect for a link of length 0.
   template <Index n>
   void add_link(Dimension<n>, Index k, const Link& now, Balance& sum) const {
     if (now.length == 0.0) return;
@@ -151,7 +151,7 @@ struct LinkageCore {
     const double arm = l - rod_centre[k];
     return housing_inertia[k] + rod_inertia[k] + rod_mass[k] * arm * arm;
   }
-  /// mu: how heavy the link is to the pin, across it.
+  /// Returns mu, the effective mass of the link at the pin, across it.
   double mass_across(Index k, double l) const { return inertia(k, l) / (l * l); }
   double slope_of_mass_across(Index k, double l) const {
     return 2.0 * (rod_mass[k] * (l - rod_centre[k]) - inertia(k, l) / l) / (l * l);

@@ -6,11 +6,11 @@
 
 namespace stepwire {
 
-/// Which link left its stroke, with its length and limit.
+/// Returns the number of the link that left its stroke, with its length and limit.
 std::string strayed_link(const LinkageCore& linkage);
 
-/// Declares the parameters and ports that both linkages have. Only a free pin needs a mass, and its motion
-/// follows on the torques: then no output shows them at the same instant.
+/// Declares the common parameters and ports of both linkages. Only a free pin needs a mass. Its motion
+/// follows from the torques by integration, so no output depends on them at the same instant.
 template <class Block>
 void declare_linkage(Declare<Block>& is, bool free_pin) {
   is.template parameter<&Block::anchors>(

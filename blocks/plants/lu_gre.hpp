@@ -7,9 +7,9 @@
 
 namespace stepwire {
 
-/// The LuGre model of friction: bristles of the mean deflection z, with dz/dt = v - stiffness |v| z / g(v)
-/// and g(v) = coulomb + (breakaway - coulomb) exp(-(v/stribeck)^2). The force against the motion is stiffness
-/// z + damping dz/dt + viscous v.
+/// LuGre friction model: bristles of the mean deflection z, with dz/dt = v - stiffness |v| z / g(v) and g(v)
+/// = coulomb + (breakaway - coulomb) exp(-(v/stribeck)^2). The force against the motion is stiffness z +
+/// damping dz/dt + viscous v.
 struct LuGre {
   PerElement stiffness = 1e5, damping = 316.0, viscous = 0.4, coulomb = 1.0, breakaway = 1.5, stribeck = 1e-3;
   Input<> velocity{};

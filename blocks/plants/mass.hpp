@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// A point mass: m dv/dt = F, dx/dt = v. With a vector of forces, one motion per element. A reset sets the
+/// Point mass: m dv/dt = F, dx/dt = v. With a vector of forces, one motion per element. A reset sets the
 /// velocity.
 struct Mass : ResetInput {
   PerElement mass = 1.0;
@@ -23,7 +23,7 @@ struct Mass : ResetInput {
     velocity_.derivative.each([&](Index i) { return force[i] / mass[i]; });
   }
 
-  /// Runs only where something resets.
+  /// Runs only if something resets.
   void update() {
     if (resetting())
       for (Index i = 0; i < velocity_.size(); ++i) velocity_[i] = value.connected() ? value[i] : home[i];

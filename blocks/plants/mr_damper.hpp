@@ -6,7 +6,7 @@ namespace stepwire {
 
 /// Linear magnetorheological damper: F = k0 x + c(i) v + alpha(i) z + f0.
 struct MRDamper : MRDamperCore {
-  double compressed_length = 0.0, extended_length = 0.0;  ///< ratings, on which no run depends
+  double compressed_length = 0.0, extended_length = 0.0;  ///< ratings, without effect on a run
   double continuous_current = 0.0, intermittent_current = 0.0;
   Output<1> force{};
 
@@ -22,12 +22,11 @@ struct MRDamper : MRDamperCore {
   static void declare(Declare<MRDamper>& is);
 };
 
-/// Thesis eq. 4-6. The units are not printed; displacement in mm, force in N, time in s and current in A are
-/// assumed, since the force is then that of this damper (3 N at 0 A, 34 N at 0.35 A beside the viscous part).
-/// In SI:
+/// Parameters of thesis eq. 4-6. The units are not printed; mm, N, s and A are assumed. With them the force
+/// fits this damper (3 N at 0 A, 34 N at 0.35 A beside the viscous part). Values in SI:
 ///
 ///     A      1        mm/mm        as printed
-///     beta   1/mm     1e3 1/m      gamma alike
+///     beta   1/mm     1e3 1/m      gamma likewise
 ///     alpha  N/mm     1e3 N/m      each coefficient, per ampere to its power
 ///     c      N s/mm   1e3 N s/m    each coefficient, per ampere to its power
 inline void rd_1097_01(MRDamper& damper) {

@@ -24,8 +24,8 @@ void check_range(const Numbers& range, const Configure& is) {
     is.refuse<&Core::current_range>("is not a lower and a higher current, such as [0 A, 0.35 A]");
 }
 
-/// A negative coefficient inside the range pushes instead of resisting. Beyond it, `raw` is the user's own
-/// wish.
+/// Refuses coefficients that are negative inside the range, where the damper would push instead of resisting.
+/// Outside of it the user has chosen `raw`.
 template <auto coefficients>
 void refuse_pushing(const Core& damper, const Configure& is) {
   constexpr int steps = 100;

@@ -8,20 +8,22 @@
 
 namespace stepwire {
 
-/// What the linear and the rotary MR damper share: resistance = k0 x + c(i) v + alpha(i) z + f0, with z from
-/// the Bouc-Wen law, and the account of its energy. Displacement is a length or an angle, resistance a force
-/// or a torque.
+/// Common part of the linear and the rotary MR damper: its law and its energy balance. The resistance is k0 x
+/// + c(i) v + alpha(i) z + f0, with z from the Bouc-Wen law. Displacement is a length or an angle, resistance
+/// a force or a torque.
 ///
-/// The energy balance, exact for a current that changes in steps or smoothly:
+/// The energy balance is exact for a current that changes in steps or smoothly:
+///
 ///     integral of (c v + alpha z) v = stored + dissipated - switching_work   (all from the start of the run)
-/// with stored = alpha z^2 / (2 A) and switching_work the integral of dalpha/dt z^2 / (2 A): what a change of
-/// the current at z != 0 puts into the stored energy, which no fluid could do.
+///
+/// with stored = alpha z^2 / (2 A). The switching_work is the integral of dalpha/dt z^2 / (2 A): the energy
+/// that a change of the current at z != 0 adds to the stored one, which is unphysical.
 struct MRDamperCore {
   enum class Outside { hold, raw };
   enum class Integration { solver, exact };
 
   double A = 1.0, beta = 0.5, gamma = 0.5, n = 1.0;
-  double z_max = 0.0, ratio = 0.0;  ///< of z in a steady motion, and gamma/beta; 0: beta and gamma are given
+  double z_max = 0.0, ratio = 0.0;  ///< limit of z, gamma/beta; 0: beta, gamma apply
   Numbers alpha, c, current_range;
   double k0 = 0.0, f0 = 0.0;
   Outside extrapolate = Outside::hold;
@@ -33,12 +35,12 @@ struct MRDamperCore {
   DiscreteState<1> last_time{}, last_velocity{}, last_current{}, earlier_current{}, first_stored{}, begun{};
   Time time{};
   Diagnostic outside_range{};
-  BoucWenFactors factors{};            ///< as they act, in SI
+  BoucWenFactors factors{};            ///< effective coefficients in SI
   Numbers scaled_alpha{}, scaled_c{};  ///< alpha and c in SI
 
   void configure(Configure& is);
 
-  /// A polynomial with its highest power first.
+  /// Evaluates a polynomial with descending coefficients.
   static double polynomial(const Numbers& coefficients, double i) {
     double sum = 0.0;
     for (Index k = 0; k < coefficients.size(); ++k) sum = sum * i + coefficients[k];
@@ -46,12 +48,13 @@ struct MRDamperCore {
   }
 
  protected:
-  /// Energy that went one way since the start of the run, and z, at this instant.
+  /// Energies since the start of the run, and z, at this instant.
   struct Account {
     double z, loss, spring_work;
   };
 
-  /// The parameters as they act: `factor` turns alpha and c into SI, `stiffening` shortens the pre-sliding.
+  /// Computes the effective parameters: `factor` converts alpha and c into SI, `stiffening` shortens the
+  /// pre-sliding.
   void scale(double factor, double stiffening) {
     factors = z_max > 0.0 ? BoucWenLaw::of_limit(A * stiffening, z_max, ratio, n)
                           : BoucWenFactors{A * stiffening, beta * stiffening, gamma * stiffening};
@@ -92,7 +95,7 @@ struct MRDamperCore {
     begun = 1.0;
     if (integration == Integration::solver) return;
     spring_work = spring_work_at(z, spring_of_way());
-    evolution = z;  // the outputs of this tick have gone the way already
+    evolution = z;  // the outputs of this tick have already advanced it
     loss = dissipated;
     earlier_current = first ? acting(current) : double(last_current);
     last_time = time;
@@ -100,7 +103,7 @@ struct MRDamperCore {
     last_current = acting(current);
   }
 
-  /// A hair beyond the range is still in it: a saturation at its end must not be told.
+  /// True within the range, with a margin for rounding, so that a saturation at its end raises no diagnostic.
   bool within_range(double i) const {
     const double hair = 1e-9 * (current_range[1] - current_range[0]);
     return i >= current_range[0] - hair && i <= current_range[1] + hair;
@@ -113,19 +116,21 @@ struct MRDamperCore {
 
   BoucWenLaw law() const { return {factors, n}; }
 
-  /// alpha / (2 A)
+  /// Returns alpha / (2 A).
   double spring(double i) const { return 0.5 * polynomial(scaled_alpha, i) / factors.A; }
 
-  /// Where the current went in a straight line since the last tick. A jump, which falls on a tick, comes
-  /// behind that way: what changes goes on as it did before, and only then was it on its way.
+  /// Returns the current at the end of the interval since the last tick, assumed linear in it. A jump falls
+  /// on a tick and takes effect after the interval. A change therefore counts as linear only if it continues
+  /// the previous one, and only up to that size.
   double current_behind_way() const {
     const double before = last_current - earlier_current, now = acting(current) - last_current;
     if (!(before * now > 0.0)) return last_current;
     return last_current + (std::abs(before) < std::abs(now) ? before : now);
   }
 
-  /// With the exact step the states keep the last tick's values, and each call goes the way since then anew.
-  /// z does not follow from the current; what the current weighs is of second order in the step.
+  /// Returns the energies and z. With exact integration the states keep the last tick's values, and each call
+  /// integrates from there. The current does not affect z; the error of its weights is of second order in the
+  /// step.
   Account account() const {
     if (integration == Integration::solver) return {evolution, loss, spring_work};
     const double duration = time - last_time, v0 = last_velocity, v1 = velocity;
@@ -138,7 +143,7 @@ struct MRDamperCore {
     return {way.z, loss + viscous + 2.0 * elastic * way.lost, spring_work_at(way.z, elastic)};
   }
 
-  /// alpha / (2 A) on the way since the last tick.
+  /// Returns the mean of alpha / (2 A) since the last tick.
   double spring_of_way() const { return 0.5 * (spring(last_current) + spring(current_behind_way())); }
 
   double spring_work_at(double end, double elastic) const {

@@ -6,10 +6,10 @@
 
 namespace stepwire {
 
-/// In which units a kind of MR damper is declared.
+/// Units of a kind of MR damper.
 struct MRDamperUnits {
   std::string displacement, velocity, resistance, stiffness;
-  std::string per_displacement;  ///< of beta and gamma for n = 1
+  std::string per_displacement;  ///< unit of beta and gamma for n = 1
   std::string alpha, c;
 };
 
@@ -35,7 +35,7 @@ struct PreparedParts<BoucWenFactors> {
   }
 };
 
-/// Declares the parameters, ports and states that both MR dampers have.
+/// Declares the common parameters, ports and states of both MR dampers.
 template <class Damper>
 void declare_mr_damper(Declare<Damper>& is, const MRDamperUnits& units) {
   is.template parameter<&Damper::A>({.doc = "initial slope dz/dx of the evolution", .above = 0.0});

@@ -33,7 +33,7 @@ void Pusher::prepare() {
   double at = 0.0, behind = 0.0;
   for (Index k = 0; k + 1 < points.rows(); ++k) {
     const double length = length_of_leg(points, k);
-    // A leg that is too short for the speed has no even part.
+    // A leg that is too short for the speed has no cruise phase.
     const double up = std::min(speed / highest_acceleration, std::sqrt(length / highest_acceleration));
     const double even = length / (highest_acceleration * up) - up;
     numbers.insert(numbers.end(), {at, behind, length, up, std::max(even, 0.0)});

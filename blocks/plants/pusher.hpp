@@ -7,15 +7,15 @@
 
 namespace stepwire {
 
-/// A programmable motor that moves a pin through points, straight from each to the next, whatever resists:
-/// it speeds up with `highest_acceleration`, goes on at `speed`, slows down again and stops at each point.
+/// Programmable motor that moves a pin straight from point to point, against any resistance. On each leg it
+/// accelerates with `highest_acceleration`, cruises at `speed`, decelerates and stops.
 struct Pusher {
   Matrix points;
   double speed = 0.01, highest_acceleration = 0.5, begin = 0.0;
   Output<> position{}, velocity{}, acceleration{};
   Output<1> distance{}, leg{};
   Time time{};
-  Numbers legs{};  ///< `leg_size` numbers for each way from point to point
+  Numbers legs{};  ///< `leg_size` numbers for each leg
 
   void prepare();
   void outputs() {
@@ -42,12 +42,12 @@ struct Pusher {
   void configure(Configure& is);
   static void declare(Declare<Pusher>& is);
 
-  /// What the numbers of a leg are: when it starts, the way before it, its own way, how long it speeds up,
-  /// and how long it goes on at the speed reached.
+  /// Numbers of a leg: its start time, the distance before it, its length, and the times of its acceleration
+  /// and cruise phases.
   enum LegNumber { starts, before, way, rising, cruising, leg_size };
 
  private:
-  /// Way, speed and acceleration along a leg k.
+  /// Distance, speed and acceleration along a leg k.
   struct Instant {
     double way, speed, rise;
   };
@@ -55,7 +55,7 @@ struct Pusher {
   double number(Index k, LegNumber which) const { return legs[k * leg_size + which]; }
   double run(Index k, Index i) const { return points(k + 1, i) - points(k, i); }
 
-  /// Time from the start of a leg to its braking.
+  /// Returns the time from the start of a leg to its braking.
   double up_to_brake(Index k) const { return number(k, rising) + number(k, cruising); }
 
   Instant instant(Index k, double t) const {

@@ -12,7 +12,7 @@ struct RotaryMRDamper : MRDamperCore {
   double presliding_scale = 1.0;
   double assumed_below = 0.0;
   double highest_current = 0.0, highest_speed = 0.0,
-         rated_torque = 0.0;  ///< ratings, on which no run depends
+         rated_torque = 0.0;  ///< ratings, without effect on a run
   double lowest_temperature = 0.0, highest_temperature = 0.0;
   Output<1> torque{};
   Diagnostic assumed{};
@@ -46,9 +46,9 @@ struct RotaryMRDamper : MRDamperCore {
   static void declare(Declare<RotaryMRDamper>& is);
 };
 
-/// Thesis eq. 8-10, with the angle in rad, time in s and current in A. The torque's unit is not printed and
-/// assumed to be pound-force inch: the limit of 17.7 at 0.75 A is then the 2 N m of the transducer that was
-/// used.
+/// Parameters of thesis eq. 8-10, with the angle in rad, time in s and current in A. The torque's unit is not
+/// printed. It is assumed to be pound-force inch, because the limit of 17.7 at 0.75 A is then the 2 N m of
+/// the transducer that was used.
 inline void rd_2087_01(RotaryMRDamper& damper) {
   damper.k0 = 0.0;
   damper.A = 2.7789;

@@ -10,8 +10,8 @@ namespace {
 
 using Spectrum = std::vector<std::complex<double>>;
 
-/// The spectrum of the signal a part of an interval later. The line at half of the sample rate, of which
-/// samples tell only the cosine, stays a cosine.
+/// Returns the spectrum of the signal, shifted by a part of an interval. The line at half the sample rate
+/// stays a cosine, since samples determine only its cosine.
 Spectrum later(const Spectrum& spectrum, double part) {
   Spectrum result = spectrum;
   const std::size_t n = spectrum.size();
@@ -23,7 +23,7 @@ Spectrum later(const Spectrum& spectrum, double part) {
   return result;
 }
 
-/// The samples with `times` - 1 more between any two.
+/// Returns the samples with `times` - 1 more between any two.
 std::vector<double> refined(const std::vector<double>& samples, std::size_t times) {
   std::vector<double> fine(samples.size() * times);
   const Spectrum spectrum = fourier(Spectrum(samples.begin(), samples.end()));

@@ -6,20 +6,22 @@
 
 namespace stepwire {
 
-/// The one periodic signal without content above half of the sample rate that runs through given samples, at
-/// any instant. The samples are refined sixteen times by a discrete Fourier transform, exactly; between the
-/// refined samples, at least 32 to a period of the fastest line, runs a polynomial of degree 11 through the
+/// Unique periodic signal through given samples without content above half of the sample rate, at any
+/// instant.
+///
+/// The samples are refined sixteen times by a discrete Fourier transform, which is exact. The fastest line
+/// then has at least 32 refined samples per period. Between them a polynomial of degree 11 interpolates the
 /// nearest twelve. Its error is below (pi/16)^12 (1/2 3/2 ... 11/2)^2 / 12! = 2e-13 of the sum of the
 /// amplitudes of all lines.
 class BandLimited {
  public:
   static constexpr Index refinement = 16;
 
-  /// One period of evenly spaced samples of several signals, a row for each; the next period follows one
-  /// interval after the last sample.
+  /// Returns the signals through one period of evenly spaced samples, a row for each signal. The next period
+  /// begins one interval after the last sample.
   static BandLimited through(const Matrix& samples);
 
-  /// Value of a signal `turns` periods after the first sample; any number, also a negative one.
+  /// Returns the value of a signal `turns` periods after the first sample; `turns` may be any number.
   double operator()(Index signal, double turns) const {
     const double place = (turns - std::floor(turns)) * length;
     const double below = std::floor(place);
@@ -28,12 +30,12 @@ class BandLimited {
   }
 
   double length = 1.0;  ///< refined samples in a period
-  Matrix fine;  ///< a column for each signal: them, with as many more at the ends as the polynomial reaches
+  Matrix fine;          ///< a column for each signal, with additional samples at both ends for the polynomial
 
  private:
   static constexpr int points = 12, before = points / 2 - 1;
 
-  /// One over the product of each point's distances to the others.
+  /// Returns one over the product of each point's distances to the others.
   static constexpr std::array<double, points> weights() {
     std::array<double, points> result{};
     for (int j = 0; j < points; ++j) {
@@ -45,10 +47,11 @@ class BandLimited {
     return result;
   }
 
-  /// Lagrange's polynomial through around[0...11] at `share` of the way from around[5] to around[6].
+  /// Evaluates Lagrange's polynomial through around[0...11] at the fraction `share` from around[5] to
+  /// around[6].
   static double interpolate(const double* around, double share) {
     constexpr std::array<double, points> weight = weights();
-    std::array<double, points> below;  // product of the distances to the points before each one
+    std::array<double, points> below;  // product of the distances to the previous points
     double product = 1.0;
     for (int j = 0; j < points; ++j) {
       below[static_cast<std::size_t>(j)] = product;

@@ -18,8 +18,8 @@ FilterSection single_section(double k) {
   return {k / (1.0 + k), k / (1.0 + k), 0.0, (k - 1.0) / (k + 1.0), 0.0};
 }
 
-/// Runs a section over the rows (transposed direct form II). Its gain at rest is 1, so that in the steady
-/// state of the first row its output is that row.
+/// Filters the rows by a section (transposed direct form II). The initial state is the steady state of the
+/// first row; its static gain is 1.
 void run(const FilterSection& s, std::vector<double>& rows) {
   double second = (s.b2 - s.a2) * rows.front(), first = (s.b1 - s.a1) * rows.front() + second;
   for (double& row : rows) {
@@ -30,7 +30,7 @@ void run(const FilterSection& s, std::vector<double>& rows) {
   }
 }
 
-/// The rows with `count` more at either end, turned about the first and the last one.
+/// Returns the rows with `count` more at either end, point-reflected about the first and the last one.
 std::vector<double> extended(const std::vector<double>& rows, std::size_t count) {
   std::vector<double> result;
   for (std::size_t i = count; i > 0; --i) result.push_back(2.0 * rows.front() - rows[i]);

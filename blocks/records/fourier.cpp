@@ -10,12 +10,12 @@ namespace {
 using Complex = std::complex<double>;
 using Series = std::vector<Complex>;
 
-/// exp(-2 pi i turns / of)
+/// Returns exp(-2 pi i turns / of).
 Complex unit_root(std::size_t turns, std::size_t of) {
   return std::polar(1.0, -2.0 * std::numbers::pi * static_cast<double>(turns) / static_cast<double>(of));
 }
 
-/// Element n goes to where the bits of n stand in reverse.
+/// Permutes the elements by reversing the bits of their index.
 Series bit_reversed(const Series& x) {
   Series result(x.size());
   for (std::size_t n = 0, reverse = 0; n < x.size(); ++n) {
@@ -27,7 +27,7 @@ Series bit_reversed(const Series& x) {
   return result;
 }
 
-/// Cooley and Tukey's algorithm for a power of two.
+/// Transforms a power of two by the algorithm of Cooley and Tukey.
 Series power_of_two(const Series& x) {
   Series result = bit_reversed(x), roots(x.size() / 2);
   for (std::size_t k = 0; k < roots.size(); ++k) roots[k] = unit_root(k, x.size());
@@ -42,8 +42,8 @@ Series power_of_two(const Series& x) {
   return result;
 }
 
-/// Bluestein's algorithm: k n = (k^2 + n^2 - (k - n)^2) / 2 makes any transform a convolution, and that is
-/// three transforms of a power of two.
+/// Transforms any length by Bluestein's algorithm: k n = (k^2 + n^2 - (k - n)^2) / 2 converts a transform
+/// into a convolution, which is three transforms of a power of two.
 Series any_length(const Series& x) {
   const std::size_t n = x.size(), padded = std::bit_ceil(2 * n);
   Series chirp(n), signal(padded), kernel(padded);

@@ -12,7 +12,7 @@ namespace stepwire {
 
 namespace {
 
-/// A kind of step, told by its first key.
+/// Kind of step, identified by its first key.
 struct PreparationStep {
   std::vector<std::string> keys;
   std::string example, doc;

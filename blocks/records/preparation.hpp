@@ -7,11 +7,11 @@
 
 namespace stepwire {
 
-/// Works through a list of steps, in order; each sees the whole record. An empty map is no step. Calls
-/// `refuse`, which throws, for what is none of the steps and for a record that a step cannot take.
+/// Applies a list of steps in order, each to the whole record. An empty map has no steps. Calls `refuse`,
+/// which throws, for unknown steps and for records that a step does not support.
 void prepare_record(Record& record, const Value& steps, const StepOptions::Refuse& refuse);
 
-/// Every step as a file writes it, and what it does.
+/// Returns every step in the syntax of a file, and its effect.
 std::string preparation_help();
 
 }  // namespace stepwire

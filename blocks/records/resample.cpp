@@ -25,8 +25,9 @@ std::vector<double> straight(const std::vector<double>& time, const std::vector<
   return result;
 }
 
-/// Periodic without a jump or a kink for any record: the line through its ends is taken out, and what is left
-/// goes on turned about the end, until the period closes. The line is put back.
+/// Resamples as a periodic signal without a jump or a kink, for any record. The line through its ends is
+/// subtracted, and the rest is extended by point reflection until the period closes. Afterwards the line is
+/// added.
 std::vector<double> band_limited(const std::vector<double>& time, const std::vector<double>& y,
                                  const std::vector<double>& at) {
   const std::size_t last = y.size() - 1;

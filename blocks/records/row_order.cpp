@@ -16,7 +16,7 @@ std::string counted(std::size_t count, const std::string& one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-/// Leaves out rows in which the time or one of the columns has no value.
+/// Removes rows in which the time or one of the columns has no value.
 void skip_missing(const RowsAsked& asked, RowOrder& order) {
   std::vector<const table::Column*> columns = asked.columns;
   if (asked.time) columns.push_back(asked.time);
@@ -31,7 +31,8 @@ void skip_missing(const RowsAsked& asked, RowOrder& order) {
         fmt::format("{} without {} left out", counted(left_out, "row"), fmt::join(names, ", ")));
 }
 
-/// Row in `rows` that has an earlier time than the one before it; their end where the times do not decrease.
+/// Returns the row in `rows` with an earlier time than the previous one; the end if the times do not
+/// decrease.
 auto first_decrease(const std::vector<double>& time, const std::vector<std::size_t>& rows) {
   const auto pair = std::ranges::adjacent_find(
       rows, [&](std::size_t before, std::size_t row) { return time[row] < time[before]; });

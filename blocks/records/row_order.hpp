@@ -8,31 +8,31 @@
 
 namespace stepwire {
 
-/// The reason why rows of a file are no record, with its place and cure.
+/// Fault of the rows of a file, with its place and cure.
 class RowsRefused : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The rows that a record is to be made of.
+/// Rows and columns requested for a record.
 struct RowsAsked {
   std::string file;
   const table::RecordTable& table;
   const table::Column* time;  ///< nullptr: rows are evenly spaced
   std::vector<const table::Column*> columns;
-  bool skip_missing = false;  ///< rows without a time or a value are left out
+  bool skip_missing = false;  ///< true to skip rows without a time or a value
   bool sort = false;
 };
 
-/// Rows of the table in the order of their times, and for people what was done to get them.
+/// Rows of the table in the order of their times, and notes on the changes for the user.
 struct RowOrder {
   std::vector<std::size_t> rows;
   std::vector<std::string> notes;
 };
 
-/// Two rows of one time are a jump, the values before it and after it, as FMI has it. Throws RowsRefused for
-/// a missing time, times that decrease where they are not to be sorted, and three rows of one time. Sorting
-/// keeps the order of rows with the same time.
+/// Returns the rows in order. Two rows of one time are a jump, the values before it and after it, as in FMI.
+/// Throws RowsRefused for a missing time, for decreasing times unless they are to be sorted, and for three
+/// rows of one time. Sorting is stable.
 RowOrder ordered_rows(const RowsAsked& asked);
 
 }  // namespace stepwire

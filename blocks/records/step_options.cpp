@@ -12,7 +12,7 @@ namespace stepwire {
 
 namespace {
 
-/// A number with or without a unit, or, as parameters come in, a formula of numbers in SI.
+/// Parses a number with or without a unit, or a formula of numbers in SI, as parameters are substituted.
 std::optional<unit::Quantity> read_number(const std::string& text) {
   if (const auto quantity = unit::parse_quantity(text)) return quantity;
   try {
@@ -67,7 +67,7 @@ std::size_t StepOptions::word(std::string_view key, const std::vector<std::strin
 void StepOptions::require_even(const Record& record) const {
   const auto row = first_uneven(record.time);
   if (!row) return;
-  // Rows that a step has spaced are even, so these are rows of the file; those before them may be cut off.
+  // Evenly spaced rows are made by steps, so these are rows of the file; the ones before them may be cut off.
   const auto in_file = std::find(record.file_times.begin(), record.file_times.end(),
                                  record.time[static_cast<std::size_t>(*row)]);
   const std::size_t file_row =

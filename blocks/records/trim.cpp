@@ -9,7 +9,7 @@ namespace stepwire {
 
 namespace {
 
-/// The record's part of a column of the file, in the file's unit.
+/// Returns the record's rows of a column of the file, in the file's unit.
 std::vector<double> rows_of(const Record& record, const StepOptions& given) {
   const std::string name = given.text("trim");
   const table::Column* column = record.table->find(name);
@@ -31,7 +31,7 @@ struct Span {
   double begin, end;  // [s]
 };
 
-/// When the column first differs from its first value, and last from its last one.
+/// Returns when the column first differs from its first value, and last from its last one.
 Span movement(const std::vector<double>& y, const std::vector<double>& time, double threshold) {
   const auto moved_from = [&](double rest) {
     return [rest, threshold](double value) { return std::abs(value - rest) > threshold; };
@@ -42,7 +42,7 @@ Span movement(const std::vector<double>& y, const std::vector<double>& time, dou
           time[static_cast<std::size_t>(y.rend() - ends) - 1]};
 }
 
-/// Keeps the elements from `first` to before `end`.
+/// Keeps the elements in [first, end).
 void keep(std::vector<double>& values, std::ptrdiff_t first, std::ptrdiff_t end) {
   values = std::vector<double>(values.begin() + first, values.begin() + end);
 }

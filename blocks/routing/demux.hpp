@@ -4,7 +4,8 @@
 
 namespace stepwire {
 
-/// A vector into up to eight pieces: y1 has the first sizes[0] elements of u, y2 the next sizes[1], ...
+/// Splits a vector into up to eight pieces: y1 has the first sizes[0] elements of u, y2 the next sizes[1],
+/// ...
 struct Demux {
   Numbers sizes{1.0};
   Input<> u{};
@@ -16,7 +17,7 @@ struct Demux {
   static void declare(Declare<Demux>& is);
 
  private:
-  /// One loop after the other: a list of the outputs would keep runs from going in lanes through it.
+  /// Fills the pieces by successive loops; a list of the outputs would prevent lanes.
   template <class... Pieces>
   void fill(Pieces&... pieces) {
     Index next = 0;

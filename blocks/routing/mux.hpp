@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Numbers and vectors into one vector, one behind the other: y = [u1, u2, ...].
+/// Concatenation of numbers and vectors: y = [u1, u2, ...].
 struct Mux {
   Inputs u{};
   Output<> y{};

@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// Chosen elements of a vector: y_k = u[indices_k], counted from 1.
+/// Selected elements of a vector: y_k = u[indices_k], counted from 1.
 struct Select {
   Numbers indices{1.0};
   Input<> u{};

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Ends the run when what it is fed is false (zero in any element).
+/// Ends the run if its input is false (zero in any element).
 struct Assert {
   Input<> u{};
   Diagnostic failed{};

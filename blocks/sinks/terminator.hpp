@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// Takes a signal and does nothing with it.
+/// Discards a signal.
 struct Terminator {
   Input<> u{};
 

@@ -9,8 +9,8 @@
 
 namespace stepwire {
 
-/// A sine whose frequency moves from one value to another in a given time and stays there:
-/// y = amplitude sin(2 pi cycles(t) + phase) + bias, d cycles / dt = the frequency at t.
+/// Sine whose frequency changes from one value to another in a given time and then stays. Signal: y =
+/// amplitude sin(2 pi cycles(t) + phase) + bias, with d cycles / dt the frequency at t.
 struct Chirp : OwnTime {
   enum class Sweep { linear, exponential };
 
@@ -21,10 +21,10 @@ struct Chirp : OwnTime {
 
   void outputs() { y = amplitude * std::sin(2.0 * std::numbers::pi * cycles(own()) + phase) + bias; }
 
-  /// The frequency is steady from there.
+  /// Returns the time from which on the frequency is constant.
   double next_edge() const { return first_ahead(t, began() + target_time); }
 
-  /// Integral of the frequency from 0 to `time`.
+  /// Returns the integral of the frequency from 0 to `time`.
   double cycles(double time) const {
     const double moving = std::min(time, target_time);
     return moved(moving) + target_frequency * (time - moving);

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// The time of the run, or since it began anew: y = t.
+/// Time of the run, or since the last restart: y = t.
 struct Clock : OwnTime {
   Output<1> y{};
 

@@ -4,7 +4,7 @@
 
 namespace stepwire {
 
-/// A value that does not change: y = value.
+/// Constant value: y = value.
 struct Constant {
   PerElement value = 1.0;
   Output<> y{};

@@ -14,15 +14,16 @@ namespace stepwire {
 namespace {
 
 constexpr double longest = 1e12,
-                 shortest = 1e-12;  // [s]; far beyond, places in the record would not be numbers
+                 shortest = 1e-12;  // [s]; beyond these limits the arithmetic of the record would overflow
 
-/// All rows of a file that are in order, and the first of these that a record takes.
+/// All ordered rows of a file, and the first of these in the record.
 struct CutRows {
   std::vector<std::size_t> all_rows;
   std::size_t first;
 };
 
-/// The reason why a column cannot be read, or one of the variable that it would be a part of, as `ts.Data`.
+/// Returns the reason why a column, or the variable that contains it (as in `ts.Data`), cannot be read;
+/// nullptr without one.
 const std::string* problem_of(const table::RecordTable& table, std::string name) {
   while (!name.empty()) {
     if (const auto problem = table.problems.find(name); problem != table.problems.end())
@@ -57,12 +58,12 @@ unit::Unit read_unit(const Configure& is, const std::string& text) {
   return *unit;
 }
 
-/// Names that end in the word of a unit and mean something else: what comes in, the least.
+/// True for ends of names that are units but also other words, such as "in" or "min".
 bool is_other_word(std::string_view ending) {
   return ending == "in" || ending == "min" || ending.size() < 2;
 }
 
-/// The unit at the end of a name, as `x_mm`, that is not SI; empty without one.
+/// Returns the unit at the end of a name, such as `x_mm`, if it is not SI; an empty text otherwise.
 std::string unit_in_name(const std::string& name) {
   const std::string ending = name.substr(name.rfind('_') + 1);
   if (ending.size() == name.size() || is_other_word(ending)) return "";
@@ -74,8 +75,8 @@ bool is_time_word(const std::string& name) {
   return name == "Time" || name == "TIME";
 }
 
-/// The column with the times: the one of the block's key, else `time`, the one beside the column in its group
-/// or around it, or `t`.
+/// Returns the name of the column with the times. It is that of the block's key, else `time`, the one beside
+/// the column in its group or an outer one, or `t`.
 std::string time_name(const FromFile& asked, const table::RecordTable& table) {
   const std::string name(asked.time);
   if (name != "time" || table.find(name)) return name;
@@ -91,8 +92,8 @@ std::string time_name(const FromFile& asked, const table::RecordTable& table) {
   return other == table.columns.end() ? name : other->name;
 }
 
-/// The unit in the name of a column with times that is not seconds: `t_ms`, `ms`, or `millis` of loggers on
-/// microcontrollers; empty without one.
+/// Returns the unit in the name of a time column if it is not seconds: `t_ms`, `ms`, or `millis` of loggers
+/// on microcontrollers; an empty text otherwise.
 std::string unit_of_time_in_name(const std::string& name) {
   if (name == "millis") return "ms";
   if (name == "micros") return "us";
@@ -101,7 +102,7 @@ std::string unit_of_time_in_name(const std::string& name) {
   return whole ? name : unit_in_name(name);
 }
 
-/// The column with the times; nullptr where rows are evenly spaced.
+/// Returns the column with the times; nullptr if rows are evenly spaced.
 const table::Column* time_column(const FromFile& asked, const Configure& is,
                                  const table::RecordTable& table) {
   if (asked.sample_time > 0.0) return nullptr;
@@ -115,7 +116,7 @@ const table::Column* time_column(const FromFile& asked, const Configure& is,
   return &column;
 }
 
-/// Times of rows [s]. A column without a unit is in seconds.
+/// Returns the times of rows [s]. A column without a unit is in seconds.
 std::vector<double> times(const FromFile& asked, const Configure& is, const table::Column* column,
                           const std::vector<std::size_t>& rows) {
   std::vector<double> result;
@@ -132,8 +133,8 @@ std::vector<double> times(const FromFile& asked, const Configure& is, const tabl
   return result;
 }
 
-/// The unit of a column: that of the block's key, else of the header, else SI. A name with another unit is
-/// refused.
+/// Returns the unit of a column: that of the block's key, else of the header, else SI. A name with another
+/// unit is refused.
 std::string unit_of(const FromFile& asked, const Configure& is, const table::Column& column,
                     std::size_t index) {
   if (!asked.unit.empty()) return asked.unit.size() == 1 ? asked.unit.front() : asked.unit[index];
@@ -144,7 +145,7 @@ std::string unit_of(const FromFile& asked, const Configure& is, const table::Col
   return column.unit;
 }
 
-/// A column with its unit, and without rows.
+/// Returns a column with its unit, without rows.
 RecordColumn titled_column(const FromFile& asked, const Configure& is, const table::Column& column,
                            const std::string& text, const unit::Unit& unit) {
   if (const auto header = unit::parse_unit(column.unit);
@@ -156,7 +157,7 @@ RecordColumn titled_column(const FromFile& asked, const Configure& is, const tab
   return result;
 }
 
-/// The part of the rows from `first` on that the record has, in SI.
+/// Returns the part of the rows from `first` on that is in the record, in SI.
 RecordColumn read_column(const FromFile& asked, const Configure& is, const Record& record,
                          const table::Column& column, std::size_t index, const CutRows& cut) {
   const std::string text = unit_of(asked, is, column, index);
@@ -172,7 +173,7 @@ RecordColumn read_column(const FromFile& asked, const Configure& is, const Recor
   return result;
 }
 
-/// Takes the rows between `from` and `to`.
+/// Keeps the rows between `from` and `to`.
 CutRows cut(const FromFile& asked, const Configure& is, const std::vector<double>& time,
             std::vector<std::size_t> rows, Record& record) {
   if (time.size() < 2)
@@ -210,7 +211,7 @@ RowOrder rows_of(const FromFile& asked, const Configure& is, const table::Record
   }
 }
 
-/// How many missing values of columns are held, for people.
+/// Adds a note on the number of held missing values.
 void note_held(const Record& record, const std::vector<const table::Column*>& columns,
                std::vector<std::string>& notes) {
   if (!record.hold_missing) return;

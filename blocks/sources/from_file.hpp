@@ -13,7 +13,7 @@
 
 namespace stepwire {
 
-/// Columns of a data file, prepared and then played back: y(t) is the record at t + start, held, straight, or
+/// Prepared columns of a data file as a signal: y(t) is the record at t + start, held, linear, or
 /// band-limited between rows.
 struct FromFile : OwnTime {
   enum class Interpolation { linear, hold, band_limited };
@@ -35,18 +35,20 @@ struct FromFile : OwnTime {
   Output<> y{};
   Diagnostic ended{};
   Samples samples;
-  BandLimited smooth;   ///< of the columns, where band-limited
-  double offset = 0.0;  ///< instant of the record that is time 0 of the run [s]
+  BandLimited smooth;   ///< of the columns, if band-limited
+  double offset = 0.0;  ///< instant of the record at time 0 of the run [s]
 
-  /// As reached() compares instants: what a stage at an instant sees is what begins there.
+  /// Computes the outputs with the tolerance of reached(): at an instant, a stage reads the value that begins
+  /// there.
   void outputs() { play(8.0 * std::numeric_limits<double>::epsilon() * std::abs(own() + offset)); }
-  /// Times of rows are rounded in files: a held row begins at a tick rather than just behind it.
+  /// Computes the outputs with a larger tolerance: times in files are rounded, and a held row must begin at a
+  /// tick rather than just after it.
   void outputs_at_instant() { play(samples.slack()); }
   double next_edge() const {
     if (interpolation == Interpolation::band_limited) return open;
     const double at = place(own() + offset + samples.slack());
     const Index row = samples.row_at(at), last = samples.rows() - 1;
-    const double gone = own() + offset - (at - samples.slack());  // of the periods before
+    const double gone = own() + offset - (at - samples.slack());  // previous periods
     if (at < samples.begin()) return began() + (samples.begin() - offset);
     if (row < last) return began() + (gone + samples.time[row + 1] - offset);
     if (after_end != AfterEnd::repeat) return open;
@@ -77,7 +79,8 @@ struct FromFile : OwnTime {
     return after_end == AfterEnd::repeat ? samples.wrapped(instant) : instant;
   }
 
-  /// After the last row comes the first one again, or nothing new. A jump is not late, as a held row is not.
+  /// Interpolates linearly. The successor of the last row is the first one if repeated, else itself. The
+  /// larger tolerance applies to jumps, so that a jump is not late, like a held row.
   void straight(double instant, double slack) {
     const Index soon = samples.row_at(instant + slack), last = samples.rows() - 1;
     const Index row = samples.is_jump(soon) ? soon : samples.row_at(instant);

@@ -23,8 +23,8 @@ SumOfSquares squares_of(const Numbers& numbers) {
   return squares;
 }
 
-/// Phases that keep the crest low: phi_k = -2 pi sum_{j<k} (k - j) p_j, p the share of each line in the
-/// power.
+/// Returns phases with a low crest factor (Schroeder): phi_k = -2 pi sum_{j<k} (k - j) p_j, with p the share
+/// of each line in the power.
 Numbers schroeder_phases(const Numbers& amplitudes) {
   const SumOfSquares all = squares_of(amplitudes);
   double turns = 0.0, power = 0.0;

@@ -7,7 +7,7 @@
 
 namespace stepwire {
 
-/// A sum of cosines, y = sum_k a_k cos(2 pi f_k t + phi_k): a broad-band excitation whose spectrum is chosen.
+/// Sum of cosines, y = sum_k a_k cos(2 pi f_k t + phi_k): a broadband excitation with a given spectrum.
 struct Multisine : OwnTime {
   enum class Lines { all, odd };
   enum class Phase { schroeder, random, zero };

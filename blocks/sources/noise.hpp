@@ -32,11 +32,11 @@ struct Noise {
   }
   void update() { sample = sample + 1.0; }
 
-  /// Depends on the seed, the element and the number of the sample alone, so that a run can go on from
-  /// anywhere.
+  /// Returns a sample that depends only on the seed, the element and the number of the sample, so that a run
+  /// can be resumed from any instant.
   double standard(Index element) const {
     const double even = even_sample(seed, element, sample);
-    constexpr double width = 3.4641016151377545871;  // sqrt(12): then the variance is 1
+    constexpr double width = 3.4641016151377545871;  // sqrt(12), which gives variance 1
     return distribution == Distribution::uniform ? width * (even - 0.5) : normal_quantile(even);
   }
 

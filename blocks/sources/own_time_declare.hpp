@@ -5,7 +5,7 @@
 
 namespace stepwire {
 
-/// Declares the members of OwnTime. The options of the block have `.at_events = true`.
+/// Declares the members of OwnTime. The options of the block must have `.at_events = true`.
 template <class Block>
 void declare_own_time(Declare<Block>& is) {
   is.template parameter<&Block::restart>(
@@ -18,8 +18,7 @@ void declare_own_time(Declare<Block>& is) {
       {.unit = "s", .doc = "time of the run at which it began, with `restart`", .settable = false});
 }
 
-/// In configure(): a source that follows the run's time remembers nothing. FromFile has an update() of its
-/// own.
+/// Configures a source: with the time of the run it has no states. FromFile has its own update().
 template <class Block>
 void configure_own_time(const Block& block, Configure& is, bool has_update = false) {
   if (block.restart) return;

@@ -8,8 +8,8 @@
 
 namespace stepwire {
 
-/// A train of rectangles: y = bias + amplitude in the first `width` of each period, else y = bias; from
-/// `delay` on, where it is `phase` behind a rising edge.
+/// Rectangular pulse train: y = bias + amplitude in the first `width` of each period, else y = bias. It
+/// starts at `delay`, with `phase` after a rising edge.
 struct Pulse : OwnTime {
   PerElement amplitude = 1.0, period = 1.0, width = 0.5, delay = 0.0, phase = 0.0, bias = 0.0;
   Output<> y{};
@@ -33,9 +33,9 @@ struct Pulse : OwnTime {
   static void declare(Declare<Pulse>& is);
 
  private:
-  /// Of the train. Edges are compared as instants of the run, since that is where their rounding is known.
+  /// Returns the begin of the train. Edges are compared as instants of the run, whose rounding is known.
   double begin(Index k) const { return began() + delay[k]; }
-  /// Of the present period.
+  /// Returns the begin of the present period.
   double begin_of_period(Index k) const {
     const double first = begin(k) - phase[k] / (2.0 * std::numbers::pi) * period[k];
     const double begin = first + period[k] * std::floor((t - first) / period[k]);

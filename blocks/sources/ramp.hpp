@@ -7,7 +7,7 @@
 
 namespace stepwire {
 
-/// A value that grows steadily from one instant on: y = initial + slope max(0, t - start).
+/// Linear ramp from one instant on: y = initial + slope max(0, t - start).
 struct Ramp : OwnTime {
   PerElement slope = 1.0, start_ = 0.0, initial = 0.0;
   Output<> y{};
@@ -27,7 +27,7 @@ struct Ramp : OwnTime {
   static void declare(Declare<Ramp>& is);
 
  private:
-  /// As an instant of the run.
+  /// Returns the begin of the ramp as an instant of the run.
   double corner(Index i) const { return began() + start_[i]; }
 };
 

@@ -34,8 +34,7 @@ std::shared_ptr<const table::RecordTable> read_file(const FromFile& asked, const
   }
 }
 
-/// The output's unit is that of the columns where they all have one and the same; a vector of several has
-/// none.
+/// Returns the output's unit, if all columns have the same one; a vector with several units has none.
 std::optional<std::string> unit_of(const Record& record) {
   const auto& dimension = record.columns.front().dimension;
   for (const RecordColumn& column : record.columns)
@@ -51,7 +50,7 @@ Samples samples_of(const Record& record) {
           Matrix(static_cast<Index>(record.columns.size()), record.rows(), Numbers(all)), record.interval()};
 }
 
-/// A Fourier transform takes rows for evenly spaced.
+/// Refuses unevenly spaced rows, since a Fourier transform requires even ones.
 void require_even(const FromFile& asked, const Configure& is, const Record& record) {
   if (const auto row = first_uneven(record.time))
     is.refuse<&FromFile::interpolation>(
@@ -78,7 +77,7 @@ PlayedRecord played(const FromFile& asked, const Configure& is,
   return result;
 }
 
-/// A text that no other request has: of each piece, how long it is stands before it.
+/// Unique text of a request: each piece is preceded by its length.
 class Name {
  public:
   explicit Name(const FromFile& asked) {

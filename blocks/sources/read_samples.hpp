@@ -10,17 +10,17 @@
 
 namespace stepwire {
 
-/// A record as a FromFile plays it: in SI, cut to its range and prepared.
+/// Record of a FromFile: in SI, cut to its range and prepared.
 struct PlayedRecord {
-  std::weak_ptr<const table::RecordTable> table;  ///< that it was made of
+  std::weak_ptr<const table::RecordTable> table;  ///< table that it was made from
   Samples samples;
-  BandLimited smooth;                ///< of the columns, where band-limited
-  std::optional<std::string> unit;   ///< where all columns have one and the same
-  std::vector<std::string> notes{};  ///< how the file was read, for people
+  BandLimited smooth;                ///< of the columns, if band-limited
+  std::optional<std::string> unit;   ///< set if all columns have the same one
+  std::vector<std::string> notes{};  ///< how the file was read, for the user
 };
 
-/// Reads what a FromFile asks for; refuses its parameters where the file does not fit them. The same record
-/// is prepared once for all blocks and runs, as long as its file has not changed.
+/// Reads the record of a FromFile and refuses parameters that do not fit the file. The same record is
+/// prepared once for all blocks and runs, while its file is unchanged.
 std::shared_ptr<const PlayedRecord> read_samples(const FromFile& asked, Configure& is);
 
 }  // namespace stepwire

@@ -6,10 +6,10 @@
 
 namespace stepwire {
 
-/// Rows of numbers over time, and what they are between the rows.
+/// Rows of numbers over time.
 struct Samples {
-  Numbers time;           ///< of each row [s], increasing, but for two rows at a jump
-  Matrix value;           ///< a column for each row: a row is one piece of memory
+  Numbers time;           ///< of each row [s], increasing, with two equal ones at a jump
+  Matrix value;           ///< a column for each row, so that a row is contiguous in memory
   double interval = 0.0;  ///< mean time between rows of different times [s]
 
   Index rows() const { return time.size(); }
@@ -22,15 +22,16 @@ struct Samples {
       if (is_jump(row)) return true;
     return false;
   }
-  /// After which the rows come again: the first one follows the last after one mean interval.
+  /// Returns the period of repetition: the first row follows the last after one mean interval.
   double period() const { return end() - begin() + interval; }
-  /// A row counts as reached this much early [s]: instants and rows are both rounded, and a held row must not
-  /// come late.
+  /// Returns the tolerance [s] by which a row is reached early: instants and rows are both rounded, and a
+  /// held row must not be late.
   double slack() const { return 1e-6 * interval; }
-  /// The same instant within the first period.
+  /// Returns the same instant within the first period.
   double wrapped(double t) const { return t - period() * std::floor((t - begin()) / period()); }
 
-  /// Last row at or before t, at least the first one. Rows that are nearly even in time are found at once.
+  /// Returns the last row at or before t, at least the first one. The search takes constant time for nearly
+  /// even rows.
   Index row_at(double t) const {
     const double guess = (t - begin()) / interval;
     Index row = guess <= 0.0                               ? 0

@@ -7,7 +7,7 @@
 
 namespace stepwire {
 
-/// A sine wave: y = amplitude sin(2 pi frequency t + phase) + bias.
+/// Sine wave: y = amplitude sin(2 pi frequency t + phase) + bias.
 struct Sine : OwnTime {
   PerElement amplitude = 1.0, frequency = 1.0, phase = 0.0, bias = 0.0;
   Output<> y{};

@@ -5,7 +5,7 @@
 
 namespace stepwire {
 
-/// A jump from one value to another: y = before for t < time, else y = after.
+/// Step from one value to another: y = before for t < time, else y = after.
 struct Step : OwnTime {
   PerElement time = 1.0, before = 0.0, after = 1.0;
   Output<> y{};
@@ -25,7 +25,7 @@ struct Step : OwnTime {
   static void declare(Declare<Step>& is);
 
  private:
-  /// As an instant of the run.
+  /// Returns the step time as an instant of the run.
   double jump(Index k) const { return began() + time[k]; }
 };
 

@@ -10,9 +10,9 @@
 
 namespace stepwire {
 
-/// A motion along a straight line that starts smoothly and goes on at constant speed: with t from `start` on,
-/// v(t) = speed (1 - cos(pi t / rise)) / 2 up to t = rise, and speed from there. In the plane `turn` is added
-/// to the angle of its direction.
+/// Motion along a straight line with a smooth start and then constant speed. With t from `start` on, v(t) =
+/// speed (1 - cos(pi t / rise)) / 2 up to t = rise, and then `speed`. In the plane `turn` is added to the
+/// angle of its direction.
 struct StraightMotion : OwnTime {
   Numbers from{0.0}, direction{1.0};
   double speed = 0.01, rise = 0.0, start_ = 0.0;
@@ -42,7 +42,7 @@ struct StraightMotion : OwnTime {
   static void declare(Declare<StraightMotion>& is);
 
  private:
-  /// Of the direction.
+  /// Returns the length of the direction vector.
   double length() const {
     return length_of(direction.size(), [&](Index i) { return direction[i]; });
   }
@@ -51,14 +51,14 @@ struct StraightMotion : OwnTime {
     double cos = 1.0, sin = 0.0;
   };
 
-  /// An element of the unit vector, turned in the plane.
+  /// Returns an element of the unit vector, rotated in the plane.
   double turned(Index i, const Turn& by) const {
     if (!turn.connected()) return unit[i];
     return i == 0 ? by.cos * unit[0] - by.sin * unit[1] : by.sin * unit[0] + by.cos * unit[1];
   }
 
   double angle(double since) const { return std::numbers::pi * since / rise; }
-  /// Distance at unit speed while the speed rises.
+  /// Returns the distance at unit speed during the rise.
   double rising(double since) const {
     return 0.5 * (since - rise / std::numbers::pi * std::sin(angle(since)));
   }

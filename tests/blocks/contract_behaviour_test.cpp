@@ -1,4 +1,4 @@
-// What every block must do in a run, whatever it computes; checked in diagrams made from the declarations.
+// Rules for every block in a run, whatever it computes; checked in diagrams made from the declarations.
 #include <catch2/catch.hpp>
 
 #include "engine/base/yaml/yaml_text.hpp"

@@ -1,5 +1,5 @@
-// What a block that declares crossings must do: as many numbers as it says, and a change of sign wherever its
-// outputs begin to do something else.
+// Rules for blocks that declare crossings: as many numbers as declared, and a change of sign wherever an
+// output jumps or has a bend.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -12,7 +12,7 @@ using namespace stepwire;
 
 namespace {
 
-/// Does one of the crossings read this input?
+/// True if one of the crossings reads this input.
 bool is_read(const BlockType& type, const std::string& input) {
   return std::ranges::any_of(type.crossings, [&](const CrossingSpec& crossing) {
     return std::ranges::find(crossing.inputs, input) != crossing.inputs.end();

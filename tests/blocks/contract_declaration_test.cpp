@@ -1,4 +1,5 @@
-// What every block declares is complete and fits together; checked from the declarations alone.
+// Rules for the declaration of every block: it is complete and consistent. Checked from the declarations
+// alone.
 #include <catch2/catch.hpp>
 #include <cctype>
 #include <cmath>
@@ -19,7 +20,7 @@ namespace {
 
 using Words = std::set<std::string>;
 
-/// What a declaration says of a parameter, a port or a state.
+/// Declared properties of a parameter, port or state.
 struct Member {
   std::string name, unit, shape, doc;
 };
@@ -118,7 +119,7 @@ TEST_CASE(
     for (const OutputSpec& output : type->outputs)
       for (const std::string& name : unit_variables(output.unit)) {
         INFO(type->name << "." << output.name << ": '" << name);
-        // A block that reads files is told the unit there.
+        // A block that reads files takes the unit from there in configure().
         CHECK((bound.contains(name) || type->configure != nullptr));
       }
   }
@@ -135,7 +136,7 @@ TEST_CASE("sizes of outputs and states are numbers, or letters that inputs or pa
     for (const Member& member : made) {
       INFO(type->name << "." << member.name << " of size " << member.shape);
       CHECK(!member.shape.empty());
-      // What no wire and no parameter gives, configure() can give.
+      // Sizes that no wire and no parameter defines can be set by configure().
       for (const std::string& letter : size_letters(member.shape))
         CHECK((known.contains(letter) || type->configure != nullptr));
     }

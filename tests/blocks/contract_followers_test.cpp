@@ -1,4 +1,5 @@
-// What a block computes from a parameter is known before any value is set, whatever block it is.
+// The numbers of a block that follow from a parameter are known before any value is set; checked for every
+// block.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>

@@ -44,7 +44,7 @@ std::vector<Wiring> located_ways_of(const BlockType& type) {
   return wirings;
 }
 
-/// A program for each way to use each block. A block that no program can have says so by having no header.
+/// Makes a program for each wiring of each block. A block that cannot be generated must have no header.
 std::vector<Made> all_made(Ways ways) {
   std::vector<Made> all;
   for (const BlockType* type : library().types()) {
@@ -80,7 +80,7 @@ std::string source_of(std::span<const Made> all) {
   return source;
 }
 
-/// The tick from which on the two differ; nothing where they never do.
+/// Returns the first tick at which interpreter and generated code differ; std::nullopt if they never do.
 std::optional<std::int64_t> first_difference(const plan::Plan& plan, const ContractLibrary& library,
                                              std::size_t index) {
   void (*reset)(double*) = nullptr;

@@ -1,5 +1,5 @@
-// What a block declares of time must be so: when it jumps, that it never does, and what it does at instants
-// alone.
+// Rules for what a block declares about time: the times of its jumps, that it never jumps, and what it
+// computes at instants only.
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -57,7 +57,7 @@ std::string source_of(const std::vector<Made>& all) {
     const codegen::Groups groups(plan, tuning);
     const std::string space = fmt::format("tuned_{}", i), made = fmt::format("made_{}", i);
     std::string text = codegen::struct_definitions(plan, tuning, groups, space);
-    // Here several programs stand in one source.
+    // One source contains several programs, so these calls name the namespace of their program.
     text = std::regex_replace(text, std::regex(R"( ::(reset|evaluate|advance)\()"), " " + made + "::$1(");
     text.insert(text.find("{\n") + 2, "using namespace " + made + ";\n");
     body += codegen::struct_text(plan, tuning, groups, space) +
@@ -131,7 +131,7 @@ void write(const Value& value, double* place) {
 
 enum class Outcome { same, differs, refused, structure };
 
-/// What becomes of a change of one parameter that is written before a tick.
+/// Changes one parameter before a tick and compares the generated program with the interpreter.
 Outcome outcome(const plan::Plan& plan, const ContractLibrary& library, std::size_t index, std::size_t place,
                 int parameter, const Value& value) {
   run::Executor interpreted(plan);

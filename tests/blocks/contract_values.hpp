@@ -10,8 +10,8 @@ namespace stepwire {
 /// A value of numbers as YAML.
 std::string yaml_of(const Value& value);
 
-/// The wiring with a parameter of the file, p_NAME, for every number that the tested block is given; empty
-/// where there is none.
+/// Adds a file parameter p_NAME for every numeric parameter of the tested block. Returns an empty text if it
+/// has none, or if the wiring is refused.
 std::string with_parameters(const Wiring& wiring);
 
 /// The same with the values that the block has in another wiring, where its signals may have other sizes.

@@ -10,7 +10,7 @@ sw::Model cart(const sw::NamedTexts& settings = {});
 void check(bool holds, const char* what, int line);
 #define CHECK(condition) check(condition, #condition, __LINE__)
 
-/// What an Error says that the call throws; empty where it throws none.
+/// Returns the message of the Error that the call throws; an empty text if it throws none.
 template <class Call>
 std::string refusal(Call call) {
   try {

@@ -1,5 +1,6 @@
-// What a program of others does with the installed library. `consumer generate DIR` writes the cart as C++,
-// and `consumer compare CSV` holds what that program recorded to the library.
+// A foreign program that uses the installed library. `consumer generate DIR` writes the cart as C++. With
+// `consumer compare CSV` the recording of that generated program is compared with the library. Without
+// arguments all checks run.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>

@@ -1,4 +1,4 @@
-// What the front page of the gallery says of chapter 4, held against the experiments that are kept.
+// The sentences about chapter 4 on the front page of the gallery, compared with the stored experiments.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <regex>

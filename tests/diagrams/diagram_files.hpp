@@ -17,7 +17,7 @@ plan::Plan plan_at(const run::Job& job, std::size_t point);
 /// The same with the plan of each, and those of the first and the last point of its sweep.
 void for_every_diagram(const std::function<void(const plan::Plan& plan)>& check);
 
-/// A number that stands for all bits of a run from its present tick to `last`.
+/// Returns a hash of all numbers of a run from its present tick up to `last`.
 std::uint64_t fingerprint(run::Executor& simulation, std::int64_t last);
 
 }  // namespace stepwire

@@ -20,7 +20,7 @@ plan::Plan plan_of(const std::string& flattened) {
   return plan::make_plan(loader.load_text(flattened, "flattened.yaml"));
 }
 
-/// "rig.x [m]" for each column of each table, where it lies in the workspace, and how often it is kept.
+/// Lists the interval of each table and each of its columns: "rig.x [m]" and the offset in the workspace.
 std::vector<std::string> headers(const plan::Plan& plan) {
   std::vector<std::string> lines;
   for (const diagram::RecordRequest& request : plan.diagram.records) {

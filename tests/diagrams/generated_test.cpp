@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t ticks = 10'000;
 
-/// A program's own functions, loaded: of the very text that stands in a generated source.
+/// The loaded functions of a program, compiled from the same text as a generated source.
 struct Loaded {
   using Reset = void (*)(double*, const double*);
   Reset reset = nullptr;
@@ -50,7 +50,8 @@ Loaded load(const run::Job& job, const codegen::Compiler& compiler, const std::s
   return loaded;
 }
 
-/// Are these numbers those of a run? Slopes are the solver's own affair, but for those that outputs write.
+/// Marks the numbers that are compared. Derivatives are internal to the solver and excluded, unless they are
+/// outputs.
 std::vector<bool> compared(const plan::Plan& plan) {
   const plan::Layout& layout = plan.layout;
   std::vector<bool> all(layout.size, true);
@@ -68,7 +69,8 @@ std::size_t first_difference(const std::vector<bool>& compared, const double* a,
   return compared.size();
 }
 
-/// Where and when the two part; empty where they never do.
+/// Returns the first difference between interpreter and generated code, or that the code allocates memory; an
+/// empty text if there is neither.
 std::string difference(const plan::Plan& plan, const Loaded& loaded) {
   run::Executor interpreted(plan);
   std::vector<double> w(plan.layout.size, -1.0);
@@ -90,8 +92,8 @@ std::string difference(const plan::Plan& plan, const Loaded& loaded) {
   return requests == 0 ? "" : "the generated code asks for memory";
 }
 
-/// Does a run give the bits of a plan for a thousand ticks, if compiled code takes over at tick 100, and does
-/// it?
+/// True if a run has the bits of its plan for a thousand ticks, and compiled code, if given, takes over at
+/// tick 100.
 bool same_bits(const plan::Plan& plan, run::Executor& run, const std::optional<plan::CompiledPlan>& code) {
   run::Executor own(plan);
   const std::vector<bool> of_run = compared(plan);

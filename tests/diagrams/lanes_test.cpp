@@ -33,7 +33,7 @@ std::string text_of(const Varied& varied, std::size_t lane) {
   return fmt::format("{} {}", varied.value * (1.0 + 1e-3 * static_cast<double>(lane)), varied.unit);
 }
 
-/// Does a run with this value keep the plan and its numbers finite?
+/// True if a run with this value keeps the plan and its numbers are finite for three ticks.
 bool may_vary(const plan::Plan& plan, const Varied& varied) try {
   run::Executor run(plan);
   if (run.set(varied.name, text_of(varied, 7)) != run::Executor::Setting::done) return false;

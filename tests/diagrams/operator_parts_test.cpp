@@ -1,4 +1,4 @@
-// What the parts of the simulated operators promise, beyond what the diagrams that use them claim.
+// Properties of the parts of the simulated operators, beyond the claims of the diagrams that use them.
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// What the parts of rigs promise, beyond what the figures that use them claim.
+// Properties of the parts of rigs, beyond the claims of the figures that use them.
 #include <catch2/catch.hpp>
 #include <cmath>
 

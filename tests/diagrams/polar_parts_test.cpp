@@ -1,4 +1,4 @@
-// What the parts of the polar interface promise, beyond what the figures that use them claim.
+// Properties of the parts of the polar interface, beyond the claims of the figures that use them.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -77,8 +77,8 @@ blocks:
             force_noise: 0 N}
 record: [pin.position, sensors.position, sensors.force]
 )yaml");
-  // half a count of the encoder at up to 243.5 mm, half a level of the potentiometer; a newton across is seen
-  // by gauges at 0, 120 and 240 degrees, 20 N/V each, half a level of all of which adds up
+  // Half a count of the encoder at up to 243.5 mm, and half a level of the potentiometer. The gauges are at
+  // 0, 120 and 240 degrees, with 20 N/V each; half a level of each adds up.
   const double turn = M_PI / 4000.0, across = 0.2435 * turn, along = 0.150 / 16384.0 / 2.0;
   const double level = 20.0 / 16384.0, x = 20.0 * 2.0 / 3.0 * 2.0 * std::sin(M_PI / 3.0),
                y = 20.0 * 2.0 / 3.0 * 2.0;
@@ -144,7 +144,8 @@ TEST_CASE(
 
 namespace {
 
-/// What the polar interface commands against a force that wants both dampers on; `pin` says what moves it.
+/// Returns the commands of the polar interface for a force that needs both dampers; `pin` has the keys of the
+/// part that moves it.
 table::Table held(const std::string& pin) {
   return run_text(
       "step: 0.1 ms\nstop: 1.1 s\nsolver: rk4\nblocks:\n  held: {block: Step, time: 1 s, before: 1, after: "

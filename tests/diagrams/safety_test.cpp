@@ -1,5 +1,4 @@
-// Faults that are injected into what the controller is told, and what then becomes of the currents
-// themselves.
+// Faults are injected into the inputs of the safety part; the tests check the resulting currents.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -13,8 +12,8 @@ namespace {
 
 constexpr double linear = 0.3, rotary = 0.6, fault = 0.5, sample = 1e-3;
 
-/// A pin on its way under the force of a hand, the safety of the polar interface, and its amplifiers. `force`
-/// and its like name what the safety is told; `more` are blocks that make it up.
+/// Makes a diagram of a pin that moves, the safety of the polar interface, and its amplifiers. The first
+/// argument has the keys of the safety's inputs; `more` has the blocks that these name.
 std::string rig(const std::string& told, const std::string& more = "") {
   return R"(
 step: 0.1 ms
@@ -40,13 +39,13 @@ std::string held(const std::string& what) {
          ", every: 1 ms}\n  before: {block: UnitDelay, u: frozen, every: 1 ms}\n";
 }
 
-/// Time from which on no current flows; what flows before it is what was asked.
+/// Returns the time from which no current flows. Until then the currents must be those commanded.
 double cut_off(const table::Table& table, double cause) {
   const auto &time = column(table, "time"), &first = column(table, "amplifiers.linear"),
              &second = column(table, "amplifiers.rotary");
   std::size_t k = time.size();
   while (k > 0 && std::abs(first[k - 1]) < 1e-6 && std::abs(second[k - 1]) < 1e-6) --k;
-  // the ramp is over after 0.1 s, and the board has steps of 0.12 mA
+  // the start ramp ends after 0.1 s, and the board has steps of 0.12 mA
   for (std::size_t i = 0; i < k; ++i) {
     if (time[i] < 0.105 || time[i] > time[k - 1] - 2.0 * sample) continue;
     REQUIRE(first[i] == Approx(linear).margin(1e-4));
@@ -56,7 +55,7 @@ double cut_off(const table::Table& table, double cause) {
   return time[k - 1];
 }
 
-/// The parts of this repository, for a text that lies in no folder.
+/// Makes the paths of the parts absolute, for a text that has no folder.
 std::string from_anywhere(std::string text) {
   const std::string here = "../diagrams";
   for (auto at = text.find(here); at != std::string::npos; at = text.find(here))
@@ -64,7 +63,7 @@ std::string from_anywhere(std::string text) {
   return text;
 }
 
-/// What the interlock lets through to the linear damper.
+/// Returns the command of the interlock to the linear damper.
 double command_of(const run::Executor& simulation) {
   const plan::Plan& plan = simulation.plan();
   for (std::size_t b = 0; b < plan.blocks.size(); ++b)

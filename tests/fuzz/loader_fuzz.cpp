@@ -27,7 +27,7 @@ std::vector<yaml::Document> read_parts() {
   return parts;
 }
 
-/// Would making all its runs only take long?
+/// True if the sweep has more runs than this test prepares; they would only take time.
 bool is_large(const diagram::Diagram& diagram) {
   return diagram.sweep && diagram.sweep->count() > static_cast<double>(max_runs);
 }

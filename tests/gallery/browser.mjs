@@ -1,4 +1,4 @@
-// A small gallery, and a browser that shows it: as files, as whoever has just made it opens it.
+// A small gallery, and a browser that opens its files directly, as their author does.
 
 import {spawnSync} from "node:child_process";
 import {existsSync, mkdtempSync, readdirSync, rmSync} from "node:fs";

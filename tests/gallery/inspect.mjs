@@ -1,4 +1,4 @@
-// What is looked up in a page, by functions that run there; and in the text of one.
+// Queries of a page by functions that run in the browser, and queries of a page's text.
 
 export const widths = () => ({content: document.documentElement.scrollWidth, window: document.documentElement.clientWidth});
 

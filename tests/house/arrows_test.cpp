@@ -23,7 +23,7 @@ std::ptrdiff_t height_of(const std::string& room) {
   return std::find(floors.begin(), floors.end(), floor_of(room)) - floors.begin();
 }
 
-/// Which rooms the library of each room links, as engine/CMakeLists.txt has it.
+/// Returns the rooms that the library of each room links, by engine/CMakeLists.txt.
 std::map<std::string, Folders> links() {
   std::string text;
   for (const Line& line : lines_of("engine/CMakeLists.txt")) text += line.text + "\n";
@@ -63,8 +63,8 @@ Folders reachable_from(const std::string& folder) {
   return seen;
 }
 
-// A family of blocks sees itself; what registers them all sees the families and the library that they go
-// with. What is done to a record has a room of its own, which suggests names as the reader of diagrams does.
+// A family of blocks sees itself. The folder that registers all blocks sees the families and their library.
+// The preparation of records has a room of its own, which suggests names as the reader of diagrams does.
 bool block_may_include(const std::string& file, const std::string& included) {
   const std::string folder = folder_of(file);
   if (folder == "blocks/records" && included == "engine/base/yaml") return true;

@@ -48,7 +48,7 @@ std::string bare(const std::string& code) {
   return std::regex_replace(text, std::regex(R"(#[^\n]*)"), "");
 }
 
-/// What stands between two braces that begin a block: of a function, a lambda or a statement.
+/// The text between the braces of a block: a function, a lambda or a statement.
 struct Body {
   std::size_t line = 0;  ///< of the opening brace
   std::string text;

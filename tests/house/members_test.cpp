@@ -1,4 +1,5 @@
-// What a block does not declare is lost where its numbers are written: in flattened files, in generated code.
+// A member that a block does not declare is lost where its numbers are written: in flattened files and
+// generated code.
 #include <catch2/catch.hpp>
 #include <map>
 #include <regex>
@@ -10,7 +11,7 @@
 
 namespace {
 
-/// A line without what stands in braces or angles, which may hold commas.
+/// Returns a line without the text in braces or angle brackets, which may contain commas.
 std::string bare(std::string line) {
   static const std::regex group(R"(\{[^{}]*\}|<[^<>]*>)");
   for (std::string before; before != line;) {
@@ -20,7 +21,7 @@ std::string bare(std::string line) {
   return line;
 }
 
-/// The names that a line of a struct's own defines; none where it is no member with a value.
+/// Returns the names that a line of a struct defines; an empty list if it defines no data member.
 std::vector<std::string> members_of(const std::string& line) {
   static const std::regex other(
       R"(  (using|static|constexpr|void|enum|template|private|protected|public|struct|class|friend)\b.*)");
@@ -55,7 +56,7 @@ std::vector<std::string> members_in(const std::string& header) {
   return members;
 }
 
-/// What is named as a member, &Lag::tau, in the sources of each folder.
+/// Returns the names in pointers to members, such as &Lag::tau, in the sources of each folder.
 std::map<std::string, std::set<std::string>> declared_members() {
   static const std::regex member(R"(&\w+::(\w+))");
   std::map<std::string, std::set<std::string>> declared;

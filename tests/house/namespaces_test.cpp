@@ -8,7 +8,7 @@
 
 namespace {
 
-/// What people write blocks and programs with, and the functions that formulas become.
+/// Rooms that people write blocks and programs with, and the header of the functions in formulas.
 const std::set<std::string> public_rooms{"model/signal", "model/block", "base/math", "stepwire"};
 const std::string formulas = "engine/base/expression/language.hpp";
 
@@ -77,7 +77,7 @@ TEST_CASE("a type of another room may be declared where it stands, and nothing m
 }
 
 TEST_CASE("no two headers define a type of one name in one namespace") {
-  // The linker would take one of them for both, and nobody would say so.
+  // The linker would use one of them for both, without a message.
   const std::regex definition(R"(^(?:struct|class) ([A-Z]\w*)(?: final)?(?: :.*)?(?: \{.*)?$)");
   std::map<std::string, std::string> first;
   for (const std::string& file : sources_under({"engine", "blocks"})) {

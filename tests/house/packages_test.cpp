@@ -1,4 +1,4 @@
-// What comes from the registry of npm runs on the node of Debian 12, and is pinned.
+// Packages from the npm registry run on the node of Debian 12, and are pinned.
 #include <array>
 #include <catch2/catch.hpp>
 #include <filesystem>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// One line of a file, counted from 1, and where it stands: for messages.
+/// One line of a file, with its place for messages; lines are counted from 1.
 struct Line {
   std::string file;  ///< path from the top of the source tree
   int number = 0;

@@ -1,4 +1,4 @@
-// What the pages say of blocks.
+// Statements of the pages about blocks.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <regex>

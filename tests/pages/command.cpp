@@ -26,18 +26,18 @@ bool has(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// FILE, DIR and NAME stand for what the reader has.
+/// True if a command has a placeholder, such as FILE, DIR or NAME.
 bool has_placeholder(const std::string& command) {
   return std::regex_search(command, std::regex(R"((^|[ =])[A-Z][A-Z_]+\b)"));
 }
 
-/// Is it done by the wrapper, and no verb of the program? It takes minutes.
+/// True if the words are a command of the wrapper script, which is no verb of the program and takes minutes.
 bool is_of_wrapper(const std::vector<std::string>& words) {
   return has(words, "test") || has(words, "install") || has(words, "package") || has(words, "setup") ||
          has(words, "python");
 }
 
-/// For minutes, or until somebody ends it.
+/// True if a command takes minutes, or runs until it is interrupted.
 bool goes_on(const std::vector<std::string>& words) {
   const bool whole_study = has(words, "study") && std::ranges::any_of(words, [](const std::string& word) {
                              return word.starts_with("diagrams/thesis/");

@@ -8,7 +8,8 @@
 /// take minutes, and those of other programs, are only read.
 bool is_run(const std::string& command);
 
-/// What is wrong with a command that is only read: an unknown verb, option, file or target; empty if nothing.
+/// Returns the fault of a command that is only read: an unknown verb, option, file or target; empty if it has
+/// none.
 std::string fault_of(const std::string& command);
 
 /// Whether a piece of code is a command at all: it begins with the path of a program, or a well-known one.

@@ -11,5 +11,5 @@ bool is_part(const std::string& yaml);
 /// A diagram with the sections of a piece: those that list things by name get longer, others are replaced.
 std::string with_sections(const std::string& diagram, const std::string& piece);
 
-/// Whether the lines of a piece stand in a file in one go, indented or not.
+/// Whether a file contains the lines of a piece in one go, indented or not.
 bool stands_in(const std::string& piece, const std::string& file);

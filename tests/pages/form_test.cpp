@@ -1,4 +1,4 @@
-// What holds for a page as a text: its length, its links, its blocks of code.
+// Rules for a page as a text: its length, its links, its blocks of code.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>

@@ -13,7 +13,7 @@ struct Fence {
   std::string lead;  ///< the paragraph before it
 };
 
-/// A file of Markdown: what stands outside of the blocks of code, and these.
+/// A file of Markdown, split into its blocks of code and the text outside of these.
 struct Page {
   std::string file;  ///< path from the top of the source tree
   std::vector<Line> prose;
@@ -26,7 +26,7 @@ std::vector<Page> all_pages();
 /// The prose in paragraphs, each as one line.
 std::vector<std::string> paragraphs_of(const Page& page);
 
-/// The pieces of a text that stand between single backquotes.
+/// Returns the pieces of a text between single backquotes.
 std::vector<std::string> code_in(const std::string& text);
 
 /// All code of a page: fences and pieces of the prose.

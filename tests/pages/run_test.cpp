@@ -1,5 +1,5 @@
-// What pages show is done: their diagrams run, their commands print what stands there, their sources stand in
-// the files that they name.
+// Pages are executed: their diagrams run, their commands print the shown output, and their sources are pieces
+// of the files that they name.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr int surroundings = 3;  // the exit code where node, gnuplot or data are not on this machine
 
-/// What a page has shown so far, and the folder in which it is done.
+/// State of the execution of a page: its folder, and the last diagram shown.
 struct Reading {
   const Page& page;
   Workbench bench{};
@@ -88,7 +88,7 @@ std::string without_seconds(const std::string& line) {
   return std::regex_replace(line, std::regex(R"([0-9.e-]+ s(?=;|$))"), "_ s");
 }
 
-/// What is printed is shown in its order; a page may leave lines out.
+/// Checks that the shown lines are printed in their order; a page may leave lines out.
 void check_shown(const std::vector<std::string>& shown, const std::string& printed) {
   std::istringstream stream(printed);
   std::string line;

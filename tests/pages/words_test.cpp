@@ -24,7 +24,7 @@ Words options_of_program() {
   return options;
 }
 
-/// Keys of maps, and words that may stand as a value.
+/// Collects the keys of maps, and the words that are allowed as values.
 void collect(const json& schema, Words& words) {
   if (schema.is_object()) {
     if (schema.contains("properties"))

@@ -5,14 +5,14 @@
 
 #include "tests/engine/base/table/scratch.hpp"
 
-/// What a command printed, to both streams, and its exit status.
+/// The output of a command, of both streams, and its exit status.
 struct Outcome {
   int code = -1;
   std::string output;
 };
 
 /// A folder in which the commands of a page run as if at the top of the source tree: ./stepwire is the built
-/// program, diagrams/ is that of the tree. What the commands write stays in the folder.
+/// program, diagrams/ is that of the tree. Files that the commands write stay in the folder.
 class Workbench {
  public:
   Workbench();
@@ -26,5 +26,5 @@ class Workbench {
 /// All of a file; empty if it is not there.
 std::string content_of(const std::filesystem::path& file);
 
-/// What the program prints for these arguments.
+/// Returns the output of the program for these arguments.
 std::string printed_by_program(const std::string& arguments);

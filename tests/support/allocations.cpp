@@ -14,8 +14,8 @@ void* counted(void* memory) {
 
 }  // namespace
 
-// The linker is told (--wrap) to take these for the C functions in all that it links; Eigen asks malloc for
-// its matrices.
+// By its option --wrap the linker uses these in place of the C functions in all that it links; Eigen
+// allocates its matrices by malloc.
 extern "C" {
 void* __real_malloc(std::size_t size);
 void* __real_calloc(std::size_t number, std::size_t size);

@@ -2,8 +2,8 @@
 
 namespace stepwire {
 
-/// How often this thread has asked for memory so far, by new or by malloc. Programs that link
-/// tests_allocations count.
+/// Returns the number of allocations of this thread so far, by new or by malloc. They are counted in programs
+/// that link tests_allocations.
 long allocations();
 
 }  // namespace stepwire

@@ -7,11 +7,11 @@
 
 namespace stepwire {
 
-/// A YAML value as JSON, with numbers and flags told from text as YAML 1.2 does.
+/// Converts a YAML value to JSON. Distinguishes numbers and flags from text as YAML 1.2 does.
 nlohmann::json json_of(const yaml::Node& node);
 
-/// What is wrong with a value by a JSON schema, one line each; empty if it fits. Knows the part of draft
-/// 2020-12 that the schema of diagram files uses, and throws std::logic_error for any other keyword.
+/// Returns the faults of a value by a JSON schema, one line each; empty if it is valid. Supports the part of
+/// draft 2020-12 that the schema of diagram files uses, and throws std::logic_error for any other keyword.
 std::string schema_faults(const nlohmann::json& value, const nlohmann::json& schema);
 
 }  // namespace stepwire

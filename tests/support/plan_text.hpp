@@ -21,7 +21,7 @@ plan::Plan plan_text(const std::string& yaml, const std::vector<diagram::Setting
 run::RunResult result_of(const std::string& yaml, const std::vector<diagram::Setting>& settings = {},
                          const Registry& registry = library());
 
-/// What is wrong with such a text, one line for each fault; empty where nothing is.
+/// Returns the faults of such a text, one line each; an empty list if there are none.
 std::vector<std::string> faults_of(const std::string& yaml,
                                    const std::vector<diagram::Setting>& settings = {},
                                    const Registry& registry = library());

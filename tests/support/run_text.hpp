@@ -6,9 +6,8 @@
 
 namespace stepwire {
 
-/// Runs a diagram given as text, with every block of the library, and returns what it recorded (its first
-/// recording). `head` keys that a test does not care about may be left out: "stepwire: 1" and "title" are
-/// added.
+/// Runs a diagram given as text, with every block of the library, and returns its first recording. The head
+/// keys "stepwire: 1" and "title" may be left out; they are added.
 table::Table run_text(const std::string& yaml);
 
 /// A recorded column; fails the test if it is not there.

@@ -24,7 +24,7 @@ struct BoundaryPoint {
 /// angle. Side is 1 if the region is to the left of the line or inside of the circle, else -1.
 ///
 /// The search is a branch and bound on a tree of sleeves. A sleeve is the set of points within a radius of a
-/// line segment; around pieces of a curve it is much tighter than a box, so fewer pieces are visited. Each
+/// line segment. Around pieces of a curve it is much tighter than a box, so fewer pieces are visited. Each
 /// leaf covers `leaf_size` successive pieces. The tree is complete and binary with `leaves` leaves (a power
 /// of 2). Each node, beginning with the root, has start x y, direction x y and length of its segment, and its
 /// radius.
@@ -39,7 +39,7 @@ struct BoundarySearch {
 
   BoundaryPoint nearest(Vector2 from) const {
     BoundaryPoint best;
-    Open open[64];  // deep enough for 2^63 leaves
+    Open open[64];  // more than the depth of any tree whose leaves fit into an index
     Index waiting = 0;
     open[waiting++] = {0, 0.0};
     while (waiting > 0) {

@@ -56,8 +56,8 @@ double distance_between(const PlanePiece& a, const PlanePiece& b) {
                    distance_to_stretch(b, a.start), distance_to_stretch(b, a.end())});
 }
 
-/// True if two sections are part of one bend. The edges of a turn on the spot meet half a circle further on,
-/// and at a corner two lines are near to each other for any angle.
+/// True if two sections are part of one bend. The edges of a turn on the spot meet half a circle further on.
+/// At a corner two lines are near to each other for any angle.
 bool is_one_bend(const PlaneChain& chain, const Stretch& a, const Stretch& b, double half_width) {
   const double between = b.start - a.start - a.line.extent;
   const double least = std::numbers::pi * half_width;

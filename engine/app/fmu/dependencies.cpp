@@ -22,43 +22,47 @@ void Dependencies::add_own(int block, std::set<int>& to) const {
   if (is_input || plan_.diagram.blocks[b].type().has_continuous_state()) to.insert(block);
 }
 
-void Dependencies::add_input(int block, std::size_t input, std::set<int>& to) {
+std::vector<Dependencies::Output> Dependencies::sources_of(int block, std::size_t input) const {
+  std::vector<Output> sources;
   for (const diagram::Source& source : plan_.diagram.blocks[static_cast<std::size_t>(block)].inputs[input])
-    if (source.block >= 0) {
-      const std::set<int> more = of_output(source.block, source.output);
-      to.insert(more.begin(), more.end());
-    }
+    if (source.block >= 0) sources.emplace_back(source.block, source.output);
+  return sources;
 }
 
-// Returns the dependencies of an output, memoized. The entry exists before the recursion, so an algebraic
-// loop ends at its second visit.
-const std::set<int>& Dependencies::of_output(int block, int output) {
-  const auto [known, is_new] = known_.try_emplace({block, output});
-  if (!is_new) return known->second;
+std::set<int> Dependencies::of_outputs(std::vector<Output> open) const {
+  std::set<Output> seen(open.begin(), open.end());
   std::set<int> found;
-  add_own(block, found);
-  const diagram::DiagramBlock& of = plan_.diagram.blocks[static_cast<std::size_t>(block)];
-  for (std::size_t input = 0; input < of.inputs.size(); ++input)
-    if (feeds_through(block, input, output)) add_input(block, input, found);
-  if (of.guard >= 0) {
-    const std::set<int> more = of_output(of.guard, 0);
-    found.insert(more.begin(), more.end());
+  const auto add = [&](const Output& output) {
+    if (seen.insert(output).second) open.push_back(output);
+  };
+  while (!open.empty()) {
+    const auto [block, output] = open.back();
+    open.pop_back();
+    add_own(block, found);
+    const diagram::DiagramBlock& of = plan_.diagram.blocks[static_cast<std::size_t>(block)];
+    for (std::size_t input = 0; input < of.inputs.size(); ++input)
+      if (feeds_through(block, input, output)) std::ranges::for_each(sources_of(block, input), add);
+    if (of.guard >= 0) add({of.guard, 0});
   }
-  return known->second = std::move(found);
+  return found;
 }
 
-std::set<int> Dependencies::of(const diagram::SignalRef& signal) {
-  if (signal.output >= 0) return of_output(signal.block, signal.output);
+std::set<int> Dependencies::of(const diagram::SignalRef& signal) const {
+  if (signal.output >= 0) return of_outputs({{signal.block, signal.output}});
   std::set<int> own;
   add_own(signal.block, own);
   return own;
 }
 
-std::set<int> Dependencies::of_slopes(int block) {
-  std::set<int> found;
-  add_own(block, found);
+std::set<int> Dependencies::of_slopes(int block) const {
+  std::vector<Output> sources;
   const std::size_t inputs = plan_.diagram.blocks[static_cast<std::size_t>(block)].inputs.size();
-  for (std::size_t input = 0; input < inputs; ++input) add_input(block, input, found);
+  for (std::size_t input = 0; input < inputs; ++input) {
+    const std::vector<Output> more = sources_of(block, input);
+    sources.insert(sources.end(), more.begin(), more.end());
+  }
+  std::set<int> found = of_outputs(std::move(sources));
+  add_own(block, found);
   return found;
 }
 

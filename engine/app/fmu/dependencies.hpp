@@ -1,8 +1,8 @@
 #pragma once
 
-#include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "engine/model/plan/plan.hpp"
 
@@ -14,18 +14,21 @@ class Dependencies {
  public:
   explicit Dependencies(const plan::Plan& plan) : plan_(plan) {}
 
-  const std::set<int>& of_output(int block, int output);
-  std::set<int> of(const diagram::SignalRef& signal);
+  std::set<int> of(const diagram::SignalRef& signal) const;
   /// Returns the dependencies of the derivatives of a block's states.
-  std::set<int> of_slopes(int block);
+  std::set<int> of_slopes(int block) const;
 
  private:
+  using Output = std::pair<int, int>;  ///< a block and the number of its output
+
+  /// Returns the dependencies of outputs. A search over the wires meets each output once, also in an
+  /// algebraic loop.
+  std::set<int> of_outputs(std::vector<Output> open) const;
+  std::vector<Output> sources_of(int block, std::size_t input) const;
   bool feeds_through(int block, std::size_t input, int output) const;
-  void add_input(int block, std::size_t input, std::set<int>& to);
   void add_own(int block, std::set<int>& to) const;
 
   const plan::Plan& plan_;
-  std::map<std::pair<int, int>, std::set<int>> known_;
 };
 
 }  // namespace stepwire::fmu

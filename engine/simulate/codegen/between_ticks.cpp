@@ -14,8 +14,8 @@ bool runs(const plan::KernelCall& call, const plan::PlannedBlock& block) {
   return call.first <= block.memory && block.memory < call.end;
 }
 
-/// True if a block has updates at ticks only because it reads inputs of the diagram there, or only to check
-/// them.
+/// True if a block without states is called at ticks only to follow inputs of the diagram, which are read
+/// there, or to check signals.
 bool has_ticks_of_inputs(const plan::Plan& plan, std::size_t b) {
   const diagram::DiagramBlock& block = plan.diagram.blocks[b];
   const BlockType& type = block.type();

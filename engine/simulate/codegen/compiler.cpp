@@ -54,8 +54,7 @@ Compiler::Compiler() {
 }
 
 std::vector<std::string> Compiler::flags() {
-  // The code uses neither errno nor traps. Without them a square root is one instruction and branches may
-  // become selections.
+  // Without errno and traps a square root is one instruction, and branches may become selections.
   std::vector<std::string> flags{
       "-std=c++20", "-O3", "-DNDEBUG", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"};
   for (const char* function : library_functions) flags.push_back(std::string("-fno-builtin-") + function);
@@ -80,8 +79,7 @@ std::string Compiler::compile(const std::string& source, const std::string& libr
                               const std::vector<std::string>& more, const std::stop_token& stop) const {
   std::vector<std::string> command = this->command(more);
   const std::string headers = io::find_resource("precompiled") + "/" + standard_headers;
-  // GCC uses a precompiled header only if it fits these flags and this version; clang rejects that of another
-  // one.
+  // GCC uses a precompiled header only with fitting flags and version; clang rejects that of another one.
   if (is_gcc() && std::filesystem::exists(headers)) command.insert(command.end(), {"-include", headers});
   command.insert(command.end(), {"-I", io::resource("headers"), "-I", io::resource("public")});
   if (const std::string eigen = io::find_resource("eigen"); !eigen.empty())

@@ -6,7 +6,7 @@
 
 namespace stepwire::codegen {
 
-/// Returns a text of a diagram as a part of a C++ comment: on one line, and without anything that ends the
+/// Returns a text of a diagram as a part of a C++ comment. It is on one line, without anything that ends the
 /// comment or continues it on the next line.
 std::string cpp_comment(std::string_view text);
 

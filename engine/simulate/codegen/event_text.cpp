@@ -17,8 +17,8 @@ namespace {
 
 /// Placeholders in order. Task: states, crossings, first signal, count of numbers, report, jumps of sources,
 /// limits of events and iterations. Then: step of the solver, update of time signals, report of the solver
-/// and its size, derivatives, calls before guards, numbers that guards keep, stop condition, and inner points
-/// of the task.
+/// and its size, derivatives, calls before guards. At last: numbers that guards keep, stop condition, and
+/// inner points of the task.
 constexpr char locate_form[] =
     "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, {4}, {5}, {17}, "
     "{6}, "

@@ -82,7 +82,7 @@ class Gatherer {
     }
   }
 
-  /// Throws if two folders have different headers of the same name: a compiler searches the folders in one
+  /// Throws if two folders have different headers of the same name. A compiler searches the folders in one
   /// order for all headers, and would use the wrong one.
   void require_one_of_each() const {
     for (const auto& [included, header] : found_)

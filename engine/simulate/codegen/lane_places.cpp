@@ -53,8 +53,8 @@ class Follower {
     return false;
   }
 
-  /// True if a block reads a number that differs between lanes, or writes to a place that differs because of
-  /// another block, such as the derivative of a state.
+  /// True if a block reads a number that differs between lanes. Also true if it writes to a place that
+  /// differs because of another block, such as the derivative of a state.
   bool differs(std::size_t index) const {
     const plan::PlannedBlock& block = plan_.blocks[index];
     for (const auto& slots : block.inputs)

@@ -64,8 +64,7 @@ class Loop {
            (type_of_number(a.hole) == type_of_number(b.hole) && !type_of_number(a.hole).empty());
   }
 
-  /// Returns the content of a placeholder: a constant, a place with a constant stride, or a column of the
-  /// table.
+  /// Returns the content of a placeholder: constant, place with constant stride, or column of the table.
   std::string filling(std::size_t piece) {
     const auto& first = set_ups_.front()[piece];
     if (first.offset < 0) return all_equal(piece) ? first.hole : column(piece, type_of_number(first.hole));
@@ -116,8 +115,8 @@ class Loop {
 
 using SetUps = std::vector<Statements::Pieces>;
 
-/// True if the step from `one` to `next` is the same as that from `first` to `second`, apart from fractional
-/// numbers. Such a row of blocks needs no table of places.
+/// True if the step from `one` to `next` equals that from `first` to `second`, apart from fractional numbers.
+/// A row of such blocks needs no table of places.
 bool goes_on(const Statements::Pieces& first, const Statements::Pieces& second, const Statements::Pieces& one,
              const Statements::Pieces& next) {
   if (first.size() != next.size()) return false;
@@ -139,8 +138,8 @@ std::size_t even_row(const SetUps& set_ups, std::size_t from) {
   return end - from;
 }
 
-/// Generates the code of one kernel call: rows with constant stride become loops, the blocks between them
-/// loops with a table or single calls.
+/// Generates the code of one kernel call: rows with constant stride become loops, the others table loops or
+/// calls.
 class BatchCode {
  public:
   BatchCode(const plan::Plan& plan, const Statements& statements, const std::vector<std::size_t>& blocks,

@@ -9,7 +9,7 @@ namespace stepwire::codegen {
 
 /// Form of the part of advance() that integrates the states over a step, after the updates. The operations
 /// and their order are those of the solver. It calls `derivatives(w, numbers, dot)` for the derivatives at
-/// the tick and `slopes(w, numbers, s, dot)` for those at a stage, with the time and states in `s`.
+/// the tick. It calls `slopes(w, numbers, s, dot)` for those at a stage, with the time and states in `s`.
 struct StepForm {
   bool small = false;  ///< True if stages have numbers of their own.
   bool begins = true;  ///< False if the derivatives at the start are in the workspace.

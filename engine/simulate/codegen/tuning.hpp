@@ -44,8 +44,8 @@ struct Tuning {
       places;  ///< Number of a place in the workspace, for constants and initial values.
 };
 
-/// Returns the tuning of a plan. Every parameter that is a number, a list or a matrix may change, unless the
-/// plan or a result of configure() depends on it: these are only computed before a run.
+/// Returns the tuning of a plan. Every parameter that is a number, a list or a matrix may change. Exceptions
+/// are those on which the plan or a result of configure() depends, which are only computed before a run.
 Tuning tuning_of(const plan::Plan& plan);
 
 }  // namespace stepwire::codegen

@@ -28,7 +28,7 @@ class ValueTexts {
 
   /// Returns the numbers of a value: one, those of a list, or those of a matrix column by column. Returns
   /// std::nullopt if the text holds anything else, or applies a unit to a value that depends on a parameter.
-  /// `scope` is that of the file whose parameters it names.
+  /// The scope is that of the file whose parameters it names.
   std::optional<std::vector<NumberText>> numbers(const yaml::Node& node, int scope) const;
   /// Returns the numbers of a parameter.
   std::vector<NumberText> parameter(std::size_t d) const;

@@ -149,8 +149,8 @@ class Profiler {
     return (ticks - period.first + period.ticks - 1) / period.ticks + (period.at_start ? 1 : 0);
   }
 
-  /// Counts the evaluations of the equations in one step of the solver after that at its start, and the
-  /// distinct times up to and including the next tick.
+  /// Counts the evaluations of the equations in one step of the solver, without the one at its start. Also
+  /// counts the distinct times up to and including the next tick.
   void count_evaluations() {
     equations_.start(0.0);
     if (solver_) solver_->advance(equations_, run::whole_step(plan_, 0));

@@ -19,8 +19,7 @@ RowRing::RowRing(std::size_t capacity) : queue_(std::make_unique<Queue>(capacity
 RowRing::~RowRing() = default;
 
 bool RowRing::push(const double* row, std::size_t count) {
-  // A push may write a part of a row if the space is short. Only this thread pushes, so free space stays
-  // free.
+  // A push may write part of a row if space is short. Only this thread pushes, so free space stays free.
   return queue_->numbers.write_available() >= count && queue_->numbers.push(row, count) == count;
 }
 

@@ -12,8 +12,8 @@
 
 namespace stepwire::realtime {
 
-/// Writes the rows of a ring into the files of a loop, in a thread of its own. finish() renames the files to
-/// their names; without it they are removed.
+/// Writes the rows of a ring into the files of a loop, in a thread of its own. The files get their names in
+/// finish(); without it they are removed.
 class RowWriter {
  public:
   /// Throws EnvironmentError if a file cannot be created.

@@ -24,8 +24,8 @@ inline constexpr const char* flattened_name = "diagram.yaml";
 /// write.
 inline constexpr yaml::DocumentLimits wide_limits{
     .bytes = std::size_t{512} << 20, .depth = 64, .nodes = 64'000'000};
-/// Table of a sweep, with a row for each run: the name of its diagram if there are several, and the values of
-/// blocks that it sets, in the format of diagram files.
+/// Table of a sweep, with a row for each run. It has the name of its diagram if there are several, and the
+/// values of blocks that it sets, in the format of diagram files.
 inline constexpr const char* sweep_name = "sweep.csv";
 /// First column with several diagrams: their names in the folder, "diagrams/0001.yaml", ...
 inline constexpr const char* diagram_column = "diagram";

@@ -15,13 +15,13 @@ namespace stepwire::replay {
 
 /// Result of replaying a folder.
 struct Verification {
-  std::size_t signals = 0;  ///< Compared columns of all tables.
-  std::size_t rows = 0;  ///< Rows of all tables and runs.
-  std::size_t runs = 1;  ///< Runs of a sweep.
+  std::size_t signals = 0;       ///< Compared columns of all tables.
+  std::size_t rows = 0;          ///< Rows of all tables and runs.
+  std::size_t runs = 1;          ///< Runs of a sweep.
   std::size_t missing_rows = 0;  ///< Rows of complete runs that are missing in the folder.
-  bool loop = false;  ///< True for a real-time loop, whose missing rows are lost ones.
-  bool interrupted = false;  ///< True if the replay was interrupted.
-  std::string difference;  ///< First difference in time, with its place; empty without one.
+  bool loop = false;             ///< True for a real-time loop, whose missing rows are lost ones.
+  bool interrupted = false;      ///< True if the replay was interrupted.
+  std::string difference;        ///< First difference in time, with its place; empty without one.
 };
 
 /// Reads the numbers that a sweep keeps of its runs from their entry of run.json, for the plan of its

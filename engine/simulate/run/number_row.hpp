@@ -6,8 +6,8 @@
 
 namespace stepwire::run {
 
-/// Computes the row of numbers that a sweep keeps of a run, with the last time in front. `run` is the
-/// recording of the run, with its swept parameters as columns.
+/// Computes the row of numbers that a sweep keeps of a run, with the last time in front. The recording of the
+/// run has its swept parameters as columns.
 record::Recording number_row(const RunNumbers& numbers, std::span<const record::Recording> run);
 
 }  // namespace stepwire::run

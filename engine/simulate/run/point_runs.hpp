@@ -40,8 +40,8 @@ class PointRuns {
   std::atomic<std::size_t> done_ = 0;
 };
 
-/// Runs groups of points on each thread, until the function of make_take() returns an empty list. `begin`
-/// makes the recording of each point; `done` receives it after the run.
+/// Runs groups of points on each thread, until the function of make_take() returns an empty list. Function
+/// `begin` makes the recording of each point, and `done` receives it after the run.
 template <class MakeTake, class Begin, class Done>
 void run_groups(PointRuns& runs, unsigned threads, const MakeTake& make_take, const Begin& begin,
                 const Done& done) {

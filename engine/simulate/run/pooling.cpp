@@ -100,7 +100,7 @@ SweptColumns::SweptColumns(const Job& job) : job_(job) {
   const diagram::Diagram& diagram = job.plan.diagram;
   for (const diagram::Sweep::Axis& axis : diagram.sweep->axes) {
     const diagram::DiagramParameter* parameter = parameter_of(diagram, axis.parameter);
-    // The value of a block may be left to its default, which has no dimension here.
+    // A swept value of a block has the dimension of the axis, since the file may leave it to its default.
     const auto dimension = parameter && parameter->dimension ? parameter->dimension : axis.values.dimension();
     const bool is_words = has_words(axis);
     columns_.push_back({axis.parameter, dimension && !is_words ? unit::si_name(*dimension) : "", {}});

@@ -20,7 +20,7 @@ record::Recording with_swept(const record::Recording& run, const SweptColumns& s
   return all;
 }
 
-/// Index of a point among the recorded ones; nullopt for any other point.
+/// Returns the index of a point among the recorded ones; std::nullopt for any other point.
 std::optional<std::size_t> place_of(const std::vector<std::size_t>& recorded_points, std::size_t point) {
   const auto found = std::ranges::lower_bound(recorded_points, point);
   if (found == recorded_points.end() || *found != point) return std::nullopt;

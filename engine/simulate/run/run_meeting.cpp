@@ -96,8 +96,8 @@ std::size_t RunMeeting::waiting_for(std::size_t member) const {
   return static_cast<std::size_t>(std::ranges::count(waiting_, member, &Waiting::member));
 }
 
-/// True if a group of this plan may start: its lanes are full, or all threads wait and it is the plan with
-/// the most waiting runs (the first of equal ones).
+/// True if a group of this plan may start. Either its lanes are full, or all threads wait and it is the plan
+/// with the most waiting runs (the first of equal ones).
 bool RunMeeting::may_go(std::size_t member) const {
   if (waiting_for(member) >= together_.at_once(member)) return true;
   if (waiting_.size() + busy_ < expected_) return false;

@@ -32,7 +32,7 @@ class TogetherRuns {
   /// Returns the largest number of lanes that the code will have, of any plan to be compiled.
   int most_lanes() const { return code_.most_lanes(); }
   /// Runs all of them from time 0 to their ends. Returns false, with the runs unchanged, if they have to run
-  /// one by one. `alone` is the code of single runs; nullptr while there is no such code.
+  /// one by one. The code of single runs is `alone`; nullptr while there is none.
   bool run(std::size_t member, const plan::CompiledPlan* alone, std::vector<PendingRun>& runs);
   /// Adds the ticks of a run that was made alone.
   void done(std::int64_t ticks) { code_.done(ticks); }

@@ -4,8 +4,8 @@
 
 namespace stepwire::solve {
 
-/// Coefficients of DOP853 (Hairer, Norsett and Wanner, Solving ODEs I, II.5 and II.10), the Dormand-Prince
-/// method of order 8 with error estimates of orders 5 and 3. It needs twelve evaluations per step and suits
+/// Coefficients of DOP853 (Hairer, Norsett and Wanner, Solving ODEs I, II.5 and II.10). This Dormand-Prince
+/// method of order 8 has error estimates of orders 5 and 3. It needs twelve evaluations per step and suits
 /// small tolerances.
 struct Dop853Pair {
   static constexpr int stages = 13;

@@ -59,7 +59,7 @@ Asked<Evaluate> asked(const Evaluate& evaluate, const Stops& stops) {
 ///
 /// A `Method` attempts one step and estimates its error. A PI controller chooses the next step size, and
 /// Hairer's rule the first one (Hairer, Norsett and Wanner, Solving ODEs I, II.4). If `Evaluate` has
-/// stops(time), it is called at the end of each step but the last one, with the states there; the integration
+/// stops(time), it is called at the end of each step but the last one, with the states there. The integration
 /// ends there if it returns true. With `max_states` no memory is allocated, and the results are the same to
 /// the last bit.
 template <template <int> class Method, int max_states = Eigen::Dynamic>
@@ -197,7 +197,7 @@ class Controlled {
   }
 
   Method<max_states> method_;
-  bool rejected_ = false;  ///< after an attempt that was
+  bool rejected_ = false;  ///< true after a rejected attempt
   Vector origin_, start_, slope_;
 };
 

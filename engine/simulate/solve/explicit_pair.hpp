@@ -6,8 +6,8 @@
 
 namespace stepwire::solve {
 
-/// Weights of a pair of explicit Runge-Kutta methods whose last stage is the derivative at the end of the
-/// step and the first stage of the next one (FSAL).
+/// Weights of a pair of explicit Runge-Kutta methods. The last stage is the derivative at the end of the step
+/// and the first stage of the next one (FSAL).
 struct BogackiShampinePair {
   static constexpr int stages = 4;
   static constexpr double order = 3.0;

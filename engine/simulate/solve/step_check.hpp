@@ -38,8 +38,7 @@ class StepCheck {
     *now = end;
     evaluate();
     for (Eigen::Index i = 0; i < x.size(); ++i) {
-      // The error of a state that is 0 and whose input jumps within the step may be a part of its change in a
-      // step.
+      // A state that is 0 and whose input jumps in the step may err by a part of its change.
       const bool rests = std::abs(start[i]) <= WorstError::smallest_size;
       const double late = rests ? 16.0 * step * std::abs(dot_place[i]) : 0.0;
       worst.add(std::max(std::abs(kept_[i] - x[i]) - late, 0.0), size(start[i], x[i], step * dot_place[i]),

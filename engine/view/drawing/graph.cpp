@@ -137,8 +137,8 @@ class GraphWriter {
     return outputs;
   }
 
-  /// Returns the text on the wire of a block's output, by the output's name or, if it is the block's only one
-  /// (`alone`), by the block's name. Returns nullptr without a text.
+  /// Returns the text on the wire of a block's output, by the output's name. If it is the block's only one
+  /// (`alone`), the block's name is valid too. Returns nullptr without a text.
   const std::string* label_of(const std::string& id, const std::string& output, bool alone) const {
     auto found = options_.labels.find(id + "." + output);
     if (found == options_.labels.end() && alone) found = options_.labels.find(id);

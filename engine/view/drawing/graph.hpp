@@ -9,14 +9,17 @@
 
 namespace stepwire::drawing {
 
-/// Returns a diagram as the graph that draw.mjs draws:
+/// Returns a diagram as the graph that draw.mjs draws. Its parts are
+///
 ///   graph: {title (of the whole), inputs: [port], outputs: [port], nodes: [node], wires: [wire],
 ///          groups: [{name, members: [id]}] (of the whole)}
+///
 ///   node: {id, name, type, part, outline, lines, fraction, curve, axes, state, inputs: [port], outputs:
-///   [port],
-///          graph (of an opened part)}
+///          [port], graph (of an opened part)}
+///
 ///   port: {port, label, sign, recorded, mark (text on the wire that begins there)}; listed if connected or
 ///   recorded
+///
 ///   wire: {from: end, to: end, unit}
 ///   end: {node, port} or {constant}; the node "" is the file itself.
 ///

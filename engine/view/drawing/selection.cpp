@@ -108,7 +108,7 @@ std::vector<int> Selection::own_outputs(const Hierarchy& hierarchy) const {
   return found;
 }
 
-/// Returns the outputs with a sink. If none has one, returns all that are not hidden, unless their sinks are
+/// Returns the outputs with a visible sink. If none has one, returns all outputs of its own that are not
 /// hidden.
 std::vector<int> Selection::outputs_of(const Hierarchy& hierarchy, int child,
                                        const std::set<std::pair<int, int>>& used) const {

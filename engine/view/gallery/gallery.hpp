@@ -86,8 +86,8 @@ struct Gallery {
 /// Returns the chapter: the part of its section before the first dot.
 std::string chapter_of(const GalleryEntry& entry);
 
-/// Returns all texts of the gallery by their path: a front page, a page for each entry, copies of the diagram
-/// files and a page for each of them. They refer to nothing outside.
+/// Returns all texts of the gallery by their path. These are a front page, a page for each entry, copies of
+/// the diagram files and a page for each of them. They refer to nothing outside.
 std::map<std::string, std::string> gallery_files(const Gallery& gallery);
 
 /// Returns "229 of 239 claims hold, 10 known not to hold, 108 invariants held throughout."

@@ -49,8 +49,8 @@ const char* symbol_word(plot::PointsMark::Symbol symbol) {
   return symbol == plot::PointsMark::Symbol::ring ? "6" : "7";
 }
 
-/// Centres and values of all cells. gnuplot refuses an image with one row or column, so a single one is split
-/// into two of half its size.
+/// Centres and values of all cells. A single row or column is split into two of half its size, since gnuplot
+/// refuses an image with one.
 struct ImageCells {
   std::vector<double> x, y, values;
 

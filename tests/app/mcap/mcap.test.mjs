@@ -1,4 +1,4 @@
-// What `run --files mcap` writes, as a viewer reads it: with the reader of npm, which checks every checksum.
+// Files of `run --files mcap`, read as a viewer does: with the reader from npm, which checks every checksum.
 
 import assert from "node:assert/strict";
 import {spawnSync} from "node:child_process";

@@ -1,4 +1,4 @@
-// What PID and DiscretePID do with an actuator that does something else, and by hand.
+// PID and DiscretePID with an actuator that deviates from the command, and in manual mode.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>

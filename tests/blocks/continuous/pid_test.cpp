@@ -11,8 +11,8 @@ const std::string head = "step: 1 ms\nstop: 4 s\nsolver: rk4\nblocks:\n";
 
 }  // namespace
 
-// scipy 1.10.1: plant 1 / (s^2 + s + 1), controller C = 3 + 2/s + s/(0.05 s + 1);
-// signal.step((num C, den C den plant + num C), T=linspace(0, 4, 4001)), at 0.5, 1, 2, 4 s
+// Reference from scipy 1.10.1: plant 1 / (s^2 + s + 1), controller C = 3 + 2/s + s/(0.05 s + 1).
+// Call: signal.step((num C, den C den plant + num C), T=linspace(0, 4, 4001)), at 0.5, 1, 2, 4 s
 TEST_CASE("A loop closed by a PID controller agrees with SciPy") {
   const table::Table table = run_text(head + R"(  e: {block: Sum, signs: "+-", u: [1, plant]}
   pid: {block: PID, kp: 3, ki: 2, kd: 1, tau: 50 ms, settled: false, u: e}

@@ -29,8 +29,8 @@ record: [q]
 }
 
 TEST_CASE("The turned frame and the fixed one differ by the order of the turns") {
-  // Half a second about x at 1 rad/s, then about z at 2 rad/s: q = qx qz where each turn is about the turned
-  // axes, and q = qz qx where about the fixed ones.
+  // Half a second about x at 1 rad/s, then about z at 2 rad/s. Turns about the turned axes give q = qx qz,
+  // turns about the fixed axes q = qz qx.
   const table::Table table = run_text(R"(
 step: 1 ms
 stop: 1 s

@@ -108,7 +108,7 @@ TEST_CASE("What has a reset repeats itself after one, whatever it is") {
         "SavitzkyGolay, u: saw", "RateLimiter, u: 10, rising: 3", "Backlash, u: saw, width: 0.1",
         "DiscreteTransferFunction, u: saw, numerator: [1, 0.5], denominator: [1, -0.9]"}) {
     INFO(block);
-    // What they are fed repeats itself, too: a saw that falls back at each second.
+    // The input repeats itself, too: a sawtooth that restarts at each second.
     const table::Table table =
         run_reset(fmt::format("block: {}, reset: r", block),
                   "  back: {block: Pulse, period: 1 s, width: 0.5}\n"

@@ -19,9 +19,10 @@ record: [swing]
     CHECK(column(table, "swing")[k] == Approx(std::cos(3.0 * time[k])).margin(1e-10));
 }
 
-// Exact, by the matrix exponential of the system joined with the generator of its inputs u = [1, sin t]:
-//   scipy 1.10.1: Z = [[A, B, 0], [0 0 0 0 0], [0 0 0 0 1], [0 0 0 -1 0]]; z = expm(Z t) [0.2, -0.1, 1, 0, 1]
-//   y = C z[:2] + D z[2:4]
+// Exact solution by the matrix exponential of the system joined with the generator of its inputs
+// u = [1, sin t].
+//   SciPy 1.10.1: Z = [[A, B, 0], [0 0 0 0 0], [0 0 0 0 1], [0 0 0 -1 0]]
+//   z = expm(Z t) [0.2, -0.1, 1, 0, 1]. Outputs: y = C z[:2] + D z[2:4]
 TEST_CASE("A state space with two inputs and three outputs agrees with its matrix exponential") {
   const table::Table table = run_text(R"(
 step: 1 ms

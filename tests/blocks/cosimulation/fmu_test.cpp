@@ -22,7 +22,7 @@ std::string diagram(const Scratch& scratch, const std::string& kind, const std::
   return fmt::format("{}\nblocks:\n  unit: {{block: Fmu, file: {}{}}}\n", head, path, keys);
 }
 
-/// Columns of a trajectory of the FMI project; none where the folder is not there.
+/// Returns a reference trajectory of the FMI project; std::nullopt if its folder is missing.
 std::optional<table::Table> reference(const std::string& name) {
   const char* data = std::getenv("STEPWIRE_DATA");
   const std::filesystem::path path =

@@ -8,7 +8,7 @@ using namespace stepwire;
 
 namespace {
 
-/// `hand` is the measured force over time; what is wanted pushes back with 5 N.
+/// Runs a ForceFeedback joint with a target force of -5 N; `hand` is the block of the measured force.
 table::Table run_against(const std::string& hand, const std::string& parameters) {
   return run_text("step: 1 ms\nstop: 1 s\nblocks:\n  hand: {block: " + hand +
                   "}\n  joint: {block: ForceFeedback, wanted: -5 N, measured: hand, " + parameters +

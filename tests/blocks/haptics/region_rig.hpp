@@ -14,10 +14,10 @@ struct Answer {
   std::vector<double> nearest, direction;
 };
 
-/// A Region alone, asked without a diagram.
+/// A Region block whose outputs are computed without a run.
 class RegionRig {
  public:
-  /// `shape` as it stands in a file.
+  /// `shape` is the text of this key in a file.
   explicit RegionRig(const std::string& shape);
   Answer at(std::vector<double> position);
   Outline outline() const;

@@ -178,7 +178,7 @@ TEST_CASE("A union has neither the edges of its members that lie inside of it no
   std::vector<Point> tried = positions(14 * mm, 80);
   tried.push_back({0, 0});
   tried.push_back({0, 1 * mm});
-  // Brute force stops beside the ends of what it keeps, which lie at the corners.
+  // The search of brute force ends just beside the ends of a kept part, so the corners are added as edges.
   const double corner = std::sqrt(25.0 - 1.0) * mm;
   for (const double x : {-corner, corner}) edges.push_back(line_edge({x, 4 * mm}, {x, 4 * mm}));
   check_all(shape, edges, inside, tried);

@@ -7,7 +7,7 @@ using namespace stepwire;
 
 namespace {
 
-/// A ramp from -12 to 12 V, its counts and the voltage that they stand for.
+/// Returns a ramp from -12 to 12 V, its counts and the voltage converted back from them.
 table::Table converted(const std::string& keys) {
   return run_text(
       "step: 1 ms\nstop: 24 s\nblocks:\n  volts: {block: Ramp, slope: 1 V/s, initial: -12 V}\n"

@@ -9,7 +9,7 @@ namespace {
 
 const double of_a_count = 2.0 * M_PI / 4000.0;
 
-/// What an encoder and its reading make of a shaft that turns at a constant speed.
+/// Returns the counts of an encoder and the angle read from them, for a shaft that turns at a constant speed.
 table::Table turning(const std::string& speed, const std::string& from, const std::string& encoder,
                      const std::string& reading = "") {
   return run_text("step: 1 ms\nstop: 2 s\nblocks:\n  shaft: {block: Ramp, slope: " + speed +

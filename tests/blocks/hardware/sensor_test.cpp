@@ -10,7 +10,7 @@ namespace {
 const std::string head =
     "step: 1 ms\nstop: 10 s\nblocks:\n  u: {block: Ramp, slope: 10 mm/s, initial: -10 mm}\n";
 
-/// What a sensor shows of a ramp from -10 to 90 mm, beside the ramp.
+/// Returns the reading of a sensor for a ramp from -10 to 90 mm, beside the ramp.
 table::Table on_ramp(const std::string& keys) {
   return run_text(head + "  y: {block: Sensor, u: u, " + keys + "}\nrecord: [u, y]\n");
 }

@@ -6,7 +6,7 @@ using namespace stepwire;
 
 namespace {
 
-/// What a block gives for t = 0, 1, ..., where a = 0 1 0 1 ... and b = 0 0 1 1 ...
+/// Returns the output of a block for t = 0, 1, ..., where a = 0 1 0 1 ... and b = 0 0 1 1 ...
 std::vector<double> truth_table(const std::string& keys) {
   const std::string inputs = R"x(
 step: 1

@@ -8,7 +8,7 @@ using namespace stepwire;
 
 namespace {
 
-/// What a block with these keys gives for u = -2, -1.5, ..., 2.
+/// Returns the output of a block with these keys for u = `slope` times -2, -1.5, ..., 2.
 std::vector<double> map(const std::string& keys, const std::string& slope = "1") {
   return column(run_text("step: 0.5 s\nstop: 4 s\nblocks:\n  u: {block: Ramp, initial: " +
                          std::to_string(-2.0 * std::stod(slope)) + ", slope: " + slope + "}\n  y: {" + keys +

@@ -39,7 +39,7 @@ TEST_CASE("Without a cue all headings are alike, and the last is kept") {
 }
 
 TEST_CASE("A resistance leaves both sides, and another push tells them apart") {
-  // the way lies at 70 degrees: a push along 40 meets 6 sin 30, one along 10 meets 6 sin 60
+  // the path is at 70 degrees: a push along 40 degrees meets 6 sin 30, one along 10 degrees 6 sin 60
   const std::string pushes =
       "  a: {block: Step, time: 450 ms, before: 40 deg, after: 10 deg}\n"
       "  f: {block: Step, time: 450 ms, before: 3 N, after: 5.196 N}\n";

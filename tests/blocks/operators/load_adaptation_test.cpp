@@ -7,7 +7,7 @@ using namespace stepwire;
 
 namespace {
 
-/// What is learnt of a force in a motion along x.
+/// Returns the learnt load for a force in a motion along x.
 table::Table learnt(const std::string& force, const std::string& velocity, const std::string& keys,
                     const std::string& stop) {
   return run_text("step: 10 ms\nstop: " + stop + "\nblocks:\n" + force + velocity +

@@ -73,7 +73,7 @@ TEST_CASE("A wall that may have been there before tells its side as rarely as it
 }
 
 TEST_CASE("What is felt for longer is no surer for that, since its error stays") {
-  // The hand leaves at 1 mm/s, then stands still 0.1 mm further out, and what is felt stays what it is.
+  // The hand leaves at 1 mm/s and stops 0.1 mm further out; the felt force stays the same.
   const table::Table run = run_text(
       "step: 100 ms\nstop: 3 s\nblocks:\n  f: {block: Step, time: 1 s, before: 0 N, after: 5.1 N}\n"
       "  r: {block: Step, time: 1.15 s, before: 1 mm/s, after: 0 mm/s}\n"

@@ -84,8 +84,8 @@ TEST_CASE("a body on a belt sticks and slips") {
     if (slides[k] != 0.0 && slides[k - 1] == 0.0) begins.push_back(time[k]);
   REQUIRE(begins.size() > 4);
   CHECK(begins[0] == Approx(0.15).margin(1.1e-3));
-  // v = 0.1 m/s (1 - cos w t) + 0.05 m/s sin w t with w = 10/s is 0 again after w t = 2 pi - 2 atan 0.5; the
-  // spring then has 0.5 N, and it takes 1 N / (10 N/s) to come back to 1.5 N.
+  // v = 0.1 m/s (1 - cos w t) + 0.05 m/s sin w t with w = 10/s is 0 again after w t = 2 pi - 2 atan 0.5. The
+  // spring force is then 0.5 N, and takes 1 N / (10 N/s) to reach 1.5 N again.
   const double slip = (2.0 * M_PI - 2.0 * std::atan(0.5)) / 10.0;
   for (std::size_t k = 1; k < begins.size(); ++k)
     CHECK(begins[k] - begins[k - 1] == Approx(slip + 0.1).margin(2.1e-3));

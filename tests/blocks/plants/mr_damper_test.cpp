@@ -230,7 +230,7 @@ TEST_CASE("What is no damper is refused with the reason") {
   CHECK_THAT(error("gamma: -11 1/mm"), Catch::Contains("damper.gamma") && Catch::Contains("above beta"));
   CHECK_THAT(error("z_max: 3 mm, ratio: -1"), Catch::Contains("damper.ratio"));
   CHECK_THAT(error("z_max: -1 mm"), Catch::Contains("damper.z_max"));
-  CHECK(error("z_max: 3 mm, gamma: -11 1/mm").empty());  // which then is of no use
+  CHECK(error("z_max: 3 mm, gamma: -11 1/mm").empty());  // z_max and ratio replace gamma
   CHECK_THAT(error("current_range: [0 A, 0.7 A]"), Catch::Contains("damper.c") && Catch::Contains("push"));
   CHECK_THAT(error("current_range: [0.3 A, 0.1 A]"), Catch::Contains("damper.current_range"));
   CHECK(error("n: 2, integration: exact").empty());

@@ -1,4 +1,4 @@
-// What a step cannot do is told with the place in the diagram, the file and its row.
+// Refusals of preparation steps name the place in the diagram, the file and its row.
 #include <catch2/catch.hpp>
 
 #include "tests/blocks/records/played.hpp"

@@ -13,7 +13,7 @@ using namespace stepwire;
 
 namespace {
 
-/// A folder that is gone when the test is over.
+/// A temporary folder that is removed at the end of a test.
 struct Folder {
   std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("stepwire_from_file_" + std::to_string(::getpid()));

@@ -1,4 +1,4 @@
-// Changes diagrams as their files here say, and looks which claims fail by it.
+// Applies the changes that the files of this folder list, and checks that the named claims then fail.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -61,7 +61,7 @@ bool is_statement(const claim::Verdict& verdict) {
   return verdict.kind == claim::Claim::Kind::statement;
 }
 
-/// Twice the value of a parameter as a setting; empty where that is the same, or no number.
+/// Returns a setting that doubles a parameter; an empty text if the parameter is 0 or no number.
 std::string doubled(const diagram::DiagramParameter& parameter) {
   const std::string& text = parameter.text;
   if (const double* number = std::get_if<double>(&parameter.value.content))
@@ -236,7 +236,7 @@ class Check {
         fault(fmt::format("unmoved: there is no parameter '{}' that can be doubled", name));
   }
 
-  /// Or is the value refused, or the run ended by it?
+  /// True if a claim fails, the value is refused, or the run ends with an Error.
   bool breaks_a_claim(const diagram::Setting& setting) {
     try {
       return std::ranges::any_of(runner_.verdicts(copy_.file(name_), {setting}), &claim::Verdict::fails);

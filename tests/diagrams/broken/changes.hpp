@@ -19,7 +19,7 @@ struct Change {
   std::vector<std::string> fails;  ///< first words of claims
 };
 
-/// What a file of this folder says of its diagram.
+/// Content of a file of this folder: the changes of one diagram, and the exceptions with their reasons.
 struct Broken {
   Texts always;  ///< replaced in the diagram before all else
   std::vector<Change> changes;
@@ -33,7 +33,7 @@ struct Broken {
 /// The name under `unseen` for all wrong pictures of a file.
 inline constexpr const char* all_pictures = "all";
 
-/// Throws Error where it is no YAML, runtime_error where it says something else.
+/// Reads such a file. Throws Error if it is no YAML, and std::runtime_error if its content has another form.
 Broken read_broken(const std::string& file);
 
 }  // namespace stepwire::broken

@@ -1,6 +1,6 @@
 // A unit of FMI 3 and 2 that does one thing wrong in one of its calls: its token has both, "exit DoStep". Its
-// output is the time that it has reached; it has one event indicator and events by time. With "end" it asks
-// for the end of the run instead, and its output is higher by 100 from then on; a further call is an error.
+// output is its present time; it has one event indicator and time events. With "end" it requests the end of
+// the run instead. From then on its output is higher by 100, and a further call is an error.
 #include <unistd.h>
 #include <xmmintrin.h>
 

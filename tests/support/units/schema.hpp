@@ -4,8 +4,8 @@
 
 namespace stepwire::testing {
 
-/// What the schema of a version of FMI finds wrong with a modelDescription.xml, or with a file of that name;
-/// empty where that is nothing, and where STEPWIRE_DATA has no schemas or xmllint is missing.
+/// Validates a modelDescription.xml, or a file of another schema of this version of FMI, and returns the
+/// fault. The result is empty if it is valid, if STEPWIRE_DATA has no schemas, or if xmllint is missing.
 std::string schema_fault(const std::string& path, int version, const std::string& schema = "ModelDescription");
 
 }  // namespace stepwire::testing

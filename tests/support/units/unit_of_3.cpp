@@ -1,4 +1,4 @@
-// Small units of FMI 3 for tests, all in one binary: which one it is, its instantiation token says.
+// Small units of FMI 3 for tests, all in one binary; the instantiation token selects one.
 #include <cmath>
 #include <csignal>
 #include <cstdlib>

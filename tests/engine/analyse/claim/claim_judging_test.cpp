@@ -77,7 +77,7 @@ TEST_CASE("max, min, spread, fraction and count are what they say") {
 }
 
 TEST_CASE("a quantile is that of all selected rows, after Hazen") {
-  // Ten values: the k-th lies at (k - 1/2)/10, so that a quarter is the third, and 0.3 lies between two.
+  // The k-th of ten values is the quantile (k - 1/2)/10: a quarter is the third, and 0.3 is between two.
   const auto records = record_of({0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, {5, 3, 1, 9, 7, 10, 8, 6, 4, 2},
                                  {0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
   CHECK(verdict_of("quantile: {share: 25 %, value: rig.x}, at_most: 4 m", records).value == 3.0);

@@ -11,7 +11,7 @@ using Catch::Contains;
 
 namespace {
 
-/// So many runs of two rows; run k goes from 0 to k.
+/// Makes `count` runs of two rows; run k goes from 0 to k.
 std::vector<record::Recording> runs(int count) {
   record::Recording recording;
   recording.starts.clear();

@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// Fits what a diagram asks for that is given as text, compiled or not. Throws Error as the program does.
+/// Runs the fit of a diagram given as text, compiled or not. Throws Error as the program does.
 estimation::FitResult fit_text(const std::string& yaml, plan::CodeSource* code = nullptr,
                                const estimation::FitOptions& options = {});
 
@@ -16,8 +16,8 @@ std::string fit_error(const std::string& yaml);
 /// The number that was found for a parameter; fails the test where there is none.
 const estimation::FittedNumber& found(const estimation::FitResult& result, const std::string& name);
 
-/// The file of a fit of y = slope u + bias to the points (t, y), t = 0, 1, ... s, for t from 0 to 7.
-/// `fit` is what stands below the section's key.
+/// Returns the file of a fit of y = slope u + bias to the points (t, y), for t from 0 to 7 s. `fit` is the
+/// text below the section's key.
 std::string straight_line(const std::string& fit);
 
 }  // namespace stepwire

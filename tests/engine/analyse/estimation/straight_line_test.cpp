@@ -14,8 +14,8 @@ const std::string both =
     "  parameters: {slope: {start: 0.5}, bias: {start: 1}}\n"
     "  compare: [{model: model, measured: y}]\n";
 
-// Of y = 1.1, 2.9, 5.2, 6.8, 9.1, 11.2, 12.8, 15.1 over t = 0 to 7, by the textbook:
-// mean t 3.5, mean y 8.025, sum (t - mean)^2 = 42, sum (t - mean)(y - mean) = 83.9.
+// Textbook values for y = 1.1, 2.9, 5.2, 6.8, 9.1, 11.2, 12.8, 15.1 over t = 0 to 7.
+// Mean t 3.5, mean y 8.025, sum (t - mean)^2 = 42, sum (t - mean)(y - mean) = 83.9.
 constexpr double slope = 83.9 / 42.0, bias = 8.025 - 3.5 * slope;
 constexpr double squares_of_y = 167.795;                 // sum (y - mean)^2
 constexpr double squares = squares_of_y - slope * 83.9;  // of the residuals

@@ -7,7 +7,7 @@
 #include "engine/analyse/statistics/statistics_error.hpp"
 #include "tests/engine/analyse/statistics/textbook.hpp"
 
-// Numbers of R 4.2.2; each command stands at its test.
+// Reference numbers from R 4.2.2; each test contains its command.
 
 namespace stepwire::statistics {
 using namespace textbook;

@@ -9,7 +9,7 @@
 #include "engine/analyse/statistics/repeated_measures.hpp"
 #include "tests/engine/analyse/statistics/textbook.hpp"
 
-// Numbers of R 4.2.2; each command stands at its test. Its noncentral F ends at nine digits.
+// Reference numbers from R 4.2.2; each test contains its command. R's noncentral F has nine correct digits.
 
 namespace stepwire::statistics {
 using namespace textbook;
@@ -30,10 +30,10 @@ ConfidenceInterval eta_interval(double f, double above, double below) {
 }  // namespace
 
 TEST_CASE("Cohen's d of the sleep data has the value and the limits of R") {
-  // d <- sleep$extra[11:20] - sleep$extra[1:10]; t <- mean(d) / sd(d) * sqrt(10)
-  // f <- function(p) uniroot(function(x) pt(t, 9, x) - p, c(-37, 37), tol=1e-13)$root
-  // c(mean(d) / sd(d), f(.975) / sqrt(10), f(.025) / sqrt(10))
-  // mean(d) / ((sd(sleep$extra[1:10]) + sd(sleep$extra[11:20])) / 2)
+  // d <- sleep$extra[11:20] - sleep$extra[1:10]; t <- mean(d) / sd(d) * sqrt(10);
+  // Limits: f <- function(p) uniroot(function(x) pt(t, 9, x) - p, c(-37, 37), tol=1e-13)$root
+  // c(mean(d) / sd(d), f(.975) / sqrt(10), f(.025) / sqrt(10));
+  // By the mean deviation: mean(d) / ((sd(sleep$extra[1:10]) + sd(sleep$extra[11:20])) / 2)
   const ConditionTable table = sleep_table();
   const PairedEffect effect = paired_effect(table.column(1), table.column(0));
   CHECK(effect.d_z == Approx(1.28455756259106).epsilon(1e-12));
@@ -73,9 +73,11 @@ TEST_CASE("conditions that differ by a constant have no d_z, and constant ones n
 }
 
 TEST_CASE("eta squared of four stools has the values and the limits of R") {
-  // a <- anova(lm(effort ~ Type + Subject, ergoStool)); S <- a[, "Sum Sq"]; S[1] / (S[1] + S[3]); S[1] /
-  // sum(S) f <- function(p) if (pf(F, a, b) < p) 0 else uniroot(function(x) pf(F, a, b, x) - p, c(0, 1000),
-  // tol=1e-12)$root; l <- c(f(.95), f(.05)); l / (l + a + b + 1)
+  // a <- anova(lm(effort ~ Type + Subject, ergoStool)); S <- a[, "Sum Sq"]
+  // S[1] / (S[1] + S[3]); S[1] / sum(S);
+  // Limits: f <- function(p) if (pf(F, a, b) < p) 0
+  //   else uniroot(function(x) pf(F, a, b, x) - p, c(0, 1000), tol=1e-12)$root
+  // l <- c(f(.95), f(.05)); l / (l+a+b+1)
   const auto effects = term_effects(repeated_measures(stools(), {"Type"}, "Subject"));
   REQUIRE(effects.size() == 1);
   CHECK(effects[0].term == "Type");

@@ -8,7 +8,7 @@
 #include "engine/analyse/statistics/simulated_power.hpp"
 #include "tests/engine/analyse/statistics/textbook.hpp"
 
-// Numbers of R 4.2.2; each command stands at its test.
+// Reference numbers from R 4.2.2; each test contains its command.
 
 namespace stepwire::statistics {
 using namespace textbook;
@@ -26,7 +26,7 @@ Eigen::MatrixXd stool_scores() {
 }
 
 constexpr std::size_t many = 40000;
-constexpr double sure = 0.01;  // four standard errors of a share in so many
+constexpr double sure = 0.01;  // four standard errors of a share of `many` samples
 
 }  // namespace
 
@@ -62,8 +62,8 @@ TEST_CASE("no number of subjects shows an effect of nothing") {
 }
 
 TEST_CASE("simulated power of two conditions is the share of all samples that can be drawn") {
-  // d <- sleep$extra[11:20] - sleep$extra[1:10]; q <- mean(d) + (d - mean(d)) * sqrt(10/9)
-  // x <- matrix(q[as.matrix(expand.grid(rep(list(1:10), n)))], ncol=n); m <- rowMeans(x)
+  // d <- sleep$extra[11:20] - sleep$extra[1:10]; q <- mean(d) + (d - mean(d)) * sqrt(10/9);
+  // All samples: x <- matrix(q[as.matrix(expand.grid(rep(list(1:10), n)))], ncol=n); m <- rowMeans(x)
   // s <- sqrt(rowSums((x - m)^2) / (n-1)); mean(s > 1e-9 & abs(m) * sqrt(n) > qt(.975, n-1) * s)
   const auto power = simulated_power(slept_longer(), {1, many, 5});
   REQUIRE(power.size() == 6);
@@ -74,9 +74,10 @@ TEST_CASE("simulated power of two conditions is the share of all samples that ca
 }
 
 TEST_CASE("simulated power of a factor of four levels is the share of all samples that can be drawn") {
-  // M <- contr.helmert(4); M <- M %*% diag(1 / sqrt(colSums(M^2))); z <- e %*% M, about its mean times
-  // sqrt(9/8); of every row i of expand.grid(rep(list(1:9), n)): b <- n * sum(colMeans(z[i, ])^2)
-  // w <- sum(z[i, ]^2) - b; w > 1e-9 && b / w * (n-1) > qf(.95, 3 * eps, 3 * (n-1) * eps)
+  // M <- contr.helmert(4); M <- M %*% diag(1 / sqrt(colSums(M^2))); z <- e %*% M,
+  // about its mean times sqrt(9/8).
+  // Of every row i of expand.grid(rep(list(1:9), n)): b <- n * sum(colMeans(z[i, ])^2);
+  // Share: w <- sum(z[i, ]^2) - b; w > 1e-9 && b / w * (n-1) > qf(.95, 3 * eps, 3 * (n-1) * eps)
   const auto uncorrected = simulated_power(stool_scores(), {1, many, 4});
   CHECK(uncorrected[3] == Approx(0.855967078189300).margin(sure));
   const auto corrected = simulated_power(stool_scores(), {1, many, 4, 0.645921444443657});

@@ -32,8 +32,8 @@ TEST_CASE("an interval of a proportion holds its confidence, by counting") {
 }
 
 TEST_CASE("the interval of a quantile lies between order statistics") {
-  // Of 100 values the median lies between the 40th and the 61st with 95 % (Conover: Practical Nonparametric
-  // Statistics, 3.2; probabilities 0.0284 of 40 or fewer is too much, 0.0176 of 39 or fewer is not).
+  // Of 100 values the median is between the 40th and the 61st with 95 % (Conover: Practical Nonparametric
+  // Statistics, 3.2). The probability 0.0284 of 40 or fewer is too much, 0.0176 of 39 or fewer is not.
   const RankInterval median = quantile_ranks(100, 0.5, 0.95);
   CHECK(median.low == 39);
   CHECK(median.high == 60);

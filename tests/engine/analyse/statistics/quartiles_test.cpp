@@ -45,7 +45,7 @@ TEST_CASE("whiskers reach over all values, or to the last within one and a half 
 TEST_CASE("a whisker without a value in reach ends at its box") {
   // Hazen's quartiles of 0, 0, 0, 10 are 0 and 5: all values within -7.5 and 12.5.
   CHECK(box_summary({0, 0, 0, 10}, Whiskers::tukey).high_whisker == 10.0);
-  // Of eight values the upper quartile lies between the last two groups: 1 and 100.
+  // Hazen's upper quartile of these eight values is between the sixth and the seventh, which are both 1.
   const BoxSummary box = box_summary({0, 0, 1, 1, 1, 1, 1, 100}, Whiskers::tukey);
   CHECK(box.upper == 1.0);
   CHECK(box.high_whisker == 1.0);

@@ -13,7 +13,8 @@ namespace stepwire::statistics {
 
 namespace {
 
-/// Rows of so many normal numbers and what a function makes of them.
+/// Makes a row for each sample: the first `shown` of its normal numbers, and the value of `of` for all of
+/// them.
 template <class Of>
 std::vector<double> normal_rows(std::size_t samples, std::size_t parameters, std::size_t shown, Of of) {
   const auto points = sampling::points_of({sampling::Layout::sobol, samples, 3}, parameters);

@@ -6,9 +6,10 @@
 #include "engine/analyse/statistics/statistics_error.hpp"
 #include "tests/engine/analyse/statistics/textbook.hpp"
 
-// Numbers of R 4.2.2; each command stands at its test. The probability of Mauchly's W is that of Box's
-// expansion with the number of contrasts p everywhere: mauchly.test has the number of cells in one place
-// (0.0437 and 0.0217 below).
+// Reference numbers from R 4.2.2; each test contains its command. The probability of Mauchly's W follows
+// Box's expansion with the number of contrasts p throughout. R's mauchly.test has the number of cells in one
+// place (0.0437 and 0.0217 below).
+//
 //   f <- function(W, p, n) { rho <- 1 - (2*p^2+p+2)/(6*p*n)
 //     w2 <- (p+2)*(p-1)*(p-2)*(2*p^3+6*p^2+3*p+2)/(288*(n*p*rho)^2); z <- -n*rho*log(W); d <- p*(p+1)/2-1
 //     a <- pchisq(z, d, lower=FALSE); a + w2*(pchisq(z, d+4, lower=FALSE) - a) }
@@ -60,9 +61,11 @@ TEST_CASE("four stools are told apart, and are not spherical") {
 }
 
 TEST_CASE("two factors within subjects are compared each with its own interaction") {
-  // summary(aov(Y ~ N*V + Error(B/(N*V)), oats)); m <- lm(matrix(o$Y, nrow=6, byrow=TRUE) ~ 1), o ordered by
-  // B, V, N id <- expand.grid(N=factor(1:4), V=factor(1:3)); anova(m, idata=id, X=~V, M=~V+N,
-  // test="Spherical"); for V: X=~N; for N:V: X=~V+N, M=~V*N; mauchly.test(m, idata=id, X=~V, M=~V+N)
+  // summary(aov(Y ~ N*V + Error(B/(N*V)), oats))
+  // m <- lm(matrix(o$Y, nrow=6, byrow=TRUE) ~ 1), o ordered by B, V, N.
+  // Sphericity: id <- expand.grid(N=factor(1:4), V=factor(1:3))
+  // anova(m, idata=id, X=~V, M=~V+N, test="Spherical"); for V: X=~N; for N:V: X=~V+N, M=~V*N
+  // mauchly.test(m, idata=id, X=~V, M=~V+N)
   const Anova all = repeated_measures(oats(), {"V", "N"}, "B");
   CHECK(all.find("N")->f == Approx(55.98052).epsilon(2e-7));
   CHECK(all.find("N")->sphericity->epsilon == Approx(0.6492).margin(5e-5));

@@ -19,8 +19,9 @@ const std::vector<std::pair<std::string, double>> task_2{
 }  // namespace
 
 TEST_CASE("the additive form without subjects gives table 4 from the published means") {
-  // With 37 degrees of freedom and a residual mean square of 0.0278, of which the interaction that the form
-  // leaves out is 10 (0.698 - 0.217 - 0.114 + 0.079)^2 / 4; the rest lies about the means.
+  // The residual has 37 degrees of freedom and a mean square of 0.0278. The interaction, which the form
+  // omits, is 10 (0.698 - 0.217 - 0.114 + 0.079)^2 / 4 of its sum of squares; the rest is spread about the
+  // means.
   const double about = std::sqrt((37 * 0.0278 - 10.0 * 0.446 * 0.446 / 4.0) / 40.0);
   PathErrors errors = errors_of("1", task_1);
   for (std::size_t i = 0; i < errors.rows.size(); ++i)

@@ -13,7 +13,7 @@ namespace stepwire::testing {
 
 constexpr double mm = 1e-3, degree = std::numbers::pi / 180.0;
 
-/// What the thesis prints of its tasks: sections 4.3.1 and 4.3.2, tables 3 to 6.
+/// Published numbers of the tasks of the thesis: sections 4.3.1 and 4.3.2, tables 3 to 6.
 inline study::PublishedStudy published_task_1() {
   return {{"section 4.3.1, mean of ten", {{"NO", 0.698}, {"H", 0.217}, {"V", 0.114}, {"HV", 0.079}}},
           {"table 4", {{"haptic", 2.02e-5}, {"visual", 4.49e-8}}},

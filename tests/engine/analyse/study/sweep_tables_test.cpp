@@ -55,8 +55,8 @@ TEST_CASE("a swept study has a line for each point, with what is published below
 }
 
 TEST_CASE("whether factors are significant as published is told for each point") {
-  // Ten people whose errors differ by a third at most: the means of the thesis tell both factors; equal means
-  // tell none.
+  // The errors of ten people differ by a third at most. With the means of the thesis both factors are
+  // significant, with equal means neither is.
   const auto tables =
       tables_of({experiment_of("2 N", {{"NO", 0.698}, {"H", 0.217}, {"V", 0.114}, {"HV", 0.079}}),
                  experiment_of("5 N", {{"NO", 0.3}, {"H", 0.3}, {"V", 0.3}, {"HV", 0.3}})});

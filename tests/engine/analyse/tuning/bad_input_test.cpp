@@ -1,4 +1,4 @@
-// What is wrong with a section `tune`, and what is said of it.
+// Faults of a section `tune`, and their messages.
 #include <catch2/catch.hpp>
 
 #include "tests/engine/analyse/tuning/tune_text.hpp"

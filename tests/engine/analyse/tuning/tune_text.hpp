@@ -6,7 +6,7 @@
 
 namespace stepwire {
 
-/// Tunes what a diagram asks for that is given as text, compiled or not. Throws Error as the program does.
+/// Runs the optimisation of a diagram given as text, compiled or not. Throws Error as the program does.
 tuning::TuneResult tune_text(const std::string& yaml, plan::CodeSource* code = nullptr,
                              const tuning::TuneOptions& options = {},
                              const std::atomic<bool>* interrupt = nullptr);
@@ -17,8 +17,8 @@ std::string tune_error(const std::string& yaml);
 /// The value that was found for a parameter; fails the test where there is none.
 double tuned(const tuning::TuneResult& result, const std::string& name);
 
-/// The file of a cost, an expression of the parameters a (2 at first) and b (1 at first), and c (0). `tune`
-/// is what stands below the section's key.
+/// Returns the file of a cost, an expression of the parameters a (2 at first), b (1 at first) and c (0).
+/// `tune` is the text below the section's key.
 std::string cost_of(const std::string& expression, const std::string& tune);
 
 /// The file of x'' + 2 zeta x' + x = 1 from rest, which keeps the integrals of e^2, t e^2 and t |e| for

@@ -184,7 +184,7 @@ TEST_CASE("the cache keeps compiled code, and a run goes on compiled where nothi
   CHECK(compiled());
   const std::filesystem::path kept = std::filesystem::directory_iterator(folder.path("cache"))->path();
   const std::string signals = content_of(folder.path("out/signals.csv")), entry = content_of(kept);
-  // Whatever became of the entry: it is made anew, and no damaged code is loaded.
+  // A damaged entry of the cache is compiled anew, whatever the damage, and never loaded.
   std::string flipped = entry;
   flipped[flipped.size() / 2] = static_cast<char>(flipped[flipped.size() / 2] ^ 1);
   for (const std::string& bytes : {std::string(), entry.substr(0, 4096), flipped, std::string("garbage")}) {

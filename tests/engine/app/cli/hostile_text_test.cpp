@@ -38,7 +38,7 @@ std::string with_text(std::string yaml, const std::string& text) {
   return yaml;
 }
 
-/// A diagram in which each of these texts stands wherever a text may stand.
+/// Makes a diagram that has each of these texts at every place that takes a text.
 std::string hostile_yaml(const Scratch& folder, const std::string& title) {
   const std::vector<std::string> texts = hostile_texts();
   std::string inputs = "inputs:\n", outputs = "outputs:\n", blocks = "blocks:\n", record = "record: [",

@@ -81,7 +81,7 @@ Call with_hanging(const Scratch& folder, const std::string& name, const std::vec
   return call;
 }
 
-/// Do the noted processes go on? One that nobody waits for yet has ended.
+/// True if one of the noted processes still runs after two seconds; a zombie has ended.
 bool hanging_goes_on(const Scratch& folder) {
   std::ifstream ids(folder.path("ids"));
   for (std::string id; ids >> id;) {

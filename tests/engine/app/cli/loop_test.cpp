@@ -1,4 +1,4 @@
-// The verb `loop`. How well a machine keeps time is never checked, only what is said of it.
+// The verb `loop`. The timing of a machine is never checked, only the reports about it.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 

@@ -24,7 +24,7 @@ void await(const std::function<bool()>& is_so) {
     if (Clock::now() > end) FAIL("this has not come to pass");
 }
 
-/// Does a journal have more than the line with which it begins?
+/// True if a journal has a line after its head.
 bool has_result(const std::string& journal) {
   const std::size_t line = journal.find('\n');
   return line != journal.npos && line + 1 < journal.size();

@@ -8,7 +8,7 @@
 
 #include "tests/engine/app/cli/program.hpp"
 
-/// Can the program be run by mpirun here? Says why not.
+/// True if mpirun can run the program here; otherwise prints a warning with the reason.
 bool has_mpi();
 
 /// Three processes of mpirun run the program in a folder with these words; `meanwhile` is called beside them,

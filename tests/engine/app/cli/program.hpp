@@ -9,7 +9,7 @@
 
 #include "tests/engine/base/table/scratch.hpp"
 
-/// What the program was given besides its arguments.
+/// A call of the program: its arguments, environment and limits, and the signals that it gets.
 struct Call {
   std::vector<std::string> arguments;
   std::map<std::string, std::optional<std::string>>
@@ -17,14 +17,14 @@ struct Call {
   std::optional<unsigned long> max_bytes_of_file{};  ///< a disk that is full beyond
   std::optional<double> interrupt_after{};           ///< [s]; by these signals, one at once behind the other
   std::vector<int> signals{SIGINT};
-  std::string interrupt_when{};    ///< once this file is there, instead of after a time
-  std::string out_to{}, err_to{};  ///< where standard output and error go; files of ours if empty
-  std::vector<int> closed{};       ///< streams that are closed
-  bool closed_pipe = false;        ///< standard output is a pipe that nobody reads
-  bool no_threads = false;         ///< no thread can be begun
+  std::string interrupt_when{};    ///< file at whose creation the signals are sent; replaces interrupt_after
+  std::string out_to{}, err_to{};  ///< files for standard output and error; files of ours if empty
+  std::vector<int> closed{};       ///< closed streams
+  bool closed_pipe = false;        ///< standard output is a pipe without reader
+  bool no_threads = false;         ///< threads cannot start
 };
 
-/// What became of it.
+/// Result of a call.
 struct Done {
   int code = -1;  ///< exit status; 128 + signal where one ended it
   std::string out, err;
@@ -43,5 +43,5 @@ std::string content_of(const std::string& path);
 
 /// A lag that follows a step, with a parameter, a record and a claim that holds.
 extern const std::string lag_yaml;
-/// One that goes on for minutes.
+/// A diagram whose run takes minutes.
 extern const std::string endless_yaml;

@@ -16,7 +16,7 @@ std::string printed(const std::vector<std::string>& arguments) {
   return done.out;
 }
 
-/// What bash offers for the last word of a call, in a folder with the file cart.yaml.
+/// Returns the completions of bash for the last word of a call, in a folder with the file cart.yaml.
 std::vector<std::string> offered(const std::vector<std::string>& words) {
   const Scratch folder;
   folder.file("cart.yaml", lag_yaml);
@@ -32,7 +32,7 @@ std::vector<std::string> offered(const std::vector<std::string>& words) {
   return lines_of(done.output);
 }
 
-/// Has a shell nothing against a script? True where that shell is not here.
+/// True if a shell accepts a script or is not installed.
 bool is_accepted(const std::string& shell, const std::string& script) {
   if (subprocess::find_program(shell).empty()) {
     WARN(shell << " is not here; nothing was checked");

@@ -8,7 +8,7 @@ using Catch::Contains;
 
 namespace {
 
-/// The small study, in which a parameter says how much better people are by what they feel.
+/// Returns the small study with a parameter `learnt`, which scales the benefit of haptic feedback.
 std::string learning_study() {
   const std::string text =
       replaced(small_study(), "(1 + 2*haptic + 4*visual)", "(1 + 2*learnt*haptic + 4*visual)");
@@ -124,7 +124,7 @@ TEST_CASE("the diagrams that a swept study leaves hang neither on its threads no
 
 TEST_CASE("tables of a swept study have the swept values, and say which statements hold at each point") {
   const Scratch folder;
-  // What is felt tells more than what is seen as soon as it is learnt: V > HV stays, H > V does not.
+  // With learnt = 4 haptic feedback helps more than visual feedback: V > HV still holds, H > V does not.
   folder.file("a.yaml", swept("together: true, learnt: [1, 4], radius: [20 mm, 15 mm]"));
   REQUIRE(run_program(folder, {"study", "a.yaml", "--out", "out"}).code == 0);
   const std::string errors = folder.path("out/errors.csv"), outcome = folder.path("out/signals-3.csv");

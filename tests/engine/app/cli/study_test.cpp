@@ -57,7 +57,7 @@ TEST_CASE("people are other people with another seed, and the same in a smaller 
 
 TEST_CASE("a trial that is not done in time is repeated with another noise, and told") {
   const Scratch folder;
-  // A person is done when the noise says so: one in five times in the first of 4 s.
+  // The noise, one number for each attempt, decides whether a person finishes within the 4 s.
   std::string text = replaced(small_study(), "turned > 6.2832", "turned > 6.2832 && late < -0.3");
   text = replaced(text, "blocks:\n", "blocks:\n  late: {block: Noise, seed: $seed, every: 20 s}\n");
   folder.file("a.yaml", text);

@@ -44,7 +44,7 @@ std::string large_yaml(const std::string& more) {
          more;
 }
 
-/// Runs the program where it may have so many megabytes of data.
+/// Runs the program with a data segment of at most `megabytes` (ulimit -d).
 stepwire::subprocess::ProcessResult run_within(int megabytes, const std::vector<std::string>& arguments) {
   std::vector<std::string> command{"sh", "-c", "ulimit -d " + std::to_string(megabytes * 1024) + " && exec \"$0\" \"$@\"",
                                    STEPWIRE_PROGRAM};

@@ -29,6 +29,20 @@ std::vector<std::string> links_of(const fs::path& page) {
 
 }  // namespace
 
+TEST_CASE("claims of the thesis that repeat the number of a parameter follow it") {
+  const Scratch folder;
+  const std::string thesis = std::string(STEPWIRE_SOURCE_DIR) + "/diagrams/thesis/";
+  const auto run = [&](const std::string& file, const std::string& set) {
+    const Done done = run_program(folder, {"run", thesis + file, "--set", set});
+    INFO(done.out << done.err);
+    CHECK(done.code == 0);
+    CHECK_THAT(done.out, !Contains("FAIL"));
+  };
+  for (const char* set : {"upper=2 mm", "lower=-2.5 mm", "slope=8 N/mm", "limit=0.25 A", "speed=12 mm/s"})
+    run("fig15-force-over-1d-map.yaml", set);
+  for (const char* set : {"a=4 N", "b=0.8 N/mm", "half=7 mm"}) run("fig32-linear-motor.yaml", set);
+}
+
 TEST_CASE("thesis --only makes the figures that are asked for, and pages whose links stay in the folder") {
   const Scratch folder;
   const Done done = run_program(folder, {"thesis", "--only", "fig15,fig31", "--out", "page"});

@@ -9,7 +9,8 @@ using Catch::StartsWith;
 
 namespace {
 
-/// A lag of 0.2 s is looked for by the error of its response; `claims` stand under subject_to.
+/// Returns a diagram that finds a lag of 0.2 s by the error of its response; `claims` is the value of
+/// subject_to.
 std::string tune_yaml(const std::string& claims = "[]") {
   return R"(stepwire: 1
 title: A lag is tuned

@@ -15,7 +15,7 @@ std::size_t count(const std::string& text, const std::string& word) {
   return found;
 }
 
-/// Waits until a file holds a word so many times; false after a minute.
+/// Waits until a file contains a word exactly `times` times; returns false after a minute.
 bool comes(const std::string& file, const std::string& word, std::size_t times = 1) {
   for (int i = 0; i < 600; ++i) {
     if (count(content_of(file), word) == times) return true;

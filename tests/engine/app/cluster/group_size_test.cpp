@@ -35,7 +35,7 @@ TEST_CASE(
   constexpr double item = 1e-3, answer = 1e-5;
   for (const std::size_t processes : {10u, 100u, 1000u, 10'000u}) {
     const std::size_t many = known(item, answer).next(1'000'000'000, processes);
-    // All ask once while one of them does its items.
+    // Every process sends one request within the time of one group.
     CHECK(answer * static_cast<double>(processes) <= 0.25 * item * static_cast<double>(many) * 1.0001);
   }
   // Where little is left, an even share is enough.

@@ -24,7 +24,7 @@ namespace {
 
 using messages::all;
 
-/// Messages that wait for somebody.
+/// A mailbox: a queue of messages for one receiver.
 class Box {
  public:
   void put(messages::Message message) {
@@ -112,7 +112,7 @@ std::string square_of(const messages::Item& item) {
   return std::to_string(number * number);
 }
 
-/// Works until there are no more jobs, at most so many items.
+/// Processes items until there are no more jobs; after `most` items it reports its death instead.
 void work(Threads& threads, int rank, std::size_t most = 1'000'000) {
   Other other(threads, rank);
   ItemClient client(other);

@@ -1,4 +1,4 @@
-// What other processes do of a study, a fit and a tuning, as bytes and in another order.
+// Work of other processes for a study, a fit and an optimisation, sent as bytes and done in another order.
 #include <catch2/catch.hpp>
 
 #include "blocks/register.hpp"

@@ -1,4 +1,4 @@
-// What stands in an exported unit, and what it is when it is imported, whole or damaged.
+// Content of an exported unit, and its behaviour when it is imported, whole or damaged.
 #include "engine/app/fmu/unit_export.hpp"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ std::string refusal(const Scratch& folder, const std::string& yaml) {
   return "";
 }
 
-/// What the page of a unit says of its model exchange.
+/// Returns the documentation page of a unit, which describes its model exchange.
 std::string page_of(const std::string& yaml) {
   const Scratch folder;
   return unit_files(folder, "a", yaml, 3).at("documentation/index.html");
@@ -150,6 +150,23 @@ TEST_CASE("what depends on what, and which powers of base units a unit is, stand
   CHECK_THAT(xml, Contains("<BaseUnit m=\"1\" kg=\"1\" s=\"-2\"/>"));
   CHECK_THAT(xml, Contains("<DisplayUnit name=\"g\" factor=\"1000\"/>"));
   CHECK_THAT(xml, Contains("displayUnit=\"g\" min=\"0\" start=\"0.5\""));
+}
+
+TEST_CASE("both outputs of a solved loop depend on all of its inputs") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  const std::string xml =
+      unit_files(folder, "a",
+                 head +
+                     "algebraic_loops: solve\ninputs: {u: {default: 0}, v: {default: 0}}\n"
+                     "blocks:\n  a: {block: Sum, u: [u, half]}\n  b: {block: Sum, u: [v, third]}\n"
+                     "  half: {block: Gain, u: b, gain: 0.5}\n  third: {block: Gain, u: a, gain: 0.3}\n"
+                     "record: [a, b]\n",
+                 3)
+          .at("modelDescription.xml");
+  // 0 time, 1 u, 2 v, 3 a, 4 b.
+  CHECK_THAT(xml, Contains("<Output valueReference=\"3\" dependencies=\"1 2\"/>"));
+  CHECK_THAT(xml, Contains("<Output valueReference=\"4\" dependencies=\"1 2\"/>"));
 }
 
 TEST_CASE("a unit ends the run at the tick at which its diagram ends") {

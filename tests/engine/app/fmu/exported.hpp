@@ -7,14 +7,14 @@
 
 namespace stepwire::fmu {
 
-/// The files of a unit of a diagram that is given as text; it stands in the folder as NAME.yaml.
+/// Returns the files of the unit of a diagram that is given as text, and writes NAME.yaml into the folder.
 std::map<std::string, std::string> unit_files(const Scratch& folder, const std::string& name,
                                               const std::string& yaml, int version);
 
 /// The same as NAME.fmu in the folder; its path.
 std::string exported(const Scratch& folder, const std::string& name, const std::string& yaml, int version = 3);
 
-/// Is there a compiler? Warns where there is none.
+/// True if there is a compiler; warns otherwise.
 bool there_is_a_compiler();
 
 }  // namespace stepwire::fmu

@@ -1,5 +1,5 @@
-// What the FMI project's own test units compute, as diagrams of ours that are exported and imported again: to
-// the last printed digit.
+// Test units of the FMI project, written as our diagrams, exported and imported again. The results agree with
+// the published trajectories to the last printed digit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,8 @@ std::vector<std::string> cells(const std::string& line) {
   return cells;
 }
 
-/// A column of a trajectory, beside which stand words.
+/// Returns a column of a reference trajectory, whose other columns may be text; std::nullopt if it is
+/// missing.
 std::optional<std::vector<double>> reference(const std::string& name, const std::string& column) {
   const char* data = std::getenv("STEPWIRE_DATA");
   std::ifstream file(std::filesystem::path(data ? data : "") / "fmi" / "reference" / (name + "_out.csv"));

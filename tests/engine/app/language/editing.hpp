@@ -10,7 +10,7 @@
 
 namespace stepwire::language {
 
-/// A language service with files of a folder; places are given by the words that stand there.
+/// A language service with the files of a folder; positions are given by the words at them.
 class Editing {
  public:
   Editing();
@@ -49,7 +49,7 @@ class Editing {
 /// The piece of a text that a range holds.
 std::string in_range(const std::string& text, const EditorRange& range);
 
-/// What stands above the blocks of a small diagram.
+/// The text above the blocks of a small diagram.
 extern const std::string file_head;
 
 }  // namespace stepwire::language

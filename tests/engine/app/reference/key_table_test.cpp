@@ -1,4 +1,4 @@
-// What a table of keys does for the section that it is of, its schema and its page.
+// Effects of a table of keys: the reader of its section, its schema and its page.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 

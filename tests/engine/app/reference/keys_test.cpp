@@ -72,7 +72,7 @@ void compare(const yaml::Key& form, const json& written) {
   }
 }
 
-/// The example of a section as a whole file: what it has stands in place of that of the head's example.
+/// Returns the example of a section as a whole file: its entries replace those of the head's example.
 yaml::Document example_file(const Section& section) {
   yaml::Document added = yaml::parse_document(section.example, "example.yaml");
   if (added.root.find("stepwire")) return added;
@@ -96,7 +96,8 @@ yaml::Entry named(const std::string& key) {
   return entry;
 }
 
-/// The first map in a value that has a key of `form`: where the keys of the section stand.
+/// Returns the first map in a value that has a key of `form`, the map of the section's keys; nullptr if there
+/// is none.
 yaml::Node* map_with_keys(yaml::Node& node, const yaml::Key& form) {
   for (const yaml::Entry& entry : node.entries)
     if (form.find(entry.key)) return &node;
@@ -107,7 +108,7 @@ yaml::Node* map_with_keys(yaml::Node& node, const yaml::Key& form) {
   return nullptr;
 }
 
-/// The value under which a section stands in a file.
+/// Returns the value of the key of a section in a file.
 yaml::Node& value_of(const Section& section, yaml::Document& file) {
   if (section.name == "head") return file.root;
   const std::string key = section.name.substr(0, section.name.find('.'));

@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-/// What is wrong with a file, as data.
+/// Returns the faults of a file as JSON.
 json faults_of(const Scratch& folder, const std::string& file) {
   static const Registry registry = blocks();
   try {

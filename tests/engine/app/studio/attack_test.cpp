@@ -1,4 +1,4 @@
-// What a page, or whoever has taken its place, may try beyond what the calls are for.
+// Hostile calls of a page, or of a program in its place, beyond the purpose of the calls.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <optional>
@@ -57,7 +57,7 @@ Json odd_arguments(const Json& value) {
   return all;
 }
 
-/// The newest value of `push` in the log of a run; none before somebody has written it.
+/// Returns the newest value of `push` in the log of a run; std::nullopt before the first one.
 std::optional<double> last_push(PageClient& page) {
   std::optional<double> last;
   const Json log = result(page.call("run.log"));

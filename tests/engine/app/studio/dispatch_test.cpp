@@ -13,7 +13,7 @@ namespace {
 
 using json::Json;
 
-/// What a dispatch has sent, once it is done.
+/// Collector of the texts that a dispatch sends; after() waits until there are enough.
 class Sent {
  public:
   void take(std::string text) {

@@ -58,7 +58,7 @@ TEST_CASE("a page has a language server, which knows files by their numbers alon
   CHECK_THAT(news->text(-1),
              Contains("publishDiagnostics") && Contains("studio:/0") && Contains("there is no block 'uno'"));
   CHECK(news->text(-1).find(started.folder.path("")) == std::string::npos);
-  CHECK(other.call("hello", Json::object().set("protocol", 1)).find("result"));  // nobody else hears of it
+  CHECK(other.call("hello", Json::object().set("protocol", 1)).find("result"));  // the other page is answered
 }
 
 TEST_CASE("the language server of a page reads nothing outside of the folders") {
@@ -104,7 +104,7 @@ TEST_CASE("a drawing has the place of every shape in the text, in units of UTF-1
   REQUIRE(two);
   const auto from = static_cast<std::size_t>(*two->find("from")->as_number());
   CHECK(two->find("file")->as_number() == 0);
-  CHECK(yaml.substr(from + 3, 4) == "two:");  // three more bytes than units stand before it
+  CHECK(yaml.substr(from + 3, 4) == "two:");  // three more bytes than UTF-16 units precede it
   CHECK(ranges.find("two.u"));
   const Json part =
       page.call("graph", arguments(0).set("scope", "rig").set("open", Json::list()).set("units", true));

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a text in a folder "home" names, as seen from above that folder.
+/// Returns the files that a text in a folder "home" names, as paths from the folder above.
 std::vector<std::string> named(const Scratch& folder, const std::string& text) {
   std::vector<std::string> names;
   for (const NamedFile& one : named_files(yaml::parse_document(text, folder.path("home/a.yaml")))) {

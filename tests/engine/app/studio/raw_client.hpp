@@ -19,13 +19,13 @@ class RawClient {
 
   bool is_connected() const { return socket_.open(); }
   void send(const std::string& bytes);
-  /// So many bytes; fewer where the other side closes or says nothing for five seconds.
+  /// Receives this number of bytes; fewer if the other side closes or is silent for five seconds.
   std::string receive(std::size_t bytes);
   /// All up to and with the mark.
   std::string receive_until(const std::string& mark);
   /// Until the other side closes.
   std::string receive_all();
-  /// Does the other side close within this time? What it sends until then is dropped.
+  /// True if the other side closes within this time; the bytes until then are dropped.
   bool is_closed_within(std::chrono::milliseconds time);
 
  private:
@@ -45,7 +45,7 @@ struct Head {
 /// "Cookie: stepwire-8080=..." as a line of a head.
 std::string cookie_line(const http::Key& key);
 std::string host_of(const http::Key& key);
-/// What makes a request one for a socket, without Origin and cookie.
+/// Header lines that request a WebSocket, without Origin and cookie.
 extern const std::string upgrade_lines;
 
 /// All that comes back to a request, after which the server is to close.
@@ -60,8 +60,8 @@ class PageClient {
   RawClient& raw() { return raw_; }
   /// A frame of one message; `kind` 1 is text, 2 bytes, 9 a ping.
   void send(const std::string& message, int kind = 1);
-  /// The next text or bytes; nothing where the server closes or says nothing for five seconds. Pings are
-  /// answered.
+  /// Receives the next text or bytes, and answers pings. Returns std::nullopt if the server closes or is
+  /// silent for five seconds.
   std::optional<std::string> receive();
   /// Calls, and waits for the answer; news before it are kept.
   json::Json call(const std::string& name, json::Json arguments = json::Json::object());

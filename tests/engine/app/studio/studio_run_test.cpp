@@ -38,7 +38,7 @@ std::size_t rows(const std::string& frame) {
   return rows;
 }
 
-/// The next frame that has more than so many rows; texts before it are dropped.
+/// Returns the next frame with more than `least` rows; texts before it are dropped.
 std::string frame(PageClient& page, std::size_t least) {
   while (const auto message = page.receive()) {
     if (!message->starts_with("SWD1")) continue;

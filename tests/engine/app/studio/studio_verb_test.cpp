@@ -35,7 +35,7 @@ class RunningStudio {
 
   const http::Key& key() const { return key_; }
   std::string printed() const { return content_of(out_); }
-  /// How it ended, as a shell says it.
+  /// Sends a signal and returns the exit status as in a shell, 128 + signal if a signal ended it.
   int end(int signal) {
     if (child_ <= 0) return -1;
     ::kill(child_, signal);

@@ -35,7 +35,7 @@ TEST_CASE("a table is read once as long as its file has not changed") {
   const auto time = fs::last_write_time(path);
   CHECK(first_number(cache, path) == 1.0);
   scratch.file("a.csv", "x\n2\n");
-  fs::last_write_time(path, time);  // nobody can tell, so that what is given shows where it came from
+  fs::last_write_time(path, time);  // time and size are the same, so the value shows that the cache answered
   CHECK(first_number(cache, path) == 1.0);
 }
 

@@ -40,7 +40,7 @@ class Maker {
 
   std::string terms(int depth) {
     std::string text = term(depth);
-    bool compares = false;  // comparisons do not stand in a row
+    bool compares = false;  // comparisons cannot be chained
     for (unsigned more = random_() % 4; more > 0; --more) {
       std::string sign = any(operators_);
       const bool comparison = sign.find_first_of("<>=") != sign.npos;
@@ -186,7 +186,7 @@ bool same_bits(double a, double b) {
          (std::isnan(a) && std::isnan(b));
 }
 
-/// A place at which the two have other bits, as text; empty where there is none.
+/// Returns a point at which the two values differ in bits, as text; empty if there is none.
 std::string difference(const Expression& expression, Compiled::Function function) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr std::array grid{0.0,       -0.0,      1.0,      -1.0,      0.7, -2.3,

@@ -14,7 +14,7 @@ double value(const std::string& text) {
   return Expression(text)({});
 }
 
-/// Of so many persons, one property each.
+/// Number of persons, each with one random property.
 constexpr int persons = 20000;
 
 std::vector<double> drawn(double variation) {

@@ -13,8 +13,8 @@ namespace {
 struct Formula {
   std::string text;
   double value;
-  int binding;  // of its outermost operator; a parenthesis is put around what binds weaker than its place
-                // asks for
+  int binding;  // of its outermost operator; an operand that binds weaker than its place
+                // requires gets parentheses
 };
 
 constexpr int atom = 9;
@@ -85,7 +85,7 @@ class Maker {
   template <class Value>
   Formula binary(const std::string& sign, int binding, int depth, Value value) {
     const Formula a = make(depth - 1), b = make(depth - 1);
-    const int first = binding == 4 ? 5 : binding;  // comparisons do not stand in a row
+    const int first = binding == 4 ? 5 : binding;  // comparisons cannot be chained
     return {in(a, first) + " " + sign + " " + in(b, binding + 1), value(a.value, b.value), binding};
   }
 

@@ -1,4 +1,4 @@
-// What is written comes back, by the same bytes each time; another reader is Debian's h5py.
+// Written files are read back, and have the same bytes each time. The second reader is h5py from Debian.
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -52,7 +52,7 @@ std::map<std::string, std::vector<std::uint64_t>> numbers_of(const table::Record
   return bits;
 }
 
-/// What a script for Debian's python prints of a file; nothing where that has no h5py.
+/// Returns the output of a script for Debian's python about a file; an empty text if there is no h5py.
 std::string printed_by_h5py(const std::string& script, const std::string& file) {
   const auto call = [](std::vector<std::string> command) {
     return subprocess::run_process({.command = std::move(command)});

@@ -1,4 +1,4 @@
-// Files that are damaged are refused or give the same numbers, whatever lies in memory that nothing wrote.
+// Damaged files are refused or give the same numbers, whatever uninitialised memory contains.
 #include <malloc.h>
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ using testing::write_by_library;
 
 namespace {
 
-/// What reading gives, as a text: the columns with their bits, or the refusal.
+/// Returns the result of reading as a text: the columns with their bits, or the refusal.
 std::string outcome(const std::string& path) {
   try {
     std::string text;
@@ -28,7 +28,7 @@ std::string outcome(const std::string& path) {
   }
 }
 
-/// Memory that is asked for is filled with one pattern, then with another.
+/// True if reading gives the same result with two different patterns in fresh memory.
 bool reads_alike(const std::string& path) {
   ::mallopt(M_PERTURB, 0x5A);
   const std::string first = outcome(path);

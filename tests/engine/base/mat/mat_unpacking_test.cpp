@@ -15,7 +15,7 @@ std::string words(const std::vector<std::uint32_t>& numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(std::uint32_t)};
 }
 
-/// A file of level 5 with a packed column x of so many zeros.
+/// Returns a file of level 5 with a compressed column x of `count` zeros.
 std::string packed_zeros(std::uint32_t count) {
   const std::string head =
       words({14, 48 + 8 * count, 6, 8, 6, 0, 5, 8, count, 1, 0x0001'0001, 'x', 9, 8 * count});

@@ -6,7 +6,7 @@ namespace stepwire {
 
 namespace {
 
-/// So many times the first number.
+/// `factor` times the first number.
 class Times final : public Function::Source {
  public:
   explicit Times(double factor) : factor_(factor) {}

@@ -1,4 +1,4 @@
-// What is written comes back, and damage is told; mcap.test.mjs has another reader.
+// Written files are read back, and damage is reported; mcap.test.mjs has another reader.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>

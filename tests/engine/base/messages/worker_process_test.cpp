@@ -17,7 +17,7 @@ constexpr std::chrono::seconds longest{20};
 
 /// Sends back what comes, until "end".
 [[noreturn]] void echo(Connection& other) {
-  std::signal(SIGTERM, SIG_DFL);  // not that of the tests, which goes on with them
+  std::signal(SIGTERM, SIG_DFL);  // the default action, not the handler of the tests
   while (const auto message = other.receive(longest)) {
     if (*message == "end") ::_exit(0);
     if (*message == "fail") ::_exit(7);

@@ -36,7 +36,7 @@ double discrepancy(const Points& points) {
          twice / (count * count);
 }
 
-/// Does each of as many layers as there are points hold one?
+/// True if each of n equal layers of [0, 1) contains one of the n numbers.
 bool fills_layers(std::vector<double> numbers) {
   std::ranges::sort(numbers);
   for (std::size_t i = 0; i < numbers.size(); ++i)

@@ -27,7 +27,7 @@ double seconds_of(const ProcessCall& call, End end) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Does a process of this number go on? One that nobody waits for yet has ended.
+/// True if a process with this number still runs; a zombie has ended.
 bool goes_on(const std::string& id) {
   std::ifstream status("/proc/" + id + "/stat");
   std::string number, name, state;

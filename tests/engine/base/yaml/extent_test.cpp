@@ -14,7 +14,7 @@ Node parse(const std::string& text) {
   return parse_document(text, "f.yaml").root;
 }
 
-/// What of the text stands from one mark to the other.
+/// Returns the text from one mark to the other.
 std::string between(const std::string& text, const Mark& from, const Mark& to) {
   const LineIndex lines(text);
   const std::size_t begin = lines.position(from), end = lines.position(to);
@@ -32,7 +32,7 @@ std::string under(const std::string& key, const std::string& text) {
   return node ? of(text, *node) : "there is no " + key;
 }
 
-/// Does each value lie inside of the one that holds it, and behind the one before?
+/// Checks that each value is within its parent and after its predecessor.
 void check_order(const Node& node, const std::string& text) {
   const LineIndex lines(text);
   std::size_t at = lines.position(node.mark);

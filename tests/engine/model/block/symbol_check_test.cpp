@@ -20,7 +20,7 @@ BlockType drawn_as(Symbol symbol) {
   return type;
 }
 
-/// Why the registry does not take it; empty where it does.
+/// Returns the reason for which the registry refuses a symbol; empty if it accepts it.
 std::string refusal_of(Symbol symbol) {
   Registry registry;
   try {

@@ -1,4 +1,4 @@
-// Formulas without their '=' where only a formula can stand.
+// Formulas without their '=' at places that take only a formula.
 #include <catch2/catch.hpp>
 
 #include "tests/support/plan_text.hpp"

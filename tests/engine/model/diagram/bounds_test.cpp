@@ -1,4 +1,4 @@
-// What grows without end is refused before it takes time or memory.
+// Structures of excessive size are refused before they take time or memory.
 #include <catch2/catch.hpp>
 
 #include "tests/support/plan_text.hpp"

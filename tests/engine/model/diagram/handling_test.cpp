@@ -1,4 +1,5 @@
-// What somebody meets who comes from another program: names of blocks, and blocks that nobody reads.
+// Help for newcomers from Simulink: answers to its block names, and notes on blocks whose outputs have no
+// reader.
 #include <catch2/catch.hpp>
 
 #include "engine/model/diagram/simulink_names.hpp"

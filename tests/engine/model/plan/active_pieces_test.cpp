@@ -19,7 +19,7 @@ std::string lags(int count, const std::string& enable) {
 
 TEST_CASE("numbers that stand still while something is off are pieces of their own") {
   const Plan plan = plan_text(lags(1, ", enable: gate"));
-  CHECK(active_pieces(plan, plan.layout.states, plan.layout.derivatives).size() == 1);  // too few to ask for
+  CHECK(active_pieces(plan, plan.layout.states, plan.layout.derivatives).size() == 1);  // too few to split
   DiagramFolder folder;
   std::string part = "stepwire: 1\ntitle: part\ninputs: {u: {}}\noutputs: {y: x0}\nblocks:\n";
   for (int i = 0; i < 40; ++i) part += "  x" + std::to_string(i) + ": {block: Lag, tau: 1 s, u: u}\n";

@@ -1,4 +1,4 @@
-// Which phase of a block is called how often, counted by blocks that count.
+// Number of calls of each phase of a block, measured by blocks that count them.
 #include <catch2/catch.hpp>
 
 #include "blocks/register.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 int held_calls, timed_calls, followed_calls, aside_calls, once_calls;
 
-/// Passes its input on and counts how often it is asked to.
+/// Passes its input on and counts its calls.
 template <int& calls>
 struct Counter {
   Input<> u{};
@@ -71,10 +71,10 @@ solver: rk4
   }
   simulation.evaluate();
   CHECK(held_calls == 3);                // at 0, 5 and 10 s
-  CHECK(timed_calls == 1 + 10 * 2);      // at the start, and at the two new times of each step
-  CHECK(followed_calls == 11 + 10 * 3);  // at every tick and at the three later stages of each step
-  CHECK(aside_calls == 11);              // no derivative needs it
-  CHECK(once_calls == 1);                // what never changes is computed at the start
+  CHECK(timed_calls == 1 + 10 * 2);      // at the start, and at two new times of each step
+  CHECK(followed_calls == 11 + 10 * 3);  // at every tick and three later stages of each step
+  CHECK(aside_calls == 11);              // no derivative uses it
+  CHECK(once_calls == 1);                // constant: computed once
 }
 
 TEST_CASE("what only feeds on constants is a constant, whatever stands in between") {

@@ -1,4 +1,4 @@
-// Where numbers lie that need not be copied.
+// Places in the workspace of numbers that need not be copied.
 #include <catch2/catch.hpp>
 #include <cmath>
 

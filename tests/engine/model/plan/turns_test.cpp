@@ -7,7 +7,8 @@ namespace stepwire::plan {
 
 namespace {
 
-/// Asks all who have a turn, each of whom may call others; lists them as they were asked.
+/// Takes all items from a worklist, where `calls` may add others. Returns them in the order in which they
+/// were taken.
 template <class Calls>
 std::vector<int> asked(Worklist& turns, const Calls& calls) {
   std::vector<int> order;

@@ -9,7 +9,7 @@ namespace stepwire::codegen {
 
 namespace {
 
-/// A folder of somebody's blocks: yard/NAME.hpp, which includes "yard/law.hpp".
+/// Makes a folder of foreign blocks: yard/NAME.hpp, which includes "yard/law.hpp".
 std::string yard(const Scratch& folder, const std::string& in, const std::string& name,
                  const std::string& law) {
   std::filesystem::create_directories(folder.path(in + "/yard"));

@@ -29,7 +29,7 @@ plan::Plan plan_file(const Scratch& folder, const std::string& name) {
   return plan::make_plan(diagram::Loader(library()).load(folder.path(name)));
 }
 
-/// What the struct `recorded` of a generated program holds.
+/// Appends the bytes of the struct `recorded` of a generated program.
 void append_recorded(const run::Executor& run, std::string& bytes) {
   for (const diagram::RecordRequest& request : run.plan().diagram.records)
     for (const diagram::RecordedSignal& signal : request.signals) {
@@ -134,7 +134,7 @@ TEST_CASE(
       {.command = {"cmake", "--build", build}, .limit = subprocess::compiler_limit()});
   INFO(built.output << built.errors);
   REQUIRE(built.succeeded());
-  CHECK_FALSE(std::filesystem::exists(build + "/rig/bin/rig_diagram"));  // only where it is wanted
+  CHECK_FALSE(std::filesystem::exists(build + "/rig/bin/rig_diagram"));  // built only on request
   const subprocess::ProcessResult cpp = subprocess::run_process({.command = {build + "/cpp"}});
   INFO(cpp.errors);
   CHECK(cpp.status == 0);

@@ -118,7 +118,7 @@ TEST_CASE("lists of any length share a program where they vary") {
   };
   const plan::Plan one = plan_of(100), other = plan_of(300);
   auto variable = plan::variable_blocks(one, diagram::Variation(one.diagram, {"x", "y"}));
-  CHECK(make_steps(one, variable).text != make_steps(other, variable).text);  // the length stands in the text
+  CHECK(make_steps(one, variable).text != make_steps(other, variable).text);  // the length is a constant
   plan::widen(variable, one, [&](std::size_t b) { return other.diagram.blocks[b].block.get(); });
   const auto size_of = [&](const plan::Plan& plan) {
     return plan::NumberTable(plan, variable,

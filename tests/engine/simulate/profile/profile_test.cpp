@@ -1,4 +1,4 @@
-// What a profile says of blocks that are known to take 5, 3 and 7 ns, by a clock that only they move.
+// Profile of blocks that take exactly 5, 3 and 7 ns, by a clock that only they advance.
 #include <algorithm>
 #include <catch2/catch.hpp>
 

@@ -11,7 +11,7 @@ namespace stepwire {
 
 inline constexpr std::int64_t ms = 1'000'000;  // [ns]
 
-/// A clock that goes on only where a test says so.
+/// A clock that advances only by pass() and by sleeping.
 class FakeClock : public realtime::LoopClock {
  public:
   std::int64_t now() override { return now_; }
@@ -26,15 +26,15 @@ class FakeClock : public realtime::LoopClock {
   /// Time since the first deadline [ns].
   std::int64_t elapsed() const { return now_ - first; }
 
-  std::map<std::int64_t, std::int64_t> late_after;  ///< n-th sleep, from 0: so much too long [ns]
-  std::function<void(std::int64_t)> at_sleep;       ///< told how many there were
+  std::map<std::int64_t, std::int64_t> late_after;  ///< oversleep [ns] of the n-th sleep, from 0
+  std::function<void(std::int64_t)> at_sleep;       ///< called with the number of sleeps
   std::int64_t sleeps = 0, first = 0;
 
  private:
   std::int64_t now_ = 5'000 * ms;
 };
 
-/// An outside world that keeps what it is given, and takes time where a test says so.
+/// A device that stores its outputs, and takes the times that a test sets.
 class FakeDevice : public realtime::Device {
  public:
   explicit FakeDevice(FakeClock& clock) : clock_(clock) {}
@@ -87,7 +87,7 @@ struct LoopRig {
       device.size += static_cast<std::size_t>(plan.slot(output.signal).size);
   }
 
-  /// What is in the ring, row by row: index of the file, time, tick, ...
+  /// Returns the content of the ring, row by row: index of the file, time, tick, ...
   std::vector<std::vector<double>> rows(std::size_t width) {
     std::vector<std::vector<double>> rows;
     std::vector<double> row(width);

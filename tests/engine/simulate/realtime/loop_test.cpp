@@ -1,4 +1,4 @@
-// What a loop does at a wake-up, and how it ends.
+// Actions of a loop at a wake-up, and the ways in which it ends.
 #include <catch2/catch.hpp>
 
 #include "blocks/register.hpp"
@@ -28,7 +28,7 @@ struct Laborious {
   }
 };
 
-/// A block that reads a file at every step, or says so.
+/// A block that declares that it reads a file at every step, and does not.
 struct Reader {
   Output<1> y{};
   void outputs() { y = 1.0; }

@@ -1,4 +1,4 @@
-// What a loop does about missed deadlines, with a clock and delays of the test's own.
+// Reactions of a loop to missed deadlines, with a clock and delays of the test's own.
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// A loop thread asks for no memory and calls the system only to sleep.
+// A loop thread allocates no memory and makes no system call but to sleep.
 #include <linux/seccomp.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>

@@ -15,7 +15,7 @@ namespace stepwire::realtime {
 
 namespace {
 
-/// What a child without any privilege says of its attempt to become a real-time thread.
+/// Returns the messages of a child without any privilege that tries to become a real-time thread.
 std::string refused_to_a_nobody() {
   int ends[2];
   REQUIRE(pipe(ends) == 0);
@@ -77,7 +77,7 @@ TEST_CASE("what is not allowed is said in one line each, with the reason and the
     return;
   }
   INFO(text);
-  const bool sanitized = !thread_allocations();  // then mlockall() does nothing, and says that it did
+  const bool sanitized = !thread_allocations();  // a sanitizer's mlockall() does nothing and reports success
   if (!sanitized)
     CHECK_THAT(text, Catch::Contains("memory is not locked") && Catch::Contains("CAP_IPC_LOCK"));
   CHECK(std::count(text.begin(), text.end(), '\n') >= 2);

@@ -15,7 +15,7 @@ void leave(const DiagramFolder& folder, const std::string& file, const std::stri
 void change(const DiagramFolder& folder, const std::string& file, const std::string& what,
             const std::string& by);
 
-/// What verify() finds in a folder: its text, or the message with which it refuses, without the path.
+/// Returns the text of verify() for a folder, or the message of its refusal without the path.
 std::string verdict_of(const DiagramFolder& folder, const std::string& out);
 
 }  // namespace stepwire

@@ -20,8 +20,8 @@ blocks:
 record: [total, both]
 )";
 
-/// What is pushed adds up: 1, 1, then 5 from tick 2 on, and nothing from tick 4 on. Ticks 2, 4 and 5 are
-/// lost.
+/// Recorded signals. The total adds up the pushes: 1, 1, then 5 from tick 2 on, and 0 from tick 4 on. The
+/// rows of ticks 2, 4 and 5 are lost.
 const std::string signals =
     "time [s],tick,wall [s],total [N],both.1,both.2\n"
     "0,0,0.1,1,20,40\n0.5,1,0.7,2,20,40\n1.5,3,1.6,12,2,4\n3,6,3.1,12,2,4\n";

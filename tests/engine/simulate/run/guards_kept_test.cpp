@@ -1,4 +1,4 @@
-// What is kept of parts and blocks that run on condition: files, moments, values.
+// Stored state of parts and blocks that run on condition: flattened files, checkpoints, values.
 #include <catch2/catch.hpp>
 
 #include "engine/model/diagram/flatten.hpp"

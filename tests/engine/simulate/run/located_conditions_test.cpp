@@ -80,7 +80,7 @@ TEST_CASE("a controller takes over at the instant at which it is switched on") {
       run_text(text("  t: {block: Clock}\n  on: {block: Sum, signs: \"+-\", u: [t, 0.43217]}\n"
                     "  y: {block: PID, u: 1, kp: 1, ki: 4, manual: 2, automatic: on}\n",
                     "[y]"));
-  // By hand it gives 2; from then on it goes on from there, 4 higher in each second.
+  // The manual output is 2; after the switch it rises from there by 4 in each second.
   CHECK(last(run, "y") == Approx(2.0 + 4.0 * (1.0 - 0.43217)).epsilon(1e-11));
 }
 

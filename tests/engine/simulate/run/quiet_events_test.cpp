@@ -51,7 +51,7 @@ blocks:
 record: [x, y]
 )";
 
-/// What is on all the time, and what never is.
+/// A block that is enabled all the time, and one that never is.
 const std::string guarded = R"(step: 1 ms
 stop: 1 s
 blocks:

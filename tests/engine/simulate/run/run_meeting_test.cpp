@@ -46,7 +46,8 @@ TogetherRuns::Members members_of(const plan::Plan& plan) {
   return {{&plan, {plan::variable_blocks(plan, variation), variation.targets()}}};
 }
 
-/// What chains of runs give that meet, each of several runs one after the other, and whether all met.
+/// Returns the results of chains of three runs each, which threads bring to a lane batch. `together` counts
+/// the runs that were batched.
 std::vector<std::vector<double>> meet(const plan::Plan& plan, std::size_t chains, unsigned threads,
                                       LaneReport& report, std::atomic<std::size_t>& together) {
   codegen::GeneratedCode code{run::code_trial()};

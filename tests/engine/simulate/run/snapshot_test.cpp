@@ -23,7 +23,7 @@ blocks:
 record: all
 )";
 
-/// What a simulation computes at every tick until its end.
+/// Returns the numbers of a simulation at every tick until its end.
 std::vector<std::vector<double>> rest_of(Executor& simulation) {
   std::vector<std::vector<double>> ticks;
   while (true) {

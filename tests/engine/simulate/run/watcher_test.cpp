@@ -48,7 +48,7 @@ int runs_of(const std::vector<plan::KernelCall> plan::Plan::*phase, std::size_t 
 
 TEST_CASE("a watcher is told each time that its stretch of a phase runs, and changes no bit") {
   CHECK(runs_of(&plan::Plan::outputs, 0, 1) == 10);
-  CHECK(runs_of(&plan::Plan::updates, 0, 1) == 10);      // told also where nothing of it is due
+  CHECK(runs_of(&plan::Plan::updates, 0, 1) == 10);      // called even if none of its blocks is due
   CHECK(runs_of(&plan::Plan::derivatives, 0, 1) == 40);  // four stages of rk4
   CHECK(runs_of(&plan::Plan::stage, 0, 1) == 30);        // the first stage is the tick itself
   CHECK(runs_of(&plan::Plan::outputs, 0, 0) == 10);      // an empty stretch

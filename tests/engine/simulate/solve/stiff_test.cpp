@@ -32,7 +32,7 @@ class Decay : public System {
     count = 1;
   }
   void evaluate() override { slope_ = -rate_ * state_; }
-  /// What one step of 1 s makes of x = 1.
+  /// Returns the state after one step of 1 s from x = 1.
   double factor(const std::string& solver) {
     state_ = 1.0;
     evaluate();

@@ -1,4 +1,4 @@
-// What implicit solvers say of steps that are too large, on problems with published solutions.
+// Messages of implicit solvers for steps that are too large, on problems with published solutions.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -11,7 +11,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-/// Robertson 1966: three species whose rates lie nine powers of ten apart.
+/// Robertson 1966: three species whose rates differ by nine powers of ten.
 std::string robertson(const std::string& solver, const std::string& step, const std::string& more = "") {
   return "step: " + step + "\nstop: 40 s\nsolver: " + solver + "\n" + more + R"(
 blocks:

@@ -1,4 +1,4 @@
-// What holds for the picture of every diagram file of the folder of diagrams/ that DIAGRAMS names, closed and opened.
+// Checks the picture of every diagram file in the folder of diagrams/ that DIAGRAMS names, closed and opened.
 
 import assert from "node:assert/strict";
 import {spawnSync} from "node:child_process";

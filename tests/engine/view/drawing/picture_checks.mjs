@@ -1,4 +1,4 @@
-// What holds for every picture of a diagram.
+// Checks that hold for every picture of a diagram.
 
 import assert from "node:assert/strict";
 import {dirname, join} from "node:path";

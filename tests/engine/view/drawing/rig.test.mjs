@@ -1,4 +1,4 @@
-// What holds for the picture of a mechanism.
+// Checks of the picture of a mechanism.
 
 import assert from "node:assert/strict";
 import {dirname, join} from "node:path";

@@ -16,7 +16,7 @@ std::string painted(const std::string& text) {
       .code;
 }
 
-/// What a browser shows of it.
+/// Returns the text that a browser shows for this HTML.
 std::string shown(std::string code) {
   code = std::regex_replace(code, std::regex("<[^>]*>"), "");
   for (const auto& [name, sign] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}})

@@ -10,7 +10,7 @@ using namespace testing;
 
 namespace {
 
-/// What stands for a name; empty where there is no such name.
+/// Returns the formula of a name; empty if there is no such name.
 std::string text_of(const std::vector<query::NamedFormula>& all, const std::string& name) {
   const auto found = std::ranges::find(all, name, &query::NamedFormula::name);
   return found == all.end() ? "" : found->text;

@@ -20,8 +20,9 @@ inline std::string attribute_of(const std::string& tag, const std::string& name)
   return std::regex_search(tag, found, std::regex(" " + name + "=\"([^\"]*)\"")) ? found[1].str() : "";
 }
 
-/// The value that an <animate> gives at a share of its time, as SVG 1.1 (19.2.9) says: without keyTimes the
-/// values lie evenly, and discrete ones hold until the next. The share is one at which a smooth value stands.
+/// Returns the value of an <animate> at a share of its time, by SVG 1.1 (19.2.9). Without keyTimes the values
+/// are evenly spaced, and discrete ones hold until the next. The share must be one at which a smooth value is
+/// given.
 inline std::string value_at(const std::string& animate, double share) {
   const std::vector<std::string> values = list_in(attribute_of(animate, "values"));
   if (attribute_of(animate, "calcMode") != "discrete") {
@@ -37,7 +38,7 @@ inline std::string value_at(const std::string& animate, double share) {
   return values[last];
 }
 
-/// What a viewer shows of an animated picture at a share of its time: a picture without animations.
+/// Returns an animated picture as a viewer shows it at a share of its time: a picture without animations.
 inline std::string frozen(const std::string& animated, double share) {
   std::string result;
   std::size_t owner = 0;  // where the last element that is no animation begins in the result

@@ -51,7 +51,7 @@ TEST_CASE("the boundary of a region is a line, or dashed where the file says so"
 TEST_CASE("a hole is run through against the sense of what is around it, so that it stays free") {
   const auto spec = drawn(panel_of("{" + plane + ", region: [map]}"), wide, wide);
   const auto& shade = mark<AreaMark>(spec, 0);
-  double area = 0.0;  // by the formula of Gauss: what lies between two squares of 4 and 2 mm
+  double area = 0.0;  // area between two squares of 4 and 2 mm by the shoelace formula
   for (std::size_t i = 0; i + 1 < shade.x.size(); ++i)
     area += 0.5 * (shade.x[i] * shade.y[i + 1] - shade.x[i + 1] * shade.y[i]);
   CHECK(area == Approx(16.0 - 4.0));

@@ -26,7 +26,7 @@ inline Outline square_outline() {
   return {false, {square(2e-3, 1.0), square(1e-3, -1.0)}};
 }
 
-/// What the figures and claims of the tests may name: x [m], v [m/s], f [N] in one recording, slow [N] in
+/// Names for the figures and claims of the tests: x [m], v [m/s], f [N] in one recording, slow [N] in
 /// another.
 inline query::SymbolTable sample_names() {
   const unit::Dimension metre{{1}}, second{{0, 0, 1}}, ampere{{0, 0, 0, 1}}, newton{{1, 1, -2}};

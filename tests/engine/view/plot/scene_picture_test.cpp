@@ -37,7 +37,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("a point of the scene stands in the picture to scale, with y upward") {
-  // 10 mm are 480 pixels: (1, 2) mm lies 6 mm from the left and 2 mm from the upper edge.
+  // 10 mm are 480 pixels: (1, 2) mm is 6 mm from the left and 2 mm from the upper edge.
   const std::string svg = drawn(scene_of("a: {ball: [1 mm, 2 mm], radius: 0.5 mm}"), "{plot: scene}");
   CHECK_THAT(svg, Contains("<circle cx=\"288\" cy=\"96\" r=\"24\" fill=\"#ffcc00\""));
 }

@@ -25,8 +25,8 @@ inline query::SymbolTable pen_names() {
           {{"map", square_outline()}, {"hole", square_outline()}, {"ball", {true, {}}}}};
 }
 
-/// Two runs in which the pen goes along x from the middle of the hole to x = 4 mm, at y = 0 and at y = 1 mm:
-/// across the inner and then the outer wall.
+/// Makes two runs in which the pen moves along x from the middle of the hole to x = 4 mm, at y = 0 and 1 mm.
+/// It crosses the inner and then the outer wall.
 inline record::Recording pen_recording(int rows) {
   record::Recording recording;
   recording.starts.clear();

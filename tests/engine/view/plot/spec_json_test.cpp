@@ -19,7 +19,7 @@ std::string text_of(const FigureSpec& figure) {
   return figure_json(figure).text(-1);
 }
 
-/// Whatever fields a struct lists, with those of its fields.
+/// Appends the names of the fields that a struct lists.
 template <class Struct>
 void gather_fields(std::vector<std::string>& names) {
   std::apply([&](const auto&... all) { (names.push_back(all.name), ...); }, Struct::fields());

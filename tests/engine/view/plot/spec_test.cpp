@@ -1,4 +1,4 @@
-// What each kind of plot makes of a small recording, without any renderer.
+// Specifications that each kind of plot makes from a small recording, without any renderer.
 #include "tests/engine/view/plot/samples.hpp"
 
 namespace stepwire::plot {
@@ -33,7 +33,7 @@ TEST_CASE(
   CHECK(plot.legend == PlotSpec::Legend::above);
   REQUIRE(plot.marks.size() == 2);
   const auto &first = mark<LineMark>(plot, 0), &second = mark<LineMark>(plot, 1);
-  // the row in the middle lies on a straight line
+  // the middle row is on a straight line, and left out
   check_near(first.curves.at(0).x, {0.0, 250.0, 750.0, 1000.0});
   check_near(first.curves.at(0).y, {0.0, 1.0, -1.0, 0.0});
   check_near(second.curves.at(0).y, {0.0, 2.0, -2.0, 0.0});

@@ -1,4 +1,4 @@
-// What is written for gnuplot; that it draws is checked in drawing_test.cpp.
+// Texts that are written for gnuplot; drawing_test.cpp checks that gnuplot draws them.
 #include "engine/view/render/gnuplot_renderer.hpp"
 #include "engine/view/render/render.hpp"
 

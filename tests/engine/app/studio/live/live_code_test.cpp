@@ -1,4 +1,4 @@
-// Compiled code under a live run: it takes over while the run goes on, and stays where values are set.
+// Compiled code in a live run: it takes over during the run, and remains in use when values are set.
 #include "engine/model/diagram/load.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/run/code_trial.hpp"
@@ -40,7 +40,7 @@ TEST_CASE("a live run goes over to compiled code and stays there while parameter
   wait_until_compiled(run);
   run.set("tau", "10 ms");
   CHECK(run.status().compiled);
-  run.set("twice.gain", "3");  // stands in the code, which is compiled again with it
+  run.set("twice.gain", "3");  // a constant of the code, which is compiled again
   wait_until_compiled(run);
   run.set("twice.gain", "2.5");
   CHECK(run.status().compiled);

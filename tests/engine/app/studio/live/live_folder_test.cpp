@@ -1,4 +1,4 @@
-// What a live run leaves is replayed bit by bit.
+// The files that a live run writes are replayed bit by bit.
 #include "engine/app/studio/live/live_folder.hpp"
 
 #include "engine/base/io/file.hpp"

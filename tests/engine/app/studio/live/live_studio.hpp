@@ -39,7 +39,7 @@ claims:
   - {that: it is red at times, max: scene.ball.red, equals: 1, within: 0}
 )";
 
-/// What pages were sent.
+/// Collector of the messages that are sent to pages.
 struct Received {
   Sinks sinks() {
     return {[this](Json one) {

@@ -30,7 +30,7 @@ struct Rig {
     loop.store().read(loop.stored(*signals.find(signal)), 0, values);
     return values;
   }
-  /// Is there a sample with this value? A poll of the newest may miss one that did not stand for long.
+  /// True if any stored sample has this value; polling the newest one may miss a short-lived value.
   bool had(const std::string& signal, double value) {
     const std::vector<double> all = stored(signal, static_cast<std::size_t>(loop.store().end_tick()));
     return std::ranges::find(all, value) != all.end();
@@ -47,7 +47,7 @@ struct Rig {
   LoopThread loop;
 };
 
-/// What a run with these events has of a signal, tick by tick, without a thread.
+/// Returns a signal of a run with these events, tick by tick, computed without a thread.
 std::vector<double> replayed(const plan::Plan& plan, const EventLog& log, std::size_t offset,
                              std::size_t count) {
   run::Executor run(plan);

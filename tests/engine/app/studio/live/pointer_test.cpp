@@ -1,4 +1,4 @@
-// Scenes under somebody's pointer: the file's own hand is replaced, and the log gives the same bits again.
+// Scenes with a pointer, which replaces the hand of the file; the log reproduces the same bits.
 #include "engine/app/studio/live/pointer.hpp"
 
 #include "engine/app/session/session.hpp"
@@ -29,7 +29,7 @@ std::array<double, 2> shown(LoadedRun& run, const std::string& name) {
   return at;
 }
 
-/// A hand goes to a place, in steps as a page sends them, and the run goes on for some time.
+/// Sends a pointer position and `held`, as a page does, and runs to the time `until`.
 void lead(LoadedRun& run, const std::array<double, 2>& to, double held, double until) {
   run.thread().input({1, 0.0, pointer_input, {to[0], to[1]}});
   run.thread().input({1, 0.0, held_input, {held}});
@@ -43,7 +43,8 @@ struct Playable {
   double near;  ///< [m]
 };
 
-/// What `load` says of a diagram with this `pointer` in its scene; empty where it loads.
+/// Returns the message with which `load` refuses a diagram with this `pointer` in its scene; empty if it
+/// loads.
 template <class Load>
 std::string pointer_fault(const std::string& blocks, const std::string& pointer, const Load& load) {
   diagram::Loader loader(library());

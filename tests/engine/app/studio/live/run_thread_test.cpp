@@ -34,7 +34,7 @@ struct Model {
   SignalList signals;
 };
 
-/// What a run with these events records, without a thread.
+/// Returns the recordings of a run with these events, computed without a thread.
 std::vector<record::Recording> replayed(const plan::Plan& plan, const EventLog& log) {
   LogReplay replay(EventLog::read(json::Json::parse(log.json().text())));
   run::RunOptions options;

@@ -33,7 +33,7 @@ inline void wait_for_end(const RunControl& run) {
   wait_until([&] { return run.status().state == RunStatus::State::ended; });
 }
 
-/// Until a run stands still at a tick, all of which is stored.
+/// Waits until a run is no longer playing, is at a tick, and has stored all rows up to it.
 inline void wait_for_tick(const RunControl& run, std::int64_t tick) {
   wait_until([&] {
     return run.status().state != RunStatus::State::playing && run.status().tick == tick &&
