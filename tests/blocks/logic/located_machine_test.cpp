@@ -24,7 +24,7 @@ TEST_CASE("A machine that heats below 18 and rests above 22 follows its exponent
   const table::Table table = run_text(head("2 s") + R"(blocks:
   x: {block: Integrator, u: rate, initial: 20}
   heater: {block: StateMachine, u: x, states: {on: {output: 30, to: {rest: u > 22}}, rest: {to: {on: u < 18}}}}
-  rate: {block: Sum, u: [heater, -x]}
+  rate: {block: Sum, u: [heater.y, x], signs: "+-"}
 record: [x, heater.state]
 )");
   // x = 30 - 10 exp(-t), 22 exp(-t), 30 - 12 exp(-t), 22 exp(-t), 30 - 12 exp(-t), ... from 20 on.
@@ -45,7 +45,7 @@ record: [x, heater.state]
 TEST_CASE("A timeout between two ticks acts at its instant, and the next one counts from there") {
   const table::Table table = run_text(head("1 s") + R"(blocks:
   m: {block: StateMachine, states: {a: {output: 1, timeout: {b: 0.25 s}}, b: {timeout: {a: 0.33 s}}}}
-  x: {block: Integrator, u: m}
+  x: {block: Integrator, u: m.y}
 record: [x, m.state]
 )");
   CHECK(last(table, "x") == Approx(0.25 + 0.25).epsilon(1e-12));  // 0 to 0.25 s, 0.58 to 0.83 s
@@ -62,7 +62,7 @@ TEST_CASE("A guard on the time in a state is read at ticks from the instant of t
       a: {to: {b: u > 0.33}}
       b: {each: {length: after}, to: {c: after > 0.45}}
       c: {output: 1}
-  x: {block: Integrator, u: m}
+  x: {block: Integrator, u: m.y}
 record: [x, m.counts]
 )");
   CHECK(last(table, "m.counts") == Approx(0.7 - 0.33).epsilon(1e-10));  // at the last tick in b
@@ -91,7 +91,7 @@ TEST_CASE("A machine with a period of its own keeps to its ticks") {
   const table::Table table = run_text(head("1 s") + R"(blocks:
   t: {block: Clock}
   m: {block: StateMachine, u: t, every: 0.2 s, states: {a: {to: {b: u > 0.33}}, b: {output: 1}}}
-  x: {block: Integrator, u: m}
+  x: {block: Integrator, u: m.y}
 record: [x]
 )");
   CHECK(last(table, "x") == Approx(0.6));
@@ -106,7 +106,7 @@ TEST_CASE("States that hold others are located with their own guards") {
     states:
       on: {to: {off: u >= 0.62}, states: {slow: {output: 1, to: {fast: u >= 0.25}}, fast: {output: 2}}}
       off: {}
-  x: {block: Integrator, u: m}
+  x: {block: Integrator, u: m.y}
 record: [x]
 )");
   CHECK(last(table, "x") == Approx(0.25 + 2.0 * 0.37).epsilon(1e-10));
