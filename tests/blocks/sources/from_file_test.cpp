@@ -95,8 +95,8 @@ TEST_CASE("what nobody reads of a record may be no numbers, and times may be cal
                Catch::Contains("press.csv:2: 'Ann' is no number (column 'by')"));
 }
 
-TEST_CASE("the example of the page on measured records plays one with its header") {
-  const std::string page = io::read_file(STEPWIRE_SOURCE_DIR "/diagrams/measured-records.md");
+TEST_CASE("the example of measured records on the page of fits plays one with its header") {
+  const std::string page = io::read_file(STEPWIRE_SOURCE_DIR "/engine/analyse/estimation/README.md");
   const std::string header = "t [s],x [mm],F [N]";
   REQUIRE(page.find("`" + header + "`") != std::string::npos);
   const std::size_t begin = page.find("  velocity:\n    {block: FromFile"), end = page.find("record:", begin);

@@ -100,8 +100,8 @@ TEST_CASE("tables, diagrams and scenes are panels of their own") {
   CHECK(graph.at("graph").at("title") == "r");
 }
 
-TEST_CASE("the page of the format names every mark and every field") {
-  std::ifstream file(STEPWIRE_SOURCE_DIR "/engine/view/plot/figure-json.md");
+TEST_CASE("the page of protocols names every mark and every field") {
+  std::ifstream file(STEPWIRE_SOURCE_DIR "/engine/app/studio/protocol.md");
   std::stringstream page;
   page << file.rdbuf();
   for (const std::string& name : names_in_json(PlotMark{}))

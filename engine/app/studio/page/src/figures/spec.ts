@@ -1,4 +1,4 @@
-// The JSON of a figure: engine/view/plot/figure-json.md. Fields with their default value are omitted; `null` in a column is a missing
+// The JSON of a figure: engine/app/studio/protocol.md. Fields with their default value are omitted; `null` in a column is a missing
 // number. Sizes are pixels from the upper left corner, angles degrees.
 
 export type Column = (number | null)[];
