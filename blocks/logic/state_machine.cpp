@@ -161,7 +161,8 @@ void StateMachine::declare(Declare<StateMachine>& is) {
            "state is a word: m.state == \"on.fast\". States that cannot be reached are refused. "
            "With `events: locate` a transition acts where its guard begins to hold, also a timeout, between "
            "ticks as well: the first eight guards of the active state and of those that hold it are located. "
-           "An instant has one transition at most; a machine with `every` keeps to its ticks.",
+           "An instant has one transition at most, so a guard that holds on entry acts at the next tick or "
+           "event; a machine with `every` keeps to its ticks.",
        .source = "D. Harel, Statecharts, Sci. Comput. Program. 8 (1987) 231, without parallel states",
        .at_events = true});
   is.parameter<&StateMachine::states>(

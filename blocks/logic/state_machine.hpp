@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "engine/base/expression/language.hpp"  // for guards that are code
 #include "engine/base/math/function.hpp"
 #include "engine/model/block/block.hpp"
@@ -41,7 +43,7 @@ struct StateMachine {
   bool remembers = false, sets = false;
 
   void outputs() {
-    Now now = next();
+    Now now = next(is_tick());
     state = static_cast<double>(now.leaf);
     const double* const here = values.data() + now.leaf * y.size();
     y.each([&](Index i) { return here[i]; });
@@ -49,7 +51,7 @@ struct StateMachine {
   }
 
   void update() {
-    const Now now = next();
+    const Now now = next(true);
     for (Index l = 0; l < ticks.size(); ++l) {
       const bool stays = !now.entered[l];
       ticks[l] = l > depth(now.leaf) ? 0.0 : stays ? ticks[l] + 1.0 : 1.0;
@@ -59,9 +61,10 @@ struct StateMachine {
     last_tick = time;
   }
   void update_at_event() {
-    const Now now = next();
+    const Now now = next(false);
+    if (begun == 0.0) last_tick = std::floor(time / period) * period;  // a part that begins between ticks
     for (Index l = 0; l < ticks.size(); ++l) {
-      if (l <= depth(now.leaf) && !now.entered[l]) continue;
+      if (begun != 0.0 && l <= depth(now.leaf) && !now.entered[l]) continue;
       ticks[l] = l > depth(now.leaf) ? 0.0 : 1.0;
       late[l] = l > depth(now.leaf) ? 0.0 : time - last_tick;
     }
@@ -73,7 +76,7 @@ struct StateMachine {
     Index located = 0;
     for (Index l = 0; l <= depth(now.leaf); ++l) {
       const Index s = holder(now.leaf, l);
-      now.v[place_of_time()] = now.after[l];
+      now.v[place_of_time()] = now.after[l] - hair();
       for (Index t = at(first_to, s); t < at(first_to, s + 1) && located < max_located; ++t, ++located) {
         now.v[place_of_time() + 1] = static_cast<double>(t);
         zero.add(margin(now.v));
@@ -120,7 +123,12 @@ struct StateMachine {
   Index place_of_time() const { return u.count() + first_counts.size(); }
 
   /// True at a tick before its update.
-  bool is_tick() const { return begun == 0.0 || time - last_tick >= (1.0 - 1e-9) * period; }
+  bool is_tick() const { return begun == 0.0 || time - last_tick >= period - rounding(); }
+  /// Returns the rounding of a difference of times [s].
+  double rounding() const { return 2e-15 * time; }
+  /// Returns the delay of crossings [s]. A time in a state that ends on a tick acts at this tick, not just
+  /// before.
+  double hair() const { return 1e-12 * period + 2.0 * rounding(); }
   double time_in(Index level) const {
     if (is_tick()) return ticks[level] * period - late[level];
     return (ticks[level] - 1.0) * period + (time - last_tick) - late[level];
@@ -142,12 +150,12 @@ struct StateMachine {
   }
 
   /// Returns the state after the transition of this instant, if any. An instant has one at most.
-  Now next() {
+  Now next(bool at_tick) {
     Now now = present();
     if (sets && begun == 0.0)
       for (Index l = 0; l <= depth(now.leaf); ++l) run(now, 3 * holder(now.leaf, l) + enter, 0.0);
     now.moved = moved_at != time && moves(now);
-    if (!now.moved && sets && is_tick())
+    if (!now.moved && sets && at_tick)
       for (Index l = 0; l <= depth(now.leaf); ++l) run(now, 3 * holder(now.leaf, l) + each, now.after[l]);
     return now;
   }

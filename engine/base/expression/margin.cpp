@@ -19,8 +19,13 @@ struct Part {
   bool steady = false;  ///< constant between sign changes of branches()
   bool varies = true;   ///< depends on a variable
 
+  std::string beside{};  ///< margin beside other conditions, if its sign must be that of the truth
+
   /// Returns the margin of this value used as a condition; a number is true unless it is 0.
-  std::string as_truth() const { return truth ? margin : "abs(" + value + ")"; }
+  std::string as_truth() const {
+    if (!beside.empty()) return beside;
+    return truth ? margin : "abs(" + value + ")";
+  }
   /// Returns the margins of all places where the value jumps.
   Texts branches() const { return truth ? Texts{margin} : inner; }
 };
@@ -111,8 +116,7 @@ struct MakeMargin {
     if (operation.binding == Binding::prefix) return prefix(operation.name, of);
     if (operation.binding == Binding::atom) return function_of(operation.name, of);
     const std::string text = fmt::format("({} {} {})", of[0].value, operation.name, of[1].value);
-    if (operation.binding == Binding::comparison)
-      return truth_of(text, comparison(operation.name, of[0].value, of[1].value), of);
+    if (operation.binding == Binding::comparison) return compared(operation.name, text, of);
     if (operation.binding < Binding::comparison)
       return truth_of(text,
                       fmt::format("{}({}, {})", operation.binding == Binding::both ? "min" : "max",
@@ -140,8 +144,14 @@ struct MakeMargin {
     if (sign == "!") return truth_of(text, fmt::format("(-{})", of[0].as_truth()), of);
     return number_of(text, of);
   }
-  static std::string comparison(std::string_view sign, const std::string& a, const std::string& b) {
-    return fmt::format("({}({} - {}))", sign.front() == '<' ? "-" : "", a, b);
+  /// The difference of two numbers changes its sign where they become equal, which would hide other
+  /// conditions beside it. There the distance takes its place.
+  static Part compared(std::string_view sign, const std::string& text, const Parts& of) {
+    const std::string difference = fmt::format("({} - {})", of[0].value, of[1].value);
+    Part part = truth_of(text, fmt::format("({}{})", sign.front() == '<' ? "-" : "", difference), of);
+    if (sign == "==") part.beside = fmt::format("(-abs{})", difference);
+    if (sign == "!=") part.beside = fmt::format("abs{}", difference);
+    return part;
   }
 };
 

@@ -1,4 +1,5 @@
 // Calls of FMI 2.
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -182,7 +183,7 @@ class Second : public UnitCalls {
   bool step(double time, double length, StepInfo& info) override {
     const int status = static_cast<int>(call("fmi2DoStep", step_, unit_, time, length, fmi2False));
     info.terminates = status == fmi2Discard && wants_end();
-    info.reached = info.terminates ? last_successful_time(time) : time + length;
+    info.reached = info.terminates ? std::max(time, last_successful_time(time)) : time + length;
     info.made = !info.terminates || info.reached > time;
     return info.terminates || accept("fmi2DoStep", status);
   }

@@ -76,6 +76,7 @@ class Rates {
       for (const diagram::Source& source : sources)
         if (source.block >= 0) users_[static_cast<std::size_t>(source.block)].push_back(index);
     if (is_triggered(index)) refuse_what_needs_periods(block);
+    if (block.every && draft_.diagram().events.locate) refuse_missed_edges(index);
     if (block.every && !waits_for_inputs(block)) {
       give_period(index, block);
     } else if (runs_each_tick(index)) {
@@ -106,13 +107,17 @@ class Rates {
   }
 
   /// True where a block runs at single ticks of a trigger and is idle between them.
-  bool is_triggered(std::size_t index) const {
+  bool is_triggered(std::size_t index) const { return trigger_of(index) != nullptr; }
+
+  /// Returns the innermost guard with a trigger, or nullptr.
+  const diagram::DiagramBlock* trigger_of(std::size_t index) const {
     const auto& blocks = draft_.plan.diagram.blocks;
     const int trigger = diagram::guard_type().input("trigger");
-    for (int guard = blocks[index].guard; guard >= 0; guard = blocks[static_cast<std::size_t>(guard)].guard)
-      if (!blocks[static_cast<std::size_t>(guard)].inputs[static_cast<std::size_t>(trigger)].empty())
-        return true;
-    return false;
+    for (int guard = blocks[index].guard; guard >= 0; guard = blocks[static_cast<std::size_t>(guard)].guard) {
+      const diagram::DiagramBlock& block = blocks[static_cast<std::size_t>(guard)];
+      if (!block.inputs[static_cast<std::size_t>(trigger)].empty()) return &block;
+    }
+    return nullptr;
   }
 
   /// True for guards, which detect every change, and for triggered blocks, which hold their outputs between
@@ -137,6 +142,16 @@ class Rates {
         fmt::format("{} computes with the time between its ticks, which a trigger leaves open; give what is "
                     "triggered an 'every': edges are looked for at that period, and each counts for one",
                     type.name));
+  }
+
+  /// An edge that is located acts at its instant, where a block with a period does not run.
+  void refuse_missed_edges(std::size_t index) {
+    const diagram::DiagramBlock& block = draft_.diagram().blocks[index];
+    const diagram::DiagramBlock* const trigger = trigger_of(index);
+    if (trigger && !trigger->every)
+      draft_.report.add(block.every_origin, block.name + ".every",
+                        "edges of its trigger are located between ticks, where it does not run; give what is "
+                        "triggered the 'every': then edges are looked for at that period");
   }
 
   void raise(std::size_t index) {

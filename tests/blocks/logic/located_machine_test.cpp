@@ -3,6 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include "engine/base/io/file.hpp"
+#include "tests/engine/base/table/scratch.hpp"
 #include "tests/support/run_text.hpp"
 
 using namespace stepwire;
@@ -110,4 +112,60 @@ TEST_CASE("States that hold others are located with their own guards") {
 record: [x]
 )");
   CHECK(last(table, "x") == Approx(0.25 + 2.0 * 0.37).epsilon(1e-10));
+}
+
+TEST_CASE("A timeout that ends on a tick acts at this tick, and each tick counts once") {
+  for (const std::string step : {"0.1 s", "10 ms", "1 ms"}) {
+    const table::Table table = run_text(head("1 s", step) + R"(blocks:
+  m:
+    block: StateMachine
+    counters: {n: 0}
+    states: {a: {timeout: {b: 0.3 s}}, b: {output: 1, each: {n: n + 1}, timeout: {c: 0.3 s}}, c: {}}
+  x: {block: Integrator, u: m.y}
+  other: {block: StateMachine, counters: {n: 0}, states: {a: {each: {n: n + 1}}}}
+record: [x, m.counts, other.counts]
+)");
+    const double ticks = static_cast<double>(column(table, "time").size());
+    INFO(step);
+    CHECK(last(table, "x") == Approx(0.3).epsilon(1e-10));
+    CHECK(last(table, "m.counts") == Approx(0.3 * (ticks - 1.0) - 1.0));  // not at the two transitions
+    CHECK(last(table, "other.counts") == ticks);
+  }
+}
+
+TEST_CASE("A machine in a part that begins between ticks counts from there") {
+  const Scratch folder;
+  io::write_file(folder.path("part.yaml"), R"(stepwire: 1
+title: part
+blocks:
+  m: {block: StateMachine, states: {a: {timeout: {b: 0.42 s}}, b: {output: 1}}}
+outputs: {y: m.y}
+)");
+  const table::Table table =
+      run_text(head("1 s") + "blocks:\n  t: {block: Clock}\n  p: {diagram: " + folder.path("part.yaml") +
+               R"(, enable: {when: t > 0.27 s, states: reset}}
+  x: {block: Integrator, u: p.y}
+record: [x]
+)");
+  CHECK(last(table, "x") == Approx(1.0 - 0.27 - 0.42).epsilon(1e-9));
+}
+
+TEST_CASE("An equality beside another condition does not hide it") {
+  for (const std::string guard : {"mode != 3 && x > 0.55", "mode == 0 || x > 0.55",
+                                  "!(mode == 0) && x > 0.55", "!(mode != 1) && x > 0.55"}) {
+    const table::Table table = run_text(head("1 s") + R"(blocks:
+  t: {block: Clock}
+  mode: {block: Constant, value: 1}
+  m: {block: StateMachine, u: [t, mode], variables: [x, mode], states: {a: {to: {b: ")" +
+                                        guard + R"("}}, b: {output: 1}}}
+  e: {block: Expression, u: [t, mode], variables: [x, mode], expression: ")" +
+                                        guard + R"("}
+  x: {block: Integrator, u: m.y}
+  z: {block: Integrator, u: e}
+record: [x, z]
+)");
+    INFO(guard);
+    CHECK(last(table, "x") == Approx(0.45).epsilon(1e-9));
+    CHECK(last(table, "z") == Approx(0.45).epsilon(1e-9));
+  }
 }

@@ -182,6 +182,22 @@ TEST_CASE("a unit ends the run at the tick at which its diagram ends") {
   CHECK(column(run.recordings.front().table, "unit.a").back() == 0.51);
 }
 
+TEST_CASE("a unit whose diagram ends between two ticks ends an importing run without a fault") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  const std::string path = exported(folder, "a",
+                                    head +
+                                        "events: locate\nstop_when: x > 0.505\nblocks: {one: {block: "
+                                        "Constant, value: 1 1/s}, x: {block: Integrator, u: one}}\n"
+                                        "record: [x]\n",
+                                    GENERATE(3, 2));
+  const auto run = result_of(import_text(path, ", interface: co_simulation") + "record: [unit.x]\n");
+  CHECK(run.faults.empty());
+  REQUIRE(run.diagnostics.size() == 1);
+  CHECK(run.diagnostics[0].text == "the unit has ended the run");
+  CHECK(column(run.recordings.front().table, "unit.x").back() == Approx(0.505));
+}
+
 TEST_CASE("the sources alone make a binary with the same bits, which shows the functions of FMI alone") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;

@@ -241,4 +241,29 @@ TEST_CASE("compiled code locates conditions to the same bits") {
   }
 }
 
+TEST_CASE(
+    "a period within what is triggered at located edges is refused, and one of what is triggered is not") {
+  const DiagramFolder folder;
+  folder.write("part.yaml", R"(stepwire: 1
+title: counts tenths of a second
+blocks:
+  m: {block: DiscreteIntegrator, u: 1, every: 0.1 s}
+outputs: {y: m}
+)");
+  const auto whole = [](const std::string& events, const std::string& keys) {
+    return "stepwire: 1\ntitle: t\nstep: 0.1 s\nstop: 4 s\n" + events + R"(blocks:
+  pulse: {block: Pulse, period: 0.37 s, width: 30 %, delay: 0.111 s}
+  p: {diagram: part.yaml, trigger: pulse > 0.5)" +
+           keys + "}\nrecord: [p.y]\n";
+  };
+  folder.write("ticks.yaml", whole("", ""));
+  CHECK(column(folder.run("ticks.yaml"), "p.y").back() == Approx(1.0));
+  folder.write("located.yaml", whole("events: locate\n", ""));
+  const std::vector<std::string> faults = folder.faults("located.yaml");
+  REQUIRE(faults.size() == 1);
+  CHECK_THAT(faults[0], Catch::Contains("p.m.every: edges of its trigger are located between ticks"));
+  folder.write("period.yaml", whole("events: locate\n", ", every: 0.1 s"));
+  CHECK(column(folder.run("period.yaml"), "p.y").back() == Approx(1.0));
+}
+
 }  // namespace stepwire::run
