@@ -97,7 +97,14 @@ ChartFormula ChartFormulas::read(const std::string& subject, const std::string& 
     ChartFormula made{
         expression::Expression(text, [&](std::string_view n) { return names_.place(n) != ChartNames::none; }),
         {}};
-    for (const std::string& name : made.formula.variables()) made.places.push_back(names_.place(name));
+    std::vector<expression::Measure> measures;
+    for (const std::string& name : made.formula.variables()) {
+      made.places.push_back(names_.place(name));
+      const bool is_time = made.places.back() == names_.after();
+      measures.push_back(is_time ? expression::Measure{unit::parse_unit("s")->dimension, true}
+                                 : expression::Measure{});
+    }
+    static_cast<void>(made.formula.measure(measures));
     return made;
   } catch (const expression::ExpressionError& error) {
     refuse_(fmt::format("{}, '{}': {}; it may read {}", subject, text, error.what(), names_.text()), where);

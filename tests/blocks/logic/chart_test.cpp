@@ -105,7 +105,8 @@ record: [m.state]
 }
 
 TEST_CASE("Parameters have bare names wherever a chart has a formula") {
-  const table::Table table = run_text("parameters: {limit: 4, hold: 2, more: 10, b: 99, n: 99}\n" + head + R"(  of_n: {block: Constant, value: [n, b]}
+  const table::Table table = run_text("parameters: {limit: 4, hold: 2, more: 10, b: 99, n: 99}\n" + head +
+                                      R"(  of_n: {block: Constant, value: [n, b]}
   m:
     block: StateMachine
     u: t
@@ -140,6 +141,9 @@ TEST_CASE("What is wrong with a chart is said at its place") {
   CHECK_THAT(refusal("    states: {a: {to: [{when: u > 1}]}}\n"), Catch::Contains("must be a map such as"));
   CHECK_THAT(refusal("    states: {a: {to: [{to: a, when: u > 1, rank: 1}]}}\n"),
              Catch::Contains("has no 'rank'"));
+  CHECK_THAT(refusal("    states: {a: {timeout: {b: 3 mm}}, b: {}}\n"),
+             Catch::Contains("from 'a' to 'b'") && Catch::Contains("mm"));
+  CHECK_THAT(refusal("    states: {a: {to: {b: after > 3 mm}}, b: {}}\n"), Catch::Contains("'after > 3 mm'"));
   CHECK_THAT(refusal("    states: {a: {timeout: {b: 3 s}}}\n"),
              Catch::Contains("leads to 'b', which is none"));
 }
