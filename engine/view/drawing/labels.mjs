@@ -2,7 +2,7 @@
 
 import {widthOfName} from "./text.mjs";
 
-const height = 12, gap = 3, between = 8;
+const height = 12, gap = 3, between = 8, apart = 24;
 
 const overlaps = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 const grown = (box, by) => ({left: box.left - by, right: box.right + by, top: box.top - by, bottom: box.bottom + by});
@@ -93,23 +93,49 @@ function placesFor({at, isLink, edges}, centre) {
   return isLink ? besideLink(at, centre) : aroundBox(hull(at, at.length > 1 ? 0 : 8));
 }
 
+/** The link that is the mirror image of a link about a vertical line, if there is one. */
+function mirrorImage({at, isLink}, others) {
+  const isImage = (other) => other.isLink && other.name && at.every(([x, y], i) =>
+    Math.abs(other.at[i][1] - y) < 0.5 && Math.abs(other.at[i][0] + x - other.at[0][0] - at[0][0]) < 0.5);
+  return isLink ? others.find(isImage) : undefined;
+}
+
+/** A place on the other side of the vertical line between two links. */
+function mirrored({at: [x, y], anchor, foot, rank}, [[ax]], [[bx]]) {
+  const other = {start: "end", end: "start", middle: "middle"};
+  return {at: [ax + bx - x, y], anchor: other[anchor], foot: foot && [ax + bx - foot[0], foot[1]], rank};
+}
+
+const nameBox = ({name}, {at, anchor}) => boxOf(at, anchor, widthOfName(name));
+
+/** Can a link have its name at a place, and its mirror image at the mirrored one? */
+function suitInPair(link, image, place, suits) {
+  const other = mirrored(place, link.at, image.at);
+  return suits(link, place) && suits(image, other) && !overlaps(grown(nameBox(link, place), apart), nameBox(image, other));
+}
+
 /**
  * Places for the names of things: each {name, at: [point], isLink}, or {name, edges};
  * what is not a link may be a body (isBody) or have its name close by in any case (isNear). `obstacles` are {segment, half} and boxes. Returns
- * {name, at, anchor, leader, isFree} for each; `isFree` is false where it covers something.
+ * {name, at, anchor, leader, isFree} for each; `isFree` is false where it covers something. Names of two links that are mirror
+ * images have mirrored places where these are free.
  */
 export function placeNames(things, obstacles, centre, page) {
   const taken = [], inside = ({left, right, top, bottom}) => left >= 10 && top >= 4 && right <= page.width - 10 && bottom <= page.height - 4;
   const free = (box) => inside(box) && !taken.some((other) => overlaps(grown(box, between), other)) && !obstacles.some((one) =>
     one.segment ? meets(one.segment, grown(box, one.half + gap)) : overlaps(box, one));
-  return things.map((thing) => {
-    const {name, at, isLink} = thing, others = things.filter((one) => one.isLink && one !== thing).map((one) => one.at);
-    const candidates = placesFor(thing, centre), width = widthOfName(name);
-    const suits = (box) => free(box) && !(isLink && isNearerToAnother(box, at, others));
-    const found = candidates.find((one) => suits(boxOf(one.at, one.anchor, width)));
-    const best = found ?? candidates[0], box = boxOf(best.at, best.anchor, width);
+  const suits = (thing, place) => {
+    const box = nameBox(thing, place), others = things.filter((one) => one.isLink && one !== thing).map(({at}) => at);
+    return free(box) && !(thing.isLink && isNearerToAnother(box, thing.at, others));
+  };
+  const reserved = new Map();  // places of links whose mirror images have theirs
+  return things.map((thing, index) => {
+    const candidates = placesFor(thing, centre), first = reserved.get(thing) ?? candidates.find((place) => suits(thing, place));
+    const image = !reserved.has(thing) && first && mirrorImage(thing, things.slice(index + 1));
+    const inPair = image && candidates.find((place) => place.rank <= first.rank && suitInPair(thing, image, place, suits));
+    if (inPair) reserved.set(image, mirrored(inPair, thing.at, image.at));
+    const found = inPair || first, best = found ?? candidates[0], box = nameBox(thing, best);
     taken.push(box);
-    const leader = leaderOf(thing, best, grown(box, 2));
-    return {name, at: best.at, anchor: best.anchor, leader, isFree: found !== undefined};
+    return {name: thing.name, at: best.at, anchor: best.anchor, leader: leaderOf(thing, best, grown(box, 2)), isFree: found !== undefined};
   });
 }

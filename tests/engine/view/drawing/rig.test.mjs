@@ -130,6 +130,20 @@ test("between two links close to each other each name is nearer to its own", () 
   }
 });
 
+test("names of two links that are mirror images are at mirrored places, apart from each other", () => {
+  const pin = [0, 0.18], links = ["damper", "potentiometer"].flatMap((kind) => [[-0.1584, "left"], [0.1584, "right"]].map(([x, side]) =>
+    ({kind, points: [[x, 0.3584], pin], name: kind === "damper" ? `${side} damper` : "string potentiometer"})));
+  const motor = {kind: "motor", points: [[0, 0], pin], name: "linear motor"};
+  const base = {kind: "base", points: [[-0.215, 0.395], [0.215, 0.395], [0, -0.06]], name: "base"};
+  const {names, paper} = arrangeRig({title: "mirrored", dimensions: 2, elements: [...links, motor, base]}), [middle] = paper.place([0, 0]);
+  for (const i of [0, 2]) {
+    const left = boxOf(names[i]), right = boxOf(names[i + 1]);
+    assert.ok(Math.abs(left.top - right.top) < 1e-9, "on one line");
+    assert.ok(left.right + 20 < right.left, "with a space between");
+    assert.ok(Math.abs(names[i].at[0] + names[i + 1].at[0] - 2 * middle) < 1e-9, "as far from the middle");
+  }
+});
+
 test("a force points where it is said to, from its point, and lies on the page with its name", () => {
   for (const degrees of [0, 60, 90, 200, 300]) {
     const direction = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
