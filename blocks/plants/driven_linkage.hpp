@@ -11,13 +11,7 @@ struct DrivenLinkage : LinkageCore {
   Output<> external{};
 
   void outputs() {
-    begin_energy(velocity);
-    Balance now = begin_balance();
-    for_each_link(position, velocity, [&](auto n, Index k, const Link& link) {
-      write_link(n, k, link);
-      add_link(n, k, link, now);
-    });
-    external.each([&](Index i) { return inertial(now, i) - at(now.load, i); });
+    in_dimension([&](auto n) { write_outputs(n); });
   }
 
   void update() { watch_stroke(); }
@@ -26,10 +20,23 @@ struct DrivenLinkage : LinkageCore {
   static void declare(Declare<DrivenLinkage>& is);
 
  private:
-  double inertial(Balance& now, Index i) const {
+  template <Index n>
+  void write_outputs(Dimension<n> dimension) {
+    double energy = energy_of_pin(dimension, velocity);
+    Balance<n> now = begin_balance(dimension);
+    for (Index k = 0; k < links(); ++k) {
+      const Link<n> is = link(dimension, k, position, velocity);
+      write_link(k, is, energy);
+      add_link(k, is, now);
+    }
+    kinetic_energy = energy;
+    unrolled<n>([&](Index i) { external[i] = inertial(now, i) - at(now.load, i); });
+  }
+
+  template <Index n>
+  double inertial(Balance<n>& now, Index i) const {
     double sum = 0.0;
-    for (Index j = 0; acceleration.connected() && j < dimensions(); ++j)
-      sum += at(row(now, i), j) * acceleration[j];
+    if (acceleration.connected()) unrolled<n>([&](Index j) { sum += at(row(now, i), j) * acceleration[j]; });
     return sum;
   }
 };

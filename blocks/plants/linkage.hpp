@@ -14,18 +14,16 @@ struct Linkage : LinkageCore {
   void outputs() {
     position = position_;
     velocity = velocity_;
-    begin_energy(velocity_);
-    for_each_link(position_, velocity_, [&](auto n, Index k, const Link& now) { write_link(n, k, now); });
+    in_dimension([&](auto n) {
+      double energy = energy_of_pin(n, velocity_);
+      for (Index k = 0; k < links(); ++k) write_link(k, link(n, k, position_, velocity_), energy);
+      kinetic_energy = energy;
+    });
   }
 
   void derivatives() {
-    Balance now = begin_balance();
-    for_each_link(position_, velocity_,
-                  [&](auto n, Index k, const Link& link) { add_link(n, k, link, now); });
-    for (Index i = 0; external.connected() && i < dimensions(); ++i) at(now.load, i) += external[i];
-    solve(now);
     position_.derivative = velocity_;
-    velocity_.derivative.each([&](Index i) { return at(now.load, i); });
+    in_dimension([&](auto n) { write_acceleration(n); });
   }
 
   void update() { watch_stroke(); }
@@ -34,17 +32,26 @@ struct Linkage : LinkageCore {
   static void declare(Declare<Linkage>& is);
 
  private:
+  template <Index n>
+  void write_acceleration(Dimension<n> dimension) {
+    Balance<n> now = begin_balance(dimension);
+    for (Index k = 0; k < links(); ++k) add_link(k, link(dimension, k, position_, velocity_), now);
+    for (Index i = 0; external.connected() && i < n; ++i) at(now.load, i) += external[i];
+    solve(now);
+    for (Index i = 0; i < n; ++i) velocity_.derivative[i] = at(now.load, i);
+  }
+
   /// Replaces the load by the acceleration. M is symmetric and positive definite, so no pivoting is needed.
-  void solve(Balance& now) const {
-    const Index size = dimensions();
-    for (Index j = 0; j < size; ++j)
-      for (Index i = j + 1; i < size; ++i) {
+  template <Index n>
+  void solve(Balance<n>& now) const {
+    for (Index j = 0; j < n; ++j)
+      for (Index i = j + 1; i < n; ++i) {
         const double factor = at(row(now, i), j) / at(row(now, j), j);
-        for (Index k = j; k < size; ++k) at(row(now, i), k) -= factor * at(row(now, j), k);
+        for (Index k = j; k < n; ++k) at(row(now, i), k) -= factor * at(row(now, j), k);
         at(now.load, i) -= factor * at(now.load, j);
       }
-    for (Index i = size; i-- > 0;) {
-      for (Index k = i + 1; k < size; ++k) at(now.load, i) -= at(row(now, i), k) * at(now.load, k);
+    for (Index i = n; i-- > 0;) {
+      for (Index k = i + 1; k < n; ++k) at(now.load, i) -= at(row(now, i), k) * at(now.load, k);
       at(now.load, i) /= at(row(now, i), i);
     }
   }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <type_traits>
+#include <utility>
 
 #include "engine/base/math/sum_of_squares.hpp"
 #include "engine/model/block/block.hpp"
@@ -23,8 +25,6 @@ namespace stepwire {
 ///
 /// A torque about an anchor, in the plane, acts at the pin along n, which is e rotated left by a right angle.
 struct LinkageCore {
-  using Vector = std::array<double, 3>;  ///< on a line and in the plane, further elements are 0
-
   Matrix anchors;
   PerElement rod_mass = 0.0, rod_inertia = 0.0, rod_centre = 0.0, housing_inertia = 0.0;
   double pin_mass = 0.0;
@@ -39,98 +39,104 @@ struct LinkageCore {
   void configure(Configure& is);
 
  protected:
+  template <Index dimension>
+  using Dimension = std::integral_constant<Index, dimension>;
+  template <Index n>
+  using Vector = std::array<double, static_cast<std::size_t>(n)>;
+
   /// State of a link at an instant.
+  template <Index n>
   struct Link {
     double length = 0.0, rate = 0.0;
-    Vector along{};        ///< unit vector from the anchor to the pin; 0 if they coincide
-    Vector across{};       ///< velocity of the pin across the link
+    Vector<n> along{};     ///< unit vector from the anchor to the pin; 0 if they coincide
+    Vector<n> across{};    ///< velocity of the pin across the link
     double turning = 0.0;  ///< square of that velocity
+    double inertia = 0.0;  ///< J, about the anchor
+    double mass = 0.0;     ///< mu = J/l^2, at the pin across the link; 0 for a link of length 0
   };
 
   /// Equations M a = load: the forces on the pin minus h.
+  template <Index n>
   struct Balance {
-    std::array<Vector, 3> mass{};
-    Vector load{};
+    std::array<Vector<n>, static_cast<std::size_t>(n)> mass{};
+    Vector<n> load{};
   };
 
   Index links() const { return anchors.rows(); }
   Index dimensions() const { return anchors.columns(); }
 
-  template <Index dimension>
-  using Dimension = std::integral_constant<Index, dimension>;
+  /// Calls visit(dimension), a constant of the compiler.
+  template <class Visitor>
+  void in_dimension(const Visitor& visit) const {
+    if (dimensions() == 1) return visit(Dimension<1>{});
+    if (dimensions() == 2) return visit(Dimension<2>{});
+    visit(Dimension<3>{});
+  }
 
   template <Index n, class Position, class Velocity>
-  Link link(Dimension<n>, Index k, const Position& position, const Velocity& velocity) const {
-    Link is;
-    SumOfSquares squares;
-    for (Index i = 0; i < n; ++i) {
+  Link<n> link(Dimension<n>, Index k, const Position& position, const Velocity& velocity) const {
+    Link<n> is;
+    double square = 0.0;
+    unrolled<n>([&](Index i) {
       at(is.along, i) = position[i] - anchors(k, i);
-      squares.add(at(is.along, i));
-    }
-    is.length = squares.root();
-    for (Index i = 0; is.length > 0.0 && i < n; ++i) {
-      at(is.along, i) /= is.length;
-      is.rate += at(is.along, i) * velocity[i];
-    }
-    for (Index i = 0; i < n; ++i) {
+      square += at(is.along, i) * at(is.along, i);
+    });
+    // The plain root has the same bits, where squares are far from overflow and underflow.
+    const bool plain = square > 1e-200 && square < 1e200;
+    is.length = plain ? std::sqrt(square) : length_of(n, [&](Index i) { return at(is.along, i); });
+    if (is.length > 0.0) set_along(k, velocity, is);
+    unrolled<n>([&](Index i) {
       at(is.across, i) = velocity[i] - is.rate * at(is.along, i);
       is.turning += at(is.across, i) * at(is.across, i);
-    }
+    });
     return is;
   }
 
-  /// Calls visit(dimension, k, link) for each link. The dimension is a constant of the compiler, so that
-  /// loops over elements are unrolled.
-  template <class Position, class Velocity, class Visitor>
-  void for_each_link(const Position& position, const Velocity& velocity, const Visitor& visit) const {
-    const auto walk = [&](auto dimension) {
-      for (Index k = 0; k < links(); ++k) visit(dimension, k, link(dimension, k, position, velocity));
-    };
-    if (dimensions() == 1) return walk(Dimension<1>{});
-    if (dimensions() == 2) return walk(Dimension<2>{});
-    walk(Dimension<3>{});
-  }
-
-  template <class Velocity>
-  void begin_energy(const Velocity& velocity) {
+  /// Returns the kinetic energy of the pin without links.
+  template <Index n, class Velocity>
+  double energy_of_pin(Dimension<n>, const Velocity& velocity) const {
     double square = 0.0;
-    for (Index i = 0; i < dimensions(); ++i) square += velocity[i] * velocity[i];
-    kinetic_energy = 0.5 * pin_mass * square;
+    unrolled<n>([&](Index i) { square += velocity[i] * velocity[i]; });
+    return 0.5 * pin_mass * square;
   }
 
+  /// Writes the outputs of a link and adds its kinetic energy.
   template <Index n>
-  void write_link(Dimension<n>, Index k, const Link& now) {
+  void write_link(Index k, const Link<n>& now, double& energy) {
     length[k] = now.length;
     rate[k] = now.rate;
     angular_rate[k] = 0.0;
     if (now.length == 0.0) return;
-    if (n == 2) angular_rate[k] = (now.along[0] * now.across[1] - now.along[1] * now.across[0]) / now.length;
-    kinetic_energy =
-        kinetic_energy + 0.5 * (rod_mass[k] * now.rate * now.rate + mass_across(k, now.length) * now.turning);
+    if constexpr (n == 2)
+      angular_rate[k] = (now.along[0] * now.across[1] - now.along[1] * now.across[0]) / now.length;
+    energy = energy + 0.5 * (rod_mass[k] * now.rate * now.rate + now.mass * now.turning);
   }
 
   /// Returns the equations of the pin without links.
-  Balance begin_balance() const {
-    Balance sum;
-    for (Index i = 0; i < dimensions(); ++i) at(row(sum, i), i) = pin_mass;
+  template <Index n>
+  Balance<n> begin_balance(Dimension<n>) const {
+    Balance<n> sum;
+    unrolled<n>([&](Index i) { at(row(sum, i), i) = pin_mass; });
     return sum;
   }
 
   /// Adds a link's part of M, its force, and minus its part of h; no effect for a link of length 0.
   template <Index n>
-  void add_link(Dimension<n>, Index k, const Link& now, Balance& sum) const {
+  void add_link(Index k, const Link<n>& now, Balance<n>& sum) const {
     if (now.length == 0.0) return;
-    const double l = now.length, across = mass_across(k, l), along = rod_mass[k] - across;
+    const double l = now.length, across = now.mass, along = rod_mass[k] - across;
     const double pull = force[k] - rod_mass[k] * rod_centre[k] * now.turning / (l * l);
-    const double drag = slope_of_mass_across(k, l) * now.rate;
-    for (Index i = 0; i < n; ++i) {
+    const double drag = slope_of_mass_across(k, now) * now.rate;
+    unrolled<n>([&](Index i) {
       at(row(sum, i), i) += across;
-      for (Index j = 0; j < n; ++j) at(row(sum, i), j) += along * at(now.along, i) * at(now.along, j);
+      unrolled<n>([&](Index j) { at(row(sum, i), j) += along * at(now.along, i) * at(now.along, j); });
       at(sum.load, i) += pull * at(now.along, i) - drag * at(now.across, i);
+    });
+    if constexpr (n == 2) {
+      if (!torque.connected()) return;
+      sum.load[0] -= torque[k] / l * now.along[1];
+      sum.load[1] += torque[k] / l * now.along[0];
     }
-    if (!torque.connected()) return;
-    sum.load[0] -= torque[k] / l * now.along[1];
-    sum.load[1] += torque[k] / l * now.along[0];
   }
 
   void watch_stroke() {
@@ -142,19 +148,42 @@ struct LinkageCore {
     }
   }
 
-  static double& at(Vector& vector, Index i) { return vector[static_cast<std::size_t>(i)]; }
-  static double at(const Vector& vector, Index i) { return vector[static_cast<std::size_t>(i)]; }
-  static Vector& row(Balance& balance, Index i) { return balance.mass[static_cast<std::size_t>(i)]; }
+  /// Calls visit(i) for each i below n, without a loop. The elements of vectors are then in registers. In
+  /// memory a number that was just written would be read as one of a pair, for which a processor waits.
+  template <Index n, class Visitor>
+  static void unrolled(const Visitor& visit) {
+    [&]<Index... i>(std::integer_sequence<Index, i...>) {
+      (visit(i), ...);
+    }
+    (std::make_integer_sequence<Index, n>{});
+  }
+
+  template <class Elements>
+  static auto& at(Elements& elements, Index i) {
+    return elements[static_cast<std::size_t>(i)];
+  }
+  template <Index n>
+  static Vector<n>& row(Balance<n>& balance, Index i) {
+    return at(balance.mass, i);
+  }
 
  private:
-  double inertia(Index k, double l) const {
-    const double arm = l - rod_centre[k];
-    return housing_inertia[k] + rod_inertia[k] + rod_mass[k] * arm * arm;
+  /// Sets the direction of a link of some length, where `along` is the vector to the pin, and its inertia.
+  template <Index n, class Velocity>
+  void set_along(Index k, const Velocity& velocity, Link<n>& is) const {
+    unrolled<n>([&](Index i) {
+      at(is.along, i) /= is.length;
+      is.rate += at(is.along, i) * velocity[i];
+    });
+    const double arm = is.length - rod_centre[k];
+    is.inertia = housing_inertia[k] + rod_inertia[k] + rod_mass[k] * arm * arm;
+    is.mass = is.inertia / (is.length * is.length);
   }
-  /// Returns mu, the effective mass of the link at the pin, across it.
-  double mass_across(Index k, double l) const { return inertia(k, l) / (l * l); }
-  double slope_of_mass_across(Index k, double l) const {
-    return 2.0 * (rod_mass[k] * (l - rod_centre[k]) - inertia(k, l) / l) / (l * l);
+  /// Returns mu'(l), the derivative of the effective mass.
+  template <Index n>
+  double slope_of_mass_across(Index k, const Link<n>& now) const {
+    const double l = now.length;
+    return 2.0 * (rod_mass[k] * (l - rod_centre[k]) - now.inertia / l) / (l * l);
   }
 };
 

@@ -12,10 +12,7 @@ struct MRDamper : MRDamperCore {
 
   MRDamper();
   void prepare() { scale(1.0, 1.0); }
-  void outputs() {
-    write_account();
-    force = resistance();
-  }
+  void outputs() { force = write_account(); }
   void derivatives() { write_rates(); }
   void update() { remember(); }
 

@@ -62,18 +62,17 @@ struct MRDamperCore {
     scaled_c = c.map([&](double one) { return one * factor; });
   }
 
-  double resistance() const {
-    const double i = acting(current);
-    const double force = polynomial(scaled_c, i) * velocity + polynomial(scaled_alpha, i) * z + f0;
-    return position.connected() ? force + k0 * position : force;
-  }
-
-  void write_account() {
+  /// Writes the energies and z, and returns the resistance.
+  double write_account() {
     const Account now = account();
+    const double i = acting(current), slope = polynomial(scaled_alpha, i);
+    const double held = 0.5 * slope / factors.A * now.z * now.z;
     z = now.z;
     dissipated = now.loss;
-    stored = spring(acting(current)) * now.z * now.z;
-    switching_work = stored - (begun == 0.0 ? stored : first_stored) - now.spring_work;
+    stored = held;
+    switching_work = held - (begun == 0.0 ? held : first_stored) - now.spring_work;
+    const double force = polynomial(scaled_c, i) * velocity + slope * now.z + f0;
+    return position.connected() ? force + k0 * position : force;
   }
 
   void write_rates() {

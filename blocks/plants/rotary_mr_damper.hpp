@@ -19,10 +19,7 @@ struct RotaryMRDamper : MRDamperCore {
 
   RotaryMRDamper();
   void prepare() { scale(newton_metres(torque_unit), presliding_scale); }
-  void outputs() {
-    write_account();
-    torque = resistance();
-  }
+  void outputs() { torque = write_account(); }
   void derivatives() { write_rates(); }
   void update() {
     remember();
