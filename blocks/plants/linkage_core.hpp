@@ -51,8 +51,8 @@ struct LinkageCore {
     Vector<n> along{};     ///< unit vector from the anchor to the pin; 0 if they coincide
     Vector<n> across{};    ///< velocity of the pin across the link
     double turning = 0.0;  ///< square of that velocity
-    double inertia = 0.0;  ///< J, about the anchor
-    double mass = 0.0;     ///< mu = J/l^2, at the pin across the link; 0 for a link of length 0
+    double inertia = 0.0;  ///< J
+    double mass = 0.0;     ///< mu; 0 without length
   };
 
   /// Equations M a = load: the forces on the pin minus h.

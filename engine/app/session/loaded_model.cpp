@@ -128,12 +128,16 @@ std::shared_ptr<const scene::Scene> read_scene_of(const diagram::Diagram& diagra
   return scene;
 }
 
-/// Reads the figures. Titles of a study name the source of the trials.
+/// Reads the figures.
 void read_all_figures(const diagram::Diagram& diagram, LoadedModel& model, const query::SymbolTable& names,
                       yaml::Faults& faults) {
   if (diagram.figure.kind != yaml::Node::Kind::empty)
     model.figures = plot::read_figures(diagram.figure, names_of_figures(model, names), faults);
   draw_kept_as_points(model, model.figures);
+}
+
+/// Adds the source of the trials of a study to the titles of its pictures.
+void add_source_of_trials(LoadedModel& model) {
   if (!model.study) return;
   for (plot::Figure& figure : model.figures)
     if (!figure.title.empty()) figure.title += fmt::format(" ({})", study::whose_trials(*model.study));
@@ -178,6 +182,7 @@ LoadedModel load_model(diagram::Loader& loader, const std::string& file, const L
   names.scene = model.scene = read_scene_of(diagram, names, faults);
   read_all_figures(diagram, model, names, faults);
   read_all_claims(diagram, model, names, faults);
+  add_source_of_trials(model);
   add_tuning(loader, model, names, faults);
   faults.throw_if_any();
   model.hash = diagram::diagram_hash(diagram);

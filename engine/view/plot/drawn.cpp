@@ -161,6 +161,30 @@ void add_panel(const Panel& panel, const query::SymbolTable& names, const Drawn&
   for (const query::NamedFormula& one : panel.shown) drawn.add(one.name, one.text);
 }
 
+/// Returns the names of a panel by its numbers. The number of a panel always follows that of its picture.
+Names numbered_places(const std::vector<Figure>&, std::size_t picture, std::size_t panel) {
+  Names places = numbered_names({fmt::format("figure.{}", picture + 1)}, panel + 1);
+  if (picture == 0 && panel == 0) places.emplace_back("figure");
+  return places;
+}
+
+/// Returns the names of a panel by its title and that of its picture. Numbers have precedence.
+Names titled_places(const std::vector<Figure>& figures, std::size_t picture, std::size_t panel) {
+  const Figure& figure = figures[picture];
+  Names pictures{fmt::format("figure.{}", picture + 1)};
+  if (picture == 0) pictures.emplace_back("figure");
+  const std::string title = name_of_label(figure.title, 0),
+                    name = name_of_label(figure.panels[panel].title, 0);
+  Names places;
+  if (title != "0") {
+    pictures.push_back("figure." + title);
+    places = numbered_names({pictures.back()}, panel + 1);
+  }
+  if (name != "0")
+    for (const std::string& place : pictures) places.push_back(place + "." + name);
+  return places;
+}
+
 void add_places(const scene::SceneObject& object, const scene::Scene& scene,
                 std::vector<query::NamedFormula>& shown) {
   for (std::size_t point = 0; point < object.points.size(); ++point)
@@ -185,13 +209,11 @@ std::string name_of_label(const std::string& label, std::size_t number) {
 std::vector<query::NamedFormula> drawn_quantities(const std::vector<Figure>& figures,
                                                   const query::SymbolTable& names) {
   std::vector<query::NamedFormula> drawn;
-  for (std::size_t picture = 0; picture < figures.size(); ++picture)
-    for (std::size_t panel = 0; panel < figures[picture].panels.size(); ++panel) {
-      // the number of a panel always follows that of its picture
-      Names places = numbered_names({fmt::format("figure.{}", picture + 1)}, panel + 1);
-      if (picture == 0 && panel == 0) places.emplace_back("figure");
-      add_panel(figures[picture].panels[panel], names, Drawn(places, drawn));
-    }
+  for (const auto& names_of_places : {numbered_places, titled_places})
+    for (std::size_t picture = 0; picture < figures.size(); ++picture)
+      for (std::size_t panel = 0; panel < figures[picture].panels.size(); ++panel)
+        add_panel(figures[picture].panels[panel], names,
+                  Drawn(names_of_places(figures, picture, panel), drawn));
   return drawn;
 }
 

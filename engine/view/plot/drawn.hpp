@@ -34,6 +34,8 @@ namespace stepwire::plot {
 ///
 /// - elements.NAME.x, elements.NAME.2.y, elements.NAME.direction.x is a coordinate of an element of a rig.
 ///
+/// The title of a picture or panel may replace its number: "figure.side_view.x", "figure.2.left_damper.color".
+///
 /// Each number counts from 1. The number of a row, the panel and then also the picture may be omitted if it
 /// is 1: "figure.color", "figure.2.y.3". Texts have the form of name_of_label().
 std::vector<query::NamedFormula> drawn_quantities(const std::vector<Figure>& figures,

@@ -165,6 +165,7 @@ class Check {
           breaks = breaks || verdict.fails();
           if (is_statement(verdict) && !verdict.holds) unbroken_.erase(verdict.that);
         }
+        breaks = breaks || (change.of_text && runner_.has_wrong_texts(section.figure));
         if (!breaks && same_picture(change, section)) continue;
         return DrawnChange{section, breaks};
       } catch (const yaml::Error&) {

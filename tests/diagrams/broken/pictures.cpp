@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <ranges>
 #include <span>
@@ -62,8 +63,8 @@ class PanelChanges {
   void add(const std::string& what, Change change) {
     add(what, std::vector{section(change)});
   }
-  void add(const std::string& what, std::vector<ChangedSection> sections) {
-    if (!sections.empty()) changes_.push_back({place_ + what, picture_, std::move(sections)});
+  void add(const std::string& what, std::vector<ChangedSection> sections, bool of_text = false) {
+    if (!sections.empty()) changes_.push_back({place_ + what, picture_, std::move(sections), of_text});
   }
 
  private:
@@ -208,6 +209,49 @@ void add_exchanged_cells(PanelChanges& changes) {
     }
 }
 
+/// Two labels of axes of the panel.
+void add_exchanged_labels(PanelChanges& changes) {
+  static const std::array labels{"x_label", "y_label", "z_label", "color_label"};
+  for (auto one = labels.begin(); one != labels.end(); ++one)
+    for (auto other = one + 1; other != labels.end(); ++other) {
+      const Node *first = changes.find(*one), *second = changes.find(*other);
+      if (!first || !second || first->text == second->text) continue;
+      const auto exchange = [&](Node& panel) {
+        std::swap(value_of(panel, *one)->text, value_of(panel, *other)->text);
+      };
+      changes.add(fmt::format(".{} and .{} exchanged", *one, *other), {changes.section(exchange)}, true);
+    }
+}
+
+/// Titles of two neighbours in a list: of pictures or panels. `list` finds it in a section.
+template <class List>
+void add_exchanged_titles(const Node& section, std::size_t picture, const std::string& place, List list,
+                          std::vector<PictureChange>& all) {
+  Node changed = section;
+  std::span<Node> rows = list(changed);
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+    Node *one = value_of(rows[i], "title"), *other = value_of(rows[i + 1], "title");
+    if (!one || !other || one->text == other->text) continue;
+    std::swap(one->text, other->text);
+    all.push_back(
+        {fmt::format("{} titles {} and {} exchanged", place, i + 1, i + 2), picture, {{changed}}, true});
+    std::swap(one->text, other->text);
+  }
+}
+
+void add_titles(const Node& section, std::vector<PictureChange>& all) {
+  add_exchanged_titles(
+      section, 0, "figure", [](Node& node) { return rows_of(node); }, all);
+  for (std::size_t picture = 0; picture < section.as_list().size(); ++picture)
+    add_exchanged_titles(
+        section, picture, fmt::format("figure.{}", picture + 1),
+        [&](Node& node) {
+          Node* panels = value_of(rows_of(node)[picture], "panels");
+          return panels ? rows_of(*panels) : std::span<Node>();
+        },
+        all);
+}
+
 void add_panel(const plot::Panel& panel, const query::SymbolTable& names, const std::vector<Signal>& signals,
                PanelChanges& changes) {
   add_exchanged_axes(panel, changes);
@@ -218,6 +262,7 @@ void add_panel(const plot::Panel& panel, const query::SymbolTable& names, const 
   if (panel.series.empty()) add_exchanged_texts("rows", 0, changes);
   add_exchanged_cells(changes);
   add_regions(panel, names, changes);
+  add_exchanged_labels(changes);
 }
 
 }  // namespace
@@ -233,6 +278,7 @@ std::vector<PictureChange> picture_changes(const session::LoadedModel& model,
       PanelChanges changes(section, picture, panel, all);
       add_panel(model.figures[picture].panels[panel], names, signals, changes);
     }
+  add_titles(section, all);
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include "engine/app/session/fitting.hpp"
 #include "engine/base/yaml/error.hpp"
 #include "engine/view/plot/figure_spec.hpp"
+#include "tests/diagrams/drawn_texts.hpp"
 
 namespace stepwire::broken {
 
@@ -89,6 +90,10 @@ std::vector<claim::Verdict> Runner::verdicts_with(const yaml::Node& figure) {
     if (!std::ranges::all_of(error.faults(), is_of_claim)) throw;
     return unread_claims(model_->claims, error.faults());
   }
+}
+
+bool Runner::has_wrong_texts(const yaml::Node& figure) const {
+  return !text_faults(loaded_with(figure)).empty();
 }
 
 std::string Runner::picture_with(const yaml::Node& figure, std::size_t picture) {

@@ -26,6 +26,9 @@ class Runner {
   /// A picture of that section as a text; by its index.
   std::string picture_with(const yaml::Node& figure, std::size_t picture);
 
+  /// True if the labels and titles of that section disagree with what it draws.
+  bool has_wrong_texts(const yaml::Node& figure) const;
+
   bool takes_long() const { return takes_long_; }
   /// The model and the outcome of the last call of verdicts().
   const session::LoadedModel& model() const { return *model_; }

@@ -47,6 +47,18 @@ TEST_CASE("a text in the legend that is also a number or a key does not take its
   CHECK(text_of(drawn, "figure.y") == "rig.x");
 }
 
+TEST_CASE("claims may name a picture and a panel by its title") {
+  const auto drawn = drawn_in(
+      "[{plot: lines, title: Way over time, x: time, y: rig.x}, "
+      "{title: Both, panels: [{plot: lines, title: left damper, x: time, y: 2*rig.x}, "
+      "{plot: lines, title: 1, x: time, y: 3*rig.x}]}]");
+  CHECK(text_of(drawn, "figure.Way_over_time.y") == "rig.x");
+  CHECK(text_of(drawn, "figure.2.left_damper.y") == "2*rig.x");
+  CHECK(text_of(drawn, "figure.Both.left_damper.y.1") == "2*rig.x");
+  CHECK(text_of(drawn, "figure.Both.2.y") == "3*rig.x");
+  CHECK(text_of(drawn, "figure.2.1.y") == "2*rig.x");  // the number of a panel, not its title
+}
+
 TEST_CASE("claims may name the curve of a swept value by its text in the legend") {
   const auto drawn = drawn_in("{plot: loop, x: rig.x, y: rig.v, by: current, legend: [off, 0.1 A]}");
   CHECK(text_of(drawn, "figure.by.off") == "current == 0 A");
