@@ -30,9 +30,6 @@ struct Broken {
   static bool lists(const Texts& listed, const std::string& name);
 };
 
-/// The name under `unseen` for all wrong pictures of a file.
-inline constexpr const char* all_pictures = "all";
-
 /// Reads such a file. Throws Error if it is no YAML, and std::runtime_error if its content has another form.
 Broken read_broken(const std::string& file);
 
