@@ -106,7 +106,8 @@ struct Unit {
 
 }  // namespace
 
-TEST_CASE("a unit of FMI 2 refuses a wrong GUID, missing instances and bad values with a sentence") {
+TEST_CASE("a unit of FMI 2 refuses a wrong GUID, missing instances and bad values with a sentence",
+          "[full]") {
   if (!there_is_a_compiler()) return;
   const Unit wrong(fmi2CoSimulation, "{0}");
   CHECK(wrong.unit == nullptr);
@@ -141,7 +142,7 @@ TEST_CASE("a unit of FMI 2 steps by the equations, and can be reset") {
   CHECK(unit.get(twice_2) == 0.0);
 }
 
-TEST_CASE("a unit of FMI 2 discards the step behind its end, and says that it is over") {
+TEST_CASE("a unit of FMI 2 discards the step behind its end, and says that it is over", "[full]") {
   if (!there_is_a_compiler()) return;
   Unit unit(fmi2CoSimulation);
   unit.initialize();
@@ -155,7 +156,7 @@ TEST_CASE("a unit of FMI 2 discards the step behind its end, and says that it is
   CHECK(unit.get(x) < 0.9);
 }
 
-TEST_CASE("model exchange of FMI 2 has the slopes of the equations, and their derivatives") {
+TEST_CASE("model exchange of FMI 2 has the slopes of the equations, and their derivatives", "[full]") {
   if (!there_is_a_compiler()) return;
   Unit unit(fmi2ModelExchange);
   unit.initialize();
