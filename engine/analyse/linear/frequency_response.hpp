@@ -35,7 +35,7 @@ class FrequencyResponse {
   /// True if each turn of the delays that can decide a margin is resolved: without delays, or in a chain.
   bool follows_all_turns() const { return delay_ == 0.0 || chain_.has_value(); }
   /// Returns the frequencies of a search for crossings and for the least distance from -1. They are denser
-  /// near the closed-loop poles as well, and go on at both ends until the gain has left 1 for good. Beyond
+  /// near the closed-loop poles as well, and extend at both ends until the gain has left 1 for good. Beyond
   /// last_followed() a chain of delays is resolved where its gain is nearest to 1.
   std::vector<double> search_frequencies(const std::vector<Mode>& closed) const;
   /// Returns the gain at rest; infinite for a pole there.

@@ -53,7 +53,8 @@ class MarginSearch {
     };
     const double last = loop_.rows().back().frequency;
     if (!has(loop_.rows().front().frequency)) add_real(0.0, loop_.at(0.0), margins_.gain);
-    for (const LoopGain::Row& row : crossings) add_real(row.frequency, row.value, margins_.gain);
+    for (const LoopGain::Row& row : crossings)
+      if (is_resolved(row.frequency)) add_real(row.frequency, row.value, margins_.gain);
     if (has(last)) return;
     if (loop_.response().is_sampled())
       add_real(last, loop_.rows().back().value, margins_.gain);
@@ -65,8 +66,9 @@ class MarginSearch {
 
   void find_phase() {
     for (const Crossover& crossover : loop_.crossovers())
-      margins_.phase.push_back(
-          {crossover.frequency, wrapped(std::numbers::pi + std::arg(loop_.at(crossover.frequency)))});
+      if (is_resolved(crossover.frequency))
+        margins_.phase.push_back(
+            {crossover.frequency, wrapped(std::numbers::pi + std::arg(loop_.at(crossover.frequency)))});
     const auto band = loop_.band_of_one();
     if (!band) return;
     margins_.knows_phase = false;
@@ -84,6 +86,10 @@ class MarginSearch {
     const bool turns = loop_.response().last_followed() < infinite;
     if (!loop_.response().follows_all_turns() && direct_ != 0.0) return;  // a bound, no limit
     take(infinite, turns ? std::abs(1.0 - std::abs(direct_)) : std::abs(1.0 + direct_));
+  }
+
+  bool is_resolved(double frequency) const {
+    return loop_.response().follows_all_turns() || frequency <= loop_.response().last_followed();
   }
 
   void take(double frequency, double distance) {
