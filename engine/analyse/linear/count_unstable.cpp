@@ -144,8 +144,8 @@ std::optional<double> crossed(const DelayLoop& loop, double from) {
 
 /// Counts the poles of one loop by the direct method of K. Walton and J. E. Marshall ("Direct method for TDS
 /// stability analysis", IEE Proceedings D 134, 1987). Poles are counted by turns for a short delay. While the
-/// delay grows to T, a pair of poles crosses the axis at each crossover |X| = 1, again and again: to the
-/// right where the gain falls, to the left where it rises. The cost does not depend on T.
+/// delay grows to T, a pair of poles crosses the axis at each crossover |X| = 1, again and again. It crosses
+/// to the right where the gain falls, and to the left where it rises. The cost does not depend on T.
 std::optional<int> count_in_one_loop(const DelayLoop& loop) {
   constexpr double few_turns = 300.0, most = 1e9;  // [rad]
   double highest = 0.0;

@@ -220,9 +220,11 @@ Margins margins_of(const StateSpace& all, double feedback) {
   margins.modulus = infinite;
   margins.modulus_frequency = -1.0;
   std::vector<Mode> modes;
-  if (closed.A.allFinite()) {
-    margins.closed_poles = poles_of(closed);
-    modes = modes_of(closed);
+  if (closed.A.allFinite()) margins.closed_poles = poles_of(closed);
+  for (const Complex& pole : margins.closed_poles) {
+    const Complex s = closed.is_sampled() ? std::log(pole) / closed.sample_time : pole;
+    if (std::abs(s) > 0.0 && std::isfinite(std::abs(s)))
+      modes.push_back({pole, std::abs(s), -s.real() / std::abs(s)});
   }
   judge_stability(closed, margins);
   if (margins.stable && system.states.size() != all.states.size()) {
