@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "blocks/register.hpp"
 #include "engine/analyse/linear/analysis.hpp"
 #include "engine/analyse/linear/frequency_response.hpp"
 #include "tests/support/plan_text.hpp"
