@@ -49,8 +49,13 @@ def positive_roots(p):
 
 def of_rational(N, D):
     (a, b), (c, d) = in_axis(N), in_axis(D)
-    square = lambda re, im: plus(times(re, re), times(im, im))
-    L = lambda w: mp.polyval(N, mp.mpc(0, w)) / mp.polyval(D, mp.mpc(0, w))
+
+    def square(re, im):
+        return plus(times(re, re), times(im, im))
+
+    def L(w):
+        return mp.polyval(N, mp.mpc(0, w)) / mp.polyval(D, mp.mpc(0, w))
+
     gain = [(w, -1 / L(w).real) for w in positive_roots(plus(times(b, c), times(a, d), -1)) if L(w).real < 0]
     phase = [(w, mp.arg(-L(w))) for w in positive_roots(plus(square(a, b), square(c, d), -1))]
     P, Q = square(plus(a, c), plus(b, d)), square(c, d)
@@ -93,7 +98,9 @@ def of_search(L, grid, stable):
 
 
 def of_delay(N, D, delay):
-    L = lambda w: np.polyval(N, 1j * w) / np.polyval(D, 1j * w) * np.exp(-1j * w * delay)
+    def L(w):
+        return np.polyval(N, 1j * w) / np.polyval(D, 1j * w) * np.exp(-1j * w * delay)
+
     grid = np.unique(np.concatenate([np.geomspace(1e-5, 1e4, 400001), np.arange(1, 200001) * 2e-3 / delay]))
     grid = grid[grid * delay < 400]
     axis = np.linspace(0, 4000, 4000001)
@@ -104,7 +111,9 @@ def of_delay(N, D, delay):
 
 
 def of_sampled(N, D, T):
-    L = lambda w: np.polyval(N, np.exp(1j * w * T)) / np.polyval(D, np.exp(1j * w * T))
+    def L(w):
+        return np.polyval(N, np.exp(1j * w * T)) / np.polyval(D, np.exp(1j * w * T))
+
     grid = np.unique(np.concatenate([np.geomspace(1e-6, np.pi, 200001), np.linspace(1e-6, np.pi, 400001)])) / T
     gain, phase, least, stable = of_search(L, grid[:-1], bool(max(abs(np.roots(np.polyadd(N, D)))) < 1))
     end = L(np.pi / T).real
@@ -148,11 +157,15 @@ def drawn(number):
     return four(N), four(D), delay, 0.0
 
 
+def pairs(all):
+    return ";".join(f"{float(w):.13g} {float(m):.13g}" for w, m in all)
+
+
 known = [([1000], [1, 0], 0.0, 0.0), ([0.5], [1, -1], 0.0, 0.0), ([1e4], [1, 0.01, 1], 0.0, 0.0), ([5], [1, 3, 3, 1], 0.0, 0.0)]
 known += [([2, 1], [1, 1], 0.0, 0.0), ([4, 0.4, 4], [1, 0.002, 1], 0.0, 0.0), ([1], [1, 0.001, 1], 0.0, 0.0)]
 print("numerator,denominator,delay,sample time,gain margins,phase margins,modulus,its frequency,stable")
 for N, D, delay, T in known + [drawn(number) for number in range(60)]:
     gain, phase, least, stable = of_sampled(N, D, T) if T else of_delay(N, D, delay) if delay else of_rational(N, D)
-    pairs = lambda all: ";".join(f"{float(w):.13g} {float(m):.13g}" for w, m in all)
     row = [" ".join(map(repr, map(float, p))) for p in (N, D)]
-    print(*row, f"{delay:g}", f"{T:g}", pairs(gain), pairs(phase), f"{float(least[0]):.13g}", f"{float(least[1]):.13g}", int(stable), sep=",")
+    ends = [f"{float(least[0]):.13g}", f"{float(least[1]):.13g}", int(stable)]
+    print(*row, f"{delay:g}", f"{T:g}", pairs(gain), pairs(phase), *ends, sep=",")
