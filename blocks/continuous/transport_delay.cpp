@@ -17,10 +17,10 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
            "there are so many, which does not reach across jumps and corners. For a signal that is sampled "
            "take `between: hold`, or Delay. Samples are as far apart as ticks, also where a solver controls its "
            "error: what is faster than these needs a shorter step. Its output does not depend on its input at the same instant. "
-           "Linear analyses refuse it.",
+           "Linear analyses take it as exact among continuous blocks, and refuse it beside sampled ones.",
        .source = "A. Harten, B. Engquist, S. Osher, S. R. Chakravarthy 1987, J. Comput. Phys. 71",
        .timing = Timing::continuous,
-       .not_linear = "it has no states of a finite number beside blocks that act at ticks",
+       .delayed_by = "delay",
        .symbol = {.text = "e^-sT"},
        .at_events = true});
   is.parameter<&TransportDelay::longest>({.unit = "s",

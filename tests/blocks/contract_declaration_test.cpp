@@ -143,6 +143,19 @@ TEST_CASE("sizes of outputs and states are numbers, or letters that inputs or pa
   }
 }
 
+TEST_CASE("an exact delay has a time, and an output that is like its input") {
+  for (const BlockType* type : library().types()) {
+    if (type->delayed_by.empty()) continue;
+    INFO(type->name);
+    REQUIRE(type->input(type->delayed_by) > 0);
+    CHECK(type->inputs[static_cast<std::size_t>(type->input(type->delayed_by))].unit == "s");
+    CHECK_FALSE(type->inputs[0].feedthrough);
+    REQUIRE(type->outputs.size() == 1);
+    CHECK(type->outputs[0].unit == type->inputs[0].unit);
+    CHECK(type->outputs[0].shape == type->inputs[0].shape);
+  }
+}
+
 TEST_CASE("no two keys of a block are the same, and none is one that every block has") {
   for (const BlockType* type : library().types()) {
     Words keys{"block", "diagram"};

@@ -69,10 +69,9 @@ std::vector<double> phase_of(const std::vector<Complex>& loop) {
   return phase;
 }
 
-/// Returns a margin. Without a crossing it is infinite for a stable loop and nan for an unstable one.
-double margin_of(const std::optional<Crossing>& crossing, const Margins& margins) {
-  if (crossing) return crossing->margin;
-  return margins.stable ? std::numeric_limits<double>::infinity() : none;
+/// Returns the frequency of a crossing; nan without one, or if its margin could not be determined.
+double frequency_of(const std::optional<Crossing>& crossing, double margin) {
+  return crossing && !std::isnan(margin) ? crossing->frequency : none;
 }
 
 std::vector<double> least_damped(const Analysis& analysis, double Mode::*number) {
@@ -86,28 +85,25 @@ using Unit = Column::Unit;
 const std::vector<Column>& columns() {
   static const std::vector<Column> all{
       {"", Unit::none, [](const Found&) { return std::vector<double>{1.0}; }},
-      {".margin.gain", Unit::none,
-       [](const Found& f) { return std::vector{margin_of(f.margins().worst_gain(), f.margins())}; }},
+      {".margin.gain", Unit::none, [](const Found& f) { return std::vector{f.margins().gain_margin()}; }},
       {".margin.gain_db", Unit::none,
-       [](const Found& f) {
-         return std::vector{20.0 * std::log10(margin_of(f.margins().worst_gain(), f.margins()))};
-       }},
+       [](const Found& f) { return std::vector{20.0 * std::log10(f.margins().gain_margin())}; }},
       {".margin.gain_frequency", Unit::per_second,
        [](const Found& f) {
-         const auto worst = f.margins().worst_gain();
-         return std::vector{worst ? worst->frequency : none};
+         return std::vector{frequency_of(f.margins().worst_gain(), f.margins().gain_margin())};
        }},
-      {".margin.phase", Unit::none,
-       [](const Found& f) { return std::vector{margin_of(f.margins().worst_phase(), f.margins())}; }},
+      {".margin.phase", Unit::none, [](const Found& f) { return std::vector{f.margins().phase_margin()}; }},
       {".margin.phase_frequency", Unit::per_second,
        [](const Found& f) {
-         const auto worst = f.margins().worst_phase();
-         return std::vector{worst ? worst->frequency : none};
+         return std::vector{frequency_of(f.margins().worst_phase(), f.margins().phase_margin())};
        }},
       {".margin.delay", Unit::second, [](const Found& f) { return std::vector{f.margins().delay()}; }},
       {".margin.modulus", Unit::none,
-       [](const Found& f) { return std::vector{f.margins().stable ? f.margins().modulus : none}; }},
-      {".stable", Unit::none, [](const Found& f) { return std::vector{f.margins().stable ? 1.0 : 0.0}; }},
+       [](const Found& f) { return std::vector{f.margins().modulus_margin()}; }},
+      {".stable", Unit::none,
+       [](const Found& f) {
+         return std::vector{!f.margins().knows_stability ? none : f.margins().stable ? 1.0 : 0.0};
+       }},
       {".bandwidth", Unit::per_second, [](const Found& f) { return std::vector{f.channel().bandwidth}; }},
       {".gain_at_rest", Unit::own, [](const Found& f) { return std::vector{f.channel().gain_at_rest}; }},
       {".damping", Unit::none, [](const Found& f) { return least_damped(f.analysis, &Mode::damping); }},

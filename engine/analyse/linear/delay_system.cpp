@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/analyse/linear/point_response.hpp"
+#include "engine/analyse/linear/delay_chain.hpp"
 #include "engine/analyse/linear/poles.hpp"
 
 namespace stepwire::linear {
@@ -130,8 +130,37 @@ StateSpace with_lines(const StateSpace& system, Eigen::Index nodes) {
   return Lines(system, nodes).made();
 }
 
+StateSpace with_lines_below(const StateSpace& system, double longest, Eigen::Index nodes) {
+  std::vector<Eigen::Index> columns, rows;
+  for (std::size_t i = 0; i < system.inputs.size(); ++i) columns.push_back(static_cast<Eigen::Index>(i));
+  for (std::size_t o = 0; o < system.outputs.size(); ++o) rows.push_back(static_cast<Eigen::Index>(o));
+  StateSpace parted = system;  // whose longer delays are inputs and outputs
+  parted.delays.clear();
+  std::vector<InnerDelay> longer;
+  for (const bool is_short : {false, true})
+    for (std::size_t k = 0; k < system.delays.size(); ++k) {
+      const InnerDelay& delay = system.delays[k];
+      if ((delay.time < longest) != is_short) continue;
+      columns.push_back(std::ssize(system.inputs) + static_cast<Eigen::Index>(k));
+      rows.push_back(std::ssize(system.outputs) + static_cast<Eigen::Index>(k));
+      (is_short ? parted.delays : longer).push_back(delay);
+      if (is_short) continue;
+      parted.inputs.push_back(delay.in);
+      parted.outputs.push_back(delay.out);
+    }
+  parted.B = system.B(Eigen::all, columns);
+  parted.C = system.C(rows, Eigen::all);
+  parted.D = system.D(rows, columns);
+  StateSpace made = parted.delays.empty() ? parted : with_lines(parted, nodes);
+  made.inputs = system.inputs;
+  made.outputs = system.outputs;
+  made.delays = longer;
+  return made;
+}
+
 std::vector<Complex> delay_poles(const StateSpace& system) {
   constexpr Eigen::Index nodes = 40;
+  if (with_loops_only(system).delays.empty()) return eigenvalues(system.A);
   const Characteristic equation(system);
   std::vector<Complex> found;
   for (const Complex& start : eigenvalues(with_lines(system, nodes).A)) {
@@ -145,72 +174,6 @@ std::vector<Complex> delay_poles(const StateSpace& system) {
   }
   sort_by_size(found);
   return found;
-}
-
-namespace {
-
-/// Follows the angle of the determinant along a line near the imaginary axis. Intervals are halved until the
-/// angle between their ends is below 0.5 rad and unambiguous.
-class Turns {
- public:
-  Turns(const PointResponse& response, double beside) : response_(response), beside_(beside) {}
-
-  /// Returns the change of the angle between two frequencies [rad]; std::nullopt if the determinant passes 0.
-  std::optional<double> between(double low, double high) { return between(low, at(low), high, at(high), 0); }
-  Complex at(double frequency) const { return response_.return_difference({beside_, frequency}); }
-
- private:
-  std::optional<double> between(double low, const Complex& first, double high, const Complex& last,
-                                int depth) {
-    const Complex ratio = last / first;
-    if (!std::isfinite(std::abs(ratio)) || ratio == 0.0) return std::nullopt;
-    const double middle = 0.5 * (low + high);
-    if (depth > 50 || !(middle > low && middle < high)) return std::nullopt;
-    const Complex half = at(middle);
-    const double whole = std::arg(ratio), parts = std::arg(half / first) + std::arg(last / half);
-    if (std::abs(whole) < 0.5 && std::abs(parts - whole) < 1e-9 && std::abs(half / first - 1.0) < 0.7)
-      return whole;
-    const auto left = between(low, first, middle, half, depth + 1);
-    const auto right = left ? between(middle, half, high, last, depth + 1) : left;
-    if (!right) return std::nullopt;
-    return *left + *right;
-  }
-
-  const PointResponse& response_;
-  double beside_;
-};
-
-/// Returns the angle of det(1 - X); std::nullopt if the norm of X is not below 1, as then the angle is
-/// ambiguous.
-std::optional<double> angle_from_one(const Eigen::MatrixXcd& X) {
-  if (!(X.operatorNorm() < 0.999)) return std::nullopt;
-  double angle = 0.0;
-  for (const Complex& value : X.eigenvalues()) angle += std::arg(1.0 - value);
-  return angle;
-}
-
-}  // namespace
-
-std::optional<int> count_unstable(const StateSpace& system) {
-  const auto own = eigenvalues(system.A);
-  double fastest = Characteristic(system).rate();
-  for (const Complex& pole : own) fastest = std::max(fastest, std::abs(pole));
-  const double beside = -1e-9 * fastest;
-  const PointResponse response(system);
-  Turns turns(response, beside);
-  double turned = 0.0, low = 0.0;
-  std::optional<double> rest;
-  for (double high = 1e-3 * fastest; !rest; low = high, high *= 1.1) {
-    if (high > 1e9 * fastest) return std::nullopt;
-    const auto more = turns.between(low, high);
-    if (!more) return std::nullopt;
-    turned += *more;
-    if (high > 10.0 * fastest) rest = angle_from_one(response.around({beside, high}));
-  }
-  const auto right = std::ranges::count_if(own, [&](const Complex& pole) { return pole.real() > beside; });
-  const double count = static_cast<double>(right) - (turned - *rest) / std::numbers::pi;
-  if (std::abs(count - std::round(count)) > 0.05) return std::nullopt;
-  return static_cast<int>(std::lround(count));
 }
 
 }  // namespace stepwire::linear

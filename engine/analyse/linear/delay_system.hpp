@@ -12,6 +12,9 @@ namespace stepwire::linear {
 /// characteristic roots of delay differential equations", SIAM J. Sci. Comput. 27, 2005).
 StateSpace with_lines(const StateSpace& system, Eigen::Index nodes);
 
+/// Returns the system with lines for the delays below `longest` [s]; the others remain delays.
+StateSpace with_lines_below(const StateSpace& system, double longest, Eigen::Index nodes);
+
 /// Returns the poles nearest to 0 of a system with delays, which has infinitely many. Eigenvalues of
 /// with_lines() are the starts of Newton's method on the characteristic equation. A root far from its start
 /// is left out.
@@ -20,7 +23,7 @@ std::vector<Complex> delay_poles(const StateSpace& system);
 /// Returns the number of poles to the right of the imaginary axis, or on it. By the argument principle it is
 /// the number of turns of the determinant det(1 - exp(-s T) G(s)) about 0 along the axis. G is the system
 /// between its delays. All poles count, however far from 0. Returns std::nullopt if the determinant passes 0,
-/// or if a loop of delays alone has a gain of 1 or more.
+/// if a loop of delays alone has a gain of 1 or more, or if several loops turn too often to be followed.
 std::optional<int> count_unstable(const StateSpace& system);
 
 }  // namespace stepwire::linear

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "engine/analyse/linear/delay_chain.hpp"
 #include "engine/analyse/linear/point_response.hpp"
 #include "engine/analyse/linear/poles.hpp"
 #include "engine/analyse/linear/state_space.hpp"
@@ -15,6 +17,12 @@ class FrequencyResponse {
   explicit FrequencyResponse(const StateSpace& system);
 
   Complex at(double frequency) const;  ///< Returns the response at a frequency [rad/s].
+  /// Returns a bound of the gain for any phases of the delays; infinite if a loop of delays has a gain of 1.
+  double bound(double frequency) const;
+  /// Returns the bound at infinite frequency: the gain of direct paths.
+  double direct_gain() const { return std::abs(direct_); }
+  /// Returns the gain of the direct path with its sign; in a chain of delays that of the chain.
+  double direct_value() const { return direct_; }
 
   /// Returns the frequencies [rad/s] of a plot. They reach two decades beyond poles and zeros, are denser
   /// near each, and end at half the sample frequency. With delays, whose phase has no limit, they reach one
@@ -24,19 +32,32 @@ class FrequencyResponse {
   std::array<double, 2> range() const;
   /// Returns the frequency [rad/s] up to which the phase of all delays is resolved; infinite without delays.
   double last_followed() const;
-  /// Returns frequencies() extended at both ends until the gain has left 1 for good, so that no crossing of 1
-  /// is missed.
-  std::vector<double> frequencies_across_one(std::size_t per_decade = 200) const;
+  /// True if each turn of the delays that can decide a margin is resolved: without delays, or in a chain.
+  bool follows_all_turns() const { return delay_ == 0.0 || chain_.has_value(); }
+  /// Returns the frequencies of a search for crossings and for the least distance from -1. They are denser
+  /// near the closed-loop poles as well, and extend at both ends until the gain has left 1 for good. Beyond
+  /// last_followed() a chain of delays is resolved where its gain is nearest to 1.
+  std::vector<double> search_frequencies(const std::vector<Mode>& closed) const;
   /// Returns the gain at rest; infinite for a pole there.
   double at_rest() const;
+  bool is_sampled() const { return sample_time_ > 0.0; }
 
  private:
+  Complex plain(double frequency) const;
+  std::array<double, 2> ends_of(const std::vector<Mode>& corners) const;
+  std::array<double, 2> plain_range(const std::vector<Mode>& corners) const;
+  std::vector<double> spread(double first, double last, std::size_t per_decade,
+                             const std::vector<Mode>& corners) const;
+  void extend(double from, double decade, std::vector<double>& frequencies) const;
   void add_turns(double first, double last, std::vector<double>& frequencies) const;
+  void add_windows(std::vector<double>& frequencies) const;
   bool may_cross_beyond(double frequency, double decade) const;
 
-  PointResponse response_;
+  std::optional<DelayChain> chain_;
+  PointResponse response_;                  ///< Of the chain without its delays, or of the system.
   double sample_time_ = 0.0, delay_ = 0.0;  ///< In s; `delay_` is the sum of all delays.
-  std::vector<Mode> corners_;               ///< Poles and zeros.
+  double direct_ = 0.0;
+  std::vector<Mode> corners_;  ///< Poles and zeros.
 };
 
 }  // namespace stepwire::linear

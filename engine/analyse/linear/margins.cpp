@@ -1,136 +1,133 @@
 #include "engine/analyse/linear/margins.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
 
+#include "engine/analyse/linear/delay_system.hpp"
+#include "engine/analyse/linear/loop_gain.hpp"
+#include "engine/analyse/linear/search.hpp"
+
 namespace stepwire::linear {
 
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// Finds the zero of a function between two frequencies with different signs, by bisection.
-double root(const std::function<double(double)>& function, double low, double high) {
-  const bool rises = function(low) < 0.0;
-  for (int k = 0; k < 200 && high - low > 4e-16 * high; ++k) {
-    const double middle = 0.5 * (low + high);
-    (((function(middle) < 0.0) == rises) ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 double wrapped(double angle) {
   return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
-/// The frequency response of a loop on a grid, and its crossings. The grid resolves every pole, zero and turn
-/// of a delay, and reaches as far as the gain may cross 1. A change of sign between two rows of the imaginary
-/// part, or of |L| - 1, brackets a crossing. Bisection refines it. Limits at 0, at half the sample frequency
-/// and at infinity are added separately.
-class Loop {
+void add_real(double frequency, const Complex& value, std::vector<Crossing>& found) {
+  constexpr double rounding = 1e-6;
+  if (std::abs(value.imag()) <= rounding * std::abs(value.real()) && value.real() < 0.0 &&
+      std::isfinite(value.real()))
+    found.push_back({frequency, -1.0 / value.real()});
+}
+
+/// Finds the margins of a loop in its frequency response. Limits at 0, at half the sample frequency and at
+/// infinity are added to the rows of the grid.
+class MarginSearch {
  public:
-  Loop(const StateSpace& system, double feedback) : response_(system), sign_(-feedback) {
-    for (const double w : response_.frequencies_across_one()) rows_.push_back({w, at(w)});
-  }
+  MarginSearch(const LoopGain& loop, double direct, Margins& margins)
+      : loop_(loop), direct_(direct), margins_(margins) {}
 
-  Complex at(double frequency) const { return sign_ * response_.at(frequency); }
-
-  std::vector<Crossing> gain_margins(const StateSpace& system) const {
-    std::vector<Crossing> found;
-    add_real(0.0, at(0.0), found);
-    for (std::size_t k = 0; k + 1 < rows_.size(); ++k) {
-      const double a = rows_[k].value.imag(), b = rows_[k + 1].value.imag();
-      if ((a < 0.0) == (b < 0.0) || is_rounding(rows_[k]) || is_rounding(rows_[k + 1])) continue;
-      const double w =
-          root([&](double f) { return at(f).imag(); }, rows_[k].frequency, rows_[k + 1].frequency);
-      const Complex value = at(w);
-      // The sign also changes at a pole on the axis.
-      if (is_real(value, 1e-6)) add_real(w, value, found);
-    }
-    if (system.is_sampled()) {
-      add_real(rows_.back().frequency, rows_.back().value, found);
-    } else if (system.delays.empty()) {
-      add_real(infinite, sign_ * system.D(0, 0), found);
-    } else {
-      add_not_followed(found);
-      if (const double direct = direct_gain(system); direct > 0.0) found.push_back({infinite, 1.0 / direct});
-    }
-    return found;
-  }
-
-  std::vector<Crossing> phase_margins() const {
-    std::vector<Crossing> found;
-    const auto gain = [&](double f) { return std::log(std::abs(at(f))); };
-    for (std::size_t k = 0; k + 1 < rows_.size(); ++k) {
-      const double a = std::abs(rows_[k].value), b = std::abs(rows_[k + 1].value);
-      if ((a < 1.0) == (b < 1.0)) continue;
-      const double w = root(gain, rows_[k].frequency, rows_[k + 1].frequency);
-      found.push_back({w, wrapped(std::numbers::pi + std::arg(at(w)))});
-    }
-    return found;
-  }
-
-  /// Finds the least |1 + L| by ternary search about the least row.
-  void find_modulus(Margins& margins) const {
-    const auto distance = [&](double f) { return std::abs(1.0 + at(f)); };
-    std::size_t least = 0;
-    for (std::size_t k = 0; k < rows_.size(); ++k)
-      if (std::abs(1.0 + rows_[k].value) < std::abs(1.0 + rows_[least].value)) least = k;
-    double low = rows_[least > 0 ? least - 1 : 0].frequency;
-    double high = rows_[std::min(least + 1, rows_.size() - 1)].frequency;
-    for (int k = 0; k < 100; ++k) {
-      const double first = low + (high - low) / 3.0, second = high - (high - low) / 3.0;
-      (distance(first) < distance(second) ? high : low) = distance(first) < distance(second) ? second : first;
-    }
-    margins.modulus_frequency = 0.5 * (low + high);
-    margins.modulus = distance(margins.modulus_frequency);
+  void find() {
+    if (loop_.rows().empty()) return give_up("the loop has no finite gain at any frequency");
+    find_gain();
+    find_phase();
+    find_modulus();
+    if (!loop_.response().follows_all_turns()) bound_the_rest();
   }
 
  private:
-  struct Row {
-    double frequency;
-    Complex value;
-  };
-
-  /// Adds a worst case beyond the last resolved turn of the delays: the loop is taken as real and negative at
-  /// its largest value.
-  void add_not_followed(std::vector<Crossing>& found) const {
-    const Row* largest = nullptr;
-    for (const Row& row : rows_)
-      if (row.frequency >= response_.last_followed() &&
-          (largest == nullptr || std::abs(row.value) > std::abs(largest->value)))
-        largest = &row;
-    if (largest != nullptr) found.push_back({largest->frequency, 1.0 / std::abs(largest->value)});
-  }
-  /// Returns a bound of the gain at infinite frequency, by direct paths and paths through delays.
-  static double direct_gain(const StateSpace& system) {
-    const Eigen::MatrixXd D = system.D.cwiseAbs();
-    const Eigen::Index d = D.rows() - 1;
-    const double around = D.bottomRightCorner(d, d).operatorNorm();
-    const double ways = D.row(0).tail(d).norm() * D.col(0).tail(d).norm();
-    return D(0, 0) + (around < 1.0 ? ways / (1.0 - around) : ways > 0.0 ? infinite : 0.0);
+  void find_gain() {
+    const auto crossings = loop_.negative();
+    const auto has = [&](double frequency) {
+      return std::ranges::find(crossings, frequency, &LoopGain::Row::frequency) != crossings.end();
+    };
+    const double last = loop_.rows().back().frequency;
+    if (!has(loop_.rows().front().frequency)) add_real(0.0, loop_.at(0.0), margins_.gain);
+    for (const LoopGain::Row& row : crossings)
+      if (is_resolved(row.frequency)) add_real(row.frequency, row.value, margins_.gain);
+    if (has(last)) return;
+    if (loop_.response().is_sampled())
+      add_real(last, loop_.rows().back().value, margins_.gain);
+    else if (loop_.response().last_followed() == infinite)
+      add_real(infinite, direct_, margins_.gain);
+    else if (direct_ != 0.0 && loop_.response().follows_all_turns())  // its phase takes every value
+      margins_.gain.push_back({infinite, 1.0 / std::abs(direct_)});
   }
 
-  static bool is_real(const Complex& value, double share) {
-    return std::abs(value.imag()) <= share * std::abs(value.real());
-  }
-  /// True far from all corners if the loop is so nearly real that its imaginary part is rounding error.
-  bool is_rounding(const Row& row) const {
-    const auto [first, last] = response_.range();
-    return (row.frequency < first || row.frequency > last) && is_real(row.value, 1e-7);
-  }
-  static void add_real(double frequency, const Complex& value, std::vector<Crossing>& found) {
-    if (is_real(value, 1e-6) && value.real() < 0.0 && std::isfinite(value.real()))
-      found.push_back({frequency, -1.0 / value.real()});
+  void find_phase() {
+    for (const Crossover& crossover : loop_.crossovers())
+      if (is_resolved(crossover.frequency))
+        margins_.phase.push_back(
+            {crossover.frequency, wrapped(std::numbers::pi + std::arg(loop_.at(crossover.frequency)))});
+    const auto band = loop_.band_of_one();
+    if (!band) return;
+    margins_.knows_phase = false;
+    margins_.notes.push_back(fmt::format(
+        "the loop gain is 1 within rounding from {:.4g} to {:.4g} rad/s, so that the phase margin and "
+        "the delay margin cannot be determined",
+        band->from, band->to));
   }
 
-  FrequencyResponse response_;
-  double sign_;
-  std::vector<Row> rows_;
+  void find_modulus() {
+    const LoopGain::Row nearest = loop_.nearest_to_minus_one();
+    take(nearest.frequency, std::abs(1.0 + nearest.value));
+    take(0.0, std::abs(1.0 + loop_.at(0.0)));
+    if (loop_.response().is_sampled()) return;
+    const bool turns = loop_.response().last_followed() < infinite;
+    if (!loop_.response().follows_all_turns() && direct_ != 0.0) return;  // a bound, no limit
+    take(infinite, turns ? std::abs(1.0 - std::abs(direct_)) : std::abs(1.0 + direct_));
+  }
+
+  bool is_resolved(double frequency) const {
+    return loop_.response().follows_all_turns() || frequency <= loop_.response().last_followed();
+  }
+
+  void take(double frequency, double distance) {
+    const bool first = margins_.modulus_frequency < 0.0;
+    // A limit counts where it is less by more than rounding.
+    if (!first && !(distance < margins_.modulus * (1.0 - 1e-12))) return;
+    if (!std::isfinite(distance)) return;
+    margins_.modulus = distance;
+    margins_.modulus_frequency = frequency;
+  }
+
+  /// Decides what the gain beyond the last resolved turn of parallel or inner delays can change.
+  void bound_the_rest() {
+    const double last = loop_.response().last_followed();
+    double most = std::abs(direct_);
+    for (const LoopGain::Row& row : loop_.rows())
+      if (row.frequency >= last) most = std::max(most, loop_.response().bound(row.frequency));
+    const auto worst = margins_.worst_gain();
+    const double found = worst ? std::abs(std::log(worst->margin)) : infinite;
+    constexpr double share = 1e-3;  // of a margin, which need not be better known
+    margins_.knows_phase = margins_.knows_phase && most < 1.0;
+    margins_.knows_gain = most == 0.0 || (most < 1.0 && -std::log(most) >= (1.0 - share) * found);
+    margins_.knows_modulus = 1.0 - most >= (1.0 - share) * margins_.modulus;
+    if (margins_.knows_gain && margins_.knows_phase && margins_.knows_modulus) return;
+    margins_.notes.push_back(fmt::format(
+        "the delays are resolved up to {:.4g} rad/s; beyond it the loop gain is at most {:.4g}, and what is "
+        "nearer to the border there is not found",
+        last, most));
+  }
+
+  void give_up(const std::string& why) {
+    margins_.knows_gain = margins_.knows_phase = margins_.knows_modulus = false;
+    margins_.notes.push_back(why);
+  }
+
+  const LoopGain& loop_;
+  double direct_;
+  Margins& margins_;
 };
 
 /// Returns the crossing nearest to 0 in `size`; for an unstable loop only negative ones count.
@@ -143,6 +140,12 @@ std::optional<Crossing> nearest(const std::vector<Crossing>& all, bool stable, S
   return found;
 }
 
+double margin_at(const std::optional<Crossing>& crossing, bool stable, bool known) {
+  if (!known) return not_known;
+  if (crossing) return crossing->margin;
+  return stable ? infinite : not_known;
+}
+
 }  // namespace
 
 std::optional<Crossing> Margins::worst_gain() const {
@@ -153,14 +156,26 @@ std::optional<Crossing> Margins::worst_phase() const {
   return nearest(phase, stable, [](double margin) { return margin; });
 }
 
+double Margins::gain_margin() const {
+  return margin_at(worst_gain(), stable, knows_gain && knows_stability);
+}
+
+double Margins::phase_margin() const {
+  return margin_at(worst_phase(), stable, knows_phase && knows_stability);
+}
+
 double Margins::delay() const {
-  if (!stable) return std::numeric_limits<double>::quiet_NaN();
-  double least = infinite;
+  if (!stable || !knows_phase) return not_known;
+  double least = std::abs(direct) >= 1.0 - 1e-9 ? 0.0 : infinite;
   for (const Crossing& crossing : phase) {
     const double angle = crossing.margin < 0.0 ? crossing.margin + 2.0 * std::numbers::pi : crossing.margin;
     least = std::min(least, angle / crossing.frequency);
   }
   return least;
+}
+
+double Margins::modulus_margin() const {
+  return stable && knows_modulus ? modulus : not_known;
 }
 
 namespace {
@@ -181,27 +196,66 @@ std::optional<Complex> growing(const StateSpace& closed) {
   return found;
 }
 
+/// Decides whether the closed loop is stable.
+void judge_stability(const StateSpace& closed, Margins& margins) {
+  if (closed.delays.empty() || !closed.A.allFinite()) {
+    margins.stable = is_stable(closed);
+    return;
+  }
+  const auto unstable = count_unstable(closed);
+  margins.stable = unstable == 0;
+  margins.knows_stability = unstable.has_value();
+  if (!margins.knows_stability)
+    margins.notes.push_back(
+        "the growing modes of the closed loop could not be counted: a pole is on the border within rounding, "
+        "a "
+        "loop of delays has a gain of 1 or more, or the delays turn too often below the highest crossover");
+}
+
 }  // namespace
 
 Margins margins_of(const StateSpace& all, double feedback) {
-  const StateSpace system = all.connected();
-  const Loop loop(system, feedback);
+  const StateSpace system = all.connected(), closed = system.closed(feedback);
   Margins margins;
-  margins.gain = loop.gain_margins(system);
-  margins.phase = loop.phase_margins();
-  loop.find_modulus(margins);
-  const StateSpace closed = system.closed(feedback);
+  margins.modulus = infinite;
+  margins.modulus_frequency = -1.0;
+  std::vector<Mode> modes;
   if (closed.A.allFinite()) margins.closed_poles = poles_of(closed);
-  margins.stable = is_stable(closed);
-  if (!margins.stable || system.states.size() == all.states.size()) return margins;
-  margins.hidden = growing(all.closed(feedback));
-  margins.stable = !margins.hidden;
+  for (const Complex& pole : margins.closed_poles) {
+    const Complex s = closed.is_sampled() ? std::log(pole) / closed.sample_time : pole;
+    if (std::abs(s) > 0.0 && std::isfinite(std::abs(s)))
+      modes.push_back({pole, std::abs(s), -s.real() / std::abs(s)});
+  }
+  judge_stability(closed, margins);
+  if (margins.stable && system.states.size() != all.states.size()) {
+    margins.hidden = growing(all.closed(feedback));
+    margins.stable = !margins.hidden;
+  }
+  const LoopGain loop(system, -feedback, modes);
+  if (!system.is_sampled())
+    margins.direct = loop.response().follows_all_turns() ? -feedback * loop.response().direct_value()
+                                                         : loop.response().direct_gain();
+  MarginSearch(loop, margins.direct, margins).find();
+  constexpr double rounding = 1e-9;  // also of derivatives by differences
+  if (margins.modulus < rounding) margins.stable = false;
   return margins;
 }
 
 double gain_at_rest(const StateSpace& system) {
   return FrequencyResponse(system).at_rest();
 }
+
+namespace {
+
+/// Returns the first frequency beyond a grid at which a monotone function is negative; nan if `falls` but
+/// none is found.
+double first_below(const std::function<double(double)>& above, double from) {
+  for (double w = from; w < 1e12 * from; w *= 10.0)
+    if (above(10.0 * w) < 0.0) return find_zero(above, w, 10.0 * w);
+  return infinite;
+}
+
+}  // namespace
 
 double bandwidth(const StateSpace& system) {
   const FrequencyResponse response(system);
@@ -210,12 +264,18 @@ double bandwidth(const StateSpace& system) {
   const auto above = [&](double w) {
     return std::log(std::abs(response.at(w)) / rest) + 0.5 * std::log(2.0);
   };
+  const std::vector<double> grid = response.search_frequencies({});
   double before = 0.0;
-  for (const double w : response.frequencies()) {
-    if (above(w) < 0.0) return root(above, before, w);
-    before = w;
+  for (std::size_t k = 0; k < grid.size(); before = grid[k++]) {
+    if (above(grid[k]) < 0.0) return find_zero(above, before, grid[k]);
+    if (k == 0 || k + 1 == grid.size() || above(grid[k]) > std::min(above(before), above(grid[k + 1])))
+      continue;
+    const CurvePoint least = find_minimum(above, before, grid[k + 1]);
+    if (least.y < 0.0) return find_zero(above, before, least.x);
   }
-  return infinite;
+  if (system.is_sampled()) return infinite;
+  if (response.follows_all_turns()) return first_below(above, grid.back());
+  return response.direct_gain() * std::sqrt(2.0) < rest ? not_known : infinite;
 }
 
 }  // namespace stepwire::linear

@@ -4,6 +4,9 @@
 
 namespace stepwire::linear {
 
+/// Returns the bound of a response without states: `direct` is D, with rows and columns of the delays.
+double largest_gain(const Eigen::MatrixXd& direct);
+
 /// Transfer function C (s - A)^-1 B + D of the first input and output, at points of the s or z plane. A delay
 /// of the system has the factor exp(-s T).
 class PointResponse {
@@ -14,6 +17,8 @@ class PointResponse {
   Complex at(const Complex& point) const;
   /// Returns the loop gain of the delays: the gains between them, times exp(-s T) of the delay at the end.
   Eigen::MatrixXcd around(const Complex& point) const;
+  /// Returns a bound of the gain for any phases of the delays; infinite if their loops have a gain of 1.
+  double bound(const Complex& point) const;
   /// Returns det(1 - around()), which is 0 at poles.
   Complex return_difference(const Complex& point) const;
 

@@ -135,7 +135,7 @@ std::string unit_of(const plan::Plan& plan, const diagram::SignalRef& signal) {
 namespace {
 
 bool delays_time(const diagram::DiagramBlock& block) {
-  return block.type().name == "TransportDelay";
+  return !block.type().delayed_by.empty();
 }
 
 /// Returns the delay blocks to remove. Empty if another block between inputs and outputs acts at ticks only.
@@ -166,20 +166,21 @@ void take_delay(int block, int junction, PreparedDiagram& prepared) {
   const auto index = static_cast<std::size_t>(block), cut = static_cast<std::size_t>(junction);
   const diagram::DiagramBlock& delay = plan.diagram.blocks[index];
   const plan::SignalSlot &added = plan.blocks[cut].states[Junction::added_state],
-                         &wire = plan.blocks[cut].inputs[0][0],
-                         &fed =
-                             plan.blocks[index].inputs[static_cast<std::size_t>(delay.type().input("u"))][0];
+                         &wire = plan.blocks[cut].inputs[0][0], &fed = plan.blocks[index].inputs[0][0];
+  const BlockType& type = delay.type();
   const std::string unit = unit_of(plan, {block, 0, -1});
   for (std::size_t k = 0; k < static_cast<std::size_t>(fed.size); ++k) {
     const std::string element = fed.size > 1 ? fmt::format(".{}", k + 1) : "";
-    prepared.inputs.push_back({added.offset + k, {delay.name + ".y" + element, unit}, wire.offset + k});
-    prepared.outputs.push_back({fed.offset + k, {delay.name + ".u" + element, unit}, 0});
+    prepared.inputs.push_back(
+        {added.offset + k, {delay.name + "." + type.outputs[0].name + element, unit}, wire.offset + k});
+    prepared.outputs.push_back({fed.offset + k, {delay.name + "." + type.inputs[0].name + element, unit}, 0});
     const plan::SignalSlot& length =
-        plan.blocks[index].inputs[static_cast<std::size_t>(delay.type().input("delay"))][0];
-    prepared.delays.push_back({length.offset, plan.diagram.step, source_of(delay, "delay")});
+        plan.blocks[index].inputs[static_cast<std::size_t>(type.input(type.delayed_by))][0];
+    prepared.delays.push_back({length.offset, plan.diagram.step, source_of(delay, type.delayed_by)});
   }
   prepared.input_blocks.push_back(junction);
-  if (const int source = source_of(delay, "u"); source >= 0) prepared.output_blocks.push_back(source);
+  if (const int source = source_of(delay, type.inputs[0].name); source >= 0)
+    prepared.output_blocks.push_back(source);
 }
 
 }  // namespace

@@ -20,7 +20,9 @@ namespace {
 std::unique_ptr<run::Executor> run_up_to(const plan::Plan& plan, double time, std::int64_t base_ticks,
                                          const yaml::Place& place) {
   if (!(time >= 0.0 && time <= plan.diagram.stop))
-    refuse(place, time, fmt::format("it goes from 0 to {} s", plan.diagram.stop));
+    refuse(
+        place, time,
+        fmt::format("it goes from 0 to {} s; give a time within it, or a later 'stop'", plan.diagram.stop));
   auto run = std::make_unique<run::Executor>(plan);
   const auto wanted = static_cast<std::int64_t>(std::llround(time / plan.diagram.step));
   const std::int64_t end = (wanted + base_ticks - 1) / base_ticks * base_ticks;
@@ -28,10 +30,11 @@ std::unique_ptr<run::Executor> run_up_to(const plan::Plan& plan, double time, st
   while (run->tick() < end) {
     run->evaluate();
     if (stop.stops(run->values()))
-      refuse(place, time, fmt::format("'stop_when' ends it at {:.12g} s", run->time()));
+      refuse(place, time, fmt::format("'stop_when' ends it at {:.12g} s; give an earlier time", run->time()));
     if (run->healthy()) run->advance();
     if (run->has_stopped())
-      refuse(place, time, fmt::format("'stop_when' or a block ends it at {:.12g} s", run->time()));
+      refuse(place, time,
+             fmt::format("'stop_when' or a block ends it at {:.12g} s; give an earlier time", run->time()));
     if (run->healthy()) continue;
     if (const auto fault = run->fault()) throw yaml::Error(fault->fault);
     break;
@@ -42,13 +45,14 @@ std::unique_ptr<run::Executor> run_up_to(const plan::Plan& plan, double time, st
 void require_linear(const plan::Plan& plan) {
   yaml::Faults faults;
   for (const diagram::DiagramBlock& block : plan.diagram.blocks)
-    if (const BlockType& type = block.type(); !type.not_linear.empty())
+    if (const BlockType& type = block.type(); !type.delayed_by.empty())
       faults.add(plan.diagram.fault(
           block.origin, block.name,
           fmt::format(
-              "{} cannot be linearised here: {}; put a Delay of whole sample times in its place, or a "
-              "TransferFunction that approximates it",
-              type.name, type.not_linear)));
+              "{} cannot be linearised here: beside blocks that act at ticks it has no finite number of "
+              "states; put a Delay of whole sample times in its place, or a TransferFunction that "
+              "approximates it",
+              type.name)));
   faults.throw_if_any();
 }
 

@@ -89,7 +89,9 @@ void read_one(const yaml::Entry& entry, const plan::Plan& plan, const query::Nam
   const auto to = found(plan, draft.to[0], false, inner.faults);
   for (const WrittenName& name : draft.open) find_wire(plan.diagram, name, inner.faults);
   if (!(draft.time >= 0.0 && draft.time <= plan.diagram.stop))
-    inner.fault(entry.value.find("at")->mark, fmt::format("the run goes from 0 to {} s", plan.diagram.stop));
+    inner.fault(entry.value.find("at")->mark,
+                fmt::format("the run goes from 0 to {} s; give a time within it, or a later 'stop'",
+                            plan.diagram.stop));
   if (!from || !to) return;
   const auto in = plan.dimension(from->signal), out = plan.dimension(to->signal);
   if (in && out) analysis.dimension = *out / *in;

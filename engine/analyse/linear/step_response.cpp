@@ -5,6 +5,7 @@
 #include <limits>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "engine/analyse/linear/delay_chain.hpp"
 #include "engine/analyse/linear/delay_system.hpp"
 #include "engine/analyse/linear/delayed_step.hpp"
 #include "engine/analyse/linear/margins.hpp"
@@ -62,6 +63,48 @@ ResponseCurve delayed_response(const StateSpace& system, double step) {
   return curve;
 }
 
+ResponseCurve held_response(const StateSpace& system, double step, int count) {
+  const Eigen::MatrixXd turn = held(system, step);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(turn.rows());
+  x[turn.rows() - 1] = 1.0;
+  ResponseCurve curve;
+  for (int k = 0; k <= count; ++k, x = (turn * x).eval()) {
+    curve.x.push_back(k * step);
+    curve.y.push_back((system.C * x.head(system.A.rows()))(0) + system.D(0, 0));
+  }
+  return curve;
+}
+
+/// Returns the response of a chain of delays: that of its rational part, later by the sum of the delays.
+ResponseCurve later_response(const DelayChain& chain, double step) {
+  const StateSpace& system = chain.rational;
+  const double first = std::ceil(chain.time / step * (1.0 - 1e-12));
+  const Eigen::MatrixXd turn = held(system, step);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(turn.rows());
+  x[turn.rows() - 1] = 1.0;
+  x = (held(system, std::max(0.0, first * step - chain.time)) * x).eval();
+  ResponseCurve curve;
+  for (int k = 0; k <= steps; ++k) {
+    curve.x.push_back(k * step);
+    curve.y.push_back(k < first ? 0.0 : (system.C * x.head(system.A.rows()))(0) + system.D(0, 0));
+    if (k >= first) x = (turn * x).eval();
+  }
+  return curve;
+}
+
+/// Other delays far below the step of the curve are replaced by lines: exact steps, a fraction of such a
+/// delay each, would be without end.
+ResponseCurve response_with_delays(const StateSpace& system, double step) {
+  constexpr double least_share = 0.02;
+  constexpr Eigen::Index nodes = 4;
+  if (const auto chain = delay_chain(system)) return later_response(*chain, step);
+  const bool has_short = std::ranges::any_of(
+      system.delays, [&](const InnerDelay& delay) { return delay.time < least_share * step; });
+  if (!has_short) return delayed_response(system, step);
+  const StateSpace longer = with_lines_below(system, least_share * step, nodes);
+  return longer.delays.empty() ? held_response(longer, step, steps) : delayed_response(longer, step);
+}
+
 /// Returns the poles of a loop, the same number for each gain. Poles of delays beyond the resolution of the
 /// lines are nan.
 std::vector<Complex> locus_poles(const StateSpace& loop) {
@@ -79,20 +122,12 @@ std::vector<Complex> locus_poles(const StateSpace& loop) {
 
 ResponseCurve step_response(const StateSpace& system) {
   const double step = system.is_sampled() ? system.sample_time : duration_of(system) / steps;
-  if (!system.delays.empty()) return delayed_response(system, step);
+  if (!system.delays.empty()) return response_with_delays(system, step);
   const int count =
       system.is_sampled()
           ? static_cast<int>(std::clamp(std::ceil(duration_of(system) / step), 10.0, double{most_steps}))
           : steps;
-  const Eigen::MatrixXd turn = held(system, step);
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(turn.rows());
-  x[turn.rows() - 1] = 1.0;
-  ResponseCurve curve;
-  for (int k = 0; k <= count; ++k, x = (turn * x).eval()) {
-    curve.x.push_back(k * step);
-    curve.y.push_back((system.C * x.head(system.A.rows()))(0) + system.D(0, 0));
-  }
-  return curve;
+  return held_response(system, step, count);
 }
 
 RootLocus root_locus(const StateSpace& system, double feedback) {

@@ -67,12 +67,15 @@ double degrees(double angle) {
   return angle * 180.0 / std::numbers::pi;
 }
 
-std::string margins_text(const linear::Margins& margins, double feedback) {
-  std::string text = fmt::format("  closed by u = {}y: {}\n", feedback < 0.0 ? "-" : "",
-                                 margins.stable   ? "stable"
-                                 : margins.hidden ? fmt::format("not stable: {} grows outside of the loop",
-                                                                complex_text(*margins.hidden))
-                                                  : "not stable");
+std::string stability_text(const linear::Margins& margins) {
+  if (margins.stable) return "stable";
+  if (!margins.knows_stability) return "stability not determined";
+  if (!margins.hidden) return "not stable";
+  return fmt::format("not stable: {} grows outside of the loop", complex_text(*margins.hidden));
+}
+
+std::string crossings_text(const linear::Margins& margins) {
+  std::string text;
   for (std::size_t i = 0; i < std::min(margins.gain.size(), most_crossings); ++i)
     text += fmt::format("  gain margin {} dB (factor {}) at {} rad/s\n",
                         short_number(decibels(margins.gain[i].margin), 6),
@@ -84,12 +87,23 @@ std::string margins_text(const linear::Margins& margins, double feedback) {
   for (const linear::Crossing& crossing : margins.phase)
     text += fmt::format("  phase margin {} deg at {} rad/s\n", short_number(degrees(crossing.margin), 6),
                         short_number(crossing.frequency, 6));
-  if (margins.gain.empty()) text += "  no gain margin: the loop is nowhere real and negative\n";
-  if (margins.phase.empty()) text += "  no phase margin: its gain is nowhere 1\n";
+  if (margins.gain.empty() && margins.knows_gain)
+    text += "  no gain margin: the loop is nowhere real and negative\n";
+  if (margins.phase.empty() && margins.knows_phase) text += "  no phase margin: its gain is nowhere 1\n";
+  return text;
+}
+
+std::string margins_text(const linear::Margins& margins, double feedback) {
+  std::string text =
+      fmt::format("  closed by u = {}y: {}\n", feedback < 0.0 ? "-" : "", stability_text(margins)) +
+      crossings_text(margins);
   if (std::isfinite(margins.delay()))
     text += fmt::format("  delay margin {} s\n", short_number(margins.delay(), 6));
-  return text + fmt::format("  modulus margin {} at {} rad/s\n", short_number(margins.modulus, 6),
-                            short_number(margins.modulus_frequency, 6));
+  if (margins.knows_modulus)
+    text += fmt::format("  modulus margin {} at {} rad/s\n", short_number(margins.modulus, 6),
+                        short_number(margins.modulus_frequency, 6));
+  for (const std::string& note : margins.notes) text += fmt::format("  not determined: {}\n", note);
+  return text;
 }
 
 std::string zeros_text(const linear::Analysis& analysis, const std::vector<Complex>& zeros) {

@@ -57,23 +57,28 @@ Json crossings_json(const std::vector<linear::Crossing>& crossings) {
   return list;
 }
 
-Json nearest_json(const std::optional<linear::Crossing>& crossing) {
-  if (!crossing) return Json();
+Json nearest_json(const std::optional<linear::Crossing>& crossing, bool known) {
+  if (!crossing || !known) return Json();
   return Json::object().set("frequency", crossing->frequency).set("margin", crossing->margin);
+}
+
+Json modulus_json(const linear::Margins& margins) {
+  if (!margins.knows_modulus) return Json();
+  return Json::object().set("frequency", margins.modulus_frequency).set("margin", margins.modulus);
 }
 
 Json margins_json(const linear::Margins& margins, double feedback) {
   return Json::object()
       .set("feedback", feedback)
-      .set("stable", margins.stable)
-      .set("gain", nearest_json(margins.worst_gain()))
-      .set("phase", nearest_json(margins.worst_phase()))
+      .set("stable", margins.knows_stability ? Json(margins.stable) : Json())
+      .set("gain", nearest_json(margins.worst_gain(), margins.knows_gain && margins.knows_stability))
+      .set("phase", nearest_json(margins.worst_phase(), margins.knows_phase && margins.knows_stability))
       .set("delay", margins.delay())
-      .set("modulus",
-           Json::object().set("frequency", margins.modulus_frequency).set("margin", margins.modulus))
+      .set("modulus", modulus_json(margins))
       .set("gain_crossings", crossings_json(margins.gain))
       .set("phase_crossings", crossings_json(margins.phase))
-      .set("closed_poles", complex_list(margins.closed_poles));
+      .set("closed_poles", complex_list(margins.closed_poles))
+      .set("not_determined", Json::list_of(margins.notes));
 }
 
 Json zeros_json(const Analysis& analysis, const std::vector<Complex>& zeros) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/analyse/linear/columns.hpp"
 #include "engine/app/session/search_parts.hpp"
 #include "engine/simulate/run/pooling.hpp"
@@ -54,7 +56,23 @@ Analysis linearize_file(const Registry& registry, const std::string& file, const
   return linear::analyse(linear::linearize(std::move(diagram), request), call.feedback);
 }
 
-std::vector<record::Recording> linear_recordings(const LoadedModel& model) {
+namespace {
+
+/// Adds what an analysis could not determine, once for all points of a sweep.
+void add_notes(const linear::NamedAnalysis& named, const Analysis& analysis,
+               std::vector<run::RaisedDiagnostic>& diagnostics) {
+  for (const std::string& note : analysis.channels.front().margins.notes) {
+    const bool known = std::ranges::any_of(diagnostics, [&](const run::RaisedDiagnostic& diagnostic) {
+      return diagnostic.block == named.name && diagnostic.text == note;
+    });
+    if (!known) diagnostics.push_back({named.name, note, analysis.time});
+  }
+}
+
+}  // namespace
+
+std::vector<record::Recording> linear_recordings(const LoadedModel& model,
+                                                 std::vector<run::RaisedDiagnostic>& diagnostics) {
   std::vector<record::Recording> recordings(model.linear.size());
   if (model.linear.empty()) return recordings;
   diagram::Loader loader(*model.registry, model.options.limits, model.options.reader);
@@ -63,8 +81,9 @@ std::vector<record::Recording> linear_recordings(const LoadedModel& model) {
     const diagram::Diagram diagram = diagram_of(loader, model, point);
     for (std::size_t i = 0; i < model.linear.size(); ++i) {
       const linear::NamedAnalysis& named = model.linear[i];
-      record::Recording one = linear::analysis_recording(
-          named, linear::analyse(linear::linearize(diagram, named.request), named.feedback));
+      const Analysis analysis = linear::analyse(linear::linearize(diagram, named.request), named.feedback);
+      record::Recording one = linear::analysis_recording(named, analysis);
+      add_notes(named, analysis, diagnostics);
       if (!model.job.points.empty()) swept.add(one, point);
       run::append_runs(recordings[i], std::move(one));
     }

@@ -33,8 +33,9 @@ json::Json trim_json(const std::string& file, const linear::TrimResult& result);
 void write_trim(const std::string& folder, const std::string& file, const linear::TrimResult& result);
 
 /// Performs the analyses of the section `linear` and returns one recording each for figures and claims, with
-/// all points of a sweep. Throws Error.
-std::vector<record::Recording> linear_recordings(const LoadedModel& model);
+/// all points of a sweep. What could not be determined is added to `diagnostics`. Throws Error.
+std::vector<record::Recording> linear_recordings(const LoadedModel& model,
+                                                 std::vector<run::RaisedDiagnostic>& diagnostics);
 
 /// Returns all results of an analysis as JSON: matrices as lists of rows, complex numbers as [re, im],
 /// infinity as null.

@@ -89,7 +89,7 @@ std::vector<record::Recording> shown_of(const LoadedModel& model, const run::Run
 void add_analyses(const LoadedModel& model, const sensitivity::RunOutcomes& numbers, Outcome& outcome) {
   if (model.linear.empty() && !model.sensitivity) return;
   outcome.shown.resize(std::max(outcome.shown.size(), recordings_of(model)));
-  std::ranges::move(linear_recordings(model), std::back_inserter(outcome.shown));
+  std::ranges::move(linear_recordings(model, outcome.result.diagnostics), std::back_inserter(outcome.shown));
   if (!model.sensitivity) return;
   outcome.shown.push_back(sensitivity::results(*model.sensitivity, numbers));
   for (const query::NamedTable& table : model.tables)

@@ -37,7 +37,7 @@ struct BlockType {
                        ///< path outside of the library. Empty without one.
   std::string declared_at;    ///< Location of the declaration, "blocks/math/gain.cpp:12".
   std::string not_real_time;  ///< Reason why a real-time loop refuses it; empty without one.
-  std::string not_linear;     ///< Reason why linear analyses refuse it; empty without one.
+  std::string delayed_by;     ///< Input that has the time of an exact delay; empty for other blocks.
   std::string not_generated;  ///< Reason, except a missing header, against code generation; may be empty.
 
   std::vector<ParameterSpec> parameters;

@@ -70,7 +70,7 @@ class Declare {
     type_.doc = std::move(options.doc);
     type_.source = std::move(options.source);
     type_.not_real_time = std::move(options.not_real_time);
-    type_.not_linear = std::move(options.not_linear);
+    type_.delayed_by = std::move(options.delayed_by);
     type_.symbol = std::move(options.symbol);
     type_.steady = options.steady;
     type_.at_events = options.at_events;

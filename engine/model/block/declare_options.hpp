@@ -17,8 +17,9 @@ struct BlockOptions {
   /// Reason why a real-time loop refuses the block: "reads a file at every step". Empty if no step allocates,
   /// locks, makes a system call or has an unbounded duration.
   std::string not_real_time = "";
-  /// Reason why linear analyses refuse the block: it is not linear in its states around a point.
-  std::string not_linear = "";
+  /// Name of the input that has the delay time [s] of an exact delay. The first output is the first input,
+  /// which has no feedthrough, this time ago. Linear analyses put exp(-s T) in the place of the block.
+  std::string delayed_by = "";
   Symbol symbol{};
   /// The outputs are constant between crossings.
   bool steady = false;

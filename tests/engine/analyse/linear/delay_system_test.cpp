@@ -177,4 +177,95 @@ TEST_CASE("a jump that comes back is not smeared") {
   }
 }
 
+TEST_CASE("a long delay and a high gain take bounded work") {
+  // 1e8 exp(-0.002 s)/s: near 1e8 rad/s L passes -1 at most half a turn away, |1 + L| <= pi / 0.002 / 1e8.
+  const Margins fast = margins_of(integrator(1e8, 0.002), -1.0);
+  CHECK_FALSE(fast.stable);
+  CHECK(fast.modulus <= 1.6e-5);
+  REQUIRE(fast.worst_gain());
+  CHECK(fast.worst_gain()->margin < 1.0);
+  CHECK(fast.worst_gain()->margin > 1.0 - 4e-5);
+  CHECK(fast.phase.at(0).frequency == Approx(1e8));
+  // 0.5 exp(-1000 s)/(1 + 1e-6 s): the first passage of the negative axis is at pi/1000 rad/s.
+  const auto slow = [](double gain) {
+    return delayed(Eigen::MatrixXd::Constant(1, 1, -1e6), Eigen::VectorXd::Constant(1, 1e6),
+                   Eigen::RowVectorXd::Constant(1, gain), 1000.0);
+  };
+  const Margins half = margins_of(slow(0.5), -1.0);
+  CHECK(half.stable);
+  CHECK(half.gain_margin() == Approx(2.0).epsilon(1e-9));
+  CHECK(std::isinf(half.phase_margin()));
+  CHECK(std::isinf(half.delay()));
+  CHECK(half.modulus == Approx(0.5).epsilon(1e-9));
+  const Margins ten = margins_of(slow(10.0), -1.0);
+  CHECK_FALSE(ten.stable);
+  CHECK(ten.knows_stability);
+  CHECK(ten.phase.at(0).frequency == Approx(1e6 * std::sqrt(99.0)));
+  CHECK(poles_of(slow(0.5)).at(0).real() == Approx(-1e6));
+}
+
+TEST_CASE("many poles of a long delay are counted by its crossings") {
+  // s + k exp(-s) = 0 has 2 (n + 1) poles on the right for pi/2 + 2 pi n < k < pi/2 + 2 pi (n + 1).
+  for (const int n : {60, 1000, 123456}) {
+    const double border = 0.5 * pi + 2.0 * pi * n;
+    CHECK(count_unstable(integrator(border - 0.01, 1.0).closed(-1.0)) == 2 * n);
+    CHECK(count_unstable(integrator(border + 0.01, 1.0).closed(-1.0)) == 2 * n + 2);
+  }
+  // An oscillator 1/(s^2 + 1) with feedback 0.1: crossovers at sqrt(1.1) and sqrt(0.9); the delay makes it
+  // unstable and stable in turn.
+  Eigen::MatrixXd A(2, 2);
+  A << 0.0, -1.0, 1.0, 0.0;
+  const Eigen::VectorXd B = Eigen::Vector2d(1.0, 0.0);
+  const Eigen::RowVectorXd C = Eigen::RowVector2d(0.0, 0.1);
+  const auto pairs = [&](double time) {  // Walton and Marshall by hand
+    const double up = std::sqrt(1.1), down = std::sqrt(0.9);
+    return 1.0 + std::floor(time * up / (2.0 * pi)) - std::floor((time * down + pi) / (2.0 * pi));
+  };
+  for (const double time : {1.0, 4.0, 20.0, 500.5, 3001.0})
+    CHECK(count_unstable(delayed(A, B, C, time).closed(-1.0)) == 2 * static_cast<int>(pairs(time)));
+}
+
+TEST_CASE("a slow loop beside a fast lag is counted, too") {
+  // 2e-3 exp(-1000 s) / s behind a lag of 1 us: unstable, as 2 > pi/2.
+  Eigen::MatrixXd A(2, 2);
+  A << -1e6, 0.0, 1e6, 0.0;
+  const auto loop = [&](double gain) {
+    Eigen::MatrixXd slow = A;
+    slow(1, 0) = gain;
+    return delayed(slow, Eigen::Vector2d(1e6, 0.0), Eigen::RowVector2d(0.0, 1.0), 1000.0);
+  };
+  CHECK(count_unstable(loop(2e-3).closed(-1.0)) == 2);
+  CHECK(count_unstable(loop(1e-3).closed(-1.0)) == 0);
+}
+
+TEST_CASE("a short delay before a slow lag costs no more steps than the lag") {
+  const auto lag = delayed(Eigen::MatrixXd::Constant(1, 1, -1e-3), Eigen::VectorXd::Constant(1, 1e-3),
+                           Eigen::RowVectorXd::Ones(1), 1e-6);
+  const ResponseCurve curve = step_response(lag);
+  REQUIRE(curve.x.size() == 801);
+  for (const std::size_t k : {1u, 100u, 800u})
+    CHECK(curve.y[k] == Approx(1.0 - std::exp(-1e-3 * (curve.x[k] - 1e-6))).epsilon(1e-9));
+}
+
+TEST_CASE("beyond the turns of parallel delays nothing is promised") {
+  // 0.5 u(t - 1) + 0.3 u(t - 1.001): |L| comes near 0.8, or with 0.9 in place of 0.5 near 1.2, without end.
+  StateSpace both{Eigen::MatrixXd(0, 0),
+                  Eigen::MatrixXd(0, 3),
+                  Eigen::MatrixXd(3, 0),
+                  Eigen::MatrixXd::Zero(3, 3),
+                  {},
+                  {{"u", ""}},
+                  {{"y", ""}},
+                  0.0,
+                  {{1.0, {"d.u", ""}, {"d.y", ""}}, {1.001, {"e.u", ""}, {"e.y", ""}}}};
+  both.D << 0.0, 0.5, 0.3, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0;
+  const Margins margins = margins_of(both, -1.0);
+  CHECK(margins.stable);
+  CHECK(margins.knows_phase);
+  CHECK(margins.gain_margin() == Approx(1.25).epsilon(1e-4));
+  both.D(0, 1) = 0.9;
+  CHECK(std::isnan(margins_of(both, -1.0).phase_margin()));
+  CHECK(std::isnan(margins_of(both, -1.0).modulus_margin()));
+}
+
 }  // namespace stepwire::linear

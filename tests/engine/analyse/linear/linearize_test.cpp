@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "blocks/register.hpp"
 #include "engine/analyse/linear/analysis.hpp"
 #include "engine/analyse/linear/frequency_response.hpp"
 #include "tests/support/plan_text.hpp"
@@ -226,6 +227,51 @@ blocks:
   const std::complex<double> s(0.0, 2.0);
   CHECK(std::abs(FrequencyResponse(at_delay.system.channel(0, 0)).at(2.0) +
                  std::exp(-0.3 * s) / (0.5 * s + 1.0)) < 1e-9);
+}
+
+namespace {
+
+/// An exact delay with names of its own.
+struct Pipe {
+  Input<1> flow{}, travel{};
+  Output<1> end{};
+  void outputs() { end = 0.0; }
+  static void declare(Declare<Pipe>& is) {
+    is.block("Pipe", {.doc = "a test", .timing = Timing::continuous, .delayed_by = "travel"});
+    is.input<&Pipe::flow>({.doc = "flow into the pipe", .feedthrough = false});
+    is.input<&Pipe::travel>({.unit = "s", .doc = "time in the pipe", .feedthrough = false});
+    is.output<&Pipe::end>({.doc = "flow at the end"});
+  }
+};
+
+}  // namespace
+
+TEST_CASE("any block type that declares a delay time is an exact delay") {
+  Registry types = blocks();
+  types.add<Pipe>("test");
+  const DiagramFolder folder;
+  folder.write("a.yaml",
+               "stepwire: 1\ntitle: x\nstep: 1 ms\nstop: 1 s\nsolver: rk4\ninputs: {push: {default: 0}}\n"
+               "blocks:\n  lag: {block: Lag, u: push, tau: 0.5 s}\n"
+               "  pipe: {block: Pipe, flow: lag, travel: 0.3 s}\n");
+  diagram::Loader loader(types);
+  Request request;
+  request.from = {{"push", {"call", {}}, "from"}};
+  request.to = {{"pipe", {"call", {}}, "to"}};
+  const Linearization result = linearize(loader.load(folder.path("a.yaml")), request);
+  REQUIRE(result.system.delays.size() == 1);
+  CHECK(result.system.delays[0].out.name == "pipe.flow");
+  CHECK(result.system.delays[0].in.name == "pipe.end");
+  const std::complex<double> s(0.0, 7.0);
+  CHECK(std::abs(FrequencyResponse(result.system).at(7.0) - std::exp(-0.3 * s) / (0.5 * s + 1.0)) < 1e-9);
+}
+
+TEST_CASE("a point beyond the end of the run is refused with the cure") {
+  CHECK_THROWS_WITH(linear(cart, {"push"}, {"cart.position"}, {}, 4.0),
+                    Contains("4 s is not within the run; it goes from 0 to 3 s") &&
+                        Contains("give a time within it, or a later 'stop'"));
+  CHECK_THROWS_WITH(linear(cart + "stop_when: cart.position < 0 m\n", {"push"}, {"cart.position"}, {}, 2.0),
+                    Contains("'stop_when' ends it at") && Contains("give an earlier time"));
 }
 
 TEST_CASE("a transport delay beside blocks that act at ticks is refused with the block that is right there") {

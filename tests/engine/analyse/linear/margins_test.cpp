@@ -104,4 +104,79 @@ TEST_CASE("the gain at rest of what integrates is infinite") {
   CHECK(gain_at_rest(lags(3, 1e-3, 7.0)) == Approx(7.0));
 }
 
+TEST_CASE("a loop whose gain is 1 everywhere has no phase and delay margin that is met") {
+  // (s + 2)/(s + 1) * (s + 1)/(s + 2) = 1, and (1 - s)/(1 + s)
+  StateSpace one =
+      system_of(-Eigen::MatrixXd::Identity(2, 2), Eigen::MatrixXd::Ones(2, 1), Eigen::MatrixXd::Zero(1, 2));
+  one.A << -1.0, 0.0, 1.0, -2.0;
+  one.B << 1.0, 1.0;
+  one.C << 1.0, -1.0;
+  one.D << 1.0;
+  StateSpace pass = system_of(-Eigen::MatrixXd::Ones(1, 1), Eigen::MatrixXd::Ones(1, 1),
+                              Eigen::MatrixXd::Constant(1, 1, 2.0));
+  pass.D << -1.0;
+  for (const StateSpace& system : {one, pass})
+    for (const double feedback : {-1.0, 1.0}) {
+      const Margins margins = margins_of(system, feedback);
+      CHECK(margins.phase.empty());
+      CHECK_FALSE(margins.knows_phase);
+      CHECK(std::isnan(margins.phase_margin()));
+      CHECK(std::isnan(margins.delay()));
+      REQUIRE(margins.notes.size() == 1);
+      CHECK_THAT(margins.notes[0], Catch::Contains("the loop gain is 1 within rounding from"));
+    }
+  CHECK(margins_of(one, -1.0).stable);
+  CHECK(margins_of(one, -1.0).modulus == Approx(2.0));
+  CHECK(std::isinf(margins_of(one, -1.0).gain_margin()));
+}
+
+TEST_CASE("the least distance from -1 is found at rest, at infinity and in narrow dips") {
+  const Margins integrating = margins_of(integrator(1000.0), -1.0);
+  CHECK(integrating.modulus == 1.0);
+  CHECK(std::isinf(integrating.modulus_frequency));
+  const Margins falling = margins_of(system_of(Eigen::MatrixXd::Ones(1, 1), Eigen::MatrixXd::Ones(1, 1),
+                                               Eigen::MatrixXd::Constant(1, 1, 0.5)),
+                                     -1.0);
+  CHECK(falling.modulus == Approx(0.5).epsilon(1e-14));
+  CHECK(falling.modulus_frequency == 0.0);
+  // Two lags of gain 1e8, with z = (2 w)^2: ((1 - z + 1e8)^2 + 4 z)/(1 + z)^2 is least near z = 1e8.
+  const Margins two = margins_of(lags(2, 2.0, 1e8), -1.0);
+  CHECK(two.modulus == Approx(2e-4).epsilon(1e-6));
+}
+
+TEST_CASE("a direct path with a gain of 1 or more leaves no room for a delay") {
+  // (2 s + 1)/(s + 1) and (s + 2)/(s + 1): stable, and unstable with any delay.
+  for (const double direct : {1.0, 2.0}) {
+    StateSpace lead = system_of(-Eigen::MatrixXd::Ones(1, 1), Eigen::MatrixXd::Ones(1, 1),
+                                Eigen::MatrixXd::Constant(1, 1, direct == 1.0 ? 1.0 : -1.0));
+    lead.D << direct;
+    const Margins margins = margins_of(lead, -1.0);
+    CHECK(margins.stable);
+    CHECK(margins.delay() == 0.0);
+  }
+}
+
+TEST_CASE("the bandwidth is found in a narrow notch and far beyond the corners") {
+  // Notch at 1 rad/s with damping 1e-4: its flank is at 1 - 1e-4 (1/sqrt(2) of the gain).
+  StateSpace notch =
+      system_of(Eigen::MatrixXd::Zero(2, 2), Eigen::MatrixXd::Zero(2, 1), Eigen::MatrixXd::Zero(1, 2));
+  notch.A << -2e-4, -1.0, 1.0, 0.0;
+  notch.B << 1.0, 0.0;
+  notch.C << -2e-4, 0.0;
+  notch.D << 1.0;
+  CHECK(bandwidth(notch) == Approx(std::sqrt(1.0 + 1e-8) - 1e-4).epsilon(1e-9));
+  // (0.707 s + 1)/(s + 1) passes 1/sqrt(2) where w^2 (1/2 - 0.707^2) = 1 - 1/2.
+  StateSpace lag = system_of(-Eigen::MatrixXd::Ones(1, 1), Eigen::MatrixXd::Ones(1, 1),
+                             Eigen::MatrixXd::Constant(1, 1, 1.0 - 0.707));
+  lag.D << 0.707;
+  CHECK(bandwidth(lag) == Approx(std::sqrt(0.5 / (0.5 - 0.707 * 0.707))).epsilon(1e-6));
+}
+
+TEST_CASE("a loop that is nowhere finite has no margins") {
+  const Margins margins = margins_of(integrator(std::numeric_limits<double>::quiet_NaN()), -1.0);
+  CHECK_FALSE(margins.stable);
+  CHECK(std::isnan(margins.gain_margin()));
+  CHECK(std::isnan(margins.modulus_margin()));
+}
+
 }  // namespace stepwire::linear
