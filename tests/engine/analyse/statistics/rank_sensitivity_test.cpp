@@ -89,4 +89,16 @@ TEST_CASE("what is not finite does not count, and what does not vary has no corr
   CHECK(std::isnan(none.partial[0].interval.low));
 }
 
+TEST_CASE("correlations that too few samples make 1 are missing") {
+  // Two ranks correlate by 1 or -1, and three samples with two parameters leave the partial ones no freedom.
+  const auto rows = [](std::size_t samples) {
+    return normal_rows(samples, 2, 2, [](const auto& x) { return 3.0 * x[0] - x[1]; });
+  };
+  for (const std::size_t samples : {2, 3})
+    CHECK(std::isnan(rank_sensitivity(rows(samples), 2, {}).rank[0].value));
+  CHECK(std::isfinite(rank_sensitivity(rows(4), 2, {}).rank[0].value));
+  CHECK(std::isnan(rank_sensitivity(rows(4), 2, {}).partial[0].value));
+  CHECK(std::isfinite(rank_sensitivity(rows(8), 2, {}).partial[0].value));
+}
+
 }  // namespace stepwire::statistics
