@@ -65,7 +65,13 @@ bool Health::is_raised(const std::vector<std::size_t>& places) const {
 }
 
 bool Health::has_ended() const {
-  return is_raised(whole_ends_);
+  return end() <= values_[plan::Layout::time];
+}
+
+double Health::end() const {
+  double first = Diagnostic::never;
+  for (const std::size_t place : whole_ends_) first = std::min(first, values_[place]);
+  return first;
 }
 
 void Health::look_at_step() {

@@ -22,6 +22,9 @@ class Health {
   bool fine() const { return fine_; }
   /// True once a diagnostic that is no fault has ended the run.
   bool has_ended() const;
+  /// Returns the time at which such a diagnostic ends the run [s], which may be within the present step;
+  /// infinity without one.
+  double end() const;
   bool may_end() const { return !whole_ends_.empty(); }
   void restart() { fine_ = true; }
   /// Check the outputs of a tick, and the states after a step.
