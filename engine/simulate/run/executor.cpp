@@ -145,7 +145,9 @@ void Executor::take_last_step(double end) {
     events_->step(workspace_.tick);
   else
     stepper_.step_to(workspace_.tick, end);
-  if (health_.has_ended()) last_outputs_->run();
+  if (!health_.has_ended()) return;
+  last_outputs_->run();
+  phase_.find_outputs(health_.tick_of_end(workspace_.tick), false);
 }
 
 }  // namespace stepwire::run

@@ -74,6 +74,18 @@ double Health::end() const {
   return first;
 }
 
+std::int64_t Health::tick_of_end(std::int64_t tick) const {
+  const double time = end();
+  for (std::size_t b = 0; b < plan_.blocks.size(); ++b)
+    for (const plan::SignalSlot& slot : plan_.blocks[b].diagnostics)
+      if (values_[slot.offset] == time && std::ranges::count(whole_ends_, slot.offset) > 0) {
+        const plan::Rate& rate = plan_.blocks[b].rate;
+        const std::int64_t passed = tick - rate.first;
+        return rate.first + (passed < 0 ? 0 : passed / rate.ticks + 1) * rate.ticks;
+      }
+  return tick + 1;
+}
+
 void Health::look_at_step() {
   const plan::Layout& layout = plan_.layout;
   if (is_raised(ending_)) fine_ = false;
