@@ -65,7 +65,7 @@ void SteppedFmu::start() {
   if (unit.works()) std::copy_n(unit.exchange().outputs(), unit.numbers_shown(), unit_outputs.data());
 }
 
-// A unit that requests the end of the run in a step ends it at the tick that the step reaches.
+// A unit that requests the end of the run in a whole step ends it at the tick that the step reaches.
 void SteppedFmu::outputs() {
   follow();
   show(unit_outputs.data());
@@ -80,9 +80,19 @@ void SteppedFmu::update() {
     unit.exchange().length = period;
     if (unit.run(fmi::Operation::step))
       std::copy_n(unit.exchange().outputs(), unit.numbers_shown(), unit_outputs.data());
-    if (unit.works() && unit.exchange().ended == 2) unit_over.raise(t);
+    if (unit.works() && has_ended()) end_within_step();
   }
   settle();
+}
+
+/// Ends the run at the time that the unit has reached, if it has not reached the end of its step.
+void SteppedFmu::end_within_step() {
+  const fmi::Exchange& exchange = unit.exchange();
+  const double rounding = 1e-9 * exchange.length;
+  if (exchange.ended == 2)
+    unit_over.raise(t);
+  else if (exchange.reached < t + exchange.length - rounding)
+    unit_over.raise(std::max<double>(t, exchange.reached));
 }
 
 void ContinuousFmu::start() {

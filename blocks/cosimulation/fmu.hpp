@@ -56,6 +56,9 @@ struct SteppedFmu : Fmu {
   void start();
   void configure(Configure& is);
   static void declare(Declare<SteppedFmu>& is);
+
+ private:
+  void end_within_step();
 };
 
 /// FMU whose states are integrated by the diagram's solver.

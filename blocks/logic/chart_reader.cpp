@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 #include <utility>
+#include <vector>
+
+#include "engine/base/text/nearest.hpp"
 
 namespace stepwire {
 
@@ -13,6 +17,23 @@ namespace {
 /// True for `name:` without content: a state without output and transitions.
 bool is_empty(const Value& tree) {
   return tree.text() && (tree.text()->empty() || *tree.text() == "~");
+}
+
+const std::vector<std::string> state_keys{"output", "to",     "timeout", "enter",  "exit",
+                                          "each",   "states", "initial", "history"};
+const std::vector<std::string> transition_keys{"to", "when", "priority", "set"};
+
+std::vector<std::string> all_names(const std::vector<ChartState>& states) {
+  std::vector<std::string> names;
+  for (const ChartState& state : states) names.push_back(state.name);
+  return names;
+}
+
+/// Returns the end of a message: the nearest name, if one is near, and all names behind `what`.
+std::string near_or_all(const std::string& word, const std::vector<std::string>& names, std::string what) {
+  const std::string near = text::or_nearest(word, names);
+  if (!near.empty()) what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(what.front())));
+  return fmt::format("{} {}: {}", near.empty() ? ";" : near, what, fmt::join(names, ", "));
 }
 
 std::string shown(const Value& tree) {
@@ -57,9 +78,7 @@ std::size_t ChartReader::find(const std::string& name, std::size_t from) const {
 }
 
 std::string ChartReader::names() const {
-  std::vector<std::string> names;
-  for (const ChartState& state : states_) names.push_back(state.name);
-  return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{}", fmt::join(all_names(states_), ", "));
 }
 
 std::size_t ChartReader::leaf_of(std::size_t state) const {
@@ -99,9 +118,7 @@ void ChartReader::read_key(std::size_t state, const std::string& key, const Valu
   } else if (key == "history") {
     read_history(state, value);
   } else if (key != "states" && key != "timeout") {
-    refuse_(fmt::format("state '{}' has no '{}'; it has: output, to, timeout, enter, exit, each, states, "
-                        "initial, history",
-                        name, key),
+    refuse_(fmt::format("state '{}' has no '{}'{}", name, key, near_or_all(key, state_keys, "it has")),
             value);
   }
 }
@@ -137,8 +154,8 @@ std::vector<double> ChartReader::read_output(const std::string& name, const Valu
 std::size_t ChartReader::target(std::size_t from, const std::string& name, const Value& where) const {
   std::size_t found = find(name, from);
   if (found == none)
-    refuse_(fmt::format("state '{}' leads to '{}', which is none; the states are {}", states_[from].name,
-                        name, names()),
+    refuse_(fmt::format("state '{}' leads to '{}', which is none{}", states_[from].name, name,
+                        near_or_all(name, all_names(states_), "the states are")),
             where);
   return found;
 }
@@ -182,7 +199,9 @@ ChartTransition ChartReader::read_transition(std::size_t from, const Value& entr
             entry);
   for (const ValueEntry& key : *entry.map())
     if (key.key != "to" && key.key != "when" && key.key != "set" && key.key != "priority")
-      refuse_(fmt::format("a transition has no '{}'; it has: to, when, priority, set", key.key), key.value);
+      refuse_(
+          fmt::format("a transition has no '{}'{}", key.key, near_or_all(key.key, transition_keys, "it has")),
+          key.value);
   const std::string subject = fmt::format("the guard from '{}' to '{}'", state, *name->text());
   ChartTransition made{
       target(from, *name->text(), *name), formulas_.read(subject, *guard->text(), *guard), {}};

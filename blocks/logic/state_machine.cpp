@@ -148,6 +148,7 @@ void StateMachine::declare(Declare<StateMachine>& is) {
            "A "
            "guard is a formula of u1, u2, ... (u where there is one) or of the names in `variables`, of the "
            "counters, and of `after`, the time since the state was entered: \"u1 > 5 mm && after >= 2 s\". "
+           "A guard that compares different units is refused. "
            "`timeout: {target: 3 s}` leads on after a time, where no other transition does. `to` may be a "
            "list of "
            "{to: target, when: guard, priority: 1, set: {..}}: 1 comes before 2, and both before those "

@@ -14,6 +14,7 @@
 #include "engine/base/data_file/table_cache.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/unit/unit.hpp"
+#include "engine/base/yaml/near_file.hpp"
 #include "engine/model/block/configure.hpp"
 
 namespace stepwire {
@@ -23,7 +24,8 @@ namespace {
 std::shared_ptr<const table::RecordTable> read_file(const FromFile& asked, const Configure& is) {
   std::error_code none;
   if (!std::filesystem::exists(asked.file.view(), none))
-    is.refuse<&FromFile::file>(fmt::format("there is no file {}", asked.file.string()));
+    is.refuse<&FromFile::file>(
+        ("there is no file " + asked.file.string() + yaml::near_file(asked.file.string())).text());
   if (!std::filesystem::is_regular_file(asked.file.view(), none))
     is.refuse<&FromFile::file>(fmt::format("{} is no file that holds a table", asked.file.string()));
   try {

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "engine/analyse/query/substituted.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/signal_words.hpp"
 #include "engine/simulate/record/recorder.hpp"
@@ -117,6 +118,16 @@ void add_numbers_of_blocks(const diagram::Diagram& diagram, query::SymbolTable& 
     }
 }
 
+/// True for a formula of signals, in contrast to a word or a path.
+bool is_formula(const std::string& text) {
+  try {
+    const expression::Expression formula(text);
+    return !formula.variables().empty() && formula.variables().front() != text;
+  } catch (const expression::ExpressionError&) {
+    return false;
+  }
+}
+
 /// Adds the words of recorded signals with enumerated values.
 void add_words(const diagram::Diagram& diagram, query::SymbolTable& names) {
   std::unordered_map<std::string_view, std::vector<std::string>> words;
@@ -148,6 +159,8 @@ query::SymbolTable names_of(const run::Job& job) {
   for (const diagram::DiagramParameter& parameter : diagram.parameters)
     if (const double* number = std::get_if<double>(&parameter.value.content))
       names.parameters.push_back({parameter.name, *number, parameter.dimension});
+    else if (const std::string* text = parameter.value.text(); text && is_formula(*text))
+      names.drawn.push_back({query::name_of_text(parameter.name), *text});
   add_signals(diagram, names);
   add_outlines(diagram, names);
   add_numbers_of_blocks(diagram, names);

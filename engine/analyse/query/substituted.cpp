@@ -68,17 +68,26 @@ const KnownParameter* parameter_of(const std::string& name, const SymbolTable& n
   return found == names.parameters.end() ? nullptr : &*found;
 }
 
-/// Replaces the $name that starts at `begin` by its number, or by its column if it varies (tuned parameters).
-/// Returns the position after it.
+/// Returns the formula that is the text of a parameter; nullptr for other parameters.
+const NamedFormula* text_of(const std::string& name, const SymbolTable& names) {
+  const auto found = std::ranges::find(names.drawn, name_of_text(name), &NamedFormula::name);
+  return found == names.drawn.end() ? nullptr : &*found;
+}
+
+/// Replaces the $name that starts at `begin` by its number, by its column if it varies (tuned parameters), or
+/// by its text if that is a formula of signals. Returns the position after it.
 std::size_t append_parameter(std::string_view text, std::size_t begin, const SymbolTable& names,
                              Substituted& result) {
   std::size_t end = begin + 1;
   while (end < text.size() && is_word(text[end])) ++end;
   const std::string name(text.substr(begin + 1, end - begin - 1));
   const KnownParameter* const found = parameter_of(name, names);
-  if (!found && !names.find(name)) throw FormulaError(unknown_parameter(name, names), begin);
-  result.append(fmt::format("({})", found ? number_text(found->value, found->dimension, names) : name),
-                begin);
+  const NamedFormula* const text_value = found || names.find(name) ? nullptr : text_of(name, names);
+  if (!found && !names.find(name) && !text_value) throw FormulaError(unknown_parameter(name, names), begin);
+  const std::string inserted = found        ? number_text(found->value, found->dimension, names)
+                               : text_value ? text_value->text
+                                            : name;
+  result.append(fmt::format("({})", inserted), begin);
   return end;
 }
 
@@ -94,6 +103,10 @@ std::string number_text(double value, const std::optional<unit::Dimension>& dime
   std::replace(unit.begin(), unit.end(), ' ', '.');
   const auto known = [&](std::string_view name) { return names.find(name) != nullptr; };
   return unit::unit_prefix(unit, known) == unit.size() ? number + " " + unit : number;
+}
+
+std::string name_of_text(const std::string& parameter) {
+  return "$" + parameter;
 }
 
 std::string name_at(std::string_view text, std::size_t position) {

@@ -17,6 +17,9 @@ inline bool is_word(char c) {
 /// Returns the name that starts at a position, with its dots.
 std::string name_at(std::string_view text, std::size_t position);
 
+/// Returns the name among SymbolTable::drawn of a parameter whose text is a formula of signals: "$boundary".
+std::string name_of_text(const std::string& parameter);
+
 /// Returns a number in SI, with its unit if expressions support that unit.
 std::string number_text(double value, const std::optional<unit::Dimension>& dimension,
                         const SymbolTable& names);

@@ -59,12 +59,24 @@ std::string column_name(const Outcome& outcome, const std::string& measure, cons
   return outcome.name + "." + measure + "." + parameter;
 }
 
-/// Returns the reason why an outcome has no measures; empty if its numbers are complete and differ.
-std::string note_on(const Outcome& outcome, const std::vector<double>& numbers) {
+/// Returns the runs of one sample, and the least number of samples of all measures.
+std::pair<std::size_t, std::size_t> needed_samples(const Request& request) {
+  const std::size_t parameters = request.parameters.size();
+  if (request.ranks()) return {1, statistics::fewest_rows(parameters - 1)};
+  return {request.design.points_of_sample(parameters), request.screens() ? 2 : statistics::fewest_samples};
+}
+
+/// Returns the reason why an outcome has no measures, or not all of them; empty if its numbers are complete,
+/// many and differ.
+std::string note_on(const Request& request, const Outcome& outcome, const std::vector<double>& numbers) {
   const auto missing = std::ranges::count_if(numbers, [](double number) { return std::isnan(number); });
   if (missing > 0)
     return fmt::format("'{}' is not a number in {} of {} runs, so no parameter can be judged by it",
                        outcome.name, missing, numbers.size());
+  const auto [runs, least] = needed_samples(request);
+  if (const std::size_t samples = numbers.size() / runs; samples < least)
+    return fmt::format("'{}' has {} {}, and {} are needed for all of these numbers: raise 'samples'",
+                       outcome.name, samples, samples == 1 ? "sample" : "samples", least);
   if (numbers.empty() || std::ranges::adjacent_find(numbers, std::not_equal_to()) != numbers.end()) return "";
   return fmt::format("'{}' is {} in all {} runs: no parameter changes it, and none has a share of it",
                      outcome.name, query::short_number(numbers.front()), numbers.size());
@@ -153,7 +165,7 @@ text::TextTable results_table(const Request& request, const RunOutcomes& numbers
       table.rows.push_back(std::move(line));
     }
   for (std::size_t i = 0; i < request.outcomes.size() && i < numbers.outcomes.size(); ++i)
-    if (std::string note = note_on(request.outcomes[i], numbers.outcomes[i]); !note.empty())
+    if (std::string note = note_on(request, request.outcomes[i], numbers.outcomes[i]); !note.empty())
       table.notes.push_back(std::move(note));
   return table;
 }

@@ -45,13 +45,14 @@ Eigen::VectorXd partial_correlations(const Eigen::MatrixXd& correlations) {
 /// Returns the rank correlations of all parameters, then the partial ones.
 std::vector<double> correlations_of(const Samples& samples, const Choice& choice) {
   const auto parameters = static_cast<Eigen::Index>(samples.width) - 1;
-  if (choice.size() < 2) return std::vector<double>(2 * (samples.width - 1), no_number);
+  if (choice.size() < fewest_rows(0)) return std::vector<double>(2 * (samples.width - 1), no_number);
+  const bool enough = choice.size() >= fewest_rows(samples.width - 2);
   const Eigen::MatrixXd columns = unit_ranks(samples, choice);
   const Eigen::MatrixXd correlations = columns.transpose() * columns;
   Eigen::VectorXd all(2 * parameters);
   all << correlations.col(parameters).head(parameters),
-      correlations.allFinite() ? partial_correlations(correlations)
-                               : Eigen::VectorXd::Constant(parameters, no_number);
+      enough && correlations.allFinite() ? partial_correlations(correlations)
+                                         : Eigen::VectorXd::Constant(parameters, no_number);
   return {all.data(), all.data() + all.size()};
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 /// Returns the first indices of all parameters, then the total ones.
 std::vector<double> indices_of(const Samples& samples, const Choice& choice, std::size_t parameters) {
+  if (choice.size() < fewest_samples) return std::vector<double>(2 * parameters, no_number);
   std::vector<double> sums(2 * parameters);
   double sum = 0.0, squares = 0.0;
   for (const std::size_t sample : choice) sum += samples[sample][0] + samples[sample][1];

@@ -15,10 +15,13 @@ struct SobolIndices {
   std::size_t samples = 0;      ///< Number of complete samples.
 };
 
+/// Least number of samples of an index: its error is about 1/sqrt(samples), and its range is 1.
+inline constexpr std::size_t fewest_samples = 4;
+
 /// Computes Sobol indices from the outcomes of a Saltelli design (sampling::saltelli_points). First indices
 /// are those of Saltelli and others 2010, total ones those of Jansen (Analysis of variance designs for model
-/// output, 1999). A sample with a non-finite outcome is left out. Nan for fewer than two samples, or if all
-/// outcomes are equal.
+/// output, 1999). A sample with a non-finite outcome is left out. Nan for fewer samples than
+/// `fewest_samples`, or if all outcomes are equal.
 SobolIndices sobol_indices(std::span<const double> outcomes, std::size_t parameters,
                            const Bootstrap& bootstrap);
 

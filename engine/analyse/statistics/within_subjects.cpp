@@ -52,7 +52,12 @@ WithinSubjects within_subjects(const Observations& observations, const std::vect
   correct(within.comparisons);
   within.repeated = repeated_measures(within.table.observations, factors, subject);
   within.effects = term_effects(within.repeated);
-  within.residuals = shapiro_wilk(residuals_of(within.table.values));
+  // Few residuals are tied to each other by the means that are taken out: those of two subjects under two
+  // conditions all have one size.
+  constexpr Eigen::Index least_freedom = 3;
+  const Eigen::MatrixXd& values = within.table.values;
+  if ((values.rows() - 1) * (values.cols() - 1) >= least_freedom)
+    within.residuals = shapiro_wilk(residuals_of(values));
   within.variances = variance_test(groups);
   return within;
 }

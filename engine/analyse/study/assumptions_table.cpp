@@ -30,11 +30,10 @@ class AssumptionLines {
   void add(const std::string& of, const std::optional<statistics::Normality>& normality,
            const std::string& what, const std::string& read) {
     if (!normality)
-      return add_unjudged(
-          "normal", of,
-          fmt::format(
-              "{}: normality is not judged; Shapiro-Wilk needs three values or more that are not all equal.",
-              of));
+      return add_unjudged("normal", of,
+                          fmt::format("{}: normality is not judged; Shapiro-Wilk needs three independent "
+                                      "values or more that are not all equal.",
+                                      of));
     add("normal", of, fmt::format("W = {:.3f}", normality->w), normality->p,
         fmt::format("{} are not normal (Shapiro-Wilk W = {:.2f}, P = {}): {}.", what, normality->w,
                     printed_probability(normality->p), read));

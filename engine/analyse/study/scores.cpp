@@ -8,6 +8,7 @@
 #include "engine/analyse/statistics/repeated_measures.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
 #include "engine/base/table/table_file.hpp"
+#include "engine/base/yaml/error.hpp"
 
 namespace stepwire::study {
 
@@ -73,8 +74,9 @@ class ScoreReader {
 
   void check(const std::string& name, const char* option) const {
     if (!has(names_, name))
-      fail(fmt::format("there is no column '{}' for {}; there are: {}", name, option,
-                       fmt::join(names_, ", ")));
+      fail((fmt::format("there is no column '{}' for {}", name, option) +
+            yaml::nearest_or_all(name, names_, "there are"))
+               .text());
   }
 
   Factor factor(const table::Column& column, const std::vector<std::string>& words) const {

@@ -15,6 +15,7 @@
 #include "engine/base/text/natural_order.hpp"
 #include "engine/base/yaml/document.hpp"
 #include "engine/base/yaml/error.hpp"
+#include "engine/model/diagram/part_file.hpp"
 #include "engine/model/diagram/simulink_names.hpp"
 
 namespace stepwire::cli {
@@ -45,7 +46,8 @@ bool is_diagram(const std::filesystem::path& path) {
 /// files.
 ExitCode show_parts(const std::string& path) {
   if (!std::filesystem::is_directory(path)) {
-    put_data(reference::page_text(reference::part_reference(yaml::read_document(path), io::read_file(path))));
+    const yaml::Document document = yaml::read_document(path);
+    put_data(reference::page_text(reference::part_reference(document, io::read_file(path))));
     return ExitCode::done;
   }
   std::vector<std::string> files;
@@ -58,8 +60,29 @@ ExitCode show_parts(const std::string& path) {
   return ExitCode::done;
 }
 
+/// Returns the file of a part by the name that a diagram of the present folder gives it, as
+/// stepwire/oscillator. Throws Error with the nearest name if there is none.
+std::string part_of(const std::string& name) {
+  std::string file = diagram::part_file("", name);
+  if (std::filesystem::exists(file)) return file;
+  throw yaml::Error(yaml::Fault{
+      {name, {}}, "", "no such file" + diagram::other_part_places(name) + diagram::near_part("", name), {}});
+}
+
+/// Returns the parts of a name in CamelCase that are long enough to be searched: Motor of DcMotor.
+std::vector<std::string> words_of(const std::string& name) {
+  constexpr std::size_t shortest = 4;
+  std::vector<std::string> words(1);
+  for (const char letter : name) {
+    if (std::isupper(static_cast<unsigned char>(letter))) words.emplace_back();
+    words.back() += letter;
+  }
+  std::erase_if(words, [&](const std::string& word) { return word.size() < shortest || word == name; });
+  return words;
+}
+
 /// Prints the results for a word that is no block name: the answer to a name of Simulink, or the blocks with
-/// the word in their page.
+/// the word, or with a part of it, in their page.
 ExitCode search(const std::string& word, const Registry& registry) {
   const std::string answer = diagram::answer_to_simulink(word),
                     found = reference::blocks_about(registry, word);
@@ -71,8 +94,15 @@ ExitCode search(const std::string& word, const Registry& registry) {
     put_data(found);
     return ExitCode::done;
   }
-  complain("there is no block '{}'{}\n", text::visible(word),
-           yaml::did_you_mean(word, registry.names(), "'stepwire blocks' lists them").text());
+  for (const std::string& part : words_of(word))
+    if (const std::string about = reference::blocks_about(registry, part); !about.empty()) {
+      put_data(fmt::format("there is no block '{}'; blocks about '{}' are:\n\n{}", text::visible(word), part,
+                           about));
+      return ExitCode::done;
+    }
+  complain(
+      "there is no block '{}', and no page has this word{}\n", text::visible(word),
+      yaml::did_you_mean(word, reference::searched_words(registry), "'stepwire blocks' lists them").text());
   return ExitCode::wrong;
 }
 
@@ -82,8 +112,10 @@ ExitCode show_blocks(const BlocksCall& call, const Registry& registry) {
     return ExitCode::done;
   }
   const BlockType* type = registry.find(call.name);
-  if (!type && (is_diagram(call.name) || std::filesystem::is_directory(call.name)))
+  if (!type && std::filesystem::is_directory(call.name))
     return guarded([&] { return show_parts(call.name); });
+  if (!type && (is_diagram(call.name) || call.name.find('/') != std::string::npos))
+    return guarded([&] { return show_parts(part_of(call.name)); });
   if (!type) return search(call.name, registry);
   put_data(one_block(call, *type));
   return ExitCode::done;

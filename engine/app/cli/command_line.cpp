@@ -10,9 +10,10 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/app/cli/blockset_options.hpp"
+#include "engine/app/cli/choice.hpp"
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/console_options.hpp"
+#include "engine/app/cli/folder_options.hpp"
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/verb.hpp"
@@ -35,9 +36,8 @@ class CommandLine {
  public:
   CommandLine() {
     app_.require_subcommand(1);
-    app_.failure_message([](const CLI::App*, const CLI::Error& error) {
-      return fmt::format("stepwire: {}; stepwire --help and stepwire VERB --help tell more\n",
-                         text::visible(error.what()));
+    app_.failure_message([](const CLI::App* program, const CLI::Error& error) {
+      return fmt::format("stepwire: {}\n", fault_of_call(*program, error));
     });
     app_.set_version_flag(
             "--version", [this] { return version(); }, "print the version; with --json also what compiled it")
@@ -47,7 +47,8 @@ class CommandLine {
       words->footer(verb.footer);
       words->callback([this, action = verb.declare(*words)] { action_ = action; });
     }
-    blocksets_.add_to(app_);
+    blocks_.add_to(app_, "--blocks", "a folder with further blocks, as C++; may be given several times");
+    parts_.add_to(app_, "--parts", "a folder in which parts are looked for, before those of STEPWIRE_PARTS");
     add_console_options(app_);
     refuse_empty_values(app_);
     for (CLI::App* verb : app_.get_subcommands([](const CLI::App*) { return true; }))
@@ -61,7 +62,7 @@ class CommandLine {
           std::ranges::count(std::span(argv, static_cast<std::size_t>(argc)), std::string_view("--json")) > 0;
       require_values(argc, argv);
       app_.parse(argc, argv);
-      const ExitCode loaded = load_blocks(registry);
+      const ExitCode loaded = load_folders(registry);
       return loaded == ExitCode::done ? action_(registry) : loaded;
     } catch (const CLI::ParseError& error) {
       return explain(error);
@@ -91,19 +92,23 @@ class CommandLine {
       option->check(is_filled);
   }
 
-  ExitCode load_blocks(Registry& registry) const {
-    ExitCode code = load("STEPWIRE_BLOCKS", [&] { blockset::load_blocksets_of_environment(registry); });
-    for (const std::string& folder : blocksets_.folders())
+  /// Loads the folders of blocks and of parts, which every verb knows. Code comes from folders that the call
+  /// or its environment names alone, never from those of a diagram file.
+  ExitCode load_folders(Registry& registry) const {
+    ExitCode code = load("--parts", [&] { look_for_parts(parts_.folders()); });
+    if (code == ExitCode::done)
+      code = load("STEPWIRE_BLOCKS", [&] { blockset::load_blocksets_of_environment(registry); });
+    for (const std::string& folder : blocks_.folders())
       if (code == ExitCode::done)
         code = load("--blocks " + folder, [&] { blockset::load_blockset(folder, registry); });
     return code;
   }
 
-  /// Loads external blocks. Their faults are printed as JSON if the verb prints JSON.
-  ExitCode load(const std::string& call, const std::function<void()>& blocks) const {
+  /// Loads folders. Their faults are printed as JSON if the verb prints JSON.
+  ExitCode load(const std::string& call, const std::function<void()>& folders) const {
     json::Json faults;
     const auto loaded = [&] {
-      blocks();
+      folders();
       return ExitCode::done;
     };
     const ExitCode code = guarded(loaded, &faults);
@@ -136,7 +141,7 @@ class CommandLine {
   }
 
   CLI::App app_{"Block diagrams in text, run at a fixed step."};
-  BlocksetOptions blocksets_;
+  FolderOption blocks_, parts_;
   Action action_;
   bool json_ = false;  ///< true if the call contains `--json`
 };

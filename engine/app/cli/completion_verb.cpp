@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "engine/app/cli/choice.hpp"
 #include "engine/app/cli/completion.hpp"
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/verb.hpp"
@@ -18,7 +19,7 @@ Script script_for(const std::string& shell) {
 
 Action declare_completion(CLI::App& verb) {
   const auto shell = std::make_shared<std::string>();
-  verb.add_option("SHELL", *shell, "the shell")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  verb.add_option("SHELL", *shell, "the shell")->required()->check(Choice({"bash", "zsh", "fish"}));
   return [shell, program = verb.get_parent()](const Registry&) {
     put_data(script_for(*shell)(program_words(*program), verb_words(*program)));
     return ExitCode::done;

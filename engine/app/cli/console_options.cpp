@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "engine/app/cli/choice.hpp"
 #include "engine/app/cli/console_style.hpp"
 
 namespace stepwire::cli {
@@ -19,7 +20,7 @@ void add_options(CLI::App& app) {
   app.add_option_function<std::string>(
          "--color", [](const std::string& word) { console_style().color = colors.at(word); },
          "colours; auto: on a terminal, unless NO_COLOR is set")
-      ->check(CLI::IsMember({"auto", "always", "never"}));
+      ->check(Choice({"auto", "always", "never"}));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "engine/app/session/session.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/text/characters.hpp"
+#include "engine/model/diagram/part_file.hpp"
 
 namespace stepwire::cli {
 
@@ -48,6 +49,14 @@ std::string load_options_text(const LoadWords& words) {
   return text;
 }
 
+/// Returns the options for the folders of blocks and parts of this call.
+std::string folder_options_text(const Registry& registry) {
+  std::string text;
+  for (const std::string& folder : registry.blocksets()) text += " --blocks " + path_word(folder);
+  for (const std::string& folder : diagram::part_folders()) text += " --parts " + path_word(folder);
+  return text;
+}
+
 /// Returns a job name that every scheduler accepts.
 std::string job_name(const std::string& file) {
   std::string name = std::filesystem::path(file).stem().string();
@@ -56,13 +65,14 @@ std::string job_name(const std::string& file) {
   return "sw-" + name.substr(0, 12);
 }
 
-std::string script_of(const JobCall& call) {
+std::string script_of(const JobCall& call, const Registry& registry) {
   const Scheduler& scheduler = call.pbs ? pbs : slurm;
   const std::string here = text::shell_word(std::filesystem::current_path().string());
   const std::string program = text::shell_word(std::filesystem::read_symlink("/proc/self/exe").string());
   const std::string out = path_word(call.out);
+  const std::string folders = folder_options_text(registry);
   const std::string collect =
-      fmt::format("cd {} && {} collect {}/part-* --out {}/all", here, program, out, out);
+      fmt::format("cd {} && {} collect {}/part-* --out {}/all{}", here, program, out, out, folders);
   std::string script = "#!/bin/sh\n" + fmt::format(fmt::runtime(scheduler.head), job_name(call.file),
                                                    call.tasks, call.threads);
   script +=
@@ -71,9 +81,9 @@ std::string script_of(const JobCall& call) {
   script += "# What joins the shares, for JOB the number that the scheduler has given this one:\n";
   script += fmt::format(
       "#   {}\n", text::visible(fmt::format(fmt::runtime(scheduler.behind), text::shell_word(collect))));
-  script += fmt::format("cd {}\nexec {} run {} --part \"{}/{}\" --threads {} --out {}/\"part-{}\"{}\n", here,
-                        program, path_word(call.file), scheduler.task, call.tasks, call.threads, out,
-                        scheduler.task, load_options_text(call.words));
+  script += fmt::format("cd {}\nexec {} run {} --part \"{}/{}\" --threads {} --out {}/\"part-{}\"{}{}\n",
+                        here, program, path_word(call.file), scheduler.task, call.tasks, call.threads, out,
+                        scheduler.task, load_options_text(call.words), folders);
   return script;
 }
 
@@ -87,7 +97,7 @@ ExitCode write_job(const JobCall& call, const Registry& registry) {
   if (call.tasks < 1 || call.tasks > points)
     refuse("--tasks",
            fmt::format("must be from 1 to {}, the points of the sweep, not {}", points, call.tasks));
-  const std::string script = script_of(call);
+  const std::string script = script_of(call, registry);
   if (call.script.empty())
     put_text(script);
   else

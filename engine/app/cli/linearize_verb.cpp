@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "engine/app/cli/choice.hpp"
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/load_words.hpp"
@@ -81,7 +82,7 @@ Action declare_linearize(CLI::App& verb) {
   verb.add_option("--feedback", call->feedback,
                   "how the loop is closed for margins; negative, but positive where --from, --to and "
                   "--open are one wire")
-      ->check(CLI::IsMember({"negative", "positive"}));
+      ->check(Choice({"negative", "positive"}));
   verb.add_option("--out", call->out, "folder for linear.json and linear.mat");
   verb.add_flag("--json", call->json, "print the result as JSON");
   add_load_options(verb, call->words);

@@ -1,9 +1,6 @@
 #include "engine/app/cli/load_words.hpp"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <cstdlib>
 
 namespace stepwire::cli {
 
@@ -31,15 +28,6 @@ void append_file(const std::string& path, std::vector<diagram::Setting>& setting
   }
 }
 
-/// Adds folders of parts in front of STEPWIRE_PARTS, which child processes inherit.
-void look_for_parts(const std::vector<std::string>& folders) {
-  if (folders.empty()) return;
-  const char* known = std::getenv("STEPWIRE_PARTS");
-  std::string all = fmt::format("{}", fmt::join(folders, ":"));
-  if (known && *known) all += std::string(":") + known;
-  ::setenv("STEPWIRE_PARTS", all.c_str(), 1);
-}
-
 }  // namespace
 
 void add_load_options(CLI::App& verb, LoadWords& words) {
@@ -49,14 +37,10 @@ void add_load_options(CLI::App& verb, LoadWords& words) {
   verb.add_option("--set-from", words.set_from,
                   "a file with such values, as 'name: value'; fit and tune write one")
       ->allow_extra_args(false);
-  verb.add_option("--parts", words.parts,
-                  "a folder in which parts are looked for, before those of STEPWIRE_PARTS")
-      ->allow_extra_args(false);
   verb.add_flag("--large", words.large, "read files above 8 MB, up to 512 MB");
 }
 
 session::LoadOptions load_options(const LoadWords& words) {
-  look_for_parts(words.parts);
   session::LoadOptions options;
   for (const std::string& path : words.set_from) append_file(path, options.settings);
   for (const std::string& text : words.set) options.settings.push_back(parse_setting(text));

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 #include "engine/app/cli/archive.hpp"
 #include "engine/app/cli/call_options.hpp"
@@ -17,6 +18,7 @@
 #include "engine/base/io/file.hpp"
 #include "engine/base/messages/worker_process.hpp"
 #include "engine/base/subprocess/scratch_folder.hpp"
+#include "engine/base/yaml/error.hpp"
 
 namespace stepwire::cli {
 
@@ -100,6 +102,15 @@ ExitCode run_into_archive(RunCall call, const Registry& registry) {
   return code;
 }
 
+/// Returns the message about a word that is none of the names, which are "csv, mat, ...".
+yaml::Message unknown_kind(const std::string& word, const std::string& names) {
+  std::vector<std::string> all;
+  std::istringstream list(names);
+  for (std::string name; list >> name;) all.push_back(name.substr(0, name.find(',')));
+  return fmt::format("does not take '{}'", word) +
+         yaml::did_you_mean(word, all, "It takes: " + names + "; several are separated by commas");
+}
+
 /// Splits a list of words, separated by commas, and removes duplicates. `kind_of` returns std::nullopt for an
 /// unknown word.
 template <class KindOf>
@@ -110,9 +121,7 @@ auto kinds_of(const std::string& option, const std::string& list, const std::str
     const std::size_t end = std::min(list.find(',', at), list.size());
     const std::string word = list.substr(at, end - at);
     const auto kind = kind_of(word);
-    if (!kind)
-      throw CLI::ValidationError(
-          option, fmt::format("takes of {}, not '{}'; several are separated by commas", names, word));
+    if (!kind) throw CLI::ValidationError(option, unknown_kind(word, names).text());
     if (std::ranges::find(kinds, *kind) == kinds.end()) kinds.push_back(*kind);
     at = end + 1;
   }
@@ -130,9 +139,10 @@ void add_kinds_options(CLI::App& verb, std::optional<session::FileKinds>& of_fil
           [&of_files, files](const std::string& list) {
             of_files = kinds_of("--files", list, files, session::file_kind);
           },
-          fmt::format("kinds of files for the recorded signals in --out, of {}; left out: csv,mat, and h5 for "
-                      "more than {:.0f} million numbers, of which no csv is written",
-                      files, session::most_numbers_of_csv * 1e-6))
+          fmt::format(
+              "kinds of files for the recorded signals in --out, of {}; left out: csv,mat, and h5 for "
+              "more than {:.0f} million numbers, of which no csv is written",
+              files, session::most_numbers_of_csv * 1e-6))
       ->needs(out)
       ->option_text("KIND,...");
   verb.add_option_function<std::string>(

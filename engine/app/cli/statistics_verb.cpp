@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "engine/analyse/study/scores.hpp"
+#include "engine/app/cli/choice.hpp"
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/verb.hpp"
@@ -63,7 +64,7 @@ void add_statistics_options(CLI::App& verb, StatisticsCall* call) {
   verb.add_option("--sums", call->sums,
                   "sums of squares of independent scores: sequential (type I), hierarchical "
                   "(II) or partial (III); partial without it")
-      ->check(CLI::IsMember({"sequential", "hierarchical", "partial"}))
+      ->check(Choice({"sequential", "hierarchical", "partial"}))
       ->excludes(subject);
   verb.add_flag("--power", call->power, "also the power of comparisons within subjects, by simulation");
   verb.add_option("--seed", call->seed, "of that simulation")->check(CLI::Range(0, 1'000'000'000));

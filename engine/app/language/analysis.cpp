@@ -1,9 +1,11 @@
 #include "engine/app/language/analysis.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/model/diagram/part_alone.hpp"
+#include "engine/model/plan/draft_shapes.hpp"
 
 namespace stepwire::language {
 
@@ -63,6 +65,9 @@ Analysis analyse(DiagramFiles& files, const std::string& file, Depth depth) {
     } else {
       result.draft = std::make_shared<const diagram::UnfinishedDiagram>(loader.draft(file));
       result.faults = result.draft->faults;
+      if (depth == Depth::sizes)
+        std::ranges::move(plan::draft_shapes(result.draft->diagram).faults,
+                          std::back_inserter(result.faults));
       if (result.faults.empty() && depth == Depth::model) result.faults = faults_of_model(loader, file);
     }
   } catch (const yaml::Error& error) {

@@ -20,8 +20,9 @@ struct Analysis {
   int scope = 0;  ///< scope of the file in the draft
 };
 
-/// Depth of an analysis: up to blocks and wires, or everything that `stepwire check` does.
-enum class Depth { draft, model };
+/// Depth of an analysis: up to blocks and wires with their units, these with their sizes, or everything that
+/// `stepwire check` does. The sizes of a part are those of its user and are not checked.
+enum class Depth { draft, sizes, model };
 
 /// Analyses a file. A file that is no diagram gets neither draft nor faults. A part is analysed within a
 /// generated diagram, with zeros at its inputs.

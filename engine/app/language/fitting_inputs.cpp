@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "engine/app/language/edits.hpp"
 #include "engine/app/language/known_faults.hpp"
 #include "engine/app/language/signal_list.hpp"
 #include "engine/app/language/wire_edits.hpp"
+#include "engine/model/plan/draft_shapes.hpp"
 
 namespace stepwire::language {
 
@@ -106,6 +108,15 @@ bool fits(const Unit& unit, const Unit& wanted) {
   return !unit || !wanted || *unit == *wanted;
 }
 
+/// True where every signal is a single number, so that no wire has a wrong size.
+bool has_single_numbers(const Analysis& analysis) {
+  if (!analysis.draft) return false;
+  const diagram::OutputShapes shapes = plan::draft_shapes(analysis.draft->diagram).outputs;
+  return !shapes.empty() && std::ranges::all_of(shapes, [](const auto& of_block) {
+    return std::ranges::all_of(of_block, [](const diagram::OutputShape& shape) { return shape.size == 1; });
+  });
+}
+
 /// Trial edits of wires. A wire is allowed if the file with it has no additional faults. Local units are not
 /// enough: those of gains, of later signals and of feedback loops, and unused parameters, follow from the
 /// whole diagram.
@@ -144,10 +155,11 @@ std::vector<InputName> inputs_for(DiagramFiles& files, const Analysis& analysis,
   const Signals signals(analysis, files, file);
   const Unit unit = signals.unit(source_text(files, file, *document, from));
   const Trials trials(files, file, *document);
+  const bool sizes_fit = has_single_numbers(analysis);
   std::vector<InputName> found;
   for (const auto& [name, wanted, fed] : Inputs(files, analysis, file).all(*document)) {
     // With the unit of the present source, no later unit changes.
-    const bool is_same = unit && fed && signals.unit(fed->text) == unit;
+    const bool is_same = sizes_fit && unit && fed && signals.unit(fed->text) == unit;
     if (fits(unit, wanted) && (is_same || trials.is_right({from, name.block, name.input})))
       found.push_back(name);
   }

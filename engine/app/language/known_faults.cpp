@@ -15,7 +15,7 @@ std::pair<std::string, std::string> name_of(const yaml::Fault& fault) {
 }  // namespace
 
 KnownFaults::KnownFaults(DiagramFiles& files, const std::string& file) : files_(files), file_(file) {
-  for (const yaml::Fault& fault : analyse(files_, file_, Depth::draft).faults)
+  for (const yaml::Fault& fault : analyse(files_, file_, Depth::sizes).faults)
     known_.push_back(name_of(fault));
 }
 
@@ -35,7 +35,7 @@ std::vector<yaml::Fault> KnownFaults::added_by(yaml::Document tree) const {
 }
 
 std::vector<yaml::Fault> KnownFaults::added_in(DiagramFiles& after) const {
-  std::vector<yaml::Fault> now = analyse(after, file_, Depth::draft).faults;
+  std::vector<yaml::Fault> now = analyse(after, file_, Depth::sizes).faults;
   auto before = known_;
   std::erase_if(now, [&](const yaml::Fault& fault) {
     const auto known = std::ranges::find(before, name_of(fault));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
+#include <set>
 
 #include "engine/app/reference/families.hpp"
 #include "engine/app/reference/sheet_text.hpp"
@@ -20,19 +21,14 @@ std::string in_small_letters(std::string text) {
   return text;
 }
 
-/// True if the page of the block contains the word, tables included. Keys that many blocks have are not
-/// searched.
-bool is_about(const BlockType& type, const std::string& word) {
-  if (in_small_letters(type.name + " " + type.folder + " " + type.doc + " " + type.source).find(word) !=
-      std::string::npos)
-    return true;
-  for (const ParameterSpec& parameter : type.parameters)
-    if (in_small_letters(parameter.name + " " + parameter.doc).find(word) != std::string::npos) return true;
+/// Returns the searched text of a block's page, tables included. Keys that many blocks have are left out.
+std::string searched_text(const BlockType& type) {
+  std::string text = type.name + " " + type.folder + " " + type.doc + " " + type.source;
+  for (const ParameterSpec& parameter : type.parameters) text += " " + parameter.name + " " + parameter.doc;
   for (const StateSpec& state : type.states)
-    if (state.settable && in_small_letters(state.doc).find(word) != std::string::npos) return true;
-  for (const OutputSpec& output : type.outputs)
-    if (in_small_letters(output.name + " " + output.doc).find(word) != std::string::npos) return true;
-  return false;
+    if (state.settable) text += " " + state.doc;
+  for (const OutputSpec& output : type.outputs) text += " " + output.name + " " + output.doc;
+  return in_small_letters(text);
 }
 
 std::string list_where(const Registry& registry, const std::function<bool(const BlockType&)>& shown) {
@@ -71,7 +67,27 @@ std::string block_list(const Registry& registry) {
 
 std::string blocks_about(const Registry& registry, const std::string& word) {
   const std::string wanted = in_small_letters(word);
-  return list_where(registry, [&](const BlockType& type) { return is_about(type, wanted); });
+  return list_where(
+      registry, [&](const BlockType& type) { return searched_text(type).find(wanted) != std::string::npos; });
+}
+
+std::vector<std::string> searched_words(const Registry& registry) {
+  constexpr std::size_t shortest = 4;  // shorter words are near too many others
+  std::vector<std::string> names = registry.names();
+  std::set<std::string> words;
+  for (const std::string& name : names) {
+    std::string text = searched_text(*registry.find(name)), word;
+    text += ' ';
+    for (const char letter : text) {
+      if (std::isalpha(static_cast<unsigned char>(letter)))
+        word += letter;
+      else if (word.size() >= shortest)
+        words.insert(std::move(word));
+      if (!std::isalpha(static_cast<unsigned char>(letter))) word.clear();
+    }
+  }
+  names.insert(names.end(), words.begin(), words.end());
+  return names;
 }
 
 }  // namespace stepwire::reference

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/app/reference/block_reference.hpp"
 #include "engine/model/block/registry.hpp"
@@ -15,6 +16,10 @@ std::string page_text(const BlockReference& sheet);
 
 /// Returns the blocks whose page contains the word, in the format of block_list(); empty without a match.
 std::string blocks_about(const Registry& registry, const std::string& word);
+
+/// Returns the words of all pages and the names of all blocks: a misspelt word of blocks_about() is near one
+/// of them.
+std::vector<std::string> searched_words(const Registry& registry);
 
 /// Returns the names of all blocks by family, each with the first sentence of its page.
 std::string block_list(const Registry& registry);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/app/session/findings.hpp"
 #include "engine/base/text/characters.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/plan/element_slot.hpp"
@@ -48,6 +49,8 @@ std::string outcome_text(const session::LoadedModel& model, const session::Outco
   for (const run::RaisedDiagnostic& diagnostic : outcome.result.diagnostics)
     text += fmt::format("  note {}: {} (first at {:.6g} s)\n", text::visible(diagnostic.block),
                         text::visible(diagnostic.text), diagnostic.time);
+  for (const std::string& finding : session::findings_of(model, outcome))
+    text += fmt::format("  note {}\n", text::visible(finding));
   return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/app/session/findings.hpp"
 #include "engine/app/session/sweep_sections.hpp"
 #include "engine/app/session/version.hpp"
 #include "engine/base/io/file.hpp"
@@ -193,6 +194,7 @@ Json run_json(const LoadedModel& model, const Outcome& outcome) {
       .set("solver_steps", steps_json(diagram, outcome.result.steps))
       .set("events", events_json(diagram, outcome.result.events))
       .set("notices", diagnostics_json(outcome))
+      .set("findings", Json::list_of(findings_of(model, outcome)))
       .set("faults", fault_texts(outcome))
       .set("interrupted", outcome.result.interrupted)
       .set("version", program_version())

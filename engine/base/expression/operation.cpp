@@ -113,6 +113,12 @@ const Operation* find_function(std::string_view name) {
   return find(functions, name);
 }
 
+std::vector<std::string> function_names() {
+  std::vector<std::string> names;
+  for (const Operation& function : functions) names.emplace_back(function.name);
+  return names;
+}
+
 const Operation* find_matrix_function(std::string_view name) {
   return find(matrix_functions, name);
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace stepwire::expression {
 
@@ -23,6 +25,8 @@ extern const Operation minus, negation;  ///< prefix signs
 /// Returns the binary operator or the function of that name; nullptr if there is none.
 const Operation* find_operator(std::string_view sign);
 const Operation* find_function(std::string_view name);
+/// Returns the names of all functions of numbers.
+std::vector<std::string> function_names();
 /// Returns the matrix function of that name; nullptr if there is none.
 const Operation* find_matrix_function(std::string_view name);
 extern const Operation brackets;  ///< [a, b, ..]

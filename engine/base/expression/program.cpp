@@ -9,6 +9,7 @@
 #include "engine/base/expression/draws.hpp"
 #include "engine/base/expression/expression.hpp"
 #include "engine/base/expression/token.hpp"
+#include "engine/base/text/nearest.hpp"
 
 namespace stepwire::expression {
 namespace {
@@ -116,7 +117,8 @@ class Translator {
     if (!function && values_ == Values::matrices) function = of_matrices;
     if (!function)
       fail(token, exists ? fmt::format("'{}' is a value, not a function", token.text)
-                         : fmt::format("unknown function '{}'", token.text));
+                         : fmt::format("unknown function '{}'{}", token.text,
+                                       text::or_nearest(std::string(token.text), function_names())));
     open(tokens_[++at_], function);
   }
 

@@ -29,7 +29,7 @@ struct Counts {
 };
 
 /// Data shared by a block and a running unit. It is one contiguous piece of memory, which two processes may
-/// share.
+/// share. A step begins at `time`, may take `length`, and ends at `reached` [s].
 struct Exchange {
   // Turn of the two processes: odd values are the unit's.
   std::atomic<std::uint32_t> turn{0};
@@ -38,7 +38,7 @@ struct Exchange {
   Operation operation = Operation::quit;
   std::uint32_t ok = 1, changed = 0;
   std::uint32_t ended = 0;  ///< 1: the unit ends the run at this instant; 2: it ended before this step
-  double time = 0.0, length = 0.0;
+  double time = 0.0, length = 0.0, reached = 0.0;
   double next = 0.0;             ///< time of the next event [s]; infinity without one
   std::size_t state_bytes = 0;   ///< set by `start`: size of the unit's state; 0 if it cannot be serialised
   std::size_t kept_numbers = 0;  ///< the same in numbers, including the state of its events

@@ -218,6 +218,7 @@ bool Model::step() {
   if (!inputs_.set(*calls_, exchange_.inputs())) return false;
   if (!calls_->step(exchange_.time, exchange_.length, info)) return false;
   require_reached(info.reached);
+  exchange_.reached = info.reached;
   if (info.terminates) exchange_.ended = info.made ? 1 : 2;
   return outputs_.get(*calls_, exchange_.outputs());
 }

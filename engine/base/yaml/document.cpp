@@ -11,13 +11,14 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/base/yaml/near_file.hpp"
 #include "engine/base/yaml/text_check.hpp"
 #include "engine/base/yaml/yaml_reader.hpp"
 
 namespace stepwire::yaml {
 namespace {
 
-[[noreturn]] void fail(const std::string& file, Mark mark, std::string message) {
+[[noreturn]] void fail(const std::string& file, Mark mark, Message message) {
   throw Error(Fault{.place = {file, mark}, .subject = "", .message = std::move(message), .used_by = {}});
 }
 
@@ -43,9 +44,8 @@ std::string contents(const std::string& path, const DocumentLimits& limits) {
     check_size(std::filesystem::file_size(path, none), path, limits);
 
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file)
-    fail(path, {},
-         errno == ENOENT ? "no such file" : fmt::format("cannot be read: {}", std::strerror(errno)));
+  if (!file && errno == ENOENT) fail(path, {}, "no such file" + near_file(path));
+  if (!file) fail(path, {}, fmt::format("cannot be read: {}", std::strerror(errno)));
   std::string text;
   char chunk[1 << 16];
   while (const std::size_t read = std::fread(chunk, 1, sizeof chunk, file.get())) {

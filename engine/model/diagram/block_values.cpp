@@ -191,7 +191,7 @@ bool ValueReader::in_range(const ParameterSpec& spec, const WrittenValue& writte
 std::optional<WrittenValue> ValueReader::read_words(const ParameterSpec& spec, const yaml::Node& node,
                                                     const std::string& subject) const {
   if (spec.kind == ParameterKind::tree) {
-    auto tree = read_tree(node, subject);
+    auto tree = read_tree(node, subject, !spec.formulas.empty());
     return tree ? std::optional(WrittenValue{std::move(*tree), {}, "the tree"}) : std::nullopt;
   }
   if (spec.kind == ParameterKind::texts) {
@@ -204,7 +204,7 @@ std::optional<WrittenValue> ValueReader::read_words(const ParameterSpec& spec, c
     return WrittenValue{{std::move(list)}, {}, "the list"};
   }
   if (!node.is_scalar()) return refuse(node, subject, "must be a word");
-  const auto text = fill_in(node, subject);
+  const auto text = fill_in(node, subject, !spec.formulas.empty());
   if (!text) return std::nullopt;
   if (spec.kind == ParameterKind::file) {
     const std::string path = resolve_file(*text, node, subject);
@@ -217,18 +217,19 @@ std::optional<WrittenValue> ValueReader::read_words(const ParameterSpec& spec, c
   return refuse(node, subject, other_word(*text, spec.words));
 }
 
-std::optional<Value> ValueReader::read_tree(const yaml::Node& node, const std::string& subject) const {
+std::optional<Value> ValueReader::read_tree(const yaml::Node& node, const std::string& subject,
+                                            bool has_formulas) const {
   Value result;
   result.line = node.mark.line;
   result.column = node.mark.column;
   if (node.is_scalar()) {
-    const auto text = fill_in(node, subject);
+    const auto text = fill_in(node, subject, has_formulas);
     if (!text) return std::nullopt;
     result.content = *text;
   } else if (node.is_list()) {
     Value::List list;
     for (const yaml::Node& item : node.items) {
-      auto value = read_tree(item, subject);
+      auto value = read_tree(item, subject, has_formulas);
       if (!value) return std::nullopt;
       list.push_back(std::move(*value));
     }
@@ -236,7 +237,7 @@ std::optional<Value> ValueReader::read_tree(const yaml::Node& node, const std::s
   } else {
     Value::Map map;
     for (const yaml::Entry& entry : node.entries) {
-      auto value = read_tree(entry.value, subject);
+      auto value = read_tree(entry.value, subject, has_formulas);
       if (!value) return std::nullopt;
       map.push_back({entry.key, std::move(*value)});
     }

@@ -195,6 +195,8 @@ void Opener::read_key(Scope& scope, const yaml::Entry& key, DiagramBlock& block,
 
 void Opener::read_settings(Scope& scope, DiagramBlock& block, const std::string& full) {
   const BlockType& type = block.type();
+  for (const ParameterSpec& parameter : type.parameters)  // for a misspelt name of the block
+    if (settings_.set_some(parameter.name)) settings_.offer(full + "." + parameter.name);
   for (const std::string& key : settings_.keys_of(full + ".")) {
     for (const ParameterSpec& parameter : type.parameters) settings_.offer(full + "." + parameter.name);
     const ParameterSpec* parameter = type.parameter(key);

@@ -217,17 +217,32 @@ void Opener::open_part(Scope& scope, const yaml::Entry& entry, const yaml::Node&
   report_missing_inputs(scope, entry, part, report_);
 }
 
+namespace {
+
+/// Returns the message about a part that cannot be read: for a missing file with the searched folders and the
+/// nearest name.
+yaml::Message unread_part(const std::string& user, const std::string& path, const std::string& file,
+                          const yaml::Message& fault) {
+  std::error_code none;
+  if (std::filesystem::exists(file, none)) return path + ": " + fault;
+  const yaml::Message cure = near_part(user, path);
+  return yaml::Message(path + ": " + fault.wrong + other_part_places(path), cure.cure, cure.suggestion);
+}
+
+}  // namespace
+
 bool Opener::read_part(Scope& scope, const yaml::Entry& entry, const yaml::Node& path, Scope& part) {
+  const std::string& file = report_.diagram().scopes[static_cast<std::size_t>(part.index)].file;
   try {
-    part.document = &loader_.document(report_.diagram().scopes[static_cast<std::size_t>(part.index)].file);
+    part.document = &loader_.document(file);
   } catch (const yaml::Error& error) {
     scope.failed.insert(entry.key);
     for (const yaml::Fault& fault : error.faults())
       if (fault.place.mark.line > 0) {
         report_.add(part.at(fault.place.mark), scope.prefix + entry.key, fault.message);
       } else {
-        yaml::Message why = path.text + ": " + fault.message;
-        report_.add(scope.at(path.mark), scope.prefix + entry.key, why += other_part_places(path.text));
+        report_.add(scope.at(path.mark), scope.prefix + entry.key,
+                    unread_part(scope.document->file, path.text, file, fault.message));
       }
     return false;
   }

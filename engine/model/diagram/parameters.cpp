@@ -10,6 +10,7 @@
 
 #include "engine/base/unit/meaning.hpp"
 #include "engine/base/yaml/message.hpp"
+#include "engine/model/diagram/formula_units.hpp"
 #include "engine/model/diagram/quoted_number.hpp"
 #include "engine/model/diagram/report.hpp"
 
@@ -45,11 +46,30 @@ class MatrixUnit {
   bool differs_ = false;
 };
 
-/// Returns a number or word for insertion into a text; std::nullopt for any other value.
-std::optional<std::string> inserted_text(const Value& value) {
+/// Returns a number or word for insertion into a text, in a formula with its unit; std::nullopt for any other
+/// value.
+std::optional<std::string> inserted_text(const WrittenValue& written, bool is_formula) {
+  const Value& value = written.value;
+  if (const double* number = std::get_if<double>(&value.content); number && is_formula && written.dimension)
+    return quantity_in_formula(*number, *written.dimension);
   if (const double* number = std::get_if<double>(&value.content))
     return *number < 0 ? fmt::format("({})", *number) : fmt::format("{}", *number);
   return value.text() ? std::optional(*value.text()) : std::nullopt;
+}
+
+/// True for a formula of parameters, as $name, and of signals: "$width*cos(y)". It is a text, whose signals
+/// have a meaning where it is used.
+bool names_signals(std::string text, const ParameterScope& parameters) {
+  if (text.find('$') == std::string::npos) return false;
+  std::erase(text, '$');
+  try {
+    const expression::Expression formula(text);
+    const auto knows = [&](const std::string& name) { return parameters.knows(name); };
+    return std::ranges::any_of(formula.variables(), knows) &&
+           !std::ranges::all_of(formula.variables(), knows);
+  } catch (const expression::ExpressionError&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -101,10 +121,12 @@ std::optional<WrittenValue> ValueReader::read_scalar(const yaml::Node& node,
                                                      const std::string& subject) const {
   const std::string& text = node.text;
   // Quotes do not prevent an expression: one with a comma, a colon or a quotation mark needs them.
-  if (node.quoted && !text.starts_with('=')) return WrittenValue{{text}, {}, text};
+  if (node.quoted && !text.starts_with('='))
+    return names_signals(text, parameters_) ? read_text(node, subject) : WrittenValue{{text}, {}, text};
   if (text.starts_with('$')) {
     if (parameters_.failed(text.substr(1))) return std::nullopt;
     if (const WrittenValue* parameter = parameters_.find(text.substr(1), uses_)) return *parameter;
+    if (names_signals(text, parameters_)) return read_text(node, subject);
     return refuse(node, subject, no_parameter(text.substr(1), parameters_));
   }
   if (text.starts_with('=')) return read_expression(node, subject);
@@ -114,7 +136,12 @@ std::optional<WrittenValue> ValueReader::read_scalar(const yaml::Node& node,
     return refuse(node, subject,
                   yaml::fault_text("'{}' is not a finite number; give one, or leave the key out", text));
   if (text == "true" || text == "false") return WrittenValue{{text == "true"}, {}, text};
-  const auto filled = fill_in(node, subject);  // a path such as data/$name.csv
+  return read_text(node, subject);
+}
+
+/// Reads a text with names of parameters in it, such as data/$name.csv.
+std::optional<WrittenValue> ValueReader::read_text(const yaml::Node& node, const std::string& subject) const {
+  const auto filled = fill_in(node, subject);
   return filled ? std::optional(WrittenValue{{*filled}, {}, *filled}) : std::nullopt;
 }
 
@@ -203,7 +230,8 @@ std::optional<double> ValueReader::read_number(const yaml::Node& node, const uni
   return *number;
 }
 
-std::optional<std::string> ValueReader::fill_in(const yaml::Node& node, const std::string& subject) const {
+std::optional<std::string> ValueReader::fill_in(const yaml::Node& node, const std::string& subject,
+                                                bool is_formula) const {
   std::string result;
   const std::string& text = node.text;
   for (std::size_t i = 0; i < text.size();) {
@@ -220,7 +248,7 @@ std::optional<std::string> ValueReader::fill_in(const yaml::Node& node, const st
     const WrittenValue* parameter = parameters_.find(name, uses_);
     if (parameter && parameter->failed) return std::nullopt;
     if (!parameter) return refuse(node, subject, no_parameter(name, parameters_));
-    const auto inserted = inserted_text(parameter->value);
+    const auto inserted = inserted_text(*parameter, is_formula);
     if (!inserted)
       return refuse(node, subject, fmt::format("parameter '{}' is neither a number nor a word", name));
     result += *inserted;

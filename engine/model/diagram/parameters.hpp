@@ -24,10 +24,10 @@ struct GivenBy {
 struct WrittenValue {
   Value value;  ///< a number, vector or matrix in SI; a flag; text; a list of texts
   std::optional<unit::Dimension> dimension;
-  std::string text;     ///< as written, for messages
-  bool failed = false;  ///< replaces a refused definition; its uses add no further faults
+  std::string text;                ///< as written, for messages
+  bool failed = false;             ///< replaces a refused definition; its uses add no further faults
   std::optional<GivenBy> given{};  ///< set for a text
-  Eigen::Index columns = 1;  ///< of a matrix in column-major order
+  Eigen::Index columns = 1;        ///< of a matrix in column-major order
 };
 
 /// Parameters used by a value, as indices in Diagram::parameters.
@@ -89,8 +89,10 @@ class ValueReader {
   /// Reads one finite number of the given dimension.
   std::optional<double> read_number(const yaml::Node& node, const unit::Dimension& demanded,
                                     const std::string& subject) const;
-  /// Replaces each `$name` inside of a text by that parameter's number or text, and `$$` by `$`.
-  std::optional<std::string> fill_in(const yaml::Node& node, const std::string& subject) const;
+  /// Replaces each `$name` inside of a text by that parameter's number or text, and `$$` by `$`. In formulas
+  /// numbers have their units.
+  std::optional<std::string> fill_in(const yaml::Node& node, const std::string& subject,
+                                     bool is_formula = false) const;
 
   Origin at(const yaml::Mark& mark) const { return {scope_, mark}; }
   /// Returns the value with '=' before texts that can only be formulas of parameters: 2*k. In rows of a
@@ -104,13 +106,14 @@ class ValueReader {
   std::optional<WrittenValue> read_matrices(const std::vector<WrittenValue>& values, const yaml::Node& node,
                                             const std::string& subject) const;
   std::optional<WrittenValue> read_scalar(const yaml::Node& node, const std::string& subject) const;
+  std::optional<WrittenValue> read_text(const yaml::Node& node, const std::string& subject) const;
   std::optional<WrittenValue> read_list(const yaml::Node& node, const std::string& subject) const;
   std::optional<WrittenValue> read_rows(const yaml::Node& node, const std::string& subject) const;
   std::optional<WrittenValue> read_with_unit(const yaml::Node& node, const std::string& subject) const;
   std::optional<WrittenValue> read_expression(const yaml::Node& node, const std::string& subject) const;
   std::optional<WrittenValue> read_words(const ParameterSpec& spec, const yaml::Node& node,
                                          const std::string& subject) const;
-  std::optional<Value> read_tree(const yaml::Node& node, const std::string& subject) const;
+  std::optional<Value> read_tree(const yaml::Node& node, const std::string& subject, bool has_formulas) const;
   std::optional<Value> convert(const ParameterSpec& spec, const WrittenValue& written, const yaml::Node& node,
                                const std::string& subject) const;
   bool in_range(const ParameterSpec& spec, const WrittenValue& written, const yaml::Node& node,

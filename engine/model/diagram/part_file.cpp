@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
-#include <vector>
 
 #include "engine/base/io/resources.hpp"
+#include "engine/base/yaml/near_file.hpp"
 
 namespace stepwire::diagram {
 
@@ -22,15 +22,6 @@ bool is_there(const fs::path& path) {
   return fs::exists(path, none);
 }
 
-std::vector<std::string> part_folders() {
-  std::vector<std::string> folders;
-  const char* named = std::getenv("STEPWIRE_PARTS");
-  std::istringstream list(named ? named : "");
-  for (std::string folder; std::getline(list, folder, ':');)
-    if (!folder.empty()) folders.push_back(folder);
-  return folders;
-}
-
 /// Returns the file of a part that comes with the program; empty for other paths, and if such parts are not
 /// installed.
 std::string own_part(const std::string& path) {
@@ -42,7 +33,27 @@ std::string own_part(const std::string& path) {
   return file.lexically_normal().string();
 }
 
+/// Returns the names of the parts that come with the program, "stepwire/oscillator".
+std::vector<std::string> own_names(const std::string& ending) {
+  const std::string diagrams = io::find_resource("diagrams");
+  if (diagrams.empty()) return {};
+  std::vector<std::string> names =
+      yaml::files_of((fs::path(diagrams) / "parts").string(), ".yaml", own_parts);
+  if (ending.empty())
+    for (std::string& name : names) name.resize(name.size() - std::string(".yaml").size());
+  return names;
+}
+
 }  // namespace
+
+std::vector<std::string> part_folders() {
+  std::vector<std::string> folders;
+  const char* named = std::getenv("STEPWIRE_PARTS");
+  std::istringstream list(named ? named : "");
+  for (std::string folder; std::getline(list, folder, ':');)
+    if (!folder.empty()) folders.push_back(folder);
+  return folders;
+}
 
 std::string part_file(const std::string& user, const std::string& path) {
   const fs::path beside = (fs::path(user).parent_path() / path).lexically_normal();
@@ -54,10 +65,24 @@ std::string part_file(const std::string& user, const std::string& path) {
   return beside.string();
 }
 
+yaml::Message near_part(const std::string& user, const std::string& path) {
+  const fs::path part(path);
+  const std::string ending = part.extension().string(), name = part.filename().string();
+  const std::string prefix = path.substr(0, path.size() - name.size());
+  std::vector<std::string> names = own_names(ending);
+  const auto add = [&](const fs::path& folder) {
+    const auto more = yaml::files_of((folder / prefix).string(), ending.empty() ? ".yaml" : ending, prefix);
+    names.insert(names.end(), more.begin(), more.end());
+  };
+  add(fs::path(user).parent_path());
+  for (const std::string& folder : part_folders()) add(folder);
+  return yaml::did_you_mean(path, names);
+}
+
 std::string other_part_places(const std::string& path) {
   const auto folders = part_folders();
   if (path.starts_with(own_parts) || fs::path(path).is_absolute()) return "";
-  return folders.empty() ? "" : fmt::format("; it is not in {} either", fmt::join(folders, ", "));
+  return folders.empty() ? "" : fmt::format(", nor in {}", fmt::join(folders, ", "));
 }
 
 }  // namespace stepwire::diagram

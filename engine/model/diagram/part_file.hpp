@@ -1,6 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "engine/base/yaml/error.hpp"
 
 namespace stepwire::diagram {
 
@@ -9,6 +12,13 @@ namespace stepwire::diagram {
 /// folder of $STEPWIRE_PARTS, separated by ':'. The first existing file is returned, else the path beside the
 /// using file.
 std::string part_file(const std::string& user, const std::string& path);
+
+/// Returns the folders of STEPWIRE_PARTS in their order.
+std::vector<std::string> part_folders();
+
+/// Returns "did you mean 'stepwire/oscillator'?" with the nearest name among the parts beside the using file,
+/// those that come with the program, and those in the folders of STEPWIRE_PARTS.
+yaml::Message near_part(const std::string& user, const std::string& path);
 
 /// Returns the other searched locations, as the end of a message.
 std::string other_part_places(const std::string& path);

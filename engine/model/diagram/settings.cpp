@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace stepwire::diagram {
 
 Settings::Settings(const std::vector<Setting>& settings, Report& report) {
@@ -31,6 +33,10 @@ Settings::Entry* Settings::take(const std::string& full_name) {
 
 void Settings::offer(const std::string& full_name) {
   if (!entries_.empty()) offered_.push_back(full_name);
+}
+
+bool Settings::set_some(const std::string& key) const {
+  return std::ranges::any_of(entries_, [&](const auto& entry) { return entry.first.ends_with("." + key); });
 }
 
 std::vector<std::string> Settings::keys_of(const std::string& prefix) const {

@@ -21,6 +21,8 @@ class Settings {
   };
   /// Returns the setting of a full name ("rig.mass") and marks it as used; nullptr if there is none.
   Entry* take(const std::string& full_name);
+  /// True if some setting ends in this key of a block: "spring.gain" in "gain".
+  bool set_some(const std::string& key) const;
   /// Records a settable name for suggestions; cheap without settings.
   void offer(const std::string& full_name);
   /// Returns the keys below `prefix` that settings name: "tau" for prefix "lag." of "lag.tau".

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/formula_units.hpp"
 #include "engine/model/diagram/head.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/temperatures.hpp"
@@ -234,6 +235,7 @@ class Inference : UnitTerms {
 void infer_units(Report& report, Inference& inference) {
   inference.run();
   check_temperatures(report);
+  check_formulas(report);
   check_stop_condition(report);
   check_conditions(report);
 }

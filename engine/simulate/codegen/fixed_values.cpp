@@ -50,8 +50,9 @@ std::string FixedValues::reason_of(const diagram::Target& target) const {
   const diagram::DiagramBlock& block = plan_.diagram.blocks[static_cast<std::size_t>(target.block)];
   const ParameterSpec& spec = block.type().parameters[static_cast<std::size_t>(target.index)];
   const std::string name = diagram::name_of(plan_.diagram, target);
-  if (spec.kind == ParameterKind::text && spec.name == "expression")
-    return fmt::format("{} is a formula; wired as an input of {}, u: [.., $name], it can be changed", name,
+  if (!spec.formulas.empty())
+    return fmt::format("{} {}; wired as an input of {}, u: [.., $name], it can be changed", name,
+                       spec.kind == ParameterKind::text ? "is a formula" : "has formulas, which are code",
                        block.name);
   if (!is_numeric(spec.kind)) return fmt::format("{} is no number", name);
   if (spec.structural) return fmt::format("{} decides on sizes or connections", name);

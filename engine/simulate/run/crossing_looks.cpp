@@ -78,8 +78,9 @@ void CrossingLooks::find(const std::vector<Look>& looks, double* numbers) {
 }
 
 bool CrossingLooks::stops() const {
-  const auto is_raised = [&](std::size_t place) { return values_[place] != Diagnostic::never; };
-  return (stop_margin_ && stop_margin_->stops(values_)) || std::ranges::any_of(ends_, is_raised);
+  const double now = values_[plan::Layout::time];
+  return (stop_margin_ && stop_margin_->stops(values_)) ||
+         std::ranges::any_of(ends_, [&](std::size_t place) { return values_[place] <= now; });
 }
 
 void CrossingLooks::find(double* numbers) const {
@@ -95,6 +96,8 @@ void CrossingLooks::find_changing(double* numbers) const {
 double CrossingLooks::next_edge() const {
   double next = std::numeric_limits<double>::infinity();
   for (const Edge& edge : edges_) next = std::min(next, edge.next(edge.block));
+  for (const std::size_t place : ends_)
+    if (values_[place] > values_[plan::Layout::time]) next = std::min(next, values_[place]);
   return next;
 }
 

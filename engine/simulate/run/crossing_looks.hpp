@@ -17,7 +17,8 @@ class CrossingLooks {
   void find(double* numbers) const;
   /// Evaluates only the functions that may have changed although time and states have not.
   void find_changing(double* numbers) const;
-  /// Returns the time of the next jump or kink of a source [s]; infinity without one.
+  /// Returns the time of the next jump or kink of a source, or of the end of the run by a block [s]; infinity
+  /// without one.
   double next_edge() const;
   /// True once a located `stop_when` holds or a block has ended the run.
   bool stops() const;

@@ -136,7 +136,18 @@ void Executor::take_step() {
   if (health_.has_ended()) return last_outputs_->run();
   if (stepper_.moves()) who_.keep();
   if (plan_.updates_continuous) stepper_.find_outputs();
+  if (const double end = health_.end(); end < plan_.time_of(workspace_.tick + 1)) return take_last_step(end);
   events_ ? events_->step(workspace_.tick) : stepper_.step(workspace_.tick);
+}
+
+void Executor::take_last_step(double end) {
+  if (events_)
+    events_->step(workspace_.tick);
+  else
+    stepper_.step_to(workspace_.tick, end);
+  if (!health_.has_ended()) return;
+  last_outputs_->run();
+  phase_.find_outputs(health_.tick_of_end(workspace_.tick), false);
 }
 
 }  // namespace stepwire::run

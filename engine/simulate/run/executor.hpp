@@ -132,6 +132,8 @@ class Executor {
   void follow_values();
   void find_outputs();
   void take_step();
+  /// Steps to the time within the present step at which a block ends the run.
+  void take_last_step(double end);
 
   const plan::Plan& plan_;
   Workspace workspace_;

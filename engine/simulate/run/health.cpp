@@ -65,7 +65,25 @@ bool Health::is_raised(const std::vector<std::size_t>& places) const {
 }
 
 bool Health::has_ended() const {
-  return is_raised(whole_ends_);
+  return end() <= values_[plan::Layout::time];
+}
+
+double Health::end() const {
+  double first = Diagnostic::never;
+  for (const std::size_t place : whole_ends_) first = std::min(first, values_[place]);
+  return first;
+}
+
+std::int64_t Health::tick_of_end(std::int64_t tick) const {
+  const double time = end();
+  for (std::size_t b = 0; b < plan_.blocks.size(); ++b)
+    for (const plan::SignalSlot& slot : plan_.blocks[b].diagnostics)
+      if (values_[slot.offset] == time && std::ranges::count(whole_ends_, slot.offset) > 0) {
+        const plan::Rate& rate = plan_.blocks[b].rate;
+        const std::int64_t passed = tick - rate.first;
+        return rate.first + (passed < 0 ? 0 : passed / rate.ticks + 1) * rate.ticks;
+      }
+  return tick + 1;
 }
 
 void Health::look_at_step() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,11 @@ class Health {
   bool fine() const { return fine_; }
   /// True once a diagnostic that is no fault has ended the run.
   bool has_ended() const;
+  /// Returns the time at which such a diagnostic ends the run [s], which may be within the present step;
+  /// infinity without one.
+  double end() const;
+  /// Returns the tick after `tick` at which the block that ends the run is due.
+  std::int64_t tick_of_end(std::int64_t tick) const;
   bool may_end() const { return !whole_ends_.empty(); }
   void restart() { fine_ = true; }
   /// Check the outputs of a tick, and the states after a step.

@@ -70,6 +70,16 @@ void Stepper::step(std::int64_t tick) {
   advance(whole_step(plan_, tick));
 }
 
+void Stepper::step_to(std::int64_t tick, double end) {
+  const double begin = plan_.time_of(tick);
+  if (moves()) {
+    find_slopes();
+    advance({begin, end, end - begin});
+  }
+  values_[plan::Layout::time] = end;
+  follow_time();
+}
+
 void Stepper::copy_start(double* states) const {
   if (!moves()) return;
   for (const solve::StatePiece& piece : equations_->moving)

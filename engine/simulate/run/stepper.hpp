@@ -26,6 +26,8 @@ class Stepper {
   void advance(const solve::TimeStep& step, const solve::Stops* stops = nullptr);
   /// Integrates from one tick to the next.
   void step(std::int64_t tick);
+  /// Integrates from a tick to a time before the next one, which becomes the present time.
+  void step_to(std::int64_t tick, double end);
   /// Writes the states at the start of the last step, for the states that it has changed.
   void copy_start(double* states) const;
 

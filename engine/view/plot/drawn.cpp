@@ -155,7 +155,8 @@ void add_panel(const Panel& panel, const query::SymbolTable& names, const Drawn&
   add_curves(panel, names, drawn);
   add_regions(panel, names, drawn);
   for (std::size_t i = 0; i < panel.boundaries.size(); ++i)
-    drawn.add(numbered_names({"boundary"}, i + 1), "", at_drawn_point(panel.boundaries[i].text, panel));
+    drawn.add(numbered_names({"boundary"}, i + 1), "",
+              at_drawn_point(query::substitute(panel.boundaries[i].text, names).text, panel));
   add_points("marks", panel.marks, panel, names, drawn);
   add_points("texts", panel.texts, panel, names, drawn);
   for (const query::NamedFormula& one : panel.shown) drawn.add(one.name, one.text);

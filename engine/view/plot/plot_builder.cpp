@@ -116,8 +116,9 @@ PlotSpec PlotBuilder::finished() {
     spec.view.reset();
     for (PlotAxis* one : {&spec.x, &spec.y})
       *one = {.label = one->label, .unit = one->unit, .range = {{0.0, 1.0}}};
-    spec.texts.push_back(
-        {.text = "no rows to draw", .x = 0.5, .y = 0.5, .in_frame = true, .color = "#555555"});
+    const std::string text =
+        panel_.where ? fmt::format("'{}' selects no rows", panel_.where->text) : "no rows to draw";
+    spec.texts.push_back({.text = text, .x = 0.5, .y = 0.5, .in_frame = true, .color = "#555555"});
   }
   return std::move(spec);
 }

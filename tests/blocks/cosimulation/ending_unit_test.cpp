@@ -16,12 +16,12 @@ namespace {
 /// end on, and each call but for values is an error then.
 struct Ending {
   int version;
-  std::string call, interface, head;
+  std::string call, interface, head, deed = "end";
 
   run::RunResult result(const std::string& isolate) const {
     const Scratch scratch;
     const std::string path =
-        testing::write_zip(scratch.path("end.fmu"), testing::bad_unit(version, "end " + call));
+        testing::write_zip(scratch.path("end.fmu"), testing::bad_unit(version, deed + " " + call));
     return result_of(fmt::format(R"({}
 blocks:
   unit: {{block: Fmu, file: {}, interface: {}, isolate: {}}}
@@ -62,6 +62,16 @@ record: [unit.y, twice, x]
 TEST_CASE("co-simulation that ends with a step ends the run behind it, whatever the version of FMI") {
   for (const int version : {2, 3})
     Ending{version, "DoStep", "co_simulation", "step: 10 ms\nstop: 1 s\nsolver: rk4"}.check(0.25);
+}
+
+TEST_CASE("co-simulation that ends within a step has its last row at the time of the end") {
+  for (const int version : {2, 3})
+    for (const std::string events :
+         {"", "\nevents: locate\nstop_when: x > 5", "\nsolver: {name: dormand_prince, relative: 1e-6}"}) {
+      const std::string solver = events.find("solver") == std::string::npos ? "\nsolver: rk4" : "";
+      Ending{version, "DoStep", "co_simulation", "step: 70 ms\nstop: 0.98 s" + solver + events, "early"}
+          .check(0.25);
+    }
 }
 
 TEST_CASE("model exchange that ends in an event at a tick ends the run there") {

@@ -147,3 +147,14 @@ TEST_CASE("What is wrong with a chart is said at its place") {
   CHECK_THAT(refusal("    states: {a: {timeout: {b: 3 s}}}\n"),
              Catch::Contains("leads to 'b', which is none"));
 }
+
+TEST_CASE("A misspelt state or key of a chart is refused with the nearest one") {
+  CHECK_THAT(refusal("    states: {off: {to: {onn: u > 1}}, on: }\n"),
+             Catch::Contains("leads to 'onn', which is none; did you mean 'on'? The states are: off, on"));
+  CHECK_THAT(refusal("    states: {a: {outptu: 1}}\n"),
+             Catch::Contains("has no 'outptu'; did you mean 'output'? It has: output, to,"));
+  CHECK_THAT(refusal("    states: {a: {to: [{to: a, whne: u > 1, when: u > 1}]}}\n"),
+             Catch::Contains("has no 'whne'; did you mean 'when'?"));
+  CHECK_THAT(refusal("    states: {a: {to: {b: 'sinh2(u) > 1'}}, b: }\n"),
+             Catch::Contains("did you mean 'sinh'?"));
+}

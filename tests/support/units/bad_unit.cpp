@@ -1,6 +1,7 @@
 // A unit of FMI 3 and 2 that does one thing wrong in one of its calls: its token has both, "exit DoStep". Its
 // output is its present time; it has one event indicator and time events. With "end" it requests the end of
-// the run instead. From then on its output is higher by 100, and a further call is an error.
+// the run instead. From then on its output is higher by 100, and a further call is an error. With "early" it
+// does so at 0.25 s, in the middle of a step.
 #include <unistd.h>
 #include <xmmintrin.h>
 
@@ -87,14 +88,15 @@ Unit& of(void* unit) {
 /// Terminates the simulation in this call, once it is time; true where it does.
 bool ends(Unit& unit, const std::string& call) {
   const double since = call == "Start" ? 0.0 : begins;
-  const bool asks = unit.does("end") && unit.call == call && unit.time >= since && !unit.over;
+  const bool asks =
+      (unit.does("end") || unit.does("early")) && unit.call == call && unit.time >= since && !unit.over;
   unit.over = unit.over || asks;
   return asks;
 }
 
 int step(Unit& unit, double end) {
   if (unit.over) return 3;
-  unit.time = end;
+  unit.time = unit.does("early") ? std::fmin(end, begins) : end;
   return act(unit, "DoStep");
 }
 
@@ -206,7 +208,8 @@ fmi3Status fmi3DoStep(fmi3Instance unit, fmi3Float64 time, fmi3Float64 length, f
   *event = *end = *early = false;
   const int status = step(of(unit), time + length);
   *end = ends(of(unit), "DoStep");
-  *last = of(unit).call == "DoStep" ? told(of(unit), time + length) : time + length;
+  *early = of(unit).time < time + length;
+  *last = of(unit).call == "DoStep" ? told(of(unit), of(unit).time) : time + length;
   return static_cast<fmi3Status>(status);
 }
 

@@ -77,9 +77,9 @@ TEST_CASE("an outcome that only goes up or down has the rank correlation 1 or -1
 
 TEST_CASE("what is not finite does not count, and what does not vary has no correlation") {
   const double infinite = std::numeric_limits<double>::infinity();
-  const RankSensitivity found =
-      rank_sensitivity(std::vector{1.0, 5.0, 1.0, 2.0, 5.0, 2.0, 3.0, 5.0, 3.0, 4.0, 5.0, infinite}, 2, {});
-  CHECK(found.samples == 3);
+  const RankSensitivity found = rank_sensitivity(
+      std::vector{1.0, 5.0, 1.0, 2.0, 5.0, 2.0, 3.0, 5.0, 3.0, 6.0, 5.0, 6.0, 4.0, 5.0, infinite}, 2, {});
+  CHECK(found.samples == 4);
   CHECK(found.rank[0].value == Approx(1.0));
   CHECK(std::isnan(found.rank[1].value));
   CHECK(std::isnan(found.partial[0].value));
@@ -87,6 +87,18 @@ TEST_CASE("what is not finite does not count, and what does not vary has no corr
   CHECK(none.samples == 0);
   CHECK(std::isnan(none.rank[0].value));
   CHECK(std::isnan(none.partial[0].interval.low));
+}
+
+TEST_CASE("correlations that too few samples make 1 are missing") {
+  // Two ranks correlate by 1 or -1, and three samples with two parameters leave the partial ones no freedom.
+  const auto rows = [](std::size_t samples) {
+    return normal_rows(samples, 2, 2, [](const auto& x) { return 3.0 * x[0] - x[1]; });
+  };
+  for (const std::size_t samples : {2, 3})
+    CHECK(std::isnan(rank_sensitivity(rows(samples), 2, {}).rank[0].value));
+  CHECK(std::isfinite(rank_sensitivity(rows(4), 2, {}).rank[0].value));
+  CHECK(std::isnan(rank_sensitivity(rows(4), 2, {}).partial[0].value));
+  CHECK(std::isfinite(rank_sensitivity(rows(8), 2, {}).partial[0].value));
 }
 
 }  // namespace stepwire::statistics

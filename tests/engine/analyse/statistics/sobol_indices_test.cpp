@@ -98,4 +98,21 @@ TEST_CASE("effects of a sum are its slopes, the same everywhere") {
   }
 }
 
+TEST_CASE("fewer samples than four have no indices, and one trajectory has effects without a deviation") {
+  for (const std::size_t samples : {1, 2, 3, 4}) {
+    const auto outcomes =
+        outcomes_of(sampling::points_of({sampling::Layout::saltelli, samples, 1}, 3), ishigami);
+    const SobolIndices indices = sobol_indices(outcomes, 3, {});
+    CHECK(indices.samples == samples);
+    for (const std::vector<Estimate>* all : {&indices.first, &indices.total})
+      for (const Estimate& one : *all) CHECK(std::isfinite(one.value) == (samples == 4));
+  }
+  const MorrisEffects effects =
+      morris_effects(std::vector<double>{1.0, 3.0, 2.0}, {{0, 0.5}, {1, 0.5}}, 2, {});
+  CHECK(effects.mean[0].value == 4.0);
+  CHECK(effects.mean[1].value == -2.0);
+  CHECK(std::isnan(effects.deviation[0].value));
+  CHECK(std::isnan(effects.mean[0].interval.low));
+}
+
 }  // namespace stepwire::statistics

@@ -44,11 +44,14 @@ TEST_CASE("what is wrong in the call ends with 2 and one line on standard error"
     CHECK_THAT(done.err, Contains(part));
   };
   refused({}, "subcommand");
-  refused({"chek"}, "there is no 'chek'; did you mean 'check'? There are: run, studio, fit, tune, study, statistics, linearize, trim, collect, job, check, ");
+  refused({"chek"},
+          "there is no 'chek'; did you mean 'check'? There are: run, studio, fit, tune, study, statistics, "
+          "linearize, trim, collect, job, check, ");
   refused({"run", "lag.yaml", "--engine", "fast"},
           "--engine: must be auto, compiled or interpreted, not 'fast'");
   refused({"loop", "lag.yaml", "--rate", "0"}, "--rate 0: must be from 1 Hz to 1 MHz");
-  refused({"blocks", "Foo"}, "there is no block 'Foo'. 'stepwire blocks' lists them");
+  refused({"blocks", "Foo"},
+          "there is no block 'Foo', and no page has this word. 'stepwire blocks' lists them");
   refused({"format", "calims"}, "there is no section 'calims'; did you mean 'claims'?");
   refused({"run"}, "FILE");
   refused({"run", "lag.yaml", "--fast"}, "--fast");

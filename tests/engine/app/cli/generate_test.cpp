@@ -124,9 +124,20 @@ TEST_CASE("generate says how a parameter in a formula can be one that changes") 
              Contains("k cannot be changed there: b.expression is a formula; wired as an input of b"));
   folder.file("wire.yaml",
               head + "blocks: {a: {block: Sine}, b: {block: Expression, expression: u1*u2, u: [a, $k]}}\n");
-  const Done wired = run_program(folder, {"generate", "wire.yaml", "-o", "wire"});
-  CHECK(wired.code == 0);
-  CHECK_THAT(wired.out, !Contains("cannot be changed"));
+  const std::string chart =
+      "stepwire: 1\nstep: 1 ms\nstop: 10 ms\nparameters: {k: {value: 2, doc: x}}\n"
+      "record: b.state\nblocks: {a: {block: Sine}, b: {block: StateMachine, ";
+  folder.file("chart.yaml", chart + "u: a, states: {off: {to: {on: u > $k}}, on: }}}\n");
+  CHECK_THAT(
+      run_program(folder, {"generate", "chart.yaml", "-o", "chart"}).out,
+      Contains("k cannot be changed there: b.states has formulas, which are code; wired as an input of b"));
+  folder.file("wire-chart.yaml", chart + "u: [a, $k], states: {off: {to: {on: u1 > u2}}, on: }}}\n");
+  for (const std::string file : {"wire.yaml", "wire-chart.yaml"}) {
+    const Done wired = run_program(folder, {"generate", file, "-o", "wire"});
+    CHECK(wired.code == 0);
+    CHECK_THAT(wired.out, !Contains("cannot be changed"));
+    CHECK_THAT(content_of(folder.path("wire/wire.hpp")), Contains("k"));
+  }
 }
 
 TEST_CASE("the struct of a generated program has inputs, outputs and recorded signals as members") {

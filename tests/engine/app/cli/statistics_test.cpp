@@ -53,7 +53,7 @@ TEST_CASE("statistics refuses a column that is not there, with those that are") 
   folder.file("stools.csv", stools());
   const Done done = run_program(folder, {"statistics", "stools.csv", "--score", "efort"});
   CHECK(done.code == 2);
-  CHECK_THAT(done.err, Contains("no column 'efort' for --score; there are: person, stool, effort"));
+  CHECK_THAT(done.err, Contains("no column 'efort' for --score; did you mean 'effort'? There are: person, stool, effort"));
   CHECK(run_program(folder, {"statistics", "gone.csv"}).code == 3);
 }
 
@@ -92,4 +92,13 @@ TEST_CASE("statistics compares pairs of independent groups") {
   CHECK(pairs[1]["t"].is_null());
   CHECK_THAT(run_program(folder, {"statistics", "plants.csv"}).out,
              Contains("ctrl - trt1") && Contains("16.52"));
+}
+
+TEST_CASE("residuals of two subjects under two conditions are not judged, since all have one size") {
+  const Scratch folder;
+  folder.file("few.csv", "person,device,error\n1,a,2\n1,b,3\n2,a,2.5\n2,b,4\n");
+  const Done done = run_program(
+      folder, {"statistics", "few.csv", "--score", "error", "--factors", "device", "--subject", "person"});
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Contains("residuals: normality is not judged") && !Contains("W = "));
 }

@@ -102,6 +102,31 @@ TEST_CASE("a wire is put where units fit, and refused where they do not") {
   CHECK_FALSE(offers(fitting, {"cart", "force"}));
 }
 
+TEST_CASE("a wire is refused where sizes do not fit") {
+  Cart files;
+  const std::string text = file_head +
+                           "blocks:\n  two: {block: Constant, value: [1, 2]}\n"
+                           "  three: {block: Constant, value: [1, 2, 3]}\n"
+                           "  turned: {block: MatrixGain, gain: [[0, 1], [1, 0]], u: two}\n"
+                           "  free: {block: Gain, gain: 2}\n  lag: {block: Lag, tau: 1 s, u: turned}\n";
+  files.open("b.yaml", text);
+  const auto refusal = [&](const Connect& edit) {
+    try {
+      files.edited("b.yaml", edit);
+    } catch (const EditRefused& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK_THAT(refusal({"three", "turned", "u"}), Contains("'three' has 3 elements, but turned.u takes 2"));
+  CHECK(refusal({"three", "lag", "u"}).empty());
+  CHECK(refusal({"three", "free", "u"}).empty());
+  const auto fitting = files.service().inputs_for(files.path("b.yaml"), "three");
+  CHECK(offers(fitting, {"free", "u"}));
+  CHECK(offers(fitting, {"lag", "u"}));
+  CHECK_FALSE(offers(fitting, {"turned", "u"}));
+}
+
 TEST_CASE("a list of signals grows, and one of them is replaced") {
   Cart files;
   const std::string head =

@@ -37,7 +37,7 @@ std::string repeated(int count, const std::string& piece) {
 
 TEST_CASE("an error says what is wrong and where") {
   CHECK(wrong("2*taw") == Wrong{"unknown name 'taw'", 2});
-  CHECK(wrong("x + sine(x)") == Wrong{"unknown function 'sine'", 4});
+  CHECK(wrong("x + sine(x)") == Wrong{"unknown function 'sine'; did you mean 'sin'?", 4});
   CHECK(wrong("") == Wrong{"the expression is empty", 0});
   CHECK(wrong("   ") == Wrong{"the expression is empty", 0});
   CHECK(wrong("x +") == Wrong{"a value is missing at the end", 3});

@@ -50,4 +50,25 @@ TEST_CASE("an output that is reset while off is no block of the file that feeds 
   CHECK_THAT(notes[0].text(), Catch::Contains("d: feeds nothing and is not recorded"));
 }
 
+TEST_CASE("a misspelt block, file or function is refused with the nearest name") {
+  const std::string text =
+      "step: 1 s\nstop: 1 s\nblocks:\n  spring: {block: Gain, u: t, gain: 2}\n  t: {block: Clock}\nrecord: "
+      "[spring]\n";
+  const auto set = faults_of(text, {{"sprng.gain", "3"}});
+  REQUIRE(set.size() == 1);
+  CHECK_THAT(set[0], Catch::Contains("there is no parameter 'sprng.gain'; did you mean 'spring.gain'?"));
+  CHECK_THAT(error_of("step: 1 s\nstop: 1 s\nblocks:\n  t: {block: Clock}\n  e: {block: Expression, u: t, "
+                      "expression: sqr(u)}\nrecord: [e]\n"),
+             Catch::Contains("unknown function 'sqr'; did you mean 'sqrt'?"));
+  const DiagramFolder folder;
+  folder.write("road.csv", "time [s],y [m]\n0,1\n1,2\n");
+  folder.write("main.yaml",
+               "stepwire: 1\nstep: 1 s\nstop: 1 s\nblocks:\n  r: {block: FromFile, file: raod.csv, column: "
+               "y}\nrecord: [r]\n");
+  const auto file = folder.faults("main.yaml");
+  REQUIRE(file.size() == 1);
+  CHECK_THAT(file[0], Catch::Contains("there is no file") && Catch::Contains("did you mean") &&
+                          Catch::Contains("road.csv'?"));
+}
+
 }  // namespace stepwire::diagram

@@ -155,7 +155,7 @@ TEST_CASE("a part that is not beside its user is found in the first folder of ST
   CHECK(column(run, "b.y").back() == 20.0);
   CHECK(column(run, "c.y").back() == 30.0);
   REQUIRE(refused.size() == 1);
-  CHECK_THAT(refused[0], Catch::Contains("no such file; it is not in ") && Catch::Contains(first.path("")));
+  CHECK_THAT(refused[0], Catch::Contains("no such file, nor in ") && Catch::Contains(first.path("")));
 }
 
 TEST_CASE("parts that come with the program are named by stepwire/") {
@@ -164,6 +164,28 @@ TEST_CASE("parts that come with the program are named by stepwire/") {
       "main.yaml",
       head + "blocks:\n  swing: {diagram: stepwire/oscillator, force: 1 N}\nsolver: rk4\nrecord: swing.x\n");
   CHECK(folder.faults("main.yaml").empty());
+}
+
+TEST_CASE(
+    "a misspelt part is refused with the nearest name beside its user, of the program, and of folders") {
+  const DiagramFolder users, folder;
+  const auto refusal = [&](const std::string& path) {
+    users.write("main.yaml", head + "blocks:\n  a: {diagram: " + path + "}\n");
+    const auto refused = users.faults("main.yaml");
+    REQUIRE(refused.size() == 1);
+    return refused[0];
+  };
+  users.write("bench.yaml", "stepwire: 1\n");
+  folder.write("spindle.yaml", "stepwire: 1\n");
+  ::setenv("STEPWIRE_PARTS", folder.path("").c_str(), 1);
+  const std::string listed = refusal("spindel.yaml");
+  ::unsetenv("STEPWIRE_PARTS");
+  CHECK_THAT(listed, Catch::EndsWith("; did you mean 'spindle.yaml'?"));
+  CHECK(refusal("bensh.yaml") == "main.yaml:5:16: a: bensh.yaml: no such file; did you mean 'bench.yaml'?");
+  CHECK_THAT(refusal("stepwire/oscilator"), Catch::EndsWith("; did you mean 'stepwire/oscillator'?"));
+  CHECK_THAT(refusal("stepwire/oscilator.yaml"),
+             Catch::EndsWith("; did you mean 'stepwire/oscillator.yaml'?"));
+  CHECK_THAT(refusal("gearbox-of-none.yaml"), Catch::EndsWith("no such file"));
 }
 
 }  // namespace stepwire::diagram

@@ -177,7 +177,7 @@ TEST_CASE("a plot of no rows says so between axes that keep their labels") {
   const PlotSpec plot = spec_of("{plot: lines, x: time, y: rig.x in mm, where: time < 0}");
   CHECK(plot.marks.empty());
   REQUIRE(plot.texts.size() == 1);
-  CHECK(plot.texts[0].text == "no rows to draw");
+  CHECK(plot.texts[0].text == "'time < 0' selects no rows");
   CHECK(plot.y.unit == "mm");
 }
 
