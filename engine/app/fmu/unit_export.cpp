@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
+#include "engine/app/fmu/description.hpp"
 #include "engine/app/fmu/element.hpp"
-#include "engine/app/fmu/page.hpp"
-#include "engine/app/fmu/scalars.hpp"
 #include "engine/app/fmu/unit_sources.hpp"
+#include "engine/app/fmu/units.hpp"
+#include "engine/app/fmu/variables.hpp"
 #include "engine/base/fmi/package.hpp"
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/environment_error.hpp"
@@ -16,10 +19,118 @@
 #include "engine/simulate/codegen/between_ticks.hpp"
 #include "engine/simulate/codegen/cpp_words.hpp"
 #include "engine/simulate/codegen/program_files.hpp"
+#include "engine/view/svg/svg.hpp"
 
 namespace stepwire::fmu {
 
 namespace {
+
+/// Returns the index of the k-th number in row-major order: "[2]", "[1,3]".
+std::string subscript(const Variable& variable, std::size_t k) {
+  if (variable.sizes.size() == 1) return fmt::format("[{}]", k + 1);
+  const auto columns = static_cast<std::size_t>(variable.sizes[1]);
+  return fmt::format("[{},{}]", k / columns + 1, k % columns + 1);
+}
+
+/// Returns the offset of the k-th number in memory, which is column-major.
+std::size_t place_behind(const Variable& variable, std::size_t k) {
+  if (variable.rows == 1) return k;
+  const std::size_t columns = variable.count() / static_cast<std::size_t>(variable.rows);
+  return k % columns * static_cast<std::size_t>(variable.rows) + k / columns;
+}
+
+Variable scalar_of(const Variable& variable, std::size_t k) {
+  Variable scalar = variable;
+  scalar.sizes.clear();
+  scalar.rows = 1;
+  const std::string index = subscript(variable, k);
+  const bool slope = variable.kind == Kind::slope && variable.name.ends_with(')');
+  scalar.name =
+      slope ? variable.name.substr(0, variable.name.size() - 1) + index + ")" : variable.name + index;
+  scalar.place = fmt::format("{} + {}", variable.place, place_behind(variable, k));
+  if (!variable.start.empty()) scalar.start = {variable.start[k]};
+  return scalar;
+}
+
+/// Splits array variables into scalars, because FMI 2 has no arrays: "x[2]", "m[1,3]", "der(x[2])". Event
+/// indicators are dropped, since they are no variables in FMI 2.
+std::vector<Variable> scalars_of(const std::vector<Variable>& variables) {
+  std::vector<Variable> scalars;
+  std::vector<int> first;  // index of the first scalar of each variable
+  for (const Variable& variable : variables) {
+    first.push_back(static_cast<int>(scalars.size()));
+    if (variable.kind == Kind::indicator) continue;
+    for (std::size_t k = 0; k < variable.count(); ++k) {
+      scalars.push_back(variable.sizes.empty() ? variable : scalar_of(variable, k));
+      if (variable.derivative_of >= 0)
+        scalars.back().derivative_of =
+            first[static_cast<std::size_t>(variable.derivative_of)] + static_cast<int>(k);
+    }
+  }
+  return scalars;
+}
+
+using svg::markup_escaped;
+
+std::string numbers_text(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : " ") + xml_number(number);
+  return text;
+}
+
+std::string rows_of(const std::vector<Variable>& variables, const std::string& causality) {
+  std::string rows;
+  for (const Variable& variable : variables)
+    if (variable.causality == causality)
+      rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                          markup_escaped(variable.name), markup_escaped(unit_name(variable)),
+                          numbers_text(variable.start), markup_escaped(variable.about));
+  return rows;
+}
+
+std::string table(const std::vector<Variable>& variables, const std::string& causality,
+                  const std::string& title) {
+  const std::string rows = rows_of(variables, causality);
+  if (rows.empty()) return "";
+  return fmt::format(
+      "<h2>{}</h2>\n<table>\n<tr><th>name</th><th>unit</th><th>start</th><th></th></tr>\n{}</table>\n", title,
+      rows);
+}
+
+std::string exchange_text(const UnitAbout& about, const std::string& no_exchange) {
+  return about.exchange
+             ? "<p>By model exchange a solver of the importer integrates its states.</p>\n"
+             : fmt::format("<p>There is no model exchange: {}.</p>\n", markup_escaped(no_exchange));
+}
+
+std::string fixed_text(const std::vector<codegen::FixedParameter>& fixed) {
+  if (fixed.empty()) return "";
+  std::string items;
+  for (const codegen::FixedParameter& one : fixed)
+    items += fmt::format("<li>{}: {}</li>\n", markup_escaped(one.name), markup_escaped(one.reason));
+  return "<h2>Parameters that keep their value</h2>\n<ul>\n" + items + "</ul>\n";
+}
+
+/// Returns the HTML page of a unit: its description, its variables, and the conditions for bitwise equal
+/// results. Parameters in `fixed` cannot be set, for the given reasons. The flag `drawn` is true if
+/// diagram.svg exists beside the page.
+std::string unit_page(const UnitAbout& about, const std::vector<Variable>& variables,
+                      const std::vector<codegen::FixedParameter>& fixed, const std::string& no_exchange,
+                      bool drawn) {
+  const std::string title = markup_escaped(about.title.empty() ? about.name : about.title);
+  return fmt::format(
+             "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>{0}</title></head>\n"
+             "<body>\n<h1>{0}</h1>\n{1}<p>A unit of FMI {2}, made by {3}. All numbers are SI.</p>\n"
+             "<p>By co-simulation it makes whole numbers of steps of {4} s, with the bits of the diagram's "
+             "own run; "
+             "outputs follow from the inputs that were set last.</p>\n",
+             title, drawn ? "<p><img src=\"diagram.svg\" alt=\"the diagram\"></p>\n" : "", about.version,
+             markup_escaped(about.made_by), xml_number(about.step)) +
+         exchange_text(about, no_exchange) +
+         "<p>Directional derivatives are differences to both sides, not exact.</p>\n" +
+         table(variables, "parameter", "Parameters") + table(variables, "input", "Inputs") +
+         table(variables, "output", "Outputs") + fixed_text(fixed) + "</body>\n</html>\n";
+}
 
 using Files = std::map<std::string, std::string>;
 

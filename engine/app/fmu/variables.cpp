@@ -6,15 +6,51 @@
 #include <functional>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "engine/app/fmu/dependencies.hpp"
-#include "engine/app/fmu/parameter_limits.hpp"
-#include "engine/app/fmu/signal_names.hpp"
+#include "engine/base/unit/unit.hpp"
+#include "engine/base/yaml/document.hpp"
+#include "engine/model/diagram/diagram.hpp"
 #include "engine/simulate/run/executor.hpp"
 
 namespace stepwire::fmu {
 
 namespace {
+
+/// Returns the names of inputs, outputs and recorded signals of a diagram.
+std::set<std::string> signal_names(const diagram::Diagram& diagram) {
+  std::set<std::string> names;
+  for (const diagram::DiagramInput& input : diagram.inputs) names.insert(input.name);
+  for (const diagram::DiagramOutput& output : diagram.outputs) names.insert(output.name);
+  for (const diagram::RecordRequest& request : diagram.records)
+    for (const diagram::RecordedSignal& recorded : request.signals) names.insert(recorded.name);
+  return names;
+}
+
+/// Returns the unit in the text of a number, "mm" of "5 mm"; empty for an SI unit or a pure number.
+std::string written_unit(const std::string& text) {
+  const std::size_t at = text.find_first_not_of("+-.0123456789eE \t");
+  if (at == std::string::npos || !unit::parse_quantity(text)) return "";
+  const std::string name = text.substr(at);
+  const auto unit = unit::parse_unit(name);
+  const bool is_other = unit && (unit->scale != 1.0L || unit->offset != 0.0L);
+  return is_other ? name : "";
+}
+
+/// Writes the numeric bounds of a parameter in SI. An excluded bound is written like an included one; the
+/// unit refuses the bound itself.
+void limit(std::optional<double>& at_least, std::optional<double>& at_most,
+           const std::vector<yaml::Entry>& bounds) {
+  for (const yaml::Entry& bound : bounds) {
+    const auto quantity = unit::parse_quantity(bound.value.text);
+    if (!quantity) continue;
+    (bound.key == "above" || bound.key == "at_least" ? at_least : at_most) = quantity->value;
+  }
+}
 
 /// Returns C++ for the address of the first number of a struct member.
 std::string member_place(const std::string& group, const std::string& member) {
