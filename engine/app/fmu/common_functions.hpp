@@ -1,7 +1,7 @@
 #pragma once
 
 // Functions of an exported unit that FMI 2 and FMI 3 have in common. functions_of_2.hpp and
-// functions_of_3.hpp include this file after they have defined Own, the instance, and the macros for names:
+// functions_of_3.hpp include this file. Before that they define Own, the instance, and the macros for names:
 // STEPWIRE_FMI(name), and STEPWIRE_FMI_2_3(name in FMI 2, name in FMI 3).
 
 // A function: its name, its arguments, of which the first is `instance`, and the expression of its status,
