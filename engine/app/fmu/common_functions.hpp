@@ -4,6 +4,10 @@
 // functions_of_3.hpp include this file. Before that they define Own, the instance, and the macros for names:
 // STEPWIRE_FMI(name), and STEPWIRE_FMI_2_3(name in FMI 2, name in FMI 3).
 
+namespace stepwire::fmu {
+
+extern "C" {
+
 // A function: its name, its arguments, of which the first is `instance`, and the expression of its status,
 // with `unit` and `end`, the end of the last step.
 #define STEPWIRE_DOES(name, arguments, ...)                                                              \
@@ -16,10 +20,6 @@
 // missing.
 #define STEPWIRE_LACKS(what, name, ...) \
   STEPWIRE_DOES(name, (void* instance __VA_OPT__(, ) __VA_ARGS__), unit.refuse("it has no " what))
-
-namespace stepwire::fmu {
-
-extern "C" {
 
 STEPWIRE_DOES(STEPWIRE_FMI(SetDebugLogging), (void* instance, Boolean, size_t, const char* const[]),
               Status::ok)
