@@ -117,8 +117,8 @@ void check_symbols(const ContractLibrary& library) {
   CHECK(with("stepwire", library.exported()) == std::vector<std::string>());
 }
 
-void compare(std::span<const Made> programs) {
-  const ContractLibrary library(source_of(programs), "-O1");
+void compare(std::span<const Made> programs, const char* optimisation) {
+  const ContractLibrary library(source_of(programs), optimisation);
   check_symbols(library);
   for (std::size_t i = 0; i < programs.size(); ++i) {
     INFO(programs[i].yaml);
@@ -129,16 +129,17 @@ void compare(std::span<const Made> programs) {
 
 }  // namespace
 
-TEST_CASE("every block gives the interpreter's bits in generated code, however it is used") {
+TEST_CASE("every block gives the interpreter's bits in generated code, however it is used", "[full]") {
   if (!has_compiler()) return;
   const std::vector<Made> all = all_made(ways_of);
   CHECK(all.size() > library().types().size());
-  compare(all);
+  compare(all, "-O1");
 }
 
-TEST_CASE("every block gives the interpreter's bits in generated code beside events that are located") {
+TEST_CASE("every block gives the interpreter's bits in generated code beside events that are located",
+          "[full]") {
   if (!has_compiler()) return;
   const std::vector<Made> all = all_made(located_ways_of);
   CHECK(all.size() > library().types().size());
-  compare(all);
+  compare(all, "-O0");  // -O1 has been compared above, and takes two minutes here
 }

@@ -129,7 +129,7 @@ bool compare(const Case& one) {
 
 }  // namespace
 
-TEST_CASE("each parameter of each block is set and swept to the bits of a file with its value") {
+TEST_CASE("each parameter of each block is set and swept to the bits of a file with its value", "[full]") {
   std::map<std::string, bool> may_be_set;  // with signals of one element
   std::size_t compared = 0;
   for (const int elements : {1, 3})

@@ -159,7 +159,8 @@ Outcome outcome(const plan::Plan& plan, const ContractLibrary& library, std::siz
 
 }  // namespace
 
-TEST_CASE("a generated program follows each number of each block as the interpreter follows set()") {
+TEST_CASE("a generated program follows each number of each block as the interpreter follows set()",
+          "[full]") {
   if (!has_compiler()) return;
   const std::vector<Made> all = all_made();
   const ContractLibrary library(source_of(all), "-O0");

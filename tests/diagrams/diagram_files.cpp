@@ -1,12 +1,16 @@
 #include "tests/diagrams/diagram_files.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <filesystem>
+#include <set>
+#include <thread>
 
 #include "blocks/register.hpp"
 #include "engine/base/io/environment_error.hpp"
+#include "engine/simulate/codegen/generated_code.hpp"
 
 namespace stepwire {
 
@@ -21,6 +25,13 @@ std::vector<std::string> files_to_run() {
       if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
   std::sort(files.begin(), files.end());
   return files;
+}
+
+/// The code of a job; its file's name where it cannot be generated.
+std::string code_of(const run::Job& job) try {
+  return codegen::library_source(codegen::make_program(job.plan));
+} catch (const yaml::Error&) {
+  return job.plan.diagram.file;
 }
 
 }  // namespace
@@ -50,6 +61,24 @@ void for_every_job(const std::function<void(run::Job job)>& check) {
       WARN("skipped: " << error.what());
     }
   }
+}
+
+std::vector<run::Job> distinct_jobs() {
+  std::vector<run::Job> jobs;
+  std::set<std::pair<std::string, std::size_t>> known;
+  for_every_job([&](run::Job job) {
+    if (known.emplace(code_of(job), job.points.size()).second) jobs.push_back(std::move(job));
+  });
+  return jobs;
+}
+
+void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  std::vector<std::jthread> threads;
+  for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
+    threads.emplace_back([&] {
+      for (std::size_t at = next++; at < count; at = next++) work(at);
+    });
 }
 
 std::uint64_t fingerprint(run::Executor& simulation, std::int64_t last) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <string>
+#include <vector>
 
 #include "engine/simulate/run/run.hpp"
 
@@ -10,6 +10,12 @@ namespace stepwire {
 /// Calls `check` for every diagram file under diagrams/examples and diagrams/thesis, ready to run. Files
 /// whose data are not on this machine are passed over with a warning.
 void for_every_job(const std::function<void(run::Job job)>& check);
+
+/// Returns every such diagram, one of those that have the same code and as many points.
+std::vector<run::Job> distinct_jobs();
+
+/// Calls `work` for each index, from as many threads as there are processors.
+void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work);
 
 /// The plan of a point of a sweep, loaded with the values of the point.
 plan::Plan plan_at(const run::Job& job, std::size_t point);

@@ -1,10 +1,7 @@
 #include <unistd.h>
 
-#include <atomic>
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <functional>
-#include <thread>
 
 #include "blocks/register.hpp"
 #include "engine/app/fmu/unit_export.hpp"
@@ -57,15 +54,6 @@ std::string difference(const run::Job& job, const Exported& made, const char* in
   return difference_of_unit(job.plan, outer, made.exchanges, ticks);
 }
 
-void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  std::vector<std::jthread> threads;
-  for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-    threads.emplace_back([&] {
-      for (std::size_t at = next++; at < count; at = next++) work(at);
-    });
-}
-
 }  // namespace
 
 // Every second diagram is a unit of FMI 2, the others are of FMI 3.
@@ -76,8 +64,7 @@ TEST_CASE(
     WARN("there is no C++ compiler here; nothing was compared");
     return;
   }
-  std::vector<run::Job> jobs;
-  for_every_job([&](run::Job job) { jobs.push_back(std::move(job)); });
+  const std::vector<run::Job> jobs = distinct_jobs();
   const fs::path folder = fs::temp_directory_path() / fmt::format("stepwire-exported-{}", ::getpid());
   fs::create_directories(folder);
   std::vector<Exported> made(jobs.size());

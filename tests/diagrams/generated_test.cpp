@@ -6,8 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
-#include <set>
-#include <thread>
 
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/run/code_trial.hpp"
@@ -38,8 +36,8 @@ Loaded load(const run::Job& job, const codegen::Compiler& compiler, const std::s
   source += "extern \"C\" void stepwire_reset(double* w, const double* p) { reset(w, p); }\n";
   std::ofstream(stem + ".cpp") << source;
   std::vector<std::string> flags = codegen::flags_for_this_machine(program.headers);
-  if (!job.points.empty())
-    flags.push_back("-O0");  // sweeps are compared as the compiler optimises them below
+  // Sweeps are compared as the compiler optimises them below. Of long programs it would take minutes.
+  if (!job.points.empty() || source.size() > 150'000) flags.push_back("-O0");
   loaded.problem = compiler.compile(stem + ".cpp", stem + ".so", flags, {});
   void* library = loaded.problem.empty() ? ::dlopen((stem + ".so").c_str(), RTLD_NOW | RTLD_LOCAL) : nullptr;
   if (!library) return loaded;
@@ -109,33 +107,6 @@ bool same_bits(const plan::Plan& plan, run::Executor& run, const std::optional<p
   return run.healthy() == own.healthy();
 }
 
-/// Calls `work` for each index, from as many threads as there are processors.
-void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  std::vector<std::jthread> threads;
-  for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-    threads.emplace_back([&] {
-      for (std::size_t at = next++; at < count; at = next++) work(at);
-    });
-}
-
-/// The code of a job; its file's name where it cannot be generated.
-std::string code_of(const run::Job& job) try {
-  return codegen::library_source(codegen::make_program(job.plan));
-} catch (const yaml::Error&) {
-  return job.plan.diagram.file;
-}
-
-/// Every diagram, one of those that have the same code and as many points.
-std::vector<run::Job> all_jobs() {
-  std::vector<run::Job> jobs;
-  std::set<std::pair<std::string, std::size_t>> known;
-  for_every_job([&](run::Job job) {
-    if (known.emplace(code_of(job), job.points.size()).second) jobs.push_back(std::move(job));
-  });
-  return jobs;
-}
-
 }  // namespace
 
 TEST_CASE("every diagram that can be generated gives the interpreter's bits and asks for no memory") {
@@ -144,7 +115,7 @@ TEST_CASE("every diagram that can be generated gives the interpreter's bits and 
     WARN("there is no C++ compiler here; nothing was compared");
     return;
   }
-  const std::vector<run::Job> jobs = all_jobs();
+  const std::vector<run::Job> jobs = distinct_jobs();
   const fs::path folder = fs::temp_directory_path() / ("stepwire-generated-" + std::to_string(::getpid()));
   fs::create_directories(folder);
   std::vector<Loaded> loaded(jobs.size());
@@ -171,7 +142,7 @@ TEST_CASE("every diagram that can be generated gives the interpreter's bits and 
 TEST_CASE("the runs of a sweep are those of plans of their own, compiled or not") {
   const bool has_compiler = codegen::Compiler().found();
   if (!has_compiler) WARN("there is no C++ compiler here; compiled runs are not compared");
-  std::vector<run::Job> jobs = all_jobs();
+  std::vector<run::Job> jobs = distinct_jobs();
   std::erase_if(jobs, [](const run::Job& job) { return job.points.empty(); });
   in_parallel(jobs.size(), [&](std::size_t i) {
     const run::Job& job = jobs[i];

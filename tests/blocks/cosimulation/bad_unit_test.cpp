@@ -65,7 +65,8 @@ TEST_CASE("a unit that ends its own process is a fault of the block that names t
   CHECK_THAT(fault_of(3, "throw DoStep"), Contains("fmi3DoStep threw an exception"));
 }
 
-TEST_CASE("a unit that hangs or is stopped is ended behind the limit of helpers, in whatever call") {
+TEST_CASE("a unit that hangs or is stopped is ended behind the limit of helpers, in whatever call",
+          "[full]") {
   const Limit limit("0.3");
   for (const int version : {2, 3}) {
     const std::string call = fmt::format("its process in fmi{}", version);

@@ -46,7 +46,7 @@ void hold_out(FitRequest& request, bool first) {
 
 }  // namespace
 
-TEST_CASE("one damper model describes all ten records of the press to 90 %") {
+TEST_CASE("one damper model describes all ten records of the press to 90 %", "[full]") {
   if (!there()) return;
   const FitResult result = fit_example("61-fit-press.yaml");
   CHECK(result.converged);
@@ -55,14 +55,14 @@ TEST_CASE("one damper model describes all ten records of the press to 90 %") {
   CHECK(result.findings.empty());
 }
 
-TEST_CASE("either motion of the press predicts the other to 87 %") {
+TEST_CASE("either motion of the press predicts the other to 87 %", "[full]") {
   if (!there()) return;
   for (const bool first : {true, false})
     CHECK(worst_agreement(fit_example("61-fit-press.yaml",
                                       [&](FitRequest& request) { hold_out(request, first); })) >= 87.0);
 }
 
-TEST_CASE("the parameters of the Bouc-Wen benchmark are found to 1 % from its noisy record") {
+TEST_CASE("the parameters of the Bouc-Wen benchmark are found to 1 % from its noisy record", "[full]") {
   if (!there()) return;
   const FitResult result = fit_example("62-fit-benchmark.yaml");
   const std::vector<std::pair<std::string, double>> truth{{"m", 2.0}, {"c", 10.0}, {"k", 5e4},

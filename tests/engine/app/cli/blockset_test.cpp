@@ -61,7 +61,7 @@ struct Outside : Scratch {
 
 }  // namespace
 
-TEST_CASE("blocks of a folder that the call names are known to every verb") {
+TEST_CASE("blocks of a folder that the call names are known to every verb", "[full]") {
   const Outside folder;
   const Done unknown = run_program(folder, {"check", "wave.yaml"});
   CHECK(unknown.code == 2);
@@ -99,7 +99,7 @@ TEST_CASE("blocks of a folder that the call names are known to every verb") {
   CHECK(run_program(folder, call).code == 0);
 }
 
-TEST_CASE("what is wrong with such blocks is told with file and line") {
+TEST_CASE("what is wrong with such blocks is told with file and line", "[full]") {
   const Outside folder("Gain");
   const Done twice = run_program(folder, {"check", "wave.yaml", "--blocks", "own"});
   CHECK(twice.code == 2);
@@ -118,7 +118,7 @@ TEST_CASE("what is wrong with such blocks is told with file and line") {
   CHECK(run_program(folder, {"blocks", "--blocks", "none"}).code == 3);
 }
 
-TEST_CASE("a folder whose sources register nothing is refused") {
+TEST_CASE("a folder whose sources register nothing is refused", "[full]") {
   const Outside folder;
   folder.file("own/register.cpp", "namespace yard {}\n");
   const Done done = run_program(folder, {"blocks", "--blocks", "own"});
@@ -126,7 +126,7 @@ TEST_CASE("a folder whose sources register nothing is refused") {
   CHECK(done.err.find("void register_blocks(stepwire::Registry&)") != std::string::npos);
 }
 
-TEST_CASE("a replay without the blocks of a run is told their folder") {
+TEST_CASE("a replay without the blocks of a run is told their folder", "[full]") {
   const Outside folder;
   REQUIRE(run_program(folder, {"run", "wave.yaml", "--blocks", "own", "--out", "out"}).code == 0);
   const Done without = run_program(folder, {"verify", "out"});
@@ -136,7 +136,8 @@ TEST_CASE("a replay without the blocks of a run is told their folder") {
         std::string::npos);
 }
 
-TEST_CASE("blocks whose registration throws are refused with their folder, as data where that is printed") {
+TEST_CASE("blocks whose registration throws are refused with their folder, as data where that is printed",
+          "[full]") {
   const Outside folder;
   folder.file(
       "own/register.cpp",
@@ -150,7 +151,8 @@ TEST_CASE("blocks whose registration throws are refused with their folder, as da
   CHECK(done.out.find("no licence") != std::string::npos);
 }
 
-TEST_CASE("a block from outside that sets the floating-point state changes no number of other blocks") {
+TEST_CASE("a block from outside that sets the floating-point state changes no number of other blocks",
+          "[full]") {
   const Outside folder;
   folder.file("wave.yaml",
               diagram.substr(0, diagram.find("record:")) +

@@ -118,7 +118,7 @@ TEST_CASE("check finds what is wrong with a fit before anything runs") {
   CHECK_THAT(done.err, StartsWith("a.yaml:11:") && Contains("did you mean 'truth'?"));
 }
 
-TEST_CASE("an interrupted fit ends with 130 and writes the best so far") {
+TEST_CASE("an interrupted fit ends with 130 and writes the best so far", "[full]") {
   const Scratch folder;
   std::string text = fit_yaml;
   text.replace(text.find("until: {value: 2 s"), 18, "until: {value: 2000 s");

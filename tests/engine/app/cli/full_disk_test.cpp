@@ -151,8 +151,8 @@ void check_refused(const Kind& kind, const Done& done, const std::string& reason
   CHECK_THAT(done.err, Contains(reason) || Contains("runs.tar: Wrote only "));
 }
 
-/// A part of a file is never there under its name. The standard output may have a part, and a journal, of which
-/// a later call reads whole records. `size`: of the whole file.
+/// A part of a file is never there under its name. The standard output may have a part, and a journal, of
+/// which a later call reads whole records. `size`: of the whole file.
 void check_whole_or_former(const Scratch& folder, const Kind& kind, std::size_t size) {
   if (kind.target == ".out" || kind.target.ends_with(".journal")) return;
   const std::string left = content_of(folder.path(kind.target));
@@ -221,8 +221,8 @@ const std::map<std::string, std::size_t>& whole_sizes() {
 
 }  // namespace
 
-TEST_CASE(
-    "a file that the system does not take ends every call with 3 and a line, and the one before stays") {
+TEST_CASE("a file that the system does not take ends every call with 3 and a line, and the one before stays",
+          "[full]") {
   const Scratch folder;
   write_diagrams(folder);
   for (const Kind& kind : kinds) {
@@ -243,7 +243,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a full file system ends every call with 3 and a line, and the file before stays") {
+TEST_CASE("a full file system ends every call with 3 and a line, and the file before stays", "[full]") {
   whole_sizes();  // on another disk
   const Scratch folder, words;
   const SmallFileSystem disk(folder.path(""));

@@ -54,7 +54,7 @@ std::string build_command(const std::string& printed) {
 
 }  // namespace
 
-TEST_CASE("a generated program is built without us and writes the same bytes as a run, or none") {
+TEST_CASE("a generated program is built without us and writes the same bytes as a run, or none", "[full]") {
   if (!there_is_a_compiler()) return;
   const std::string solver = GENERATE(as<std::string>(), "rk4", "rosenbrock", "sdirk");
   CAPTURE(solver);
@@ -167,7 +167,7 @@ TEST_CASE("without a compiler a run says so once and goes on interpreted") {
   CHECK(done.err == "interpreted, since no C++ compiler is there (c++, g++ or clang++, or what CXX names)\n");
 }
 
-TEST_CASE("the cache keeps compiled code, and a run goes on compiled where nothing can be kept") {
+TEST_CASE("the cache keeps compiled code, and a run goes on compiled where nothing can be kept", "[full]") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   folder.file("lag.yaml", lag_yaml);
@@ -208,8 +208,8 @@ TEST_CASE("the cache keeps compiled code, and a run goes on compiled where nothi
   CHECK_THAT(done.err, Contains("is open to other users") && Contains("chmod 700"));
 }
 
-TEST_CASE(
-    "a diagram file of any name becomes a program, whatever the words of C++, CMake and libraries are") {
+TEST_CASE("a diagram file of any name becomes a program, whatever the words of C++, CMake and libraries are",
+          "[full]") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   std::string super = "cmake_minimum_required(VERSION 3.16)\nproject(all_of_them LANGUAGES CXX)\n";

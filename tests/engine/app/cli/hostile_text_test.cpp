@@ -67,8 +67,8 @@ std::string all_hostile() {
 
 }  // namespace
 
-TEST_CASE(
-    "hostile texts everywhere in a diagram are compiled to the interpreter's bits and execute nothing") {
+TEST_CASE("hostile texts everywhere in a diagram are compiled to the interpreter's bits and execute nothing",
+          "[full]") {
   if (!codegen::Compiler().found()) {
     WARN("there is no C++ compiler here; nothing was compared");
     return;
@@ -100,7 +100,8 @@ TEST_CASE(
     CHECK(entry.path().filename() != "executed");
 }
 
-TEST_CASE("hostile texts reach pictures, pages and the terminal without control characters or markup") {
+TEST_CASE("hostile texts reach pictures, pages and the terminal without control characters or markup",
+          "[full]") {
   const Scratch folder;
   folder.file("all.yaml", hostile_yaml(folder, all_hostile()));
   const Done done = run_program(folder, {"run", "all.yaml", "--out", "out"});

@@ -177,7 +177,7 @@ TEST_CASE("a compiler, gnuplot or node that hangs is ended after a limit, and th
   }
 }
 
-TEST_CASE("a loop ends with its recording written, however many signals come") {
+TEST_CASE("a loop ends with its recording written, however many signals come", "[full]") {
   for (const std::vector<int>& signals :
        {std::vector<int>{SIGHUP}, {SIGTERM}, {SIGINT, SIGINT}, {SIGTERM, SIGINT, SIGHUP, SIGINT}}) {
     const Scratch folder;

@@ -122,7 +122,8 @@ void lose_a_worker(const Verb& verb) {
 
 }  // namespace
 
-TEST_CASE("a sweep, a study, a fit and a tuning by processes of mpirun give the bytes of one process") {
+TEST_CASE("a sweep, a study, a fit and a tuning by processes of mpirun give the bytes of one process",
+          "[full]") {
   if (!has_mpi()) return;
   Verb fit = fit_verb(), tune = tune_verb(), run = run_verb();
   for (Verb* verb : {&fit, &tune, &run}) verb->words.insert(verb->words.end(), {"--stop", "10 s"});
@@ -141,24 +142,28 @@ TEST_CASE("a sweep, a study, a fit and a tuning by processes of mpirun give the 
   }
 }
 
-TEST_CASE("where the worker of a process is killed, the call ends with 3 and the same one finishes a sweep") {
+TEST_CASE("where the worker of a process is killed, the call ends with 3 and the same one finishes a sweep",
+          "[full]") {
   if (has_mpi()) lose_a_worker(run_verb());
 }
 
-TEST_CASE("where the worker of a process is killed, the call ends with 3 and the same one finishes a study") {
+TEST_CASE("where the worker of a process is killed, the call ends with 3 and the same one finishes a study",
+          "[full]") {
   if (has_mpi()) lose_a_worker(study_verb("14"));
 }
 
-TEST_CASE("where the worker of a process is killed, the call ends with 3 and the same one finishes a fit") {
+TEST_CASE("where the worker of a process is killed, the call ends with 3 and the same one finishes a fit",
+          "[full]") {
   if (has_mpi()) lose_a_worker(fit_verb());
 }
 
-TEST_CASE(
-    "where the worker of a process is killed, the call ends with 3 and the same one finishes a tuning") {
+TEST_CASE("where the worker of a process is killed, the call ends with 3 and the same one finishes a tuning",
+          "[full]") {
   if (has_mpi()) lose_a_worker(tune_verb());
 }
 
-TEST_CASE("where mpirun loses a process itself it ends all, and the same call finishes what is kept") {
+TEST_CASE("where mpirun loses a process itself it ends all, and the same call finishes what is kept",
+          "[full]") {
   if (!has_mpi()) return;
   const Verb verb = run_verb();
   const Scratch folder;

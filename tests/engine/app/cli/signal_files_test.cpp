@@ -67,7 +67,8 @@ TEST_CASE("a run that is killed leaves the rows that it had, under a name that s
     CHECK(left.columns[0].values[row] == Approx(100.0 * static_cast<double>(row)));
 }
 
-TEST_CASE("a run that comes to its end leaves no part of itself, and the next one removes what was left") {
+TEST_CASE("a run that comes to its end leaves no part of itself, and the next one removes what was left",
+          "[full]") {
   const Scratch folder;
   folder.file("long.yaml", endless_yaml);
   folder.file("lag.yaml", lag_yaml);

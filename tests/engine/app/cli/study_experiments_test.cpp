@@ -128,7 +128,7 @@ TEST_CASE("claims and figures read a row of each experiment") {
   CHECK_THAT(content_of(folder.path("out/figure-5.svg")), Contains("of 4"));
 }
 
-TEST_CASE("experiments that were made with other blocks from outside are no longer gone on with") {
+TEST_CASE("experiments that were made with other blocks from outside are no longer gone on with", "[full]") {
   const Scratch folder;
   std::filesystem::create_directories(folder.path("own"));
   const auto write_law = [&](const std::string& factor) {
@@ -163,7 +163,7 @@ void register_blocks(stepwire::Registry& registry) { registry.add<Shake>("own");
   CHECK_THAT(other.err, Contains("has experiments of another study"));
 }
 
-TEST_CASE("experiments of a file go on where they were interrupted") {
+TEST_CASE("experiments of a file go on where they were interrupted", "[full]") {
   const Scratch folder;
   const std::string slow =
       replaced(replaced(with_experiments(300), "stop: 4 s", "stop: 400 s"), "slope: 2.5", "slope: 0.1");
@@ -189,7 +189,7 @@ TEST_CASE("experiments of a file go on where they were interrupted") {
   CHECK(more == content_of(folder.path("anew/experiments.csv")));
 }
 
-TEST_CASE("experiments are made at each point of a sweep, with the same people at each") {
+TEST_CASE("experiments are made at each point of a sweep, with the same people at each", "[full]") {
   const Scratch folder;
   const std::string text = replaced(replaced(with_experiments(3), "10 mm * log", "shake * log"),
                                     "  sway:", "  shake: {value: 10 mm, doc: sway}\n  sway:");

@@ -105,7 +105,8 @@ TEST_CASE(
   CHECK_THAT(verified.out, Contains("of 96 runs: all bits agree"));
 }
 
-TEST_CASE("the diagrams that a swept study leaves hang neither on its threads nor on what was compiled") {
+TEST_CASE("the diagrams that a swept study leaves hang neither on its threads nor on what was compiled",
+          "[full]") {
   const Scratch folder;
   folder.file("a.yaml", of_several_plans());
   const auto files_of = [&](const std::string& threads, const std::string& engine) {

@@ -107,7 +107,7 @@ TEST_CASE("An interrupted tune keeps the best so far, and says so") {
   CHECK(std::filesystem::exists(folder.path("out/parameters.yaml")));
 }
 
-TEST_CASE("The gains in the example of a PID controller are those that tune finds") {
+TEST_CASE("The gains in the example of a PID controller are those that tune finds", "[full]") {
   const Scratch folder;
   const std::string example = STEPWIRE_SOURCE_DIR "/diagrams/examples/141-pid-tuned.yaml";
   const Done done = run_program(folder, {"tune", example, "--starts", "1", "--json"});

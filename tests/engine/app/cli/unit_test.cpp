@@ -73,7 +73,8 @@ TEST_CASE("processes that an isolated unit makes end with it") {
   CHECK(processes_in(folder.path("")) == 0);
 }
 
-TEST_CASE("an interruption ends a run whose unit hangs, in the program with a sentence, else with its rows") {
+TEST_CASE("an interruption ends a run whose unit hangs, in the program with a sentence, else with its rows",
+          "[full]") {
   for (const std::string keys : {"", ", isolate: false"}) {
     const Scratch folder;
     Call call = with_unit(folder, "hang DoStep", keys);

@@ -88,7 +88,8 @@ void refuses(const Unit& unit, fmi2Status status, const std::string& argument) {
 
 }  // namespace
 
-TEST_CASE("a unit of FMI 2 refuses a wrong GUID, missing instances and bad values with a sentence") {
+TEST_CASE("a unit of FMI 2 refuses a wrong GUID, missing instances and bad values with a sentence",
+          "[full]") {
   if (!there_is_a_compiler()) return;
   const Unit wrong(fmi2CoSimulation, "{0}");
   CHECK(wrong.unit == nullptr);
@@ -147,7 +148,7 @@ TEST_CASE("a unit of FMI 2 steps by the equations, and can be reset") {
   CHECK(unit.get(twice_2) == 0.0);
 }
 
-TEST_CASE("a unit of FMI 2 discards the step behind its end, and says that it is over") {
+TEST_CASE("a unit of FMI 2 discards the step behind its end, and says that it is over", "[full]") {
   if (!there_is_a_compiler()) return;
   Unit unit(fmi2CoSimulation);
   unit.initialize();
@@ -161,7 +162,7 @@ TEST_CASE("a unit of FMI 2 discards the step behind its end, and says that it is
   CHECK(unit.get(x) < 0.9);
 }
 
-TEST_CASE("model exchange of FMI 2 has the slopes of the equations, and their derivatives") {
+TEST_CASE("model exchange of FMI 2 has the slopes of the equations, and their derivatives", "[full]") {
   if (!there_is_a_compiler()) return;
   Unit unit(fmi2ModelExchange);
   unit.initialize();

@@ -88,7 +88,7 @@ void refuses(const Unit& unit, fmi3Status status, const std::string& argument) {
 
 }  // namespace
 
-TEST_CASE("a wrong token and a missing instance are errors") {
+TEST_CASE("a wrong token and a missing instance are errors", "[full]") {
   if (!there_is_a_compiler()) return;
   const Unit wrong(false, "{0}");
   CHECK(wrong.unit == nullptr);
@@ -100,7 +100,8 @@ TEST_CASE("a wrong token and a missing instance are errors") {
   CHECK(CALL(fmi3Reset)(nullptr) == fmi3Error);
 }
 
-TEST_CASE("a parameter out of its range is refused with the file's bound, and the former value holds") {
+TEST_CASE("a parameter out of its range is refused with the file's bound, and the former value holds",
+          "[full]") {
   if (!there_is_a_compiler()) return;
   Unit cart;
   CHECK(cart.set(mass, 4.0) == fmi3OK);
@@ -112,7 +113,8 @@ TEST_CASE("a parameter out of its range is refused with the file's bound, and th
   CHECK(cart.step(0.0) == fmi3OK);
 }
 
-TEST_CASE("calls in the wrong state, of wrong variables and of wrong sizes are errors with a sentence") {
+TEST_CASE("calls in the wrong state, of wrong variables and of wrong sizes are errors with a sentence",
+          "[full]") {
   if (!there_is_a_compiler()) return;
   Unit cart;
   CHECK(cart.step(0.0) == fmi3Error);
@@ -245,7 +247,8 @@ TEST_CASE("two instances in one process have nothing in common") {
   CHECK(std::fabs(light.get(position) - 0.5) > 0.01);
 }
 
-TEST_CASE("a state that was saved and serialized goes on with the same bits in another instance as well") {
+TEST_CASE("a state that was saved and serialized goes on with the same bits in another instance as well",
+          "[full]") {
   if (!there_is_a_compiler()) return;
   Unit cart, other;
   cart.initialize();
@@ -277,7 +280,7 @@ TEST_CASE("a state that was saved and serialized goes on with the same bits in a
   CHECK(copy == nullptr);
 }
 
-TEST_CASE("a run may begin at any tick, and at no time between two") {
+TEST_CASE("a run may begin at any tick, and at no time between two", "[full]") {
   if (!there_is_a_compiler()) return;
   Unit cart;
   CHECK(CALL(fmi3EnterInitializationMode)(cart.unit, false, 0.0, 0.505, false, 0.0) == fmi3Error);
@@ -292,7 +295,7 @@ TEST_CASE("a run may begin at any tick, and at no time between two") {
   CHECK(cart.get(time_) == 0.51);
 }
 
-TEST_CASE("directional derivatives are those of the equations") {
+TEST_CASE("directional derivatives are those of the equations", "[full]") {
   if (!there_is_a_compiler()) return;
   Unit cart(true);
   cart.initialize();

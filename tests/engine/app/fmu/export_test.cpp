@@ -50,7 +50,7 @@ const std::string lag = head + "blocks:\n  a: {block: Lag, u: 1, tau: 0.3 s}\nre
 
 }  // namespace
 
-TEST_CASE("texts of a diagram stay texts in the description and on the page") {
+TEST_CASE("texts of a diagram stay texts in the description and on the page", "[full]") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   const std::string text = R"("<script>alert(1)</script> & \"quotes\" 'and' ]]> --> \e[2J \x01 größe")";
@@ -67,7 +67,8 @@ TEST_CASE("texts of a diagram stay texts in the description and on the page") {
   }
 }
 
-TEST_CASE("a parameter makes room for a signal of its name, and two signals of one name are refused") {
+TEST_CASE("a parameter makes room for a signal of its name, and two signals of one name are refused",
+          "[full]") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   const std::string blocks =
@@ -80,7 +81,7 @@ TEST_CASE("a parameter makes room for a signal of its name, and two signals of o
   CHECK_THAT(clash, Contains("a.yaml:") && Contains("'a' would have the name of another variable"));
 }
 
-TEST_CASE("model exchange is left out with the reason where a diagram is more than its equations") {
+TEST_CASE("model exchange is left out with the reason where a diagram is more than its equations", "[full]") {
   if (!there_is_a_compiler()) return;
   CHECK_THAT(page_of(lag), Contains("By model exchange"));
   CHECK_THAT(page_of(head + "blocks:\n  a: {block: UnitDelay, u: 1, every: 20 ms}\nrecord: [a]\n"),
@@ -93,7 +94,8 @@ TEST_CASE("model exchange is left out with the reason where a diagram is more th
              Contains("There is no model exchange: the algebraic loop"));
 }
 
-TEST_CASE("by model exchange inputs are those of the instant: the bits are those of the diagram itself") {
+TEST_CASE("by model exchange inputs are those of the instant: the bits are those of the diagram itself",
+          "[full]") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   const std::string plant = "  a: {block: Lag, u: %, tau: 0.3 s}\n  b: {block: Integrator, u: a}\n";
@@ -112,7 +114,7 @@ TEST_CASE("by model exchange inputs are those of the instant: the bits are those
   CHECK(column(unit, "unit.b") == column(own, "b"));
 }
 
-TEST_CASE("a unit has more than a hundred ports, and each is fed and shown in its place") {
+TEST_CASE("a unit has more than a hundred ports, and each is fed and shown in its place", "[full]") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   std::string inputs, blocks, fed, record;
@@ -152,7 +154,7 @@ TEST_CASE("what depends on what, and which powers of base units a unit is, stand
   CHECK_THAT(xml, Contains("displayUnit=\"g\" min=\"0\" start=\"0.5\""));
 }
 
-TEST_CASE("both outputs of a solved loop depend on all of its inputs") {
+TEST_CASE("both outputs of a solved loop depend on all of its inputs", "[full]") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   const std::string xml =
@@ -169,7 +171,7 @@ TEST_CASE("both outputs of a solved loop depend on all of its inputs") {
   CHECK_THAT(xml, Contains("<Output valueReference=\"4\" dependencies=\"1 2\"/>"));
 }
 
-TEST_CASE("a unit ends the run at the tick at which its diagram ends") {
+TEST_CASE("a unit ends the run at the tick at which its diagram ends", "[full]") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   const std::string path = exported(
@@ -182,7 +184,7 @@ TEST_CASE("a unit ends the run at the tick at which its diagram ends") {
   CHECK(column(run.recordings.front().table, "unit.a").back() == 0.51);
 }
 
-TEST_CASE("a unit whose diagram ends between two ticks ends an importing run without a fault") {
+TEST_CASE("a unit whose diagram ends between two ticks ends an importing run without a fault", "[full]") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   const std::string path = exported(folder, "a",
@@ -198,7 +200,8 @@ TEST_CASE("a unit whose diagram ends between two ticks ends an importing run wit
   CHECK(column(run.recordings.front().table, "unit.x").back() == Approx(0.505));
 }
 
-TEST_CASE("the sources alone make a binary with the same bits, which shows the functions of FMI alone") {
+TEST_CASE("the sources alone make a binary with the same bits, which shows the functions of FMI alone",
+          "[full]") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   auto files = unit_files(folder, "a", lag, 3);
@@ -229,14 +232,14 @@ TEST_CASE("the sources alone make a binary with the same bits, which shows the f
   for (std::string line; std::getline(lines, line);) CHECK_THAT(line, Contains(" T fmi3"));
 }
 
-TEST_CASE("the same diagram gives the same bytes") {
+TEST_CASE("the same diagram gives the same bytes", "[full]") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   const std::string once = io::read_file(exported(folder, "a", lag));
   CHECK(once == io::read_file(exported(folder, "a", lag)));
 }
 
-TEST_CASE("an exported unit that is cut or changed is refused, and nothing crashes") {
+TEST_CASE("an exported unit that is cut or changed is refused, and nothing crashes", "[full]") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   const std::string whole = io::read_file(exported(folder, "a", lag));
@@ -259,7 +262,7 @@ TEST_CASE("an exported unit that is cut or changed is refused, and nothing crash
   CHECK(refused > tries);
 }
 
-TEST_CASE("a description that does not fit its binary is a fault in one sentence") {
+TEST_CASE("a description that does not fit its binary is a fault in one sentence", "[full]") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
   const auto files = unit_files(folder, "a", lag, 3);

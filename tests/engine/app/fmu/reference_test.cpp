@@ -156,7 +156,7 @@ table::Table imported(const Scratch& folder, const Reference& of, int version) {
 
 }  // namespace
 
-TEST_CASE("exported diagrams meet the trajectories of the FMI project") {
+TEST_CASE("exported diagrams meet the trajectories of the FMI project", "[full]") {
   if (!there_is_a_compiler()) return;
   const int version = GENERATE(3, 2);
   for (const Reference& of : references) {

@@ -42,7 +42,7 @@ std::vector<InputName> all_inputs(DiagramFiles& files, const std::string& file) 
 
 }  // namespace
 
-TEST_CASE("each wire that is offered is one that the edit makes, in every example", "[fits]") {
+TEST_CASE("each wire that is offered is one that the edit makes, in every example", "[full]") {
   const Registry registry = blocks();
   int made = 0;
   for (const std::string& file : examples()) {
@@ -60,7 +60,7 @@ TEST_CASE("each wire that is offered is one that the edit makes, in every exampl
   CHECK(made > 300);
 }
 
-TEST_CASE("a wire that is not offered is one that the edit refuses", "[fits]") {
+TEST_CASE("a wire that is not offered is one that the edit refuses", "[full]") {
   const Registry registry = blocks();
   int refused = 0;
   for (const std::string& file : examples()) {

@@ -254,7 +254,7 @@ void check_key(const Drawn& drawn, const std::string& key) {
 
 }  // namespace
 
-TEST_CASE("each key of each kind of plot changes its picture, or is refused") {
+TEST_CASE("each key of each kind of plot changes its picture, or is refused", "[full]") {
   for (const Drawn& drawn : every_plot()) {
     const auto& kinds = plot::plot_kinds();
     const auto kind = std::ranges::find(kinds, drawn.kind, &plot::PlotKind::name);

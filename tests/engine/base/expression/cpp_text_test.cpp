@@ -227,7 +227,7 @@ TEST_CASE("no text is too long or too deep to be written as C++") {
     CHECK_THAT(Expression(text).cpp(), Catch::Contains("v[0]"));
 }
 
-TEST_CASE("compiled as C++, expressions have the bits that an evaluation gives them") {
+TEST_CASE("compiled as C++, expressions have the bits that an evaluation gives them", "[full]") {
   if (std::system("c++ --version > /dev/null 2>&1") != 0) {
     WARN("skipped: there is no compiler called c++");
     return;

@@ -77,7 +77,8 @@ TEST_CASE("what is no archive, or a broken one, is refused") {
   holds(refusal(scratch.file("half.fmu", bytes.substr(0, bytes.size() / 2))), "a unit is a zip archive");
 }
 
-TEST_CASE("an archive that unpacks to too many bytes or files is refused, and nothing of it is unpacked") {
+TEST_CASE("an archive that unpacks to too many bytes or files is refused, and nothing of it is unpacked",
+          "[full]") {
   Entries large = unit_of_3("dahlquist"), many = large;
   for (int i = 0; i < 17; ++i)
     large[fmt::format("resources/{}", i)] = std::string(std::size_t{16} << 20, '\0');

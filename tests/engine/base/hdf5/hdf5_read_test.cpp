@@ -128,7 +128,7 @@ TEST_CASE("what is no HDF5 file, is empty or is not there is told in one line") 
   CHECK_THAT(refusal(scratch.path("c.h5")), EndsWith("c.h5: there is no dataset in the file"));
 }
 
-TEST_CASE("a file that was cut off is an error, and a damaged one an error or a table") {
+TEST_CASE("a file that was cut off is an error, and a damaged one an error or a table", "[full]") {
   const Scratch scratch;
   const std::string path = scratch.path("a.h5");
   write_by_library(path);

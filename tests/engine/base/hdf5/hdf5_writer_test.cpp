@@ -181,7 +181,7 @@ TEST_CASE("a file that is not finished is not there") {
   CHECK(scratch.files() == 0);
 }
 
-TEST_CASE("no damaged byte of an HDF5 file gives other numbers or other names") {
+TEST_CASE("no damaged byte of an HDF5 file gives other numbers or other names", "[full]") {
   const Scratch scratch;
   const std::string path = scratch.path("a.h5");
   const auto read_back = [&] { return numbers_of(read_hdf5(path)); };

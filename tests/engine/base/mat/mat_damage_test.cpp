@@ -88,7 +88,7 @@ void check_all_changes(mat_ft version, std::size_t stride) {
 
 }  // namespace
 
-TEST_CASE("a file that is changed at any byte, or cut there, is refused or reads alike twice") {
+TEST_CASE("a file that is changed at any byte, or cut there, is refused or reads alike twice", "[full]") {
   check_all_changes(MAT_FT_MAT4, 1);
   check_all_changes(MAT_FT_MAT5, 1);
   check_all_changes(MAT_FT_MAT73, 997);  // which other libraries read, slowly

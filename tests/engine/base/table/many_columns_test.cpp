@@ -61,7 +61,7 @@ TEST_CASE("a CSV file of many columns is read, and so is one with many empty lin
   CHECK(std::isnan(gaps.columns[1].values[1]));
 }
 
-TEST_CASE("empty lines of a CSV file of many columns are refused before they fill the memory") {
+TEST_CASE("empty lines of a CSV file of many columns are refused before they fill the memory", "[full]") {
   const Scratch scratch;
   std::string head = "time";
   for (int i = 0; i < 20'000; ++i) head += ",c" + std::to_string(i);

@@ -47,7 +47,7 @@ TEST_CASE("parts that use the next one twice are refused where they are too many
   CHECK_THAT(refused.front(), Contains("the diagram has more than 100000 parts here"));
 }
 
-TEST_CASE("of twenty thousand misspelt names a hundred are listed") {
+TEST_CASE("of twenty thousand misspelt names a hundred are listed", "[full]") {
   std::string gains = "blocks:\n";
   for (int i = 0; i < many; ++i)
     gains += "  block" + std::to_string(i) + ": {block: Gain, gain: 2, u: blocc" + std::to_string(i) + "x}\n";

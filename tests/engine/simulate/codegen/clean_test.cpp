@@ -94,7 +94,7 @@ void check_no_heap(const Program& program) {
 
 }  // namespace
 
-TEST_CASE("generated programs compile without a warning, by g++ and clang++") {
+TEST_CASE("generated programs compile without a warning, by g++ and clang++", "[full]") {
   for (const std::string name :
        {"examples/03-parameters", "examples/23-state-machine", "examples/109-relay-oscillator",
         "examples/156-both-sides", "thesis/fig32-linear-motor"}) {
@@ -103,7 +103,7 @@ TEST_CASE("generated programs compile without a warning, by g++ and clang++") {
   }
 }
 
-TEST_CASE("generated programs need no heap: the force controller, and lists of any length") {
+TEST_CASE("generated programs need no heap: the force controller, and lists of any length", "[full]") {
   const Program controller(plan_of_file("thesis/fig14-controller-1d"));
   check_no_warning(controller);
   check_no_heap(controller);

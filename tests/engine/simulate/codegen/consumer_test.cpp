@@ -112,7 +112,8 @@ std::string difference(const std::string& a, const std::string& b) {
 
 TEST_CASE(
     "two generated diagrams in one project of C and C++ give the interpreter's bits, whatever parameters and "
-    "states are written meanwhile") {
+    "states are written meanwhile",
+    "[full]") {
   if (!Compiler().found()) {
     WARN("there is no C++ compiler here; nothing was compared");
     return;
@@ -152,7 +153,8 @@ TEST_CASE("a generated program shows which parameters cannot change, and why") {
   const Tuning tuning = tuning_of(plan);
   REQUIRE(tuning.fixed.size() == 1);
   CHECK(tuning.fixed[0].name == "wait");
-  CHECK(tuning.fixed[0].reason == "'periods' of late follows from late.delay, and is computed before a run only");
+  CHECK(tuning.fixed[0].reason ==
+        "'periods' of late follows from late.delay, and is computed before a run only");
   const std::string header = program_files(plan, tuning, {"rig", "a test", false}).at("rig.hpp");
   CHECK_THAT(header,
              Catch::Contains("//   wait: 'periods' of late follows from late.delay") &&

@@ -8,7 +8,7 @@
 
 namespace stepwire::codegen {
 
-TEST_CASE("precompiled headers are taken by a compilation with the same flags, and by no other") {
+TEST_CASE("precompiled headers are taken by a compilation with the same flags, and by no other", "[full]") {
   const Compiler compiler;
   if (!compiler.found() || compiler.version().find("clang") != std::string::npos) {
     WARN("there is no g++ here; nothing was compared");

@@ -89,7 +89,7 @@ TEST_CASE("runs of a sweep are compared group by group") {
         "signals.h5/run-3: row 5: rig.x at 1 s is 5 and 4 when it is replayed");
 }
 
-TEST_CASE("a sweep of more runs than are read at once is compared to its end") {
+TEST_CASE("a sweep of more runs than are read at once is compared to its end", "[full]") {
   const DiagramFolder folder;
   folder.write("main.yaml",
                "stepwire: 1\nstep: 1 s\nstop: 1 s\nparameters: {gain: 1}\n"

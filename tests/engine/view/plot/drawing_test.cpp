@@ -126,7 +126,7 @@ TEST_CASE("panels share a picture, each with its title") {
     CHECK_THAT(svg, Catch::Contains(text));
 }
 
-TEST_CASE("a large record gives a small picture") {
+TEST_CASE("a large record gives a small picture", "[full]") {
   if (gnuplot_is_missing()) return;
   CHECK(drawn("{plot: lines, x: time, y: \"rig.x*sin(1e7*time*time)\"}", 100'000).size() < 500'000);
   CHECK(drawn("{plot: path, x: time, y: rig.x, color: \"sin(1e7*time*time)\"}", 100'000).size() < 500'000);

@@ -41,7 +41,7 @@ TEST_CASE("what was recorded live has the bits of a run, for diagrams of all sor
   }
 }
 
-TEST_CASE("each example can be loaded, watched for some ticks and drawn") {
+TEST_CASE("each example can be loaded, watched for some ticks and drawn", "[full]") {
   for (const auto& entry : std::filesystem::directory_iterator(diagrams + "examples")) {
     if (entry.path().extension() != ".yaml") continue;
     const std::string name = entry.path().filename().string();
@@ -64,12 +64,13 @@ TEST_CASE("each example can be loaded, watched for some ticks and drawn") {
 
 TEST_CASE("of a sweep that keeps numbers a run that is watched has its own numbers, and claims judge them") {
   const Scratch folder;
-  folder.file("lag.yaml",
-              "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 500 ms\nsolver: rk4\nparameters: {tau: 20 ms}\n"
-              "record: lag\nblocks:\n  lag: {block: Lag, tau: $tau, u: 1}\n"
-              "sweep: {tau: [10 ms, 20 ms], keep: {rise: rise_time(lag), end: final(lag)}}\n"
-              "figure: {plot: xy, x: tau in ms, y: rise in ms}\n"
-              "claims: [{that: a, max: abs(rise - log(9)*tau), at_most: 10 us}, {that: b, min: end, at_least: 1}]\n");
+  folder.file(
+      "lag.yaml",
+      "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 500 ms\nsolver: rk4\nparameters: {tau: 20 ms}\n"
+      "record: lag\nblocks:\n  lag: {block: Lag, tau: $tau, u: 1}\n"
+      "sweep: {tau: [10 ms, 20 ms], keep: {rise: rise_time(lag), end: final(lag)}}\n"
+      "figure: {plot: xy, x: tau in ms, y: rise in ms}\n"
+      "claims: [{that: a, max: abs(rise - log(9)*tau), at_most: 10 us}, {that: b, min: end, at_least: 1}]\n");
   session::Session session(library());
   LoadedRun live(session.load(folder.path("lag.yaml")), simulated());
   live.thread().play(0.0);

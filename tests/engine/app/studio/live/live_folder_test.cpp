@@ -137,7 +137,7 @@ TEST_CASE("a log or a sample that was changed is found") {
   }
 }
 
-TEST_CASE("a real-time loop is replayed bit by bit, beyond the file's stop") {
+TEST_CASE("a real-time loop is replayed bit by bit, beyond the file's stop", "[full]") {
   const Scratch scratch;
   session::LoopWords words;
   words.policy = "other";

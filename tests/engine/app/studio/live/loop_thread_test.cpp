@@ -65,7 +65,7 @@ std::vector<double> replayed(const plan::Plan& plan, const EventLog& log, std::s
 
 }  // namespace
 
-TEST_CASE("a loop stands still until it is played, and goes on beyond the file's stop") {
+TEST_CASE("a loop stands still until it is played, and goes on beyond the file's stop", "[full]") {
   Rig rig;
   CHECK(rig.loop.status().state == RunStatus::State::paused);
   CHECK(rig.loop.store().end_tick() == 0);
