@@ -1,18 +1,12 @@
 #pragma once
 
-#include "engine/model/block/dense.hpp"
-#include "engine/model/block/resettable.hpp"
+#include "engine/model/block/linear_system.hpp"
 
 namespace stepwire {
 
 /// Observer with a constant gain: dx/dt = A x + B u + L (y - C x - D u).
-struct LuenbergerObserver : Resettable {
-  Matrix A, B, C, D, L;
-  Input<> u{}, measured{};
-  Output<> estimate{};
+struct LuenbergerObserver : LinearObserver {
   State<> x{};
-
-  bool direct = false;
 
   /// Runs only if something resets, like update().
   void outputs() { estimate = x; }

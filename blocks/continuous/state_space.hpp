@@ -1,17 +1,13 @@
 #pragma once
 
-#include "engine/model/block/resettable.hpp"
+#include "engine/model/block/linear_system.hpp"
 
 namespace stepwire {
 
 /// Linear system: dx/dt = A x + B u, y = C x + D u.
-struct StateSpace : Resettable {
-  Matrix A, B, C, D;
-  Input<> u{};
+struct StateSpace : LinearSystem {
   Output<> y{};
   State<> x{};
-
-  bool direct = false;
 
   void outputs() { show(x); }
   void outputs_at_instant() {
@@ -25,8 +21,8 @@ struct StateSpace : Resettable {
   void derivatives() {
     x.derivative = 0.0;
     if (held()) return;
-    add(A, x, x.derivative);
-    add(B, u, x.derivative);
+    dense::add(A, x, x.derivative);
+    dense::add(B, u, x.derivative);
   }
 
   /// Runs only if something resets.
@@ -43,16 +39,8 @@ struct StateSpace : Resettable {
   template <class States>
   void show(const States& states) {
     y = 0.0;
-    add(C, states, y);
-    if (direct) add(D, u, y);
-  }
-  /// Computes to += matrix from, column by column in memory order, without a temporary.
-  template <class From, class To>
-  static void add(const Matrix& matrix, const From& from, To& to) {
-    for (Index j = 0; j < matrix.columns(); ++j) {
-      const double factor = from[j];
-      for (Index i = 0; i < matrix.rows(); ++i) to[i] += matrix(i, j) * factor;
-    }
+    dense::add(C, states, y);
+    if (direct) dense::add(D, u, y);
   }
 };
 

@@ -1,20 +1,14 @@
 #pragma once
 
-#include "engine/model/block/dense.hpp"
-#include "engine/model/block/resettable.hpp"
+#include "engine/model/block/linear_system.hpp"
 
 namespace stepwire {
 
 /// Observer with a constant gain at its ticks: x[k+1] = A x + B u + L (y - C x - D u).
-struct DiscreteLuenbergerObserver : Resettable {
-  Matrix A, B, C, D, L;
-  Input<> u{}, measured{};
-  Output<> estimate{};
+struct DiscreteLuenbergerObserver : LinearObserver {
   DiscreteState<> x{};
   DiscreteState<> next{};      // memory for the next x
   DiscreteState<> residual{};  // measurement minus its prediction
-
-  bool direct = false;
 
   void outputs() {
     if (resetting()) {

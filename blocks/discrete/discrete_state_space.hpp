@@ -1,19 +1,14 @@
 #pragma once
 
-#include "engine/model/block/dense.hpp"
-#include "engine/model/block/resettable.hpp"
+#include "engine/model/block/linear_system.hpp"
 
 namespace stepwire {
 
 /// Linear system at its ticks: x[k+1] = A x[k] + B u[k], y[k] = C x[k] + D u[k].
-struct DiscreteStateSpace : Resettable {
-  Matrix A, B, C, D;
-  Input<> u{};
+struct DiscreteStateSpace : LinearSystem {
   Output<> y{};
   DiscreteState<> x{};
   DiscreteState<> next{};  // memory for the next x
-
-  bool direct = false;
 
   void outputs() {
     y = 0.0;

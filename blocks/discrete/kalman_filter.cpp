@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/model/block/declare_reset.hpp"
+#include "engine/model/block/declare_linear_system.hpp"
 
 namespace stepwire {
 
@@ -10,11 +10,7 @@ namespace {
 
 void declare_model(Declare<KalmanFilter>& is) {
   using Block = KalmanFilter;
-  is.parameter<&Block::A>({.unit = "*", .shape = "n x n", .doc = "system matrix", .required = true});
-  is.parameter<&Block::B>({.unit = "*", .shape = "n x m", .doc = "input matrix; needed where u is wired"});
-  is.parameter<&Block::C>({.unit = "*", .shape = "p x n", .doc = "output matrix", .required = true});
-  is.parameter<&Block::D>(
-      {.unit = "*", .shape = "p x m", .doc = "what passes straight through; zero where left out"});
+  declare_linear_system(is, true);
   is.parameter<&Block::Q>({.unit = "*",
                            .shape = "n x n",
                            .doc = "covariance of what disturbs the states from tick to tick",
@@ -61,15 +57,11 @@ void KalmanFilter::declare(Declare<KalmanFilter>& is) {
       {.doc = "the covariance of the innovation is not positive definite; Q, R and P0 must be covariances",
        .ends_run = true});
   is.clock<&KalmanFilter::t>();
-  is.derived<&KalmanFilter::direct, &KalmanFilter::D>();
 }
 
 void KalmanFilter::configure(Configure& is) {
   configure_reset(*this, is);
-  if (is.connected<&KalmanFilter::u>() && B.elements().empty())
-    is.refuse<&KalmanFilter::B>("it is needed, since u is wired");
-  direct = is.connected<&KalmanFilter::u>() &&
-           std::any_of(D.elements().begin(), D.elements().end(), [](double d) { return d != 0.0; });
+  configure_linear_system(*this, is);
   is.feedthrough<&KalmanFilter::u, &KalmanFilter::estimate>(direct);
   is.feedthrough<&KalmanFilter::u, &KalmanFilter::innovation>(direct);
   const Index n = A.rows(), p = C.rows();

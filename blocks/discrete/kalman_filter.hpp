@@ -1,14 +1,13 @@
 #pragma once
 
-#include "engine/model/block/dense.hpp"
-#include "engine/model/block/resettable.hpp"
+#include "engine/model/block/linear_system.hpp"
 
 namespace stepwire {
 
 /// Kalman filter of x[k+1] = A x + B u + w, y = C x + D u + v, with w of covariance Q and v of R.
-struct KalmanFilter : Resettable {
-  Matrix A, B, C, D, Q, R, P0;
-  Input<> u{}, measured{};
+struct KalmanFilter : LinearSystem {
+  Matrix Q, R, P0;
+  Input<> measured{};
   Output<> estimate{}, innovation{};
   DiscreteState<> x{};           // prediction before this tick's measurement
   DiscreteState<> P{};           // covariance of the prediction
@@ -17,8 +16,6 @@ struct KalmanFilter : Resettable {
   DiscreteState<> work{};        // memory for the next covariance and gain
   Diagnostic not_positive{};
   Time t{};
-
-  bool direct = false;
 
   void outputs() {
     innovation = measured;

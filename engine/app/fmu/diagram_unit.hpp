@@ -2,6 +2,7 @@
 
 // Part of the sources of every exported unit, so it includes only the standard library.
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -38,7 +39,8 @@ class DiagramUnit final : public ExportedUnit {
   Status enter_initialization(double start) override {
     if (!allows(0u | Phase::made, "EnterInitializationMode")) return Status::error;
     const double ticks = std::round(start / Source::step);
-    if (!(std::fabs(ticks - start / Source::step) < near) || ticks < 0.0)
+    constexpr double most = 9007199254740992.0;  // 2^53, up to which each whole number is a double
+    if (!(std::fabs(ticks - start / Source::step) < near) || ticks < 0.0 || ticks > most)
       return refuse("it cannot begin at %g s, which is no whole number of its steps of %g s", start,
                     Source::step);
     moving_.first_tick = static_cast<std::int64_t>(ticks);
@@ -63,19 +65,13 @@ class DiagramUnit final : public ExportedUnit {
     return Status::ok;
   }
 
-  std::ptrdiff_t numbers_of(References references) const override {
-    std::ptrdiff_t numbers = 0;
-    for (std::size_t i = 0; i < references.count; ++i) {
-      if (references.of[i] >= Source::count) return -1;
-      numbers += Source::variables[references.of[i]].size;
-    }
-    return numbers;
-  }
-
   Status get(References references, double* values, std::size_t numbers) override {
     constexpr unsigned phases = Phase::initializing | Phase::at_event | Phase::continuous | Phase::stepping |
                                 Phase::ended | Phase::failed;
-    if (!allows(phases, "a Get function") || !fit(references, numbers)) return Status::error;
+    if (!allows(phases, "a Get function",
+                {{"valueReferences", references.of, references.count}, {"values", values, numbers}}) ||
+        !fit(references, numbers))
+      return Status::error;
     moving_.evaluate();
     moving_.read(references, values);
     return Status::ok;
@@ -84,7 +80,10 @@ class DiagramUnit final : public ExportedUnit {
   Status set(References references, const double* values, std::size_t numbers) override {
     constexpr unsigned phases =
         Phase::made | Phase::initializing | Phase::at_event | Phase::continuous | Phase::stepping;
-    if (!allows(phases, "a Set function") || !fit(references, numbers)) return Status::error;
+    if (!allows(phases, "a Set function",
+                {{"valueReferences", references.of, references.count}, {"values", values, numbers}}) ||
+        !fit(references, numbers))
+      return Status::error;
     bool parameters = false;
     for (std::size_t i = 0; i < references.count; ++i) {
       const UnitVariable& variable = Source::variables[references.of[i]];
@@ -99,7 +98,8 @@ class DiagramUnit final : public ExportedUnit {
     return Status::ok;
   }
 
-  Status derivative(References unknowns, References knowns, const double* seed, double* sensitivity) override;
+  Status derivative(References unknowns, References knowns, const double* seed, std::size_t seeds,
+                    double* sensitivity, std::size_t sensitivities) override;
   Status step(double time, double length, StepEnd& end) override;
 
   Status set_time(double time) override {
@@ -109,7 +109,9 @@ class DiagramUnit final : public ExportedUnit {
     return Status::ok;
   }
   Status set_states(const double* states, std::size_t count) override {
-    if (!allows(Phase::at_event | Phase::continuous, "SetContinuousStates") || !are_states(count))
+    if (!allows(Phase::at_event | Phase::continuous, "SetContinuousStates",
+                {{"continuousStates", states, count}}) ||
+        !are_states(count))
       return Status::error;
     if constexpr (can_exchange)
       std::memcpy(moving_.diagram.continuous_states(), states, count * sizeof *states);
@@ -117,20 +119,29 @@ class DiagramUnit final : public ExportedUnit {
     return Status::ok;
   }
   Status get_states(double* states, std::size_t count) override {
-    if (!allows(looked_at, "GetContinuousStates") || !are_states(count)) return Status::error;
+    if (!allows(looked_at, "GetContinuousStates", {{"continuousStates", states, count}}) ||
+        !are_states(count))
+      return Status::error;
     moving_.evaluate();
     if constexpr (can_exchange)
       std::memcpy(states, moving_.diagram.continuous_states(), count * sizeof *states);
     return Status::ok;
   }
+  Status get_nominals(double* nominals, std::size_t count) override {
+    if (!given("GetNominalsOfContinuousStates", {{"nominals", nominals, count}}) || !are_states(count))
+      return Status::error;
+    std::fill_n(nominals, count, 1.0);
+    return Status::ok;
+  }
   Status get_slopes(double* slopes, std::size_t count) override {
-    if (!allows(looked_at, "a call for derivatives") || !are_states(count)) return Status::error;
+    if (!allows(looked_at, "a call for derivatives", {{"derivatives", slopes, count}}) || !are_states(count))
+      return Status::error;
     moving_.evaluate();
     if constexpr (can_exchange) std::memcpy(slopes, moving_.diagram.slopes(), count * sizeof *slopes);
     return Status::ok;
   }
   Status get_crossings(double* numbers, std::size_t count) override {
-    if (!allows(looked_at, "GetEventIndicators")) return Status::error;
+    if (!allows(looked_at, "GetEventIndicators", {{"eventIndicators", numbers, count}})) return Status::error;
     if (count != crossing_count())
       return refuse("it has %zu event indicators, not %zu", crossing_count(), count);
     moving_.evaluate();
@@ -189,10 +200,12 @@ class DiagramUnit final : public ExportedUnit {
   std::uint64_t state_key() const { return Source::layout ^ (moving_.exchange ? 1u : 0u); }
 
   bool fit(References references, std::size_t numbers) {
-    for (std::size_t i = 0; i < references.count; ++i)
+    std::size_t own = 0;
+    for (std::size_t i = 0; i < references.count; ++i) {
       if (references.of[i] >= Source::count)
         return refuse("it has no variable with the value reference %u", references.of[i]) == Status::ok;
-    const auto own = static_cast<std::size_t>(numbers_of(references));
+      own += static_cast<std::size_t>(Source::variables[references.of[i]].size);
+    }
     return own == numbers || refuse("these variables are %zu numbers, not %zu", own, numbers) == Status::ok;
   }
   bool are_states(std::size_t count) {
@@ -252,18 +265,21 @@ Status DiagramUnit<Source>::step(double time, double length, StepEnd& end) {
 
 template <class Source>
 Status DiagramUnit<Source>::derivative(References unknowns, References knowns, const double* seed,
-                                       double* sensitivity) {
+                                       std::size_t seeds, double* sensitivity, std::size_t sensitivities) {
   constexpr unsigned phases = Phase::initializing | Phase::at_event | Phase::continuous | Phase::stepping;
-  if (!allows(phases, "GetDirectionalDerivative")) return Status::error;
-  if (numbers_of(unknowns) < 0 || numbers_of(knowns) < 0)
-    return refuse("a value reference is that of no variable");
+  const bool allowed = allows(phases, "GetDirectionalDerivative",
+                              {{"unknowns", unknowns.of, unknowns.count},
+                               {"knowns", knowns.of, knowns.count},
+                               {"seed", seed, seeds},
+                               {"sensitivity", sensitivity, sensitivities}});
+  if (!allowed || !fit(unknowns, sensitivities) || !fit(knowns, seeds)) return Status::error;
   for (std::size_t i = 0; i < knowns.count; ++i) {
     const UnitVariable& known = Source::variables[knowns.of[i]];
     if (known.kind != Kind::input && !(known.kind == Kind::state && moving_.exchange))
       return refuse("%s is neither an input nor a continuous state", known.name);
   }
   moving_.evaluate();
-  Difference<Source> difference(moving_, unknowns, static_cast<std::size_t>(numbers_of(unknowns)));
+  Difference<Source> difference(moving_, unknowns, sensitivities);
   return difference.add_all(knowns, seed, sensitivity) ? Status::ok
                                                        : refuse("there is no memory for a derivative");
 }

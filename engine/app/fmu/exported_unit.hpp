@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <initializer_list>
 
 namespace stepwire::fmu {
 
@@ -56,6 +57,13 @@ struct References {
   std::size_t count;
 };
 
+/// Argument of a call that points to `count` values.
+struct Argument {
+  const char* name;  ///< its name in the standard
+  const void* values;
+  std::size_t count = 1;
+};
+
 /// Instance of a unit, shared by the functions of both FMI versions. Each failed call logs a message.
 class ExportedUnit {
  public:
@@ -76,16 +84,15 @@ class ExportedUnit {
   virtual Status reset() = 0;
   virtual Status get(References references, double* values, std::size_t numbers) = 0;
   virtual Status set(References references, const double* values, std::size_t numbers) = 0;
-  virtual Status derivative(References unknowns, References knowns, const double* seed,
-                            double* sensitivity) = 0;
-  /// Returns the total count of numbers of these variables; -1 for an unknown reference.
-  virtual std::ptrdiff_t numbers_of(References references) const = 0;
+  virtual Status derivative(References unknowns, References knowns, const double* seed, std::size_t seeds,
+                            double* sensitivity, std::size_t sensitivities) = 0;
 
   virtual Status step(double time, double length, StepEnd& end) = 0;
 
   virtual Status set_time(double time) = 0;
   virtual Status set_states(const double* states, std::size_t count) = 0;
   virtual Status get_states(double* states, std::size_t count) = 0;
+  virtual Status get_nominals(double* nominals, std::size_t count) = 0;
   virtual Status get_slopes(double* slopes, std::size_t count) = 0;
   virtual Status get_crossings(double* numbers, std::size_t count) = 0;
   virtual Status complete_step(bool& terminates) = 0;
@@ -111,9 +118,20 @@ class ExportedUnit {
     return Status::error;
   }
 
-  /// True if the present phase is in `phases`; else logs that the call is illegal.
-  bool allows(unsigned phases, const char* call) {
-    if ((static_cast<unsigned>(phase()) & phases) != 0) return true;
+  /// True if no argument is a null pointer; else logs the first that is.
+  bool given(const char* call, std::initializer_list<Argument> arguments) {
+    for (const Argument& argument : arguments)
+      if (argument.count > 0 && !argument.values) {
+        refuse("%s: %s is a null pointer; it has to point to %zu value%s", call, argument.name,
+               argument.count, argument.count == 1 ? "" : "s");
+        return false;
+      }
+    return true;
+  }
+
+  /// True if the present phase is in `phases` and no argument is a null pointer; else logs the reason.
+  bool allows(unsigned phases, const char* call, std::initializer_list<Argument> arguments = {}) {
+    if ((static_cast<unsigned>(phase()) & phases) != 0) return given(call, arguments);
     refuse("%s is no call for a unit that %s", call, phase_words());
     return false;
   }

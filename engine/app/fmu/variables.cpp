@@ -6,15 +6,137 @@
 #include <functional>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "engine/app/fmu/dependencies.hpp"
-#include "engine/app/fmu/parameter_limits.hpp"
-#include "engine/app/fmu/signal_names.hpp"
+#include "engine/base/unit/unit.hpp"
+#include "engine/base/yaml/document.hpp"
+#include "engine/model/diagram/diagram.hpp"
+#include "engine/model/plan/plan.hpp"
 #include "engine/simulate/run/executor.hpp"
 
 namespace stepwire::fmu {
 
 namespace {
+
+/// Instantaneous dependencies of signals: the diagram inputs and the blocks with continuous states that
+/// affect a signal at the same instant.
+class Dependencies {
+ public:
+  explicit Dependencies(const plan::Plan& plan) : plan_(plan) {}
+
+  std::set<int> of(const diagram::SignalRef& signal) const;
+  /// Returns the dependencies of the derivatives of a block's states.
+  std::set<int> of_slopes(int block) const;
+
+ private:
+  using Output = std::pair<int, int>;  ///< a block and the number of its output
+
+  /// Returns the dependencies of outputs. A search over the wires meets each output once, also in an
+  /// algebraic loop.
+  std::set<int> of_outputs(std::vector<Output> open) const;
+  std::vector<Output> sources_of(int block, std::size_t input) const;
+  bool feeds_through(int block, std::size_t input, int output) const;
+  void add_own(int block, std::set<int>& to) const;
+
+  const plan::Plan& plan_;
+};
+
+bool Dependencies::feeds_through(int block, std::size_t input, int output) const {
+  const auto b = static_cast<std::size_t>(block);
+  const BlockType& type = plan_.diagram.blocks[b].type();
+  const InputSpec& in = type.inputs[input];
+  const auto& configuration = plan_.blocks[b].configuration;
+  if (!configuration) return in.feedthrough;
+  const auto said =
+      configuration->feedthrough.find({in.name, type.outputs[static_cast<std::size_t>(output)].name});
+  return said == configuration->feedthrough.end() ? in.feedthrough : said->second;
+}
+
+void Dependencies::add_own(int block, std::set<int>& to) const {
+  const auto b = static_cast<std::size_t>(block);
+  const bool is_input = std::ranges::any_of(
+      plan_.diagram.inputs, [&](const diagram::DiagramInput& input) { return input.block == block; });
+  if (is_input || plan_.diagram.blocks[b].type().has_continuous_state()) to.insert(block);
+}
+
+std::vector<Dependencies::Output> Dependencies::sources_of(int block, std::size_t input) const {
+  std::vector<Output> sources;
+  for (const diagram::Source& source : plan_.diagram.blocks[static_cast<std::size_t>(block)].inputs[input])
+    if (source.block >= 0) sources.emplace_back(source.block, source.output);
+  return sources;
+}
+
+std::set<int> Dependencies::of_outputs(std::vector<Output> open) const {
+  std::set<Output> seen(open.begin(), open.end());
+  std::set<int> found;
+  const auto add = [&](const Output& output) {
+    if (seen.insert(output).second) open.push_back(output);
+  };
+  while (!open.empty()) {
+    const auto [block, output] = open.back();
+    open.pop_back();
+    add_own(block, found);
+    const diagram::DiagramBlock& of = plan_.diagram.blocks[static_cast<std::size_t>(block)];
+    for (std::size_t input = 0; input < of.inputs.size(); ++input)
+      if (feeds_through(block, input, output)) std::ranges::for_each(sources_of(block, input), add);
+    if (of.guard >= 0) add({of.guard, 0});
+  }
+  return found;
+}
+
+std::set<int> Dependencies::of(const diagram::SignalRef& signal) const {
+  if (signal.output >= 0) return of_outputs({{signal.block, signal.output}});
+  std::set<int> own;
+  add_own(signal.block, own);
+  return own;
+}
+
+std::set<int> Dependencies::of_slopes(int block) const {
+  std::vector<Output> sources;
+  const std::size_t inputs = plan_.diagram.blocks[static_cast<std::size_t>(block)].inputs.size();
+  for (std::size_t input = 0; input < inputs; ++input) {
+    const std::vector<Output> more = sources_of(block, input);
+    sources.insert(sources.end(), more.begin(), more.end());
+  }
+  std::set<int> found = of_outputs(std::move(sources));
+  add_own(block, found);
+  return found;
+}
+
+/// Returns the names of inputs, outputs and recorded signals of a diagram.
+std::set<std::string> signal_names(const diagram::Diagram& diagram) {
+  std::set<std::string> names;
+  for (const diagram::DiagramInput& input : diagram.inputs) names.insert(input.name);
+  for (const diagram::DiagramOutput& output : diagram.outputs) names.insert(output.name);
+  for (const diagram::RecordRequest& request : diagram.records)
+    for (const diagram::RecordedSignal& recorded : request.signals) names.insert(recorded.name);
+  return names;
+}
+
+/// Returns the unit in the text of a number, "mm" of "5 mm"; empty for an SI unit or a pure number.
+std::string written_unit(const std::string& text) {
+  const std::size_t at = text.find_first_not_of("+-.0123456789eE \t");
+  if (at == std::string::npos || !unit::parse_quantity(text)) return "";
+  const std::string name = text.substr(at);
+  const auto unit = unit::parse_unit(name);
+  const bool is_other = unit && (unit->scale != 1.0L || unit->offset != 0.0L);
+  return is_other ? name : "";
+}
+
+/// Writes the numeric bounds of a parameter in SI. An excluded bound is written like an included one; the
+/// unit refuses the bound itself.
+void limit(std::optional<double>& at_least, std::optional<double>& at_most,
+           const std::vector<yaml::Entry>& bounds) {
+  for (const yaml::Entry& bound : bounds) {
+    const auto quantity = unit::parse_quantity(bound.value.text);
+    if (!quantity) continue;
+    (bound.key == "above" || bound.key == "at_least" ? at_least : at_most) = quantity->value;
+  }
+}
 
 /// Returns C++ for the address of the first number of a struct member.
 std::string member_place(const std::string& group, const std::string& member) {

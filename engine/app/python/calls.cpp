@@ -3,10 +3,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "engine/app/python/fits.hpp"
+#include "engine/app/python/found.hpp"
 #include "engine/app/python/numbers.hpp"
 #include "engine/app/python/session_call.hpp"
-#include "engine/app/python/tunings.hpp"
 #include "engine/app/report/linear_text.hpp"
 #include "engine/app/report/loop_text.hpp"
 #include "engine/app/report/run_text.hpp"
@@ -162,8 +161,8 @@ py::list inputs_of(const Shared& of) {
   py::list all;
   const Model model = LoadedFile::library_model(of);
   for (const InputInfo& input : model.inputs())
-    all.append(py::make_tuple(input.name, input.unit, input.size, input.doc,
-                              shape_of(input.size, input.columns)));
+    all.append(
+        py::make_tuple(input.name, input.unit, input.size, input.doc, shape_of(input.size, input.columns)));
   return all;
 }
 
@@ -195,7 +194,8 @@ void add_calls(_object* module) {
       .def("fit",
            [](const Shared& of, const std::string& engine, std::optional<std::size_t> starts,
               std::optional<std::uint64_t> seed, unsigned threads, const py::object& progress) {
-             return fit_call(of, engine, starts, seed, threads, progress.ptr());
+             const session::FitCall call{starts, {}, seed, threads, mode_of(engine)};
+             return fit_call(of, call, progress.ptr());
            })
       .def("tune", [](const Shared& of, const std::string& engine, std::optional<std::size_t> starts,
                       std::optional<std::size_t> evaluations, std::optional<std::uint64_t> seed,

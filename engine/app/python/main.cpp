@@ -3,11 +3,10 @@
 #include "blocks/register.hpp"
 #include "engine/app/python/calls.hpp"
 #include "engine/app/python/faults.hpp"
-#include "engine/app/python/fits.hpp"
+#include "engine/app/python/found.hpp"
 #include "engine/app/python/observing.hpp"
 #include "engine/app/python/results.hpp"
 #include "engine/app/python/stepping.hpp"
-#include "engine/app/python/tunings.hpp"
 #include "engine/base/io/resources.hpp"
 #include "engine/stepwire/generate.hpp"
 
@@ -16,8 +15,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "What the Python part of stepwire stands on: sessions and the library.";
   python::add_faults(module.ptr());
   python::add_results(module.ptr());
-  python::add_fits(module.ptr());
-  python::add_tunings(module.ptr());
+  python::add_found(module.ptr());
   python::add_calls(module.ptr());
   python::add_loading(module.ptr(), stepwire::blocks);
   python::add_observing(module.ptr());

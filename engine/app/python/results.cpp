@@ -89,25 +89,17 @@ py::list points(const Results& of) {
 
 std::string figure(const Results& of, std::size_t index) {
   if (index >= of.model->figures.size()) throw py::index_error("there is no such figure");
-  Raised raised;
   std::string svg;
-  call_watched(
-      [&](std::atomic<bool>&) { svg = render::draw(of.model->figures[index], of.outcome.recordings()).svg; },
-      raised);
-  raised.throw_if_any();
+  call_checked([&] { svg = render::draw(of.model->figures[index], of.outcome.recordings()).svg; });
   return svg;
 }
 
 void write(const Results& of, const std::string& folder) {
-  Raised raised;
-  call_watched(
-      [&](std::atomic<bool>&) {
-        const auto owned = session::own_results(folder, *of.model);
-        replay::write_replay(folder, of.model->job);
-        session::write_outputs(folder, *of.model, of.outcome);
-      },
-      raised);
-  raised.throw_if_any();
+  call_checked([&] {
+    const auto owned = session::own_results(folder, *of.model);
+    replay::write_replay(folder, of.model->job);
+    session::write_outputs(folder, *of.model, of.outcome);
+  });
 }
 
 py::object object_or_none(const Held& held) {

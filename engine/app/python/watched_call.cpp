@@ -75,4 +75,10 @@ void call_watched(const std::function<void(std::atomic<bool>&)>& work, Raised& r
   going_on.finish();
 }
 
+void call_checked(const std::function<void()>& work) {
+  Raised raised;
+  call_watched([&](std::atomic<bool>&) { work(); }, raised);
+  raised.throw_if_any();
+}
+
 }  // namespace stepwire::python

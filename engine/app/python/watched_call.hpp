@@ -13,4 +13,7 @@ namespace stepwire::python {
 /// polls. Rethrows exceptions of `work`.
 void call_watched(const std::function<void(std::atomic<bool>& interrupt)>& work, Raised& raised);
 
+/// The same, but throws such an exception.
+void call_checked(const std::function<void()>& work);
+
 }  // namespace stepwire::python

@@ -13,7 +13,7 @@
 #include <limits>
 #include <string>
 
-#include "engine/base/fmi/fmi2_unit.h"
+#include "engine/base/fmi/fmi2.h"
 #include "engine/base/fmi/fmi3.h"
 
 namespace {

@@ -257,27 +257,27 @@ class FittedParameter:
     record: str = ""  #: whose own it is; empty where all records share it
 
 
-class Fit:
-    """What the fit of a file found. `parameters` by name, `data` as fit.json of `stepwire fit` has it, `figures`
-    of records and residuals, and `model`, which has what was found."""
+class _Found:
+    """What a search for parameters found: `data` as the JSON file of its verb has it, and `model`, which has what was
+    found. Derived classes set `parameters`, by name."""
 
-    def __init__(self, fit: _core.Fit, model: Model):
-        self._fit = fit
+    parameters: dict[str, Any]
+    _deed = ""  #: what is done to a parameter, in messages
+
+    def __init__(self, found: _core.Found, model: Model):
+        self._found = found
         self._of = model
-        self.data: dict[str, Any] = json.loads(fit.json)
-        self.parameters: dict[str, FittedParameter] = {}
-        for number in self.data["parameters"]:
-            record = number.get("record", "")
-            low, high = (_number(end) for end in number["interval"])
-            self.parameters[number["name"] + (f" of {record}" if record else "")] = FittedParameter(
-                number["name"], _number(number["value"]), number["unit"] or "", _number(number["standard_error"]),
-                (low, high), number["at_bound"], record)
+        self.data: dict[str, Any] = json.loads(found.json)
 
     def __getitem__(self, name: str) -> float:
         """The number of a parameter, SI."""
         if name not in self.parameters:
-            raise KeyError(f"{name!r} was not fitted; fitted are: {', '.join(self.parameters)}")
-        return self.parameters[name].value
+            raise KeyError(f"{name!r} was not {self._deed}; {self._deed} are: {', '.join(self.parameters)}")
+        return self._value(self.parameters[name])
+
+    @staticmethod
+    def _value(parameter: Any) -> float:
+        return float(parameter)
 
     @property
     def converged(self) -> bool:
@@ -285,19 +285,48 @@ class Fit:
 
     @property
     def findings(self) -> list[str]:
-        """What cannot be known, is at a bound or is refused."""
+        """What cannot be known, is at a bound, in the way or refused, or could not be run."""
         return list(self.data["findings"])
 
     @property
     def model(self) -> Model:
         """The model with what was found."""
-        return self._of.with_values(dict(self._fit.settings))
+        return self._of.with_values(dict(self._found.settings))
 
     @property
     def figures(self) -> show.Pictures:
-        pictures = [show.Picture(name, functools.partial(self._fit.figure, index))
-                    for index, name in enumerate(self._fit.figures)]
-        return show.Pictures(pictures, "the fit has no pictures")
+        pictures = [show.Picture(name, functools.partial(self._found.figure, index))
+                    for index, name in enumerate(self._found.figures)]
+        return show.Pictures(pictures, f"the {type(self).__name__.lower()} has no pictures")
+
+    def __str__(self) -> str:
+        return self._found.words
+
+    def __repr__(self) -> str:
+        numbers = ", ".join(f"{name}={self[name]:g} {getattr(one, 'unit', '')}".strip() for name, one in self.parameters.items())
+        return f"<{type(self).__name__} of {self._of.file}: {numbers}>"
+
+
+class Fit(_Found):
+    """What the fit of a file found. `parameters` by name, `data` as fit.json of `stepwire fit` has it, `figures`
+    of records and residuals, and `model`, which has what was found."""
+
+    parameters: dict[str, FittedParameter]
+    _deed = "fitted"
+
+    def __init__(self, fit: _core.Found, model: Model):
+        super().__init__(fit, model)
+        self.parameters = {}
+        for number in self.data["parameters"]:
+            record = number.get("record", "")
+            low, high = (_number(end) for end in number["interval"])
+            self.parameters[number["name"] + (f" of {record}" if record else "")] = FittedParameter(
+                number["name"], _number(number["value"]), number["unit"] or "", _number(number["standard_error"]),
+                (low, high), number["at_bound"], record)
+
+    @staticmethod
+    def _value(parameter: FittedParameter) -> float:
+        return parameter.value
 
     def table(self) -> pd.DataFrame:
         """The parameters as a DataFrame, by their names."""
@@ -306,73 +335,36 @@ class Fit:
                  "low": one.interval[0], "high": one.interval[1]} for one in self.parameters.values()]
         return pd.DataFrame(rows, index=list(self.parameters))
 
-    def __str__(self) -> str:
-        return self._fit.words
-
-    def __repr__(self) -> str:
-        numbers = ", ".join(f"{name}={one.value:g} {one.unit}".strip() for name, one in self.parameters.items())
-        return f"<Fit of {self._of.file}: {numbers}>"
-
     def _repr_html_(self) -> str:
         rows = [(name, f"{one.value:.6g}", one.unit, f"{one.interval[0]:.6g} .. {one.interval[1]:.6g}")
                 for name, one in self.parameters.items()]
         return show.table(("parameter", "value", "unit", "95 %"), rows)
 
 
-class Tuning:
+class Tuning(_Found):
     """What the tuning of a file found. `parameters` by name in SI, `objective`, `feasible` (do all claims hold?),
     `data` as tune.json of `stepwire tune` has it, and `model`, which has what was found."""
 
-    def __init__(self, tuning: _core.Tuning, model: Model):
-        self._tuning = tuning
-        self._of = model
-        self.data: dict[str, Any] = json.loads(tuning.json)
-        self.parameters: dict[str, float] = {one["name"]: _number(one["value"]) for one in self.data["parameters"]}
+    parameters: dict[str, float]
+    _deed = "tuned"
+
+    def __init__(self, tuning: _core.Found, model: Model):
+        super().__init__(tuning, model)
+        self.parameters = {one["name"]: _number(one["value"]) for one in self.data["parameters"]}
         self.objective: float = _number(self.data["objective"])
         self.feasible: bool = self.data["feasible"]
-
-    def __getitem__(self, name: str) -> float:
-        """The number of a parameter, SI."""
-        if name not in self.parameters:
-            raise KeyError(f"{name!r} was not tuned; tuned are: {', '.join(self.parameters)}")
-        return self.parameters[name]
-
-    @property
-    def converged(self) -> bool:
-        return bool(self.data["converged"])
-
-    @property
-    def findings(self) -> list[str]:
-        """What is at a bound, in the way, or could not be run."""
-        return list(self.data["findings"])
-
-    @property
-    def model(self) -> Model:
-        """The model with what was found."""
-        return self._of.with_values(dict(self._tuning.settings))
-
-    @property
-    def figures(self) -> show.Pictures:
-        return show.Pictures([show.Picture("tune-history", self._tuning.figure)], "the tuning has no pictures")
 
     def history(self) -> pd.DataFrame:
         """Each evaluation as a row of a DataFrame: the parameters, `objective`, `margin.1` and on of the claims,
         `start`, and why there is no objective."""
         import pandas as pd
         rows = []
-        for values, objective, margins, start, fault in self._tuning.history:
+        for values, objective, margins, start, fault in self._found.history:
             row = dict(zip(self.parameters, values))
             row["objective"] = objective
             row.update({f"margin.{i + 1}": margin for i, margin in enumerate(margins)})
             rows.append({**row, "start": start, "fault": fault})
         return pd.DataFrame(rows)
-
-    def __str__(self) -> str:
-        return self._tuning.words
-
-    def __repr__(self) -> str:
-        numbers = ", ".join(f"{name}={value:g}" for name, value in self.parameters.items())
-        return f"<Tuning of {self._of.file}: {numbers}>"
 
     def _repr_html_(self) -> str:
         rows = [(name, f"{value:.6g}") for name, value in self.parameters.items()]

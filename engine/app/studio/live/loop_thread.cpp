@@ -3,11 +3,83 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
+
+#include "engine/base/json/json.hpp"
 
 namespace stepwire::live {
 
 namespace {
+
+using json::Json;
+using realtime::Histogram;
+
+constexpr double per_octave = 4.0, ns = 1e-9;
+constexpr double shortest = 64.0;  // [ns] upper edge of the first bin
+constexpr std::size_t bins = 145;  // up to 73 min
+
+double edge(std::size_t bin) {
+  return bin == 0 ? 0.0 : shortest * std::exp2(static_cast<double>(bin - 1) / per_octave);
+}
+
+std::size_t bin_of(double time) {
+  if (time < shortest) return 0;
+  return std::min(bins - 1, 1 + static_cast<std::size_t>(per_octave * std::log2(time / shortest)));
+}
+
+/// Returns the histogram without empty bins at both ends.
+Json bins_json(const Histogram& times) {
+  std::vector<std::int64_t> counts(bins, 0);
+  for (std::size_t fine = 0; fine < Histogram::bins(); ++fine)
+    counts[bin_of(static_cast<double>(Histogram::begin_of(fine)))] += times.count_in(fine);
+  const auto is_full = [](std::int64_t count) { return count > 0; };
+  const auto first = std::ranges::find_if(counts, is_full);
+  const auto end = std::find_if(counts.rbegin(), counts.rend(), is_full).base();
+  Json edges = Json::list(), full = Json::list();
+  for (auto count = first; count < end; ++count) {
+    if (count == first) edges.push(ns * edge(static_cast<std::size_t>(first - counts.begin())));
+    edges.push(ns * edge(static_cast<std::size_t>(count - counts.begin()) + 1));
+    full.push(*count);
+  }
+  return Json::object().set("edges", std::move(edges)).set("counts", std::move(full));
+}
+
+Json times_json(const Histogram& times) {
+  const auto quantile = [&](double share) { return ns * static_cast<double>(times.quantile(share)); };
+  return bins_json(times)
+      .set("count", times.count())
+      .set("p50", quantile(0.5))
+      .set("p99", quantile(0.99))
+      .set("p999", quantile(0.999))
+      .set("max", ns * static_cast<double>(times.max()));
+}
+
+Json costs_json(const realtime::Loop& loop) {
+  Json costs = Json::list();
+  for (const realtime::GroupCost& cost : loop.group_costs())
+    if (cost.samples > 0)
+      costs.push(
+          Json::object().set("type", cost.type).set("blocks", cost.blocks).set("mean", ns * cost.mean));
+  return costs;
+}
+
+/// Returns the timing of a loop, which may be running: counts of deadlines, histograms, and the cost of each
+/// block type. Histograms of lateness, response and step have bins of a quarter octave. All times in s.
+Json timing_of(const realtime::Loop& loop, const session::LoopSettings& settings) {
+  const realtime::Deadlines& deadlines = loop.deadlines();
+  return Json::object()
+      .set("period", 1.0 / settings.rate)
+      .set("served", loop.steps())
+      .set("missed", deadlines.missed())
+      .set("late", deadlines.late())
+      .set("dropped", deadlines.dropped())
+      .set("longest", deadlines.longest_row())
+      .set("lateness", times_json(loop.measurements().wake_up()))
+      .set("response", times_json(loop.measurements().response()))
+      .set("step", times_json(loop.measurements().step()))
+      .set("costs", costs_json(loop));
+}
 
 constexpr double unknown_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double between_hub_looks = 4e-3, hub_idle = 0.05;     // [s]
@@ -19,6 +91,12 @@ realtime::LoopOptions options_of(const session::LoopSettings& settings) {
   options.deadlines = most_deadlines;
   options.overrun = settings.overrun;
   return options;
+}
+
+constexpr double between_asks = 1e-4;  // [s] between checks of whether the loop has taken a value
+
+[[noreturn]] void refuse_of_loop(const char* what) {
+  throw std::runtime_error(std::string("a real-time loop ") + what);
 }
 
 }  // namespace
@@ -39,13 +117,9 @@ LoopThread::Life::Life(const plan::Plan& plan, const session::LoopSettings& sett
           device, clock, nullptr) {}
 
 LoopThread::LoopThread(const plan::Plan& plan, const SignalList& signals, Options options)
-    : plan_(plan),
+    : RunControl(plan, signals, options.store, options.run, std::move(options.changed)),
       options_(std::move(options)),
       clock_(options_.settings.spin),
-      rows_(signals, plan.diagram.step, options_.store),
-      inputs_(plan),
-      pace_(plan.diagram.step),
-      lives_(options_.run),
       mirror_(plan.layout.size, unknown_number),
       absent_(mirror_) {
   begin_life();
@@ -65,8 +139,8 @@ void LoopThread::main() {
       look();
     } catch (const std::exception& error) {  // a full disk, for example
       end_thread();
-      const std::lock_guard lock(told_mutex_);
-      status_.fault = error.what();
+      fault_ = error.what();
+      tell();
     }
     commands_.wait_until(seconds_now() + (serves() ? between_hub_looks : hub_idle));
   }
@@ -84,19 +158,14 @@ void LoopThread::look() {
 
 /// Creates a loop at its start, with the values that are set.
 void LoopThread::begin_life() {
-  const std::vector<LiveEvent> set = log_.last_of_each();
-  log_ = {};
   life_.reset();
   life_ = std::make_unique<Life>(plan_, options_.settings, clock_);
-  for (LiveEvent event : set) {
-    if (event.is_input()) continue;
-    event.tick = before_start;
+  begin_log([this](const LiveEvent& event) {
     life_->values.change_both([&](run::Executor& run) {
       apply(event, run);
       run.reset();
     });
-    log_.add(std::move(event));
-  }
+  });
   rows_.cut(0);
   shown_ = -1;
   seen_inputs_ = defaults_of_inputs(plan_);
@@ -105,6 +174,7 @@ void LoopThread::begin_life() {
 
 void LoopThread::begin_serving() {
   life_->pause = life_->done = false;
+  fault_.clear();
   pace_.begin(1.0, shown_ + 1, seconds_now());
   life_->thread = std::thread([this] { serve(); });
 }
@@ -113,7 +183,7 @@ void LoopThread::begin_serving() {
 void LoopThread::serve() {
   const realtime::RealTimeThread real_time(options_.settings.policy, options_.settings.cpu);
   {
-    const std::lock_guard lock(told_mutex_);
+    const std::lock_guard lock(status_mutex_);
     policy_ = realtime::RealTimeThread::policy_in_force();
     refused_ = real_time.refused();
   }
@@ -175,7 +245,7 @@ void LoopThread::note_inputs(std::int64_t tick) {
 void LoopThread::lose_silent_pages(double now) {
   std::vector<int> silent;
   {
-    const std::lock_guard lock(told_mutex_);
+    const std::lock_guard lock(status_mutex_);
     for (const int writer : inputs_.writers())
       if (writer != 0 && now - heard_[writer] > options_.patience) silent.push_back(writer);
   }
@@ -198,6 +268,101 @@ void LoopThread::hand_inputs() {
   for (std::size_t i = 0; i < writers.size(); ++i)
     if (writers[i] != 0) life_->device.extend(i, until);
   life_->device.give();
+}
+
+void LoopThread::play(double rate) {
+  if (rate != 1.0) refuse_of_loop("goes in real time: its rate is 1");
+  commands_.ask([&] {
+    if (serves()) return;
+    if (life_->loop.ended()) {
+      ++lives_;
+      begin_life();
+    }
+    begin_serving();
+    tell();
+  });
+}
+
+void LoopThread::pause() {
+  commands_.ask([&] { stop_serving(); });
+}
+
+std::int64_t LoopThread::one_tick() {
+  refuse_of_loop("takes no single ticks");
+}
+
+std::int64_t LoopThread::seek(double) {
+  refuse_of_loop("does not go back");
+}
+
+void LoopThread::restart() {
+  commands_.ask([&] {
+    const bool goes_on = serves();
+    stop_serving();
+    ++lives_;
+    begin_life();
+    if (goes_on) begin_serving();
+    tell();
+  });
+}
+
+std::int64_t LoopThread::apply_now(const LiveEvent& event) {
+  const bool begins = shown_ < 0 && !serves();
+  const auto change = [&](run::Executor& run) {
+    apply(event, run);
+    if (begins) run.reset();
+  };
+  if (serves()) {
+    life_->values.offer(change);
+    while (!life_->values.taken() && !life_->done)
+      std::this_thread::sleep_for(std::chrono::duration<double>(between_asks));
+    if (!life_->values.taken()) life_->values.at_tick();  // the loop ended before it took the value
+    life_->values.follow(change);
+    return *life_->values.taken();
+  }
+  life_->values.change_both(change);
+  return begins ? before_start : life_->values.active().tick();
+}
+
+void LoopThread::input(const InputSample& sample) {
+  inputs_.push(sample);
+  heard(sample.client);
+  commands_.push([] {});
+}
+
+void LoopThread::release(int client) {
+  {
+    const std::lock_guard lock(status_mutex_);
+    heard_.erase(client);
+  }
+  inputs_.release(client);
+  commands_.push([] {});
+}
+
+void LoopThread::heard(int client) {
+  const std::lock_guard lock(status_mutex_);
+  heard_[client] = seconds_now();
+}
+
+void LoopThread::describe(RunStatus& status) const {
+  const bool ended = !serves() && life_->loop.ended();
+  status.state = serves() ? RunStatus::State::playing
+                 : ended  ? RunStatus::State::ended
+                          : RunStatus::State::paused;
+  status.missed = life_->loop.deadlines().missed();
+  status.input = acted_;
+  status.fault = fault_;
+  if (const auto fault = ended ? life_->loop.simulation().fault() : std::nullopt)
+    status.fault = fault->fault.text();
+}
+
+std::optional<json::Json> LoopThread::timing() {
+  return commands_.ask([&] {
+    json::Json timing = timing_of(life_->loop, options_.settings).set("run", lives_);
+    timing.set("lost", life_->tap.lost());
+    const std::lock_guard lock(status_mutex_);
+    return std::optional(timing.set("policy", policy_).set("refused", json::Json::list_of(refused_)));
+  });
 }
 
 }  // namespace stepwire::live

@@ -3,17 +3,13 @@
 #include <atomic>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "engine/app/session/loop_settings.hpp"
-#include "engine/app/studio/live/command_queue.hpp"
-#include "engine/app/studio/live/pace.hpp"
 #include "engine/app/studio/live/page_device.hpp"
-#include "engine/app/studio/live/row_gathering.hpp"
 #include "engine/app/studio/live/run_control.hpp"
 #include "engine/simulate/realtime/loop.hpp"
 #include "engine/simulate/realtime/real_time_thread.hpp"
@@ -29,9 +25,9 @@ class LoopThread : public RunControl {
   struct Options {
     session::LoopSettings settings;
     StoreOptions store{};
-    std::uint32_t run = 0;          ///< number of the run
+    std::uint32_t run = 0;            ///< number of the run
     std::function<void()> changed{};  ///< called by the hub; must return soon
-    double patience = 0.5;          ///< [s] silence after which a page that writes inputs counts as lost
+    double patience = 0.5;            ///< [s] silence after which a page that writes inputs counts as lost
   };
 
   /// Allocates all memory of the loop, but does not start it. Plan and signals must outlive it. Throws Error
@@ -45,17 +41,9 @@ class LoopThread : public RunControl {
   std::int64_t one_tick() override;
   void restart() override;
   std::int64_t seek(double time) override;
-  SetResult set(const std::string& name, const std::string& text) override;
   void input(const InputSample& sample) override;
   void release(int client) override;
   void heard(int client) override;
-  std::size_t stored(std::size_t signal) override;
-  std::size_t stored(const query::Formula& formula) override;
-
-  RunStatus status() const override;
-  const SampleStore& store() const override { return rows_.store(); }
-  EventLog log() override;
-  std::optional<double> value(const std::string& parameter) override;
   std::optional<json::Json> timing() override;
 
  private:
@@ -71,6 +59,12 @@ class LoopThread : public RunControl {
     std::thread thread;
   };
 
+  const run::Executor& executor() const override { return life_->values.active(); }
+  std::int64_t apply_now(const LiveEvent& event) override;
+  void take_rows() override;
+  void select() override;
+  void describe(RunStatus& status) const override;
+
   void main();
   void look();
   void serve();
@@ -78,36 +72,23 @@ class LoopThread : public RunControl {
   void end_thread();
   void begin_life();
   void begin_serving();
-  void select();
-  void take_rows();
   void take_row(std::int64_t tick, const std::vector<std::size_t>& places, std::span<const double> values);
   void note_inputs(std::int64_t tick);
   void hand_inputs();
   void lose_silent_pages(double now);
-  std::int64_t set_in_loop(const LiveEvent& event);
-  void tell();
   bool serves() const { return life_->thread.joinable(); }
 
-  const plan::Plan& plan_;
   Options options_;
   realtime::SystemClock clock_;
-  CommandQueue commands_;
-  RowGathering rows_;
-  LiveInputs inputs_;
-  Pace pace_;
-  EventLog log_;
   std::unique_ptr<Life> life_;
   bool quits_ = false;
-  std::uint32_t lives_;
-  std::int64_t shown_ = -1;              ///< newest tick received; -1: none
   std::vector<double> mirror_, absent_;  ///< present workspace as far as known; workspace of NaN
   std::vector<std::vector<double>> seen_inputs_;
   std::map<std::string, double> sampled_;  ///< read time of the newest value of an input at its page [s]
   std::optional<double> handed_, acted_;   ///< page_time of the newest sample passed to the loop, and of the
                                            ///< one in force
-  mutable std::mutex told_mutex_;          ///< guards the members below
-  RunStatus status_;
-  std::string policy_;
+  std::string fault_;                      ///< reason of a failure outside the loop
+  std::string policy_;                     ///< this and the next two: guarded by status_mutex_
   std::vector<std::string> refused_;
   std::map<int, double> heard_;  ///< time of a client's last message [s]
   std::thread hub_;              ///< last: uses the other members

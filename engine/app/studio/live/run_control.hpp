@@ -1,13 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
 
 #include "engine/analyse/query/formula.hpp"
+#include "engine/app/studio/live/command_queue.hpp"
 #include "engine/app/studio/live/event_log.hpp"
 #include "engine/app/studio/live/live_inputs.hpp"
-#include "engine/app/studio/live/sample_store.hpp"
+#include "engine/app/studio/live/pace.hpp"
+#include "engine/app/studio/live/row_gathering.hpp"
 
 namespace stepwire::live {
 
@@ -34,7 +38,8 @@ struct SetResult {
   std::int64_t tick = 0;  ///< first tick with the new value
 };
 
-/// Interface for pages to control and observe a run. Thread-safe; calls return after they have taken effect.
+/// Run that pages control and observe, in threads of its own. Thread-safe; calls return after they have taken
+/// effect. Values that are set are logged with their tick.
 class RunControl {
  public:
   virtual ~RunControl() = default;
@@ -49,25 +54,70 @@ class RunControl {
   /// Moves to a time as fast as possible, backwards from a checkpoint; returns the target tick.
   virtual std::int64_t seek(double time) = 0;
   /// Sets a value. Throws Error if the run refuses it.
-  virtual SetResult set(const std::string& name, const std::string& text) = 0;
+  SetResult set(const std::string& name, const std::string& text);
   /// Queues a sample of an input. Throws Error for a wrong count of numbers. Returns at once.
-  virtual void input(const InputSample& sample) = 0;
+  virtual void input(const InputSample& sample) { inputs_.push(sample); }
   /// Resets the inputs that this client wrote last to their defaults, from the next tick on.
-  virtual void release(int client) = 0;
+  virtual void release(int client) { inputs_.release(client); }
   /// Records that a client is alive; any of its messages counts.
   virtual void heard(int) {}
   /// Returns the column of the store for a signal of the list, and starts storing it if needed.
-  virtual std::size_t stored(std::size_t signal) = 0;
+  std::size_t stored(std::size_t signal) { return column_of(signal); }
   /// Returns the column of the store for a formula, and starts storing it if needed.
-  virtual std::size_t stored(const query::Formula& formula) = 0;
+  std::size_t stored(const query::Formula& formula) { return column_of(formula); }
 
-  virtual RunStatus status() const = 0;
-  virtual const SampleStore& store() const = 0;
-  virtual EventLog log() = 0;
+  RunStatus status() const;
+  const SampleStore& store() const { return rows_.store(); }
+  EventLog log();
   /// Returns the present value of a parameter in SI; std::nullopt if it is no number.
-  virtual std::optional<double> value(const std::string& parameter) = 0;
+  std::optional<double> value(const std::string& parameter);
   /// Returns the timing of a real-time loop, as in the news `loop`; std::nullopt for a simulation.
   virtual std::optional<json::Json> timing() { return std::nullopt; }
+
+ protected:
+  /// `run`: number of the run. `changed` is called by the run's thread and must return soon. Plan and signals
+  /// must outlive it.
+  RunControl(const plan::Plan& plan, const SignalList& signals, const StoreOptions& store, std::uint32_t run,
+             std::function<void()> changed);
+
+  // Parts of the calls above that differ. The thread of the run executes them.
+  virtual const run::Executor& executor() const = 0;
+  /// Applies a value that is set; returns the first tick with it.
+  virtual std::int64_t apply_now(const LiveEvent& event) = 0;
+  virtual void take_rows() {}
+  /// Follows a change of the stored columns.
+  virtual void select() = 0;
+  /// Writes state, input and fault, and the counts that differ.
+  virtual void describe(RunStatus& status) const = 0;
+
+  /// Publishes the status.
+  void tell();
+  /// Begins a log for a new start, with the values that are set now; calls `apply` for each of them.
+  void begin_log(const std::function<void(const LiveEvent&)>& apply);
+  std::int64_t next_tick() const { return shown_ + 1; }
+
+  const plan::Plan& plan_;
+  CommandQueue commands_;
+  RowGathering rows_;
+  LiveInputs inputs_;
+  Pace pace_;
+  EventLog log_;
+  std::uint32_t lives_;              ///< number of the run
+  std::int64_t shown_ = -1;          ///< last tick computed or received; -1: none
+  mutable std::mutex status_mutex_;  ///< guards the status
+
+ private:
+  template <class Signal>
+  std::size_t column_of(const Signal& signal) {
+    return commands_.ask([&] {
+      const std::size_t column = rows_.column(signal, next_tick());
+      select();
+      return column;
+    });
+  }
+
+  RunStatus status_;
+  std::function<void()> changed_;
 };
 
 }  // namespace stepwire::live

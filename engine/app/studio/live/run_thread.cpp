@@ -1,16 +1,74 @@
 #include "engine/app/studio/live/run_thread.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <span>
 #include <utility>
-
-#include "engine/base/yaml/error.hpp"
+#include <vector>
 
 namespace stepwire::live {
 
 namespace {
+
+constexpr std::int64_t most_samples = std::int64_t{32} << 20;  // 256 MB
+
+class PastSampling : public run::RunObserver {
+ public:
+  PastSampling(const EventLog& log, std::span<const RowGathering::Incomplete> columns)
+      : log_(log), columns_(columns), samples(columns.size()) {
+    for (const auto& one : columns) end_ = std::max(end_, one.first_tick);
+  }
+
+  run::Flow before_tick(const run::ObservedRun& run) override {
+    const std::int64_t tick = run.simulation.tick();
+    if (tick >= end_) return run::Flow::stop;
+    log_.each(tick, tick + 1, [&](const LiveEvent& event) { apply(event, run.simulation); });
+    return run::Flow::go_on;
+  }
+  void evaluated(const run::ObservedRun& run) override {
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      if (run.simulation.tick() < columns_[i].first_tick)
+        samples[i].push_back(columns_[i].column(run.simulation.values()));
+  }
+  bool is_whole() const {
+    return std::ranges::equal(columns_, samples, [](const auto& column, const std::vector<double>& past) {
+      return column.first_tick == static_cast<std::int64_t>(past.size());
+    });
+  }
+
+ private:
+  const EventLog& log_;
+  std::span<const RowGathering::Incomplete> columns_;
+  std::int64_t end_ = 0;
+
+ public:
+  std::vector<std::vector<double>> samples;
+};
+
+/// Repeats a run with the events of its log, for samples that columns lack; the bits are the same. Returns a
+/// list of samples for each column, from tick 0 up to its first stored tick. The list is empty after an
+/// interruption, if the run ends early, and beyond 256 MB.
+std::vector<std::vector<double>> past_of(const plan::Plan& plan, const EventLog& log,
+                                         std::span<const RowGathering::Incomplete> columns,
+                                         const std::atomic<bool>& interrupt) {
+  std::int64_t count = 0;
+  for (const auto& one : columns) count += one.first_tick;
+  if (count > most_samples) return {};
+  run::Executor simulation(plan);
+  log.each(before_start, 0, [&](const LiveEvent& event) { apply(event, simulation); });
+  simulation.reset();
+  PastSampling sampling(log, columns);
+  run::RunObserver* const observer = &sampling;
+  std::vector<record::Recorder> nothing_recorded;
+  run::Drive drive(simulation, nothing_recorded);
+  drive.observers = {&observer, 1};
+  drive.shows_rows = false;
+  drive.interrupt = &interrupt;
+  drive.run();
+  return sampling.is_whole() ? std::move(sampling.samples) : std::vector<std::vector<double>>{};
+}
 
 constexpr double between_moments = 0.5;   // [s] simulated time between checkpoints
 constexpr double ahead = 1e-3;            // [s] by which a tick may be early; no sleep is shorter
@@ -23,15 +81,9 @@ std::int64_t ticks_between_moments(const plan::Plan& plan) {
 }  // namespace
 
 RunThread::RunThread(const plan::Plan& plan, const SignalList& signals, Options options)
-    : plan_(plan),
-      options_(std::move(options)),
-      code_(plan, options_.code),
-      rows_(signals, plan.diagram.step, options_.store),
-      inputs_(plan),
-      moments_(ticks_between_moments(plan)),
-      pace_(plan.diagram.step),
-      lives_(options_.run) {
-  status_.run = lives_;
+    : RunControl(plan, signals, options.store, options.run, std::move(options.changed)),
+      code_(plan, options.code),
+      moments_(ticks_between_moments(plan)) {
   thread_ = std::thread([this] { main(); });
 }
 
@@ -179,13 +231,7 @@ void RunThread::add_event(LiveEvent event) {
 
 /// Resets the run to its start, with the values that are set now.
 void RunThread::start_anew() {
-  const std::vector<LiveEvent> set = log_.last_of_each();
-  log_ = {};
-  for (LiveEvent event : set) {
-    if (event.is_input()) continue;
-    event.tick = before_start;
-    add_event(std::move(event));
-  }
+  begin_log([this](const LiveEvent& event) { apply(event, life_->run); });
   life_->run.reset();
   moments_ = Moments(ticks_between_moments(plan_));
   rows_.cut(0);
@@ -209,7 +255,7 @@ void RunThread::go_back(std::int64_t tick) {
   known_ = tick + 1;
   goal_ = tick;
   shown_ = at - 1;
-  fill_past();
+  select();
 }
 
 /// Applies the present values from the tick after `tick` on.
@@ -223,6 +269,108 @@ void RunThread::carry_values(std::int64_t tick) {
     event.tick = tick + 1;
     log_.add(std::move(event));
   }
+}
+
+/// Executes an action in the run's thread and publishes the new status.
+template <class Act>
+void RunThread::act(const Act& act) {
+  commands_.ask([&] {
+    act();
+    tell();
+  });
+}
+
+void RunThread::go_to(std::int64_t tick) {
+  back_to_ = tick;
+  ended_ = false;
+}
+
+void RunThread::play(double rate) {
+  act([&] {
+    if (ended_) go_to(before_start);
+    pace_.begin(rate, next_tick(), seconds_now());
+    is_paced_ = false;
+    plays_ = true;
+  });
+}
+
+void RunThread::pause() {
+  act([&] {
+    plays_ = false;
+    goal_ = std::min(goal_, shown_);
+  });
+}
+
+std::int64_t RunThread::one_tick() {
+  constexpr std::chrono::seconds patience{1};  // limit for very slow ticks
+  const auto arrived = std::make_shared<std::promise<void>>();
+  const std::int64_t tick = commands_.ask([&] {
+    plays_ = false;
+    goal_ = ended_ ? shown_ : next_tick();
+    arrived_ = arrived;
+    return goal_;
+  });
+  arrived->get_future().wait_for(patience);
+  return tick;
+}
+
+void RunThread::restart() {
+  act([&] { go_to(before_start); });
+}
+
+std::int64_t RunThread::seek(double time) {
+  const double ticks =
+      std::clamp(std::round(time / plan_.diagram.step), 0.0, static_cast<double>(plan_.steps));
+  const auto tick = static_cast<std::int64_t>(ticks);
+  act([&] {
+    if (tick <= shown_)
+      go_to(tick);
+    else
+      goal_ = tick;
+    is_paced_ = false;
+  });
+  return tick;
+}
+
+std::int64_t RunThread::apply_now(const LiveEvent& event) {
+  apply(event, life_->run);
+  code_.was_set(event.name);
+  return event.tick;
+}
+
+/// Starts the computation of samples before the first tick of columns that were selected after the start.
+void RunThread::select() {
+  past_interrupt_ = true;
+  if (past_.joinable()) past_.join();
+  std::vector<RowGathering::Incomplete> columns = rows_.incomplete();
+  if (columns.empty()) return;
+  past_interrupt_ = false;
+  past_ = std::thread([this, life = lives_, log = log_, columns = std::move(columns)] {
+    std::vector<std::vector<double>> samples;
+    try {
+      samples = past_of(plan_, log, columns, past_interrupt_);
+    } catch (const std::exception&) {  // the columns remain incomplete; the page shows their begin
+    }
+    if (!samples.empty()) commands_.push([=, this] { put_past(life, columns, samples); });
+  });
+}
+
+void RunThread::put_past(std::uint32_t life, const std::vector<RowGathering::Incomplete>& columns,
+                         const std::vector<std::vector<double>>& samples) {
+  if (life != lives_) return;
+  rows_.flush();
+  for (std::size_t i = 0; i < columns.size(); ++i) rows_.put_past(columns[i].index, samples[i]);
+  tell();
+}
+
+void RunThread::describe(RunStatus& status) const {
+  status.state = ended_   ? RunStatus::State::ended
+                 : plays_ ? RunStatus::State::playing
+                          : RunStatus::State::paused;
+  status.missed = pace_.missed();
+  status.compiled = life_ && life_->run.compiled();
+  status.input = stored_input_;
+  status.fault = fault_;
 }
 
 }  // namespace stepwire::live

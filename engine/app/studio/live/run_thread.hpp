@@ -4,19 +4,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "engine/app/studio/live/command_queue.hpp"
-#include "engine/app/studio/live/event_log.hpp"
 #include "engine/app/studio/live/live_code.hpp"
-#include "engine/app/studio/live/live_inputs.hpp"
 #include "engine/app/studio/live/moments.hpp"
-#include "engine/app/studio/live/pace.hpp"
-#include "engine/app/studio/live/row_gathering.hpp"
 #include "engine/app/studio/live/run_control.hpp"
 #include "engine/simulate/run/drive.hpp"
 
@@ -43,16 +37,6 @@ class RunThread : public RunControl, private run::RunObserver {
   std::int64_t one_tick() override;
   void restart() override;
   std::int64_t seek(double time) override;
-  SetResult set(const std::string& name, const std::string& text) override;
-  void input(const InputSample& sample) override;
-  void release(int client) override;
-  std::size_t stored(std::size_t signal) override;
-  std::size_t stored(const query::Formula& formula) override;
-
-  RunStatus status() const override;
-  const SampleStore& store() const override { return rows_.store(); }
-  EventLog log() override;
-  std::optional<double> value(const std::string& parameter) override;
 
  private:
   /// Run of the plan, from its start or from a checkpoint.
@@ -63,6 +47,10 @@ class RunThread : public RunControl, private run::RunObserver {
     run::Drive drive;
   };
 
+  const run::Executor& executor() const override { return life_->run; }
+  std::int64_t apply_now(const LiveEvent& event) override;
+  void select() override;
+  void describe(RunStatus& status) const override;
   run::Flow before_tick(const run::ObservedRun&) override;
   void evaluated(const run::ObservedRun&) override;
 
@@ -83,36 +71,22 @@ class RunThread : public RunControl, private run::RunObserver {
   void start_anew();
   void go_back(std::int64_t tick);
   void carry_values(std::int64_t tick);
-  void fill_past();
   void put_past(std::uint32_t life, const std::vector<RowGathering::Incomplete>& columns,
                 const std::vector<std::vector<double>>& samples);
-  std::int64_t next_tick() const { return shown_ + 1; }
-  void tell();
 
-  const plan::Plan& plan_;
-  Options options_;
-  CommandQueue commands_;
   LiveCode code_;
-  RowGathering rows_;
-  LiveInputs inputs_;
   Moments moments_;
-  Pace pace_;
-  EventLog log_;
   std::unique_ptr<Life> life_;
   std::atomic<bool> quits_ = false;
   bool plays_ = false, ended_ = false;
   bool is_paced_ = false;               ///< true after the pace has a first tick
   std::optional<double> stored_input_;  ///< RunStatus::input
   double flushed_ = 0.0;
-  std::int64_t shown_ = -1;                      ///< last computed tick; -1: none
   std::int64_t goal_ = 0;                        ///< computed without the clock up to here
   std::int64_t known_ = 0;                       ///< replays the log before this tick
   std::optional<std::int64_t> back_to_;          ///< pending restart or seek
   std::shared_ptr<std::promise<void>> arrived_;  ///< waits for `goal_`; may be nullptr
-  std::uint32_t lives_;                          ///< number of the run
   std::string fault_;
-  mutable std::mutex status_mutex_;
-  RunStatus status_;
   std::atomic<bool> past_interrupt_ = false;
   std::thread past_;    ///< computes missing samples
   std::thread thread_;  ///< last: uses the other members

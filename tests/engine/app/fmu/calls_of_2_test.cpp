@@ -1,15 +1,11 @@
 // The binary of a unit of FMI 2, called as an importer calls it: well and badly.
-#include <dlfcn.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <vector>
 
-#include "engine/base/fmi/fmi2_unit.h"
-#include "engine/base/fmi/package.hpp"
-#include "engine/base/io/file.hpp"
+#include "engine/base/fmi/fmi2.h"
 #include "tests/engine/app/fmu/exported.hpp"
 
 namespace stepwire::fmu {
@@ -37,37 +33,16 @@ record: [x, twice]
 /// References in the order of the description: each number has one.
 enum Ref : fmi2ValueReference { time_, k, push_1, push_2, x, twice_1, twice_2, slope_of_x };
 
-struct Binary {
-  Binary() {
-    const Scratch folder;
-    auto files = unit_files(folder, "decay", decay_yaml, 2);
-    const std::string& description = files.at("modelDescription.xml");
-    const std::size_t at = description.find("guid=\"") + 6;
-    guid = description.substr(at, description.find('"', at) - at);
-    io::write_file(folder.path("decay.so"), files.at(fmi::binary_folder(2) + "decay.so"));
-    library = dlopen(folder.path("decay.so").c_str(), RTLD_NOW | RTLD_LOCAL);
-    REQUIRE(library);
-  }
-  template <class Function>
-  Function* find(const char* name) const {
-    void* found = dlsym(library, name);
-    INFO(name);
-    REQUIRE(found);
-    return reinterpret_cast<Function*>(found);
-  }
-  void* library;
-  std::string guid;
-};
-
+/// One binary for all tests of this file.
 const Binary& binary() {
-  static const Binary one;
+  static const Binary one("decay", decay_yaml, 2);
   return one;
 }
 
 #define CALL_2(name) binary().find<decltype(name)>(#name)
 
 struct Unit {
-  explicit Unit(fmi2Type type, const std::string& guid = binary().guid) {
+  explicit Unit(fmi2Type type, const std::string& guid = binary().token()) {
     unit = CALL_2(fmi2Instantiate)("own name", type, guid.c_str(), "", &callbacks, fmi2False, fmi2False);
   }
   ~Unit() { CALL_2(fmi2FreeInstance)(unit); }
@@ -104,6 +79,13 @@ struct Unit {
   fmi2Component unit = nullptr;
 };
 
+/// Checks that a call failed because an argument was a null pointer.
+void refuses(const Unit& unit, fmi2Status status, const std::string& argument) {
+  INFO(argument);
+  CHECK(status == fmi2Error);
+  CHECK_THAT(unit.message, Contains(argument + " is a null pointer; it has to point to 1 value"));
+}
+
 }  // namespace
 
 TEST_CASE("a unit of FMI 2 refuses a wrong GUID, missing instances and bad values with a sentence",
@@ -122,6 +104,30 @@ TEST_CASE("a unit of FMI 2 refuses a wrong GUID, missing instances and bad value
   const fmi2ValueReference reference = k;
   CHECK(CALL_2(fmi2GetInteger)(unit.unit, &reference, 1, &whole) == fmi2Error);
   CHECK_THAT(unit.message, Contains("no variables of the type Integer"));
+}
+
+TEST_CASE("a null pointer in a call of FMI 2 is an error that names the argument") {
+  if (!there_is_a_compiler()) return;
+  Unit unit(fmi2CoSimulation), exchange(fmi2ModelExchange);
+  unit.initialize();
+  exchange.initialize();
+  const fmi2ValueReference reference = k;
+  fmi2Boolean flag = fmi2True;
+  double change = 7.0;
+  refuses(unit, CALL_2(fmi2GetReal)(unit.unit, &reference, 1, nullptr), "values");
+  refuses(unit, CALL_2(fmi2SetReal)(unit.unit, nullptr, 1, &change), "valueReferences");
+  refuses(unit, CALL_2(fmi2GetFMUstate)(unit.unit, nullptr), "FMUState");
+  refuses(unit, CALL_2(fmi2GetRealStatus)(unit.unit, fmi2LastSuccessfulTime, nullptr), "value");
+  refuses(unit, CALL_2(fmi2GetBooleanStatus)(unit.unit, fmi2Terminated, nullptr), "value");
+  refuses(exchange, CALL_2(fmi2NewDiscreteStates)(exchange.unit, nullptr), "eventInfo");
+  const auto derivative = CALL_2(fmi2GetDirectionalDerivative);
+  const fmi2ValueReference of = slope_of_x, by = x;
+  refuses(exchange, derivative(exchange.unit, &of, 1, &by, 1, nullptr, &change), "seed");
+  refuses(exchange, derivative(exchange.unit, &of, 1, nullptr, 1, &change, &change), "knowns");
+  REQUIRE(CALL_2(fmi2EnterContinuousTimeMode)(exchange.unit) == fmi2OK);
+  refuses(exchange, CALL_2(fmi2CompletedIntegratorStep)(exchange.unit, fmi2True, nullptr, &flag),
+          "enterEventMode");
+  CHECK((flag == fmi2True && change == 7.0));
 }
 
 TEST_CASE("a unit of FMI 2 steps by the equations, and can be reset") {

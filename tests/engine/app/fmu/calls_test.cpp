@@ -1,13 +1,9 @@
 // The binary of an exported unit, called as an importer calls it: well and badly.
-#include <dlfcn.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
+#include <vector>
 
-#include "engine/base/fmi/fmi3_unit.h"
-#include "engine/base/fmi/package.hpp"
-#include "engine/base/io/file.hpp"
+#include "engine/base/fmi/fmi3.h"
 #include "tests/engine/app/fmu/exported.hpp"
 
 namespace stepwire::fmu {
@@ -39,38 +35,15 @@ record: [cart.position, net, both]
 enum Ref : fmi3ValueReference { time_, mass, k, push, position, net, both, slope_of_position, velocity };
 
 /// One binary for all tests of this file.
-struct Binary {
-  Binary() {
-    const Scratch folder;
-    auto files = unit_files(folder, "cart", cart_yaml, 3);
-    const std::string& description = files.at("modelDescription.xml");
-    const std::size_t at = description.find("instantiationToken=\"") + 20;
-    token = description.substr(at, description.find('"', at) - at);
-    const std::string path = folder.path("cart.so");
-    io::write_file(path, files.at(fmi::binary_folder(3) + "cart.so"));
-    library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    REQUIRE(library);
-  }
-  template <class Function>
-  Function* find(const char* name) const {
-    void* found = dlsym(library, name);
-    INFO(name);
-    REQUIRE(found);
-    return reinterpret_cast<Function*>(found);
-  }
-  void* library;
-  std::string token;
-};
-
 const Binary& binary() {
-  static const Binary one;
+  static const Binary one("cart", cart_yaml, 3);
   return one;
 }
 
 #define CALL(name) binary().find<decltype(name)>(#name)
 
 struct Unit {
-  explicit Unit(bool exchange = false, const std::string& token = binary().token) {
+  explicit Unit(bool exchange = false, const std::string& token = binary().token()) {
     unit = exchange ? CALL(fmi3InstantiateModelExchange)("a", token.c_str(), "", false, false, this, log)
                     : CALL(fmi3InstantiateCoSimulation)("a", token.c_str(), "", false, false, false, false,
                                                         nullptr, 0, this, log, nullptr);
@@ -105,6 +78,13 @@ struct Unit {
   fmi3Instance unit = nullptr;
   std::string message;
 };
+
+/// Checks that a call failed because an argument was a null pointer.
+void refuses(const Unit& unit, fmi3Status status, const std::string& argument) {
+  INFO(argument);
+  CHECK(status == fmi3Error);
+  CHECK_THAT(unit.message, Contains(argument + " is a null pointer; it has to point to "));
+}
 
 }  // namespace
 
@@ -160,6 +140,79 @@ TEST_CASE("calls in the wrong state, of wrong variables and of wrong sizes are e
   CHECK_THAT(cart.message, Contains("no state of this unit"));
   CHECK(CALL(fmi3Terminate)(cart.unit) == fmi3OK);
   CHECK(cart.step(0.0) == fmi3Error);
+}
+
+TEST_CASE("a null pointer for a result is an error that names the argument, and nothing is written") {
+  if (!there_is_a_compiler()) return;
+  Unit cart, exchange(true);
+  cart.initialize();
+  exchange.initialize();
+  double last = 7.0;
+  bool flag = true;
+  const auto step = CALL(fmi3DoStep);
+  const auto update = CALL(fmi3UpdateDiscreteStates);
+  refuses(cart, step(cart.unit, 0.0, 0.01, true, nullptr, &flag, &flag, &last), "eventHandlingNeeded");
+  refuses(cart, step(cart.unit, 0.0, 0.01, true, &flag, nullptr, &flag, &last), "terminateSimulation");
+  refuses(cart, step(cart.unit, 0.0, 0.01, true, &flag, &flag, nullptr, &last), "earlyReturn");
+  refuses(cart, step(cart.unit, 0.0, 0.01, true, &flag, &flag, &flag, nullptr), "lastSuccessfulTime");
+  refuses(cart, CALL(fmi3GetNumberOfContinuousStates)(cart.unit, nullptr), "nContinuousStates");
+  refuses(exchange, update(exchange.unit, &flag, &flag, &flag, &flag, &flag, nullptr), "nextEventTime");
+  refuses(exchange, update(exchange.unit, nullptr, &flag, &flag, &flag, &flag, &last),
+          "discreteStatesNeedUpdate");
+  REQUIRE(CALL(fmi3EnterContinuousTimeMode)(exchange.unit) == fmi3OK);
+  refuses(exchange, CALL(fmi3CompletedIntegratorStep)(exchange.unit, true, &flag, nullptr),
+          "terminateSimulation");
+  CHECK((flag && last == 7.0));
+  CHECK(cart.get(time_) == 0.0);
+}
+
+TEST_CASE("a null pointer for numbers is an error that names the argument, unless there are none") {
+  if (!there_is_a_compiler()) return;
+  Unit cart, exchange(true);
+  cart.initialize();
+  exchange.initialize();
+  const fmi3ValueReference pair = both;
+  double values[2] = {7.0, 7.0};
+  refuses(cart, CALL(fmi3GetFloat64)(cart.unit, nullptr, 1, values, 2), "valueReferences");
+  refuses(cart, CALL(fmi3GetFloat64)(cart.unit, &pair, 1, nullptr, 2), "values");
+  refuses(cart, CALL(fmi3SetFloat64)(cart.unit, &pair, 1, nullptr, 2), "values");
+  refuses(exchange, CALL(fmi3GetContinuousStates)(exchange.unit, nullptr, 2), "continuousStates");
+  refuses(exchange, CALL(fmi3SetContinuousStates)(exchange.unit, nullptr, 2), "continuousStates");
+  refuses(exchange, CALL(fmi3GetContinuousStateDerivatives)(exchange.unit, nullptr, 2), "derivatives");
+  refuses(exchange, CALL(fmi3GetNominalsOfContinuousStates)(exchange.unit, nullptr, 2), "nominals");
+  CHECK((values[0] == 7.0 && values[1] == 7.0));
+  CHECK(CALL(fmi3GetEventIndicators)(exchange.unit, nullptr, 0) == fmi3OK);
+}
+
+TEST_CASE("a null pointer for a state is an error that names the argument; freeing none is none") {
+  if (!there_is_a_compiler()) return;
+  Unit cart;
+  cart.initialize();
+  std::size_t size = 0;
+  fmi3FMUState state = nullptr;
+  REQUIRE(CALL(fmi3GetFMUState)(cart.unit, &state) == fmi3OK);
+  REQUIRE(CALL(fmi3SerializedFMUStateSize)(cart.unit, state, &size) == fmi3OK);
+  refuses(cart, CALL(fmi3GetFMUState)(cart.unit, nullptr), "FMUState");
+  refuses(cart, CALL(fmi3SetFMUState)(cart.unit, nullptr), "FMUState");
+  refuses(cart, CALL(fmi3SerializedFMUStateSize)(cart.unit, state, nullptr), "size");
+  refuses(cart, CALL(fmi3SerializeFMUState)(cart.unit, state, nullptr, size), "serializedState");
+  refuses(cart, CALL(fmi3DeserializeFMUState)(cart.unit, nullptr, size, &state), "serializedState");
+  CHECK(CALL(fmi3FreeFMUState)(cart.unit, &state) == fmi3OK);
+  CHECK(CALL(fmi3FreeFMUState)(cart.unit, nullptr) == fmi3OK);
+}
+
+TEST_CASE("a wrong count of numbers is an error, and nothing is written behind the states") {
+  if (!there_is_a_compiler()) return;
+  Unit exchange(true);
+  exchange.initialize();
+  double numbers[3] = {7.0, 7.0, 7.0};
+  CHECK(CALL(fmi3GetNominalsOfContinuousStates)(exchange.unit, numbers, 3) == fmi3Error);
+  CHECK_THAT(exchange.message, Contains("it has 2 continuous states, not 3"));
+  CHECK(CALL(fmi3GetContinuousStates)(exchange.unit, numbers, 3) == fmi3Error);
+  CHECK(CALL(fmi3GetContinuousStateDerivatives)(exchange.unit, numbers, 1) == fmi3Error);
+  CHECK((numbers[0] == 7.0 && numbers[1] == 7.0 && numbers[2] == 7.0));
+  REQUIRE(CALL(fmi3GetNominalsOfContinuousStates)(exchange.unit, numbers, 2) == fmi3OK);
+  CHECK((numbers[0] == 1.0 && numbers[1] == 1.0 && numbers[2] == 7.0));
 }
 
 TEST_CASE("what a block finds wrong ends the run with its sentence, until the unit is reset") {
@@ -232,6 +285,8 @@ TEST_CASE("a run may begin at any tick, and at no time between two", "[full]") {
   Unit cart;
   CHECK(CALL(fmi3EnterInitializationMode)(cart.unit, false, 0.0, 0.505, false, 0.0) == fmi3Error);
   CHECK_THAT(cart.message, Contains("cannot begin at 0.505 s"));
+  CHECK(CALL(fmi3EnterInitializationMode)(cart.unit, false, 0.0, 1e300, false, 0.0) == fmi3Error);
+  CHECK_THAT(cart.message, Contains("cannot begin at 1e+300 s"));
   REQUIRE(CALL(fmi3EnterInitializationMode)(cart.unit, false, 0.0, 0.5, false, 0.0) == fmi3OK);
   REQUIRE(CALL(fmi3ExitInitializationMode)(cart.unit) == fmi3OK);
   CHECK(cart.get(time_) == 0.5);

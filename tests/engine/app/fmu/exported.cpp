@@ -1,10 +1,13 @@
 #include "tests/engine/app/fmu/exported.hpp"
 
+#include <dlfcn.h>
+
 #include <catch2/catch.hpp>
 
 #include "blocks/register.hpp"
 #include "engine/app/fmu/unit_export.hpp"
 #include "engine/base/fmi/archive_bytes.hpp"
+#include "engine/base/fmi/package.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/model/diagram/load.hpp"
 #include "tests/support/units/schema.hpp"
@@ -43,6 +46,26 @@ std::string exported(const Scratch& folder, const std::string& name, const std::
   const std::string path = folder.path(name + ".fmu");
   io::write_file(path, fmi::archive_bytes(unit_files(folder, name, yaml, version)));
   return path;
+}
+
+Binary::Binary(const std::string& name, const std::string& yaml, int version) {
+  const Scratch folder;
+  auto files = unit_files(folder, name, yaml, version);
+  const std::string& description = files.at("modelDescription.xml");
+  const std::string key = version == 2 ? "guid=\"" : "instantiationToken=\"";
+  const std::size_t at = description.find(key) + key.size();
+  token_ = description.substr(at, description.find('"', at) - at);
+  const std::string path = folder.path(name + ".so");
+  io::write_file(path, files.at(fmi::binary_folder(version) + name + ".so"));
+  library_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  REQUIRE(library_);
+}
+
+void* Binary::address(const char* name) const {
+  void* found = dlsym(library_, name);
+  INFO(name);
+  REQUIRE(found);
+  return found;
 }
 
 }  // namespace stepwire::fmu
