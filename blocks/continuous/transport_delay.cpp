@@ -43,6 +43,9 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
       {.shape = "k", .doc = "1 at samples of instants, more at their echoes in a loop, else 0", .settable = false});
   is.state<&TransportDelay::newest>({.doc = "where the newest sample stands", .settable = false});
   is.state<&TransportDelay::count>({.doc = "how many samples there are", .settable = false});
+  is.state<&TransportDelay::passed>(
+      {.unit = "s", .doc = "last instant that has arrived, where the delay is a signal", .settable = false});
+  is.crossing<&TransportDelay::delay>("an instant arrives, where the delay is a signal", "1");
   is.diagnostic<&TransportDelay::out_of_range>(
       {.doc = "the delay is below a step or above `longest`", .ends_run = true});
   is.diagnostic<&TransportDelay::full>(
@@ -51,12 +54,15 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
   is.clock<&TransportDelay::period>();
   is.derived<&TransportDelay::rows, From::no_number>();
   is.derived<&TransportDelay::most, From::no_number>();
+  is.derived<&TransportDelay::changes, From::no_number>();
 }
 
 void TransportDelay::configure(Configure& is) {
   constexpr double most_rows = 1e7, for_events = 64.0;
   const auto constant = is.constant<&TransportDelay::delay>();
   const double step = is.period();
+  changes = !constant;
+  if (constant) is.skip_crossings();
   most = constant ? std::max(*constant, step) : longest;
   if (!(constant.value_or(most) >= step * (1.0 - 1e-9)))
     is.refuse<&TransportDelay::longest>(fmt::format(

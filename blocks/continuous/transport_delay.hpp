@@ -26,10 +26,12 @@ struct TransportDelay {
   DiscreteState<> edges{};    // 1 at rows of instants, 2 and more at their echoes, else 0.
   DiscreteState<1> newest{};  // Index of the last written row.
   DiscreteState<1> count{};   // Number of written rows.
+  DiscreteState<1> passed{};  // Time of the last row of an instant that has arrived [s]; -1 without one.
   Diagnostic out_of_range{}, full{};
 
   Index rows = 1;
-  double most = 1.0;  // largest stored delay [s]
+  double most = 1.0;     // largest stored delay [s]
+  bool changes = false;  // true if the delay is a signal
   Period period{};
   Time t{};
 
@@ -42,15 +44,28 @@ struct TransportDelay {
   void update() {
     if (!(delay >= shortest() && delay <= most)) out_of_range.raise(t);
     store(false);
+    if (changes) pass();
   }
-  void update_at_event() { store(true); }
+  void update_at_event() {
+    store(true);
+    if (changes) pass();
+  }
 
+  /// Returns the time at which the next instant arrives. With a delay that changes, a crossing finds it.
   double next_edge() const {
     const double T = length();
-    for (Index row = last_reached(T) + 1; row < known(); ++row)
+    for (Index row = last_reached(T) + 1; !changes && row < known(); ++row)
       if (edges[place(row)] > 0.0) return times[place(row)] + T;
     return std::numeric_limits<double>::infinity();
   }
+
+  void crossings(Crossings& zero) const {
+    Index row = 0;
+    while (row < known() && !(edges[place(row)] > 0.0 && times[place(row)] > passed)) ++row;
+    zero.add(row < known() ? t - length() - times[place(row)] : -1.0);
+  }
+
+  void start() { passed = -1.0; }
 
   void configure(Configure& is);
   static void declare(Declare<TransportDelay>& is);
@@ -77,6 +92,12 @@ struct TransportDelay {
       (reached(t, times[place(middle)] + T) ? low : high) = middle;
     }
     return low;
+  }
+
+  /// Stores the last instant that has arrived.
+  void pass() {
+    for (Index row = last_reached(length()); row >= 0 && times[place(row)] > passed; --row)
+      if (edges[place(row)] > 0.0) passed = times[place(row)];
   }
 
   double value(Index i, Index row, double at) const {

@@ -18,6 +18,7 @@ void SampleAndHold::declare(Declare<SampleAndHold>& is) {
        .words = {"rising", "falling", "either", "level"}});
   is.input<&SampleAndHold::u>({.unit = "'u", .doc = "signal to sample"});
   is.input<&SampleAndHold::when>({.unit = "*", .doc = "says when"});
+  is.crossing<&SampleAndHold::when>("`when` becomes true or false", "1");
   is.output<&SampleAndHold::y>({.unit = "'u", .doc = "the last sample"});
   is.state<&SampleAndHold::last>({.unit = "'u", .doc = "the last sample"});
   is.state<&SampleAndHold::side>(

@@ -25,6 +25,8 @@ struct SampleAndHold {
     side = when > 0.0 ? 1.0 : -1.0;
   }
 
+  void crossings(Crossings& zero) const { zero.add(when); }
+
   static void declare(Declare<SampleAndHold>& is);
 
  private:

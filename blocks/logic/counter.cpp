@@ -26,6 +26,8 @@ void Counter::declare(Declare<Counter>& is) {
   is.input<&Counter::u>(
       {.unit = "*", .doc = "what is counted; ticks where nothing is wired", .optional = true});
   is.input<&Counter::down>({.unit = "*", .doc = "above 0: counts downwards", .optional = true});
+  is.crossing<&Counter::reset>("the reset signal becomes true or false", "1");
+  is.crossing<&Counter::u>("u becomes true or false", "1");
   is.output<&Counter::y>({.doc = "the count, this tick's included"});
   is.state<&Counter::count>({.doc = "the count so far"});
   is.state<&Counter::last>(
@@ -35,7 +37,10 @@ void Counter::declare(Declare<Counter>& is) {
 
 void Counter::configure(Configure& is) {
   configure_reset(*this, is);
-  if (!is.connected<&Counter::u>() || count_at == Trigger::level) is.keep_to_ticks();
+  if (!is.connected<&Counter::u>() || count_at == Trigger::level) {
+    is.keep_to_ticks();
+    is.skip_crossings();
+  }
   if (lower > upper) is.refuse<&Counter::lower>("lies above `upper`");
   if (beyond == Beyond::wrap && !(lower > -unlimited && upper < unlimited))
     is.refuse<&Counter::beyond>("'wrap' needs both `lower` and `upper`");

@@ -24,6 +24,11 @@ struct Counter : Resettable {
     remember_reset();
   }
 
+  void crossings(Crossings& zero) const {
+    Resettable::crossings(zero);
+    zero.add(u);
+  }
+
   void configure(Configure& is);
   void start() { home[0] = count; }
   static void declare(Declare<Counter>& is);

@@ -14,6 +14,8 @@ void Latch::declare(Declare<Latch>& is) {
   is.parameter<&Latch::priority>({.doc = "which one counts while both are true", .words = {"reset", "set"}});
   is.input<&Latch::set>({.unit = "*", .doc = "makes it 1"});
   is.input<&Latch::reset>({.unit = "*", .doc = "makes it 0"});
+  is.crossing<&Latch::set>("set becomes true or false");
+  is.crossing<&Latch::reset>("reset becomes true or false");
   is.output<&Latch::y>({.doc = "1 or 0"});
   is.state<&Latch::last>({.doc = "output at the last tick"});
 }

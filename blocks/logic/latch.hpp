@@ -21,6 +21,11 @@ struct Latch {
     for (Index i = 0; i < last.size(); ++i) last[i] = holds(i) ? 1.0 : 0.0;
   }
 
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < set.size(); ++i) zero.add(set[i]);
+    for (Index i = 0; i < reset.size(); ++i) zero.add(reset[i]);
+  }
+
   static void declare(Declare<Latch>& is);
 
  private:

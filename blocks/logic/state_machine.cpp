@@ -129,9 +129,16 @@ std::size_t start_of(const StateMachine& machine, const ChartReader& reader, con
   return start;
 }
 
-void declare_crossings(Declare<StateMachine>& is) {
-  for (Index guard = 1; guard <= StateMachine::max_located; ++guard)
-    is.crossing<&StateMachine::u>(fmt::format("guard {} of the active state begins to hold", guard));
+/// Returns the largest number of transitions of a state and those that hold it; at least 1.
+Index most_transitions(const std::vector<ChartState>& states) {
+  std::size_t most = 1;
+  for (const ChartState& state : states) {
+    std::size_t here = state.to.size();
+    for (std::size_t s = state.parent; s != ChartState::none; s = states[s].parent)
+      here += states[s].to.size();
+    most = std::max(most, here);
+  }
+  return static_cast<Index>(most);
 }
 
 }  // namespace
@@ -161,7 +168,9 @@ void StateMachine::declare(Declare<StateMachine>& is) {
            "{tries: tries + 1}}. Outputs are numbers, 0 where a state gives none. In figures and claims the "
            "state is a word: m.state == \"on.fast\". States that cannot be reached are refused. "
            "With `events: locate` a transition acts where its guard begins to hold, also a timeout, between "
-           "ticks as well: the first eight guards of the active state and of those that hold it are located. "
+           "ticks as well. A part that is held keeps the time in its states, also where it is switched off "
+           "or "
+           "on between ticks. "
            "An instant has one transition at most, so a guard that holds on entry acts at the next tick or "
            "event; a machine with `every` keeps to its ticks.",
        .source = "D. Harel, Statecharts, Sci. Comput. Program. 8 (1987) 231, without parallel states",
@@ -193,12 +202,15 @@ void StateMachine::declare(Declare<StateMachine>& is) {
       {.unit = "s", .shape = "l", .doc = "time from the tick before to their entry", .settable = false});
   is.state<&StateMachine::last_tick>({.unit = "s", .doc = "time of the last tick", .settable = false});
   is.state<&StateMachine::moved_at>({.unit = "s", .doc = "time of the last transition", .settable = false});
+  is.state<&StateMachine::acted_at>({.unit = "s", .doc = "time of the last update", .settable = false});
+  is.state<&StateMachine::seen_at>(
+      {.unit = "s", .doc = "last time at which its part was active, if located", .settable = false});
   is.state<&StateMachine::kept>({.unit = "*", .shape = "c", .doc = "the counters", .settable = false});
   is.state<&StateMachine::past>(
       {.shape = "h", .doc = "the state that each held when it was left, -1 for none", .settable = false});
   is.clock<&StateMachine::period>();
   is.clock<&StateMachine::time>();
-  declare_crossings(is);
+  is.crossing<&StateMachine::u>("a guard of the active state begins to hold", "g");
   is.derived<&StateMachine::guard>();
   is.derived<&StateMachine::margin>();
   is.derived<&StateMachine::setting>();
@@ -213,6 +225,7 @@ void StateMachine::declare(Declare<StateMachine>& is) {
   is.derived<&StateMachine::first_counts>();
   is.derived<&StateMachine::first>();
   is.derived<&StateMachine::levels>();
+  is.derived<&StateMachine::located>();
   is.derived<&StateMachine::remembers>();
   is.derived<&StateMachine::sets>();
 }
@@ -234,6 +247,8 @@ void StateMachine::configure(Configure& is) {
   if (levels > max_depth)
     is.refuse<&StateMachine::states>(fmt::format("states stand {} deep; at most {} may", levels, max_depth));
   take_transitions(*this, reader.states(), names.after() + 1);
+  located = most_transitions(reader.states());
+  is.size("g", located);
   is.size("m", static_cast<Index>(reader.states()[0].output.size()));
   is.size("c", std::max<Index>(first_counts.size(), 1));
   is.size("l", levels);

@@ -14,7 +14,6 @@ namespace stepwire {
 /// guards.
 struct StateMachine {
   static constexpr Index max_inputs = 64, max_counters = 32, max_depth = 8, max_states = 256;
-  static constexpr Index max_located = 8;  ///< guards of the active states; further ones act at ticks
 
   Tree states, counters;
   Texts variables{};
@@ -24,6 +23,9 @@ struct StateMachine {
   Output<> y{}, counts{};
   DiscreteState<1> active{}, begun{};        // Active state; 0 before the first tick, then 1.
   DiscreteState<1> last_tick{}, moved_at{};  // Times of the last tick and of the last transition [s].
+  // Times of the last update, and the last at which the part of a located machine was active [s]. They differ
+  // after a part has been switched off between two ticks.
+  DiscreteState<1> acted_at{}, seen_at{};
   // Ticks in the active state and its holders, outermost first. An entry between two ticks counts from the
   // first of them, and is later than it by `late` [s].
   DiscreteState<> ticks{}, late{};
@@ -40,6 +42,7 @@ struct StateMachine {
   Numbers first_setting{}, set_counter{};  ///< First settings of enter, exit, each, transitions; counters.
   Numbers first_counts{};                  ///< Initial values of the counters.
   Index first = 0, levels = 1;
+  Index located = 1;  ///< Largest number of transitions of a state and those that hold it.
   bool remembers = false, sets = false;
 
   void outputs() {
@@ -52,8 +55,10 @@ struct StateMachine {
 
   void update() {
     const Now now = next(true);
+    const bool was_off = left_between();
     for (Index l = 0; l < ticks.size(); ++l) {
       const bool stays = !now.entered[l];
+      if (was_off && stays) late[l] = ticks[l] * period - now.after[l];
       ticks[l] = l > depth(now.leaf) ? 0.0 : stays ? ticks[l] + 1.0 : 1.0;
       late[l] = stays && l <= depth(now.leaf) ? double(late[l]) : 0.0;
     }
@@ -62,9 +67,12 @@ struct StateMachine {
   }
   void update_at_event() {
     const Now now = next(false);
-    if (begun == 0.0) last_tick = std::floor(time / period) * period;  // a part that begins between ticks
+    const bool was_off = begun != 0.0 && has_been_off();
+    if (begun == 0.0 || was_off) last_tick = std::floor(time / period) * period;  // begins between ticks
     for (Index l = 0; l < ticks.size(); ++l) {
-      if (begun != 0.0 && l <= depth(now.leaf) && !now.entered[l]) continue;
+      const bool stays = begun != 0.0 && l <= depth(now.leaf) && !now.entered[l];
+      if (stays && was_off) late[l] = (ticks[l] - 1.0) * period + (time - last_tick) - now.after[l];
+      if (stays) continue;
       ticks[l] = l > depth(now.leaf) ? 0.0 : 1.0;
       late[l] = l > depth(now.leaf) ? 0.0 : time - last_tick;
     }
@@ -73,23 +81,23 @@ struct StateMachine {
 
   void crossings(Crossings& zero) const {
     Now now = present();
-    Index located = 0;
+    Index added = 0;
     for (Index l = 0; l <= depth(now.leaf); ++l) {
       const Index s = holder(now.leaf, l);
       now.v[place_of_time()] = now.after[l] - hair();
-      for (Index t = at(first_to, s); t < at(first_to, s + 1) && located < max_located; ++t, ++located) {
+      for (Index t = at(first_to, s); t < at(first_to, s + 1); ++t, ++added) {
         now.v[place_of_time() + 1] = static_cast<double>(t);
         zero.add(margin(now.v));
       }
     }
-    for (; located < max_located; ++located) zero.add(1.0);
+    for (; added < located; ++added) zero.add(1.0);
   }
 
   void start() {
     active = static_cast<double>(first);
     for (Index c = 0; c < first_counts.size(); ++c) kept[c] = first_counts[c];
     past = -1.0;
-    moved_at = -1.0;
+    moved_at = acted_at = seen_at = -1.0;
   }
   void configure(Configure& is);
   static void declare(Declare<StateMachine>& is);
@@ -123,14 +131,24 @@ struct StateMachine {
   Index place_of_time() const { return u.count() + first_counts.size(); }
 
   /// True at a tick before its update.
-  bool is_tick() const { return begun == 0.0 || time - last_tick >= period - rounding(); }
+  bool is_tick() const {
+    if (begun != 0.0 && seen_at >= 0.0 && has_been_off())
+      return std::abs(time - std::round(time / period) * period) <= rounding();
+    return reaches_tick();
+  }
+  bool reaches_tick() const { return begun == 0.0 || time - last_tick >= period - rounding(); }
+  /// True if its part was switched off between two ticks, and has just become active again.
+  bool left_between() const { return seen_at > acted_at && seen_at < time; }
+  /// True where its part has just become active again.
+  bool has_been_off() const { return left_between() || time - last_tick > period + rounding(); }
   /// Returns the rounding of a difference of times [s].
   double rounding() const { return 2e-15 * time; }
   /// Returns the delay of crossings [s]. A time in a state that ends on a tick acts at this tick, not just
   /// before.
   double hair() const { return 1e-12 * period + 2.0 * rounding(); }
   double time_in(Index level) const {
-    if (is_tick()) return ticks[level] * period - late[level];
+    if (left_between()) return (ticks[level] - 1.0) * period + (seen_at - last_tick) - late[level];
+    if (reaches_tick()) return ticks[level] * period - late[level];
     return (ticks[level] - 1.0) * period + (time - last_tick) - late[level];
   }
 
@@ -166,6 +184,7 @@ struct StateMachine {
     if (remembers)
       for (Index s = 0; s < past.size(); ++s) past[s] = now.past[s];
     if (now.moved) moved_at = time;
+    acted_at = time;
     begun = 1.0;
   }
 

@@ -1,5 +1,7 @@
 #include "blocks/math/min_max.hpp"
 
+#include <algorithm>
+
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire {
@@ -13,7 +15,14 @@ void MinMax::declare(Declare<MinMax>& is) {
        .smooth = true});
   is.parameter<&MinMax::function>({.doc = "which of both", .words = {"min", "max"}});
   is.input<&MinMax::u>({.unit = "'u", .doc = "signals, all of one unit"});
+  is.crossing<&MinMax::u>("another signal becomes the least or the greatest", "g x n");
   is.output<&MinMax::y>({.unit = "'u", .doc = "the least or the greatest"});
+}
+
+void MinMax::configure(Configure& is) {
+  const Index others = is.count<&MinMax::u>() - 1;
+  if (others < 1) is.skip_crossings();
+  is.size("g", std::max<Index>(others, 1));
 }
 
 }  // namespace stepwire

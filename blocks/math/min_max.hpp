@@ -21,6 +21,18 @@ struct MinMax {
     }
   }
 
+  /// Adds, for each input but the first, its distance to the best of those before it.
+  void crossings(Crossings& zero) const {
+    for (Index i = 1; i < u.count(); ++i)
+      for (Index k = 0; k < y.size(); ++k) {
+        double best = u[0][k];
+        for (Index j = 1; j < i; ++j) best = better(u[j][k], best);
+        zero.add(u[i][k] - best);
+      }
+  }
+
+  void configure(Configure& is);
+
   double better(double a, double b) const {
     return function == Function::min ? (a < b ? a : b) : (a > b ? a : b);
   }

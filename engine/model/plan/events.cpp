@@ -36,7 +36,7 @@ class EventPlan {
       Draft::Block& block = draft_.blocks[b];
       const bool changes = crosses(b) || draft_.type(b).has_continuous_state() || is_triggered(b) ||
                            (draft_.type(b).at_events && !block.says.keeps_to_ticks);
-      block.at_events = follows(b) && (block.in_stages || changes || !has_memory(b));
+      block.at_events = follows(b) && (block.in_stages || changes || (!has_memory(b) && !samples(b)));
       block.before_guards = guards_act && block.at_events && !is_guard(b);
       block.updates_at_events = block.at_events && changes;
     }
@@ -45,6 +45,11 @@ class EventPlan {
  private:
   const Rate& rate(std::size_t block) const { return draft_.plan.blocks[block].rate; }
   bool has_memory(std::size_t block) const { return draft_.blocks[block].updates || draft_.remembers(block); }
+
+  /// True where the block holds its outputs from tick to tick although it has no states.
+  bool samples(std::size_t block) const {
+    return draft_.type(block).timing == Timing::discrete && draft_.type(block).states.empty();
+  }
 
   bool is_guard(std::size_t block) const { return &draft_.type(block) == &diagram::guard_type(); }
   /// True where the block is called once for each located edge of a trigger.
@@ -74,8 +79,11 @@ class EventPlan {
         need(block, static_cast<std::size_t>(draft_.type(block).input(input)));
   }
 
+  /// True where outputs jump within a stage, by a branch or at an instant that a crossing of the block finds.
   bool branches(std::size_t block) const {
-    return draft_.blocks[block].computes && !draft_.is_steady(block) && draft_.type(block).states.empty();
+    const BlockType& type = draft_.type(block);
+    return draft_.blocks[block].computes && !draft_.is_steady(block) &&
+           (type.states.empty() || (type.run_next_edge && !type.has_continuous_state()));
   }
 
   /// Adds the crossing of `stop_when`, which has the last number.

@@ -62,10 +62,15 @@ class GuardMaker {
     if (from.guard >= 0) of(from.guard).inside.push_back(index_[block]);
   }
 
+  /// Adds what the guard keeps while it is active: outputs, and the time for a state that is named `seen_at`.
+  /// The time is not restored.
   void add_own(std::size_t block, PlannedGuard& guard) {
     const PlannedBlock& planned = plan_.blocks[block];
     for (std::size_t o = 0; o < planned.kept.size(); ++o)
       append(guard.keep, planned.outputs[o], planned.kept[o]);
+    const int seen = draft_.type(block).state("seen_at");
+    if (seen >= 0 && draft_.blocks[block].updates_at_events)
+      append(guard.keep, {Layout::time}, planned.states[static_cast<std::size_t>(seen)]);
     for (std::size_t s = 0; s < planned.derivatives.size(); ++s)
       if (draft_.type(block).states[s].continuous) append(guard.slopes, planned.derivatives[s]);
   }

@@ -49,7 +49,7 @@ std::string off_text(const PlaceNames& names, const plan::Plan& plan, std::size_
     text += fmt::format("  if ({0} != 0.0) off_{1}(w);\n  {0} = 0.0;\n", active, inside);
   }
   for (const plan::Copied& piece : plan.guards[guard].keep)
-    text += copy_text(piece.to, piece.from, piece.size);
+    if (piece.from != plan::Layout::time) text += copy_text(piece.to, piece.from, piece.size);
   for (const plan::SignalSlot& slope : plan.guards[guard].slopes)
     text += zero_text("w", slope.offset, static_cast<std::size_t>(slope.size));
   return text;

@@ -26,7 +26,7 @@ void Guards::switch_off(const plan::PlannedGuard& guard) {
     values_[inner.active] = 0.0;
   }
   for (const plan::Copied& piece : guard.keep)
-    std::copy_n(values_ + piece.to, piece.size, values_ + piece.from);
+    if (piece.from != plan::Layout::time) std::copy_n(values_ + piece.to, piece.size, values_ + piece.from);
   for (const plan::SignalSlot& slope : guard.slopes) std::fill_n(values_ + slope.offset, slope.size, 0.0);
 }
 

@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 
 namespace stepwire::run {
 
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double large = 1e3;  // smallest checked state, in its SI unit
+constexpr double smallest_size = 1e-9;  // of a state, in its SI unit
 constexpr Eigen::Index most_states = 400;
 
 /// Returns the modulus of the stability function R(z) of a method: the factor of x per step h in x' = lambda
@@ -29,8 +28,9 @@ double stability(const solve::Tableau& tableau, Complex z) {
 
 /// Mode with the largest growth by the method, among the modes that the equations damp.
 struct Mode {
-  double growth = 1.0;  ///< factor per step
-  Complex rate = 0.0;   ///< eigenvalue [1/s]
+  double growth = 1.0;     ///< factor per step
+  Complex rate = 0.0;      ///< eigenvalue [1/s]
+  Eigen::Index state = 0;  ///< State of which it is the largest part.
 };
 
 class StepProbe {
@@ -78,20 +78,23 @@ class StepProbe {
     states_ = start_;
     step(time_, 0.5 * h);
     step(time_ + 0.5 * h, 0.5 * h);
-    const Eigen::ArrayXd size = whole.cwiseAbs().cwiseMax(start_.cwiseAbs()).array();
+    const Eigen::ArrayXd size = whole.cwiseAbs().array().max(sizes());
     const Eigen::ArrayXd error = (states_ - whole).cwiseAbs().array();
-    return (size >= large && !(error <= 0.1 * size)).any();
+    return (!(error <= 0.1 * size)).any();
   }
 
-  Eigen::MatrixXd jacobian() {
+  Eigen::ArrayXd sizes() const { return start_.cwiseAbs().array().max(smallest_size); }
+
+  /// Returns the Jacobian at the present states, and stores their derivatives in `base`.
+  Eigen::MatrixXd jacobian(Eigen::VectorXd& base) {
     const Eigen::Map<Eigen::VectorXd> slopes(values_ + plan_.layout.derivatives, states_.size());
     Eigen::MatrixXd A(states_.size(), states_.size());
     states_ = start_;
     find_slopes(time_);
-    const Eigen::VectorXd base = slopes;
+    base = slopes;
     for (Eigen::Index i = 0; i < states_.size(); ++i) {
-      const double little = 1e-7 * std::max(std::abs(start_[i]), 1e-3);
-      states_[i] = start_[i] + little;
+      const double change = plan_.diagram.step * base[i];
+      states_[i] = start_[i] + 1e-7 * std::max({std::abs(start_[i]), std::abs(change), 1e-3});
       find_slopes(time_);
       A.col(i) = (slopes - base) / (states_[i] - start_[i]);
       states_[i] = start_[i];
@@ -99,25 +102,35 @@ class StepProbe {
     return A;
   }
 
+  /// Returns the mode that the method amplifies most, among those that are a tenth of a state or more. The
+  /// part of a mode in the states is its part in their derivatives, divided by the eigenvalue.
   Mode worst_mode() {
     Mode worst;
-    const Eigen::MatrixXd A = jacobian();
-    if (!A.allFinite()) return worst;
-    for (const Complex rate : A.eigenvalues()) {
+    Eigen::VectorXd slopes;
+    const Eigen::MatrixXd A = jacobian(slopes);
+    if (!A.allFinite() || !slopes.allFinite()) return worst;
+    const Eigen::EigenSolver<Eigen::MatrixXd> modes(A);
+    const Eigen::MatrixXcd shapes = modes.eigenvectors();
+    const Eigen::VectorXcd parts = shapes.partialPivLu().solve(slopes.cast<Complex>());
+    const Eigen::ArrayXd size = sizes();
+    for (Eigen::Index k = 0; k < parts.size(); ++k) {
+      const Complex rate = modes.eigenvalues()[k];
       const double growth = stability(tableau_, plan_.diagram.step * rate);
-      if (rate.real() <= 1e-6 * std::abs(rate) && growth > worst.growth) worst = {growth, rate};
+      if (rate.real() > 1e-6 * std::abs(rate) || !(growth > worst.growth)) continue;
+      Eigen::Index state = 0;
+      const double part = ((shapes.col(k) * (parts[k] / rate)).cwiseAbs().array() / size).maxCoeff(&state);
+      if (!(part < 0.1)) worst = {growth, rate, state};
     }
     return worst;
   }
 
-  /// True if further steps amplify the states within the time in which the mode doubles.
+  /// True if further steps amplify the states within the time in which the mode grows twentyfold.
   bool grows(double growth) {
     states_ = start_;
     const double h = plan_.diagram.step;
-    const auto steps = static_cast<int>(std::clamp(std::log(2.0) / std::log(growth), 1.0, 2000.0));
+    const auto steps = static_cast<int>(std::clamp(std::log(20.0) / std::log(growth), 1.0, 2000.0));
     for (int k = 0; k < steps; ++k) step(time_ + k * h, h);
-    const double size = states_.lpNorm<Eigen::Infinity>();
-    return !(size <= 1.4 * start_.lpNorm<Eigen::Infinity>());
+    return !((states_.cwiseAbs().array() / sizes()).maxCoeff() <= 1.4);
   }
 
   /// Returns the longest step [s] at which the method does not amplify a mode; 0 if there is no such step.
@@ -136,10 +149,8 @@ class StepProbe {
   }
 
   void write(const Mode& mode) {
-    Eigen::Index largest = 0;
-    start_.cwiseAbs().maxCoeff(&largest);
     double* const report = values_ + plan_.layout.report;
-    solve::StepReport{report}.write(solve::StepReport::unstable, mode.growth, largest);
+    solve::StepReport{report}.write(solve::StepReport::unstable, mode.growth, mode.state);
     report[solve::StepReport::longest_step] = longest_step(mode.rate);
   }
 
@@ -157,10 +168,8 @@ class StepProbe {
 
 void find_unstable_steps(BoundBlocks& blocks, Stepper& stepper) {
   const plan::Plan& plan = blocks.plan();
-  const double* const states = blocks.values() + plan.layout.states;
-  const auto is_small = [](double x) { return std::abs(x) < large; };
-  if (std::all_of(states, states + plan.layout.state_count, is_small)) return;
-  if (plan.diagram.error_control || plan.layout.state_count > most_states) return;
+  const auto states = static_cast<Eigen::Index>(plan.layout.state_count);
+  if (plan.diagram.error_control || states == 0 || states > most_states) return;
   if (auto tableau = solve::find_tableau(plan.diagram.solver))
     StepProbe(blocks, stepper, std::move(*tableau)).look();
 }

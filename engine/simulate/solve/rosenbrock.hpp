@@ -35,7 +35,7 @@ class Rosenbrock {
     const Eigen::Map<const Vector> dot(dot_place, start_.size());
     start_ = x;
     slope0_ = dot;
-    differentiate(x, dot, now, time, step, evaluate);
+    differentiate(x, dot, now, time, step, bool(report), evaluate);
     jacobian_ *= -step * d;
     jacobian_.diagonal().array() += 1.0;
     factors_.compute(jacobian_);
@@ -73,9 +73,10 @@ class Rosenbrock {
   static inline const double e32 = 6.0 + std::sqrt(2.0);
 
   template <class X, class Dot, class Evaluate>
-  void differentiate(X& x, const Dot& dot, double* now, double time, double step, const Evaluate& evaluate) {
+  void differentiate(X& x, const Dot& dot, double* now, double time, double step, bool sided,
+                     const Evaluate& evaluate) {
     *now = time;
-    forward_differences(jacobian_, x, dot, start_, slope0_, step, evaluate);
+    forward_differences(jacobian_, x, dot, start_, slope0_, step, evaluate, sided);
     // Far from time 0 a tiny fraction of a step would be lost in rounding. A tenth of the step is not, and
     // its error is of the method's own order.
     const double ahead = time + 0.1 * step;

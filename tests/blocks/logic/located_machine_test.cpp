@@ -11,9 +11,10 @@ using namespace stepwire;
 
 namespace {
 
-std::string head(const std::string& stop, const std::string& step = "0.1 s") {
+std::string head(const std::string& stop, const std::string& step = "0.1 s",
+                 const std::string& events = "locate") {
   return "step: " + step + "\nstop: " + stop +
-         "\nsolver: {name: dormand_prince, relative: 1e-10}\nevents: locate\n";
+         "\nsolver: {name: dormand_prince, relative: 1e-10}\nevents: " + events + "\n";
 }
 
 double last(const table::Table& table, const std::string& name) {
@@ -148,6 +149,59 @@ outputs: {y: m.y}
 record: [x]
 )");
   CHECK(last(table, "x") == Approx(1.0 - 0.27 - 0.42).epsilon(1e-9));
+}
+
+TEST_CASE("A held machine counts the time in which its part is active, to the instant") {
+  const Scratch folder;
+  io::write_file(folder.path("part.yaml"), R"(stepwire: 1
+title: part
+blocks:
+  m:
+    block: StateMachine
+    counters: {n: 0}
+    states: {a: {each: {n: n + 1}, timeout: {b: 0.42 s}}, b: {output: 1}}
+outputs: {y: m.y, n: m.counts}
+)");
+  struct Case {
+    std::string active;
+    double at, ticks;  // instant of the transition [s]; number of ticks in the first state
+  };
+  const Case cases[] = {{"t < 0.27 s || t > 0.51 s", 0.66, 4},
+                        {"t < 0.23 s || t > 0.27 s", 0.46, 5},
+                        {"t < 0.27 s || t >= 0.5 s", 0.65, 5},
+                        {"t < 0.3 s || t > 0.51 s", 0.63, 4},
+                        {"t < 0.3 s || t >= 0.5 s", 0.62, 5},
+                        {"t < 0.23 s || (t > 0.27 s && t < 0.36 s) || t > 0.71 s", 0.81, 5},
+                        {"t > 0.05 s && t < 0.15 s || t > 0.55 s", 0.87, 4}};
+  for (const Case& one : cases) {
+    const table::Table table =
+        run_text(head("1 s", "0.1 s", "{looks: 19}") + "blocks:\n  t: {block: Clock}\n  p: {diagram: " +
+                 folder.path("part.yaml") + ", enable: \"" + one.active + R"("}
+  x: {block: Integrator, u: p.y}
+record: [x, p.n]
+)");
+    INFO(one.active);
+    CHECK(last(table, "x") == Approx(1.0 - one.at).epsilon(1e-9));
+    CHECK(last(table, "p.n") == one.ticks);
+  }
+}
+
+TEST_CASE("All guards of a state are located, however many there are") {
+  for (const int number : {1, 8, 9, 20}) {
+    std::string guards, states;
+    for (int g = 1; g < number; ++g) guards += "{to: s" + std::to_string(g) + ", when: u > 5}, ";
+    for (int g = 1; g < number; ++g) states += ", s" + std::to_string(g) + ": {}";
+    const table::Table table =
+        run_text(head("1 s") + R"(blocks:
+  t: {block: Clock}
+  m: {block: StateMachine, u: t, states: {a: {to: [)" +
+                 guards + "{to: last, when: u > 0.33}]}" + states + R"(, last: {output: 1}}}
+  x: {block: Integrator, u: m.y}
+record: [x]
+)");
+    INFO(number);
+    CHECK(last(table, "x") == Approx(0.67).epsilon(1e-10));
+  }
 }
 
 TEST_CASE("An equality beside another condition does not hide it") {

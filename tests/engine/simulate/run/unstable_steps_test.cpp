@@ -77,6 +77,31 @@ record: x
   CHECK_THAT(message, Catch::Contains("is wrong. A solver of higher order"));
 }
 
+TEST_CASE("the scale of a state does not matter") {
+  for (const char* size : {"1e-7", "1e-3", "1", "1e6"}) {
+    INFO(size);
+    const std::string text = "blocks:\n  u: {block: Step, time: 0.1 s, after: " + std::string(size) +
+                             "}\n  lag: {block: Lag, tau: 1.5 ms, u: u}\nsolver: rk4\n"
+                             "step: 5 ms\nstop: 0.14 s\nrecord: lag\n";
+    CHECK_THAT(message_of(text), Catch::Contains("lag.x: ") && Catch::Contains("A step of at most 0.0041 s"));
+  }
+}
+
+TEST_CASE("a fast mode that is not excited ends no run, nor does a state that passes 0") {
+  CHECK(message_of(R"(blocks:
+  rest: {block: Lag, tau: 1 ms, u: 0}
+  s: {block: Sine, frequency: 1 Hz}
+  v: {block: Integrator, u: s}
+  force: {block: Gain, gain: -39.478417604357434, u: x}
+  w: {block: Integrator, u: force}
+  x: {block: Integrator, u: w, initial: 1}
+solver: rk4
+step: 5 ms
+stop: 1.25 s
+record: [rest, v, x]
+)") == "");
+}
+
 TEST_CASE("runs of a sweep are judged alike in lanes and alone") {
   const DiagramFolder folder;
   folder.write(

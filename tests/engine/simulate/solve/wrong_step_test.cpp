@@ -103,6 +103,27 @@ record: [b]
     }
 }
 
+TEST_CASE("a law that jumps at the start of a step of rosenbrock is no stiffness") {
+  // The state falls by 1 in each second down to 0.5, which is reached at a tick, and faster below.
+  for (const char* events : {"tick", "locate"})
+    for (const char* law : {"x > 0.5 ? -1 : -2", "x >= 0.5 ? -1 : -2", "x > 0.5 ? -1 : -1.01",
+                            "x > 0.5 ? -1 : -1.0001"}) {
+      INFO(law << " " << events);
+      const std::string head = std::string("step: 10 ms\nstop: 1 s\nevents: ") + events;
+      const std::string blocks = std::string(R"(
+blocks:
+  x: {block: Integrator, u: rate, initial: 1}
+  rate: {block: Expression, u: x, variables: [x], expression: ")") +
+                                 law + "\"}\nrecord: [x]\n";
+      const double right = column(run_text(head + "\nsolver: sdirk" + blocks), "x").back();
+      CHECK(column(run_text(head + "\nsolver: rosenbrock" + blocks), "x").back() ==
+            Approx(right).margin(1e-9));
+      const std::string text(law);
+      const double rate = std::stod(text.substr(text.rfind('-')));
+      CHECK(right == Approx(0.5 + 0.5 * rate).margin(1e-9));
+    }
+}
+
 TEST_CASE("a mode that is infinitely fast is gone after one step of sdirk") {
   // Its stability function is 0 at minus infinity, and falls to that as 1/z.
   for (const auto& [tau, most] : {std::pair{"1 ms", 1e-2}, {"1 us", 1e-5}, {"1 ns", 1e-8}}) {
