@@ -40,7 +40,7 @@ TEST_CASE("an instant arrives through a delay that grows where it is due, and on
   sine: {block: Sine, frequency: 0.3 Hz}
   square: {block: Pulse, period: 0.37 s}
   y: {block: TransportDelay, u: sine, delay: delay, longest: 2 s}
-  z: {block: TransportDelay, u: square, delay: delay, longest: 2 s}
+  z: {block: TransportDelay, u: square, delay: delay, longest: 2 s, between: hold}
   n: {block: Counter, u: z}
   x: {block: Integrator, u: z}
 )",
