@@ -106,8 +106,8 @@ record: [b]
 TEST_CASE("a law that jumps at the start of a step of rosenbrock is no stiffness") {
   // The state falls by 1 in each second down to 0.5, which is reached at a tick, and faster below.
   for (const char* events : {"tick", "locate"})
-    for (const char* law : {"x > 0.5 ? -1 : -2", "x >= 0.5 ? -1 : -2", "x > 0.5 ? -1 : -1.01",
-                            "x > 0.5 ? -1 : -1.0001"}) {
+    for (const char* law :
+         {"x > 0.5 ? -1 : -2", "x >= 0.5 ? -1 : -2", "x > 0.5 ? -1 : -1.01", "x > 0.5 ? -1 : -1.0001"}) {
       INFO(law << " " << events);
       const std::string head = std::string("step: 10 ms\nstop: 1 s\nevents: ") + events;
       const std::string blocks = std::string(R"(

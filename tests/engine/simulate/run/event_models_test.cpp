@@ -1,0 +1,127 @@
+// Event models with closed forms: located inputs, delays that change, and parts that switch each other.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "tests/support/run_text.hpp"
+
+namespace stepwire::run {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Runs 2 s with located events.
+table::Table run_located(const std::string& blocks, const std::string& record, const std::string& step,
+                         const std::string& solver = "{name: dormand_prince, relative: 1e-11}") {
+  return run_text("step: " + step + "\nstop: 2 s\nsolver: " + solver + "\nevents: locate\nblocks:\n" +
+                  blocks + "record: " + record + "\n");
+}
+
+double last(const table::Table& run, const std::string& name) {
+  return column(run, name).back();
+}
+
+const char* const steps[] = {"0.1 s", "50 ms", "10 ms"};
+
+}  // namespace
+
+TEST_CASE("an instant arrives through a delay that grows where it is due, and once") {
+  // The delay is 0.15 s + 0.2 t, so that what is sent at s arrives at (s + 0.15 s) / 0.8.
+  const auto arrival = [](double sent) { return (sent + 0.15) / 0.8; };
+  double high = 0.0;
+  for (double sent = 0.0; arrival(sent) < 2.0; sent += 0.37)
+    high += std::min(arrival(sent + 0.185), 2.0) - arrival(sent);
+  for (const char* step : steps) {
+    INFO(step);
+    const table::Table run = run_located(R"(  delay: {block: Ramp, slope: 0.2, initial: 0.15 s}
+  sine: {block: Sine, frequency: 0.3 Hz}
+  square: {block: Pulse, period: 0.37 s}
+  y: {block: TransportDelay, u: sine, delay: delay, longest: 2 s}
+  z: {block: TransportDelay, u: square, delay: delay, longest: 2 s, between: hold}
+  n: {block: Counter, u: z}
+  x: {block: Integrator, u: z}
+)",
+                                         "[y, x, n]", step, "rk4");
+    CHECK(last(run, "y") == Approx(std::sin(0.6 * pi * (0.8 * 2.0 - 0.15))).margin(1e-5));
+    CHECK(last(run, "x") == Approx(high).epsilon(1e-9));
+    CHECK(last(run, "n") == 4.0);  // sent at 0, 0.37, 0.74 and 1.11 s; the one of 1.48 s arrives at 2.04 s
+  }
+}
+
+TEST_CASE("a sample, a count and a latch follow the passing of a signal itself") {
+  for (const char* step : steps) {
+    INFO(step);
+    const table::Table run = run_located(R"(  t: {block: Clock}
+  s: {block: Sine, frequency: 1.3 Hz}
+  high: {block: Sum, u: [s, -0.5]}
+  low: {block: Gain, u: high, gain: -1}
+  sample: {block: SampleAndHold, u: t, when: s, trigger: falling}
+  n: {block: Counter, u: high, count_at: either}
+  latch: {block: Latch, set: high, reset: low}
+  x: {block: Integrator, u: latch}
+)",
+                                         "[sample, n, x]", step);
+    CHECK(last(run, "sample") == Approx(2.5 / 1.3).epsilon(1e-10));
+    CHECK(last(run, "n") == 6.0);  // three periods have their high part before 2 s
+    CHECK(last(run, "x") == Approx(3.0 * (pi - 2.0 * std::asin(0.5)) / (2.6 * pi)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("the greatest of a sine and a constant bends where they meet") {
+  const double meet = std::asin(0.3), period = (2.0 * std::cos(meet) + 0.3 * (pi + 2.0 * meet)) / (2.0 * pi);
+  for (const char* step : steps) {
+    const table::Table run = run_located(R"(  s: {block: Sine, frequency: 1 Hz}
+  most: {block: MinMax, u: [s, 0.3, -2], function: max}
+  least: {block: MinMax, u: [low, -0.3], function: min}
+  low: {block: Gain, u: s, gain: -1}
+  x: {block: Integrator, u: most}
+  y: {block: Integrator, u: least}
+)",
+                                         "[x, y]", step);
+    CHECK(last(run, "x") == Approx(2.0 * period).epsilon(1e-9));
+    CHECK(last(run, "y") == Approx(-2.0 * period).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("two thermostats that switch each other keep to their straight lines") {
+  // x1 rises by 1 in each second while q2 is on, else it falls; x2 falls by 0.7 while q1 is on, else it
+  // rises.
+  double x[2] = {0.0, 0.0}, t = 0.0;
+  bool q[2] = {false, true};
+  while (true) {
+    const double v[2] = {q[1] ? 1.0 : -1.0, q[0] ? -0.7 : 0.7};
+    double first = 2.0 - t;
+    int which = -1;
+    for (int i = 0; i < 2; ++i) {
+      if (q[i] == (v[i] > 0.0)) continue;  // it moves away from the threshold that would switch it
+      const double due = ((v[i] > 0.0 ? 0.13 : -0.11) - x[i]) / v[i];
+      if (due >= first) continue;
+      first = std::max(due, 0.0);
+      which = i;
+    }
+    for (int i = 0; i < 2; ++i) x[i] += v[i] * first;
+    t += first;
+    if (which < 0) break;
+    q[which] = !q[which];
+  }
+  for (const char* step : steps) {
+    INFO(step);
+    const table::Table run = run_located(R"(  q1: {block: Relay, u: x1, switch_on: 0.13, switch_off: -0.11}
+  q2: {block: Relay, u: x2, switch_on: 0.13, switch_off: -0.11, initial: 1}
+  r1: {block: Expression, u: q2, expression: "u > 0.5 ? 1 : -1"}
+  r2: {block: Expression, u: q1, expression: "u > 0.5 ? -0.7 : 0.7"}
+  x1: {block: Integrator, u: r1}
+  x2: {block: Integrator, u: r2}
+)",
+                                         "[x1, x2, q1, q2]", step);
+    CHECK(last(run, "x1") == Approx(x[0]).margin(1e-9));
+    CHECK(last(run, "x2") == Approx(x[1]).margin(1e-9));
+    CHECK(last(run, "q1") == (q[0] ? 1.0 : 0.0));
+    CHECK(last(run, "q2") == (q[1] ? 1.0 : 0.0));
+  }
+}
+
+}  // namespace stepwire::run
