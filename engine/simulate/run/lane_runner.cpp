@@ -84,14 +84,14 @@ bool LaneRunner::is_faster(LaneGroup& group, Executor& alone, const plan::Compil
   Shortest together, one;
   if (!code) return true;
   alone.use(*code);
-  const auto goes_on = [&] { return alone.healthy() && !alone.finished() && alone.tick() < tried; };
-  while (goes_on())
-    one.measure([&] {
-      for (std::int64_t tick = 0; tick < LaneGroup::ticks_at_once && goes_on(); ++tick) {
-        alone.evaluate();
-        alone.advance();
-      }
-    });
+  std::vector<record::Recorder> none;
+  Drive drive(alone, none);
+  drive.judges_steps = false;
+  Drive::End how = Drive::End::paused;
+  for (drive.until = 0; how == Drive::End::paused && drive.until < tried;) {
+    drive.until += LaneGroup::ticks_at_once;
+    one.measure([&] { how = drive.run(); });
+  }
   alone.reset();
   while (group.goes_on() && group.tick() < tried)
     together.measure([&] { group.step(LaneGroup::ticks_at_once); });
