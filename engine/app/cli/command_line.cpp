@@ -1,6 +1,11 @@
 #include "engine/app/cli/command_line.hpp"
 
 #include <fmt/format.h>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,9 +15,8 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/app/cli/blockset_options.hpp"
 #include "engine/app/cli/console.hpp"
-#include "engine/app/cli/console_options.hpp"
+#include "engine/app/cli/console_style.hpp"
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/verb.hpp"
@@ -27,6 +31,58 @@
 namespace stepwire::cli {
 
 namespace {
+
+/// Options that name folders with external blocks. Code is loaded only from folders that the call or its
+/// environment names, never from those of a diagram file.
+class BlocksetOptions {
+ public:
+  /// Adds `--blocks` to a program and to all its verbs.
+  void add_to(CLI::App& app);
+  /// Returns the named folders in order, without duplicates.
+  std::vector<std::string> folders() const;
+
+ private:
+  std::vector<std::string> of_program_, of_verb_;  ///< before and after the verb
+};
+
+void add_option(CLI::App& app, std::vector<std::string>& folders) {
+  app.add_option("--blocks", folders, "a folder with further blocks, as C++; may be given several times")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+}
+
+void BlocksetOptions::add_to(CLI::App& app) {
+  add_option(app, of_program_);
+  for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    add_option(*verb, of_verb_);
+}
+
+std::vector<std::string> BlocksetOptions::folders() const {
+  std::vector<std::string> result;
+  std::set<std::filesystem::path> known;
+  for (const auto* folders : {&of_program_, &of_verb_})
+    for (const std::string& folder : *folders)
+      if (known.insert(std::filesystem::weakly_canonical(folder)).second) result.push_back(folder);
+  return result;
+}
+
+const std::map<std::string, Color> colors{
+    {"auto", Color::automatic}, {"always", Color::always}, {"never", Color::never}};
+
+void add_options(CLI::App& app) {
+  app.add_flag_callback(
+      "--quiet", [] { console_style().quiet = true; }, "print errors, failures and data alone");
+  app.add_option_function<std::string>(
+         "--color", [](const std::string& word) { console_style().color = colors.at(word); },
+         "colours; auto: on a terminal, unless NO_COLOR is set")
+      ->check(CLI::IsMember({"auto", "always", "never"}));
+}
+
+/// Declares --quiet and --color for the program and all its verbs.
+void add_console_options(CLI::App& program) {
+  add_options(program);
+  for (CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) add_options(*verb);
+}
 
 constexpr const char* no_value = "has no value";
 
