@@ -8,17 +8,38 @@
 
 #include "engine/analyse/estimation/certainty.hpp"
 #include "engine/analyse/estimation/doubts.hpp"
+#include "engine/analyse/estimation/fit_request.hpp"
 #include "engine/analyse/estimation/least_squares.hpp"
 #include "engine/analyse/estimation/loss.hpp"
 #include "engine/analyse/estimation/refine.hpp"
 #include "engine/analyse/estimation/resolution.hpp"
-#include "engine/analyse/estimation/row_order.hpp"
 #include "engine/analyse/estimation/searches.hpp"
 #include "engine/analyse/estimation/starts.hpp"
+#include "engine/model/plan/plan.hpp"
 
 namespace stepwire::estimation {
 
 namespace {
+
+/// True for a block with a state and an input. A source may have a state, too, e.g. that of a random number.
+bool has_memory(const plan::PlannedBlock& block) {
+  return std::ranges::any_of(block.states, [](const plan::SignalSlot& state) { return state.size > 0; }) &&
+         std::ranges::any_of(block.inputs, [](const auto& port) { return !port.empty(); });
+}
+
+/// True if the compared rows are a time series: by the key of the request, or if the diagram has memory.
+/// Memory is a block with a state and an input. Rows of a diagram without memory are points of a function, in
+/// any order.
+bool in_time(const plan::Plan& plan, const FitRequest& request) {
+  return request.standard_errors == StandardErrors::serial || std::ranges::any_of(plan.blocks, has_memory);
+}
+
+/// Returns the kind of standard errors of the intervals: that of the request, or the default for the rows'
+/// order.
+StandardErrors used_errors(const FitRequest& request, bool in_time) {
+  if (request.standard_errors != StandardErrors::automatic) return request.standard_errors;
+  return in_time ? StandardErrors::serial : StandardErrors::classical;
+}
 
 /// The steps of a fit. Parameters without effect at the start are faults. Differential evolution, if
 /// requested, adds a start. Searches begin from all starts; the best minimum is refined with central

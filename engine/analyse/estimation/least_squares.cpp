@@ -10,16 +10,102 @@
 // unknown at a bound towards which the cost falls is held; a step that crosses a bound is cut there.
 #include "engine/analyse/estimation/least_squares.hpp"
 
+#include <Eigen/Core>
+#include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "engine/analyse/estimation/loss.hpp"
-#include "engine/analyse/estimation/trust_region.hpp"
 
 namespace stepwire::estimation {
 
 namespace {
+
+/// Linear model r + A s of residuals around a point, factorised for steps of several lengths.
+class LinearModel {
+ public:
+  /// Factorises the model. A has more rows than columns.
+  LinearModel(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& residuals);
+
+  /// Returns the step s that minimises |r + A s| subject to |s| <= radius. Its damping is kept for answer().
+  Eigen::VectorXd step(double radius);
+  /// Returns the step that compensates a second-order change of the residuals, with the damping of the last
+  /// step.
+  Eigen::VectorXd answer(const Eigen::VectorXd& change) const;
+  /// Returns the decrease of half the squared residuals by a step, as the model predicts it.
+  double gain(const Eigen::VectorXd& step) const;
+
+ private:
+  Eigen::VectorXd damped(const Eigen::VectorXd& along, double damping) const;
+  double damping_for(double radius) const;
+
+  Eigen::MatrixXd slopes_;
+  Eigen::VectorXd residuals_;
+  Eigen::MatrixXd left_, right_;  ///< Singular vectors: A = left S right'.
+  Eigen::VectorXd values_;        ///< Singular values; those within rounding error of zero are set to zero.
+  Eigen::VectorXd along_;         ///< left' r
+  double damping_ = 0.0;
+};
+
+LinearModel::LinearModel(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& residuals)
+    : slopes_(slopes), residuals_(residuals) {
+  const Eigen::Index count = slopes.cols();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(slopes);
+  const Eigen::MatrixXd triangle = qr.matrixQR().topRows(count).triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  values_ = svd.singularValues();
+  const double zero =
+      std::numeric_limits<double>::epsilon() * static_cast<double>(slopes.rows()) * values_.maxCoeff();
+  values_ = (values_.array() > zero).select(values_, 0.0);
+  right_ = svd.matrixV();
+  left_ = qr.householderQ() * Eigen::MatrixXd::Identity(slopes.rows(), count) * svd.matrixU();
+  along_ = left_.transpose() * residuals;
+}
+
+Eigen::VectorXd LinearModel::damped(const Eigen::VectorXd& along, double damping) const {
+  Eigen::VectorXd parts = Eigen::VectorXd::Zero(along.size());
+  for (Eigen::Index i = 0; i < parts.size(); ++i)
+    if (values_[i] > 0.0) parts[i] = -values_[i] * along[i] / (values_[i] * values_[i] + damping);
+  return right_ * parts;
+}
+
+/// Finds the damping by Newton's method on 1/|s| = 1/radius within bounds (J. J. More 1978). The radius is
+/// met to one per cent, where More allows ten.
+double LinearModel::damping_for(double radius) const {
+  const Eigen::ArrayXd s = values_.array(), force = s * along_.array();
+  double low = 0.0, high = force.matrix().norm() / radius, damping = 1e-3 * high;
+  constexpr int most = 30;
+  for (int k = 0; k < most; ++k) {
+    if (damping <= low || damping > high) damping = std::max(1e-3 * high, std::sqrt(low * high));
+    const Eigen::ArrayXd below = s.square() + damping;
+    const double length = (force / below).matrix().norm(), excess = length - radius;
+    if (std::abs(excess) <= 0.01 * radius) break;
+    (excess < 0.0 ? high : low) = damping;
+    const double slope = -(force.square() / below.cube()).sum() / length;
+    damping -= length / radius * excess / slope;
+  }
+  return damping;
+}
+
+Eigen::VectorXd LinearModel::step(double radius) {
+  damping_ = 0.0;
+  Eigen::VectorXd whole = damped(along_, 0.0);
+  if (whole.norm() <= radius) return whole;
+  damping_ = damping_for(radius);
+  Eigen::VectorXd result = damped(along_, damping_);
+  return result * std::min(1.0, radius / result.norm());
+}
+
+Eigen::VectorXd LinearModel::answer(const Eigen::VectorXd& change) const {
+  return damped(left_.transpose() * change, damping_);
+}
+
+double LinearModel::gain(const Eigen::VectorXd& step) const {
+  const Eigen::VectorXd moved = slopes_ * step;
+  return -moved.dot(residuals_ + 0.5 * moved);
+}
 
 constexpr double poor = 0.25, good = 0.75;  // Actual over predicted decrease of a step.
 constexpr double probe = 0.1;               // Share of a step, for the second derivative along it.

@@ -6,10 +6,6 @@
 #include <charconv>
 #include <string_view>
 
-#include "engine/analyse/estimation/tape.hpp"
-#include "engine/simulate/record/recorder.hpp"
-#include "engine/simulate/run/stop_condition.hpp"
-
 namespace stepwire::estimation {
 
 namespace {
@@ -49,16 +45,30 @@ std::vector<std::string> columns_of(const FitRequest& request) {
   return columns;
 }
 
-/// True if the plans of two records can share code that reads these blocks from a table.
-bool are_alike(const std::vector<plan::VariableBlock>& variable, const plan::Plan& one,
-               const plan::Plan& other) {
-  if (one.blocks.size() != other.blocks.size()) return false;
-  return std::ranges::all_of(variable, [&](const plan::VariableBlock& of) {
-    const AnyBlock &a = one.diagram.blocks[of.block].block, &b = other.diagram.blocks[of.block].block;
-    return &a.type() == &b.type() &&
-           plan::MemberItems(a.type(), a.get()).outline() == plan::MemberItems(b.type(), b.get()).outline();
-  });
-}
+/// Records the signals that a part reads, in a run of the whole diagram.
+class TapeWriter : public run::RunObserver {
+ public:
+  TapeWriter(const SensitiveSubdiagram& part, std::vector<double>& tape) : part_(part), tape_(tape) {}
+  void evaluated(const run::ObservedRun& run) override { part_.append(run.simulation.values(), tape_); }
+
+ private:
+  const SensitiveSubdiagram& part_;
+  std::vector<double>& tape_;
+};
+
+/// Replays these signals into a run of the part.
+class TapePlayer : public run::RunObserver {
+ public:
+  TapePlayer(const SensitiveSubdiagram& part, const std::vector<double>& tape) : part_(part), tape_(tape) {}
+  run::Flow before_tick(const run::ObservedRun& run) override {
+    part_.play(tape_, run.simulation);
+    return run::Flow::go_on;
+  }
+
+ private:
+  const SensitiveSubdiagram& part_;
+  const std::vector<double>& tape_;
+};
 
 }  // namespace
 
@@ -80,8 +90,17 @@ ModelRuns::ModelRuns(ModelSource source, const run::Job& job, const FitRequest& 
     labels_.push_back(label_of(job, record));
     swept_.push_back(run::swept_columns(job, record));
   }
-  find_part();
-  make_records();
+  plan_records();
+  if (auto of_part = plan_part()) family_ = std::move(of_part);
+  make_pool();
+}
+
+std::unique_ptr<run::PlanFamily> ModelRuns::new_family() const {
+  return std::make_unique<run::PlanFamily>(source_.loader, source_.file, source_.settings, job_.plan);
+}
+
+std::vector<diagram::Setting> ModelRuns::settings_at(std::size_t record) const {
+  return job_.points.empty() ? std::vector<diagram::Setting>{} : job_.settings_of(record);
 }
 
 std::vector<std::string> ModelRuns::names() const {
@@ -90,26 +109,48 @@ std::vector<std::string> ModelRuns::names() const {
   return names;
 }
 
-/// Finds the part of the diagram that the parameters affect, and records its inputs in a run of each record.
-void ModelRuns::find_part() {
-  const Values start = start_of(request_.parameters);
+/// Returns the options of interpreted runs.
+run::RunOptions ModelRuns::options() const {
+  run::RunOptions options;
+  options.interrupt = source_.interrupt;
+  options.shows_rows = false;  // rows are read at the end
+  return options;
+}
+
+void ModelRuns::plan_records() {
+  family_ = new_family();
+  const auto start = settings_of(request_.parameters, start_of(request_.parameters));
+  for (std::size_t record = 0; record < records(); ++record) family_->add(start, settings_at(record));
+}
+
+/// Returns the plans of the part that the parameters affect, and records its inputs in a run of each record;
+/// nullptr if all blocks have to run.
+std::unique_ptr<run::PlanFamily> ModelRuns::plan_part() {
+  const plan::Plan& whole = family_->plan(0);
+  part_ = SensitiveSubdiagram::find(whole, diagram::Variation(whole.diagram, names()), columns_of(request_));
+  if (!part_) return nullptr;
+  const auto start = settings_of(request_.parameters, start_of(request_.parameters));
+  run::RunPool pool(*family_, options());
+  auto plans = new_family();
   for (std::size_t record = 0; record < records(); ++record) {
-    const plan::Plan whole = plan(record, start);
-    if (record == 0)
-      part_ =
-          SensitiveSubdiagram::find(whole, diagram::Variation(whole.diagram, names()), columns_of(request_));
-    if (!part_) return;
-    if (!play_in(record, whole)) return part_.reset();
+    if (!record_tape(record, pool)) {
+      part_.reset();
+      return nullptr;
+    }
+    plan::Plan plan = plan::make_plan(part_->of(family_->load(record, start)));
+    plans->add(std::make_shared<const plan::Plan>(std::move(plan)), start, settings_at(record));
   }
+  return plans;
 }
 
 /// Records the inputs of the part and the constant columns; false if the run ends early.
-bool ModelRuns::play_in(std::size_t record, const plan::Plan& whole) {
-  run::Executor simulation(whole);
+bool ModelRuns::record_tape(std::size_t record, run::RunPool& pool) {
+  const auto start = settings_of(request_.parameters, start_of(request_.parameters));
+  const run::PooledRun run = pool.begin(record, start);
   std::vector<double>& tape = tapes_.emplace_back();
-  tape.reserve(part_->width() * static_cast<std::size_t>(whole.steps + 1));
+  tape.reserve(part_->width() * static_cast<std::size_t>(run.simulation().plan().steps + 1));
   TapeWriter writer(*part_, tape);
-  still_.push_back(take(record, simulation, nullptr, &writer));
+  still_.push_back(take(record, pool, run, nullptr, &writer));
   const std::vector<std::string> columns = columns_of(request_);
   for (record::Recording& recording : still_.back()) {
     auto& all = recording.table.columns;
@@ -122,104 +163,27 @@ bool ModelRuns::play_in(std::size_t record, const plan::Plan& whole) {
   return !still_.back().empty();
 }
 
-void ModelRuns::make_records() {
-  const Values start = start_of(request_.parameters);
-  for (std::size_t r = 0; r < records(); ++r) {
-    diagram::Diagram diagram = load(r, start);
-    records_.push_back(
-        std::make_unique<Record>(plan::make_plan(part_ ? part_->of(diagram) : std::move(diagram)), names()));
-  }
-  run::TogetherRuns::Members plans;
-  if (source_.code) plans = compile_all();
-  const bool together = compiled_ && !part_;  // a tape is replayed into a single run
-  meeting_ = std::make_unique<run::RunMeeting>(std::move(plans),
-                                               together ? run::LaneUse::automatic : run::LaneUse::never,
-                                               source_.code, source_.interrupt);
-}
-
-diagram::Variation ModelRuns::variation(const Record& record) const {
-  std::vector<std::string> all = names();
+/// Makes the pool. Records that differ in numbers only share one text of code.
+void ModelRuns::make_pool() {
+  std::vector<std::string> swept;
   if (!job_.points.empty())
     for (const diagram::Sweep::Axis& axis : job_.plan.diagram.sweep->axes)
-      if (!axis.label) all.push_back(axis.parameter);
-  return diagram::Variation(record.plan.diagram, all);
-}
-
-std::vector<plan::VariableBlock> ModelRuns::variable(const Record& record) const {
-  return plan::variable_blocks(record.plan, variation(record));
-}
-
-/// Compiles the records. Those that differ in numbers only share one text, since swept numbers are variable,
-/// too.
-run::TogetherRuns::Members ModelRuns::compile_all() {
-  const plan::Plan& first = records_.front()->plan;
-  std::vector<plan::VariableBlock> shared = variable(*records_.front());
-  for (const auto& record : records_)
-    if (are_alike(shared, first, record->plan))
-      plan::widen(shared, first, [&](std::size_t b) { return record->plan.diagram.blocks[b].block.get(); });
-  run::TogetherRuns::Members plans;
-  for (const auto& record : records_) {
-    auto own = are_alike(shared, first, record->plan) ? shared : variable(*record);
-    record->code = source_.code->compile(record->plan, own, {});
-    plans.push_back({&record->plan, {std::move(own), variation(*record).targets()}});
-  }
-  compiled_ = std::ranges::all_of(records_, [](const auto& record) { return record->code.has_value(); });
-  return plans;
-}
-
-diagram::Diagram ModelRuns::load(std::size_t record, const Values& values) const {
-  std::vector<diagram::Setting> all = source_.settings;
-  if (!job_.points.empty())
-    for (diagram::Setting& setting : job_.settings_of(record)) all.push_back(std::move(setting));
-  for (diagram::Setting& setting : settings_of(request_.parameters, values))
-    all.push_back(std::move(setting));
-  const std::lock_guard lock(loading_);
-  return source_.loader.load_point(source_.file, all);
-}
-
-std::vector<diagram::Assignment> ModelRuns::assignments(const Values& values) const {
-  std::vector<diagram::Assignment> assignments;
-  for (std::size_t j = 0; j < request_.parameters.size(); ++j) {
-    const FitParameter& parameter = request_.parameters[j];
-    assignments.push_back(
-        {parameter.name, diagram::value_of_number(values[j], parameter.dimension), parameter.place.file});
-    assignments.back().value.mark = parameter.place.mark;
-  }
-  return assignments;
-}
-
-std::unique_ptr<run::Executor> ModelRuns::begin(Record& record, const Values& values) const {
-  std::unique_ptr<run::Executor> run;
-  {
-    const std::lock_guard lock(record.mutex);
-    if (!record.idle.empty()) {
-      run = std::move(record.idle.back());
-      record.idle.pop_back();
-    }
-  }
-  if (!run) run = std::make_unique<run::Executor>(record.plan);
-  if (run->set(record.varied, assignments(values)) != run::Executor::Setting::done) return nullptr;
-  if (record.code && !run->compiled()) run->use(*record.code);
-  run->reset();
-  return run;
-}
-
-void ModelRuns::give_back(Record& record, std::unique_ptr<run::Executor> run) const {
-  const std::lock_guard lock(record.mutex);
-  if (run) record.idle.push_back(std::move(run));
+      if (!axis.label) swept.push_back(axis.parameter);
+  if (source_.code) family_->share_code(swept);
+  run::RunOptions options = this->options();
+  options.code = source_.code;
+  if (source_.code) options.engine = run::ExecutionMode::compiled;
+  if (part_) options.lanes = run::LaneUse::never;  // a tape is replayed into a single run
+  pool_ = std::make_unique<run::RunPool>(*family_, std::move(options));
 }
 
 std::vector<record::Recording> ModelRuns::run(std::size_t record, const Values& values,
                                               std::string* fault) const {
   try {
-    Record& of = *records_[record];
-    std::unique_ptr<run::Executor> run = begin(of, values);
-    if (!run) return run_anew(record, values, fault);
-    std::optional<TapePlayer> player;
-    if (part_) player.emplace(*part_, tapes_[record]);
-    std::vector<record::Recording> taken = take(record, *run, fault, player ? &*player : nullptr);
-    give_back(of, std::move(run));
-    return part_ ? complete(record, std::move(taken)) : taken;
+    const run::PooledRun run = pool_->begin(record, settings_of(request_.parameters, values));
+    if (!part_ || run.has_own_plan()) return take(record, *pool_, run, fault);
+    TapePlayer player(*part_, tapes_[record]);
+    return complete(record, take(record, *pool_, run, fault, &player));
   } catch (const yaml::Error& error) {  // refused values count as a failed run
     if (fault) *fault = error.what();
     return {};
@@ -238,59 +202,36 @@ std::vector<record::Recording> ModelRuns::complete(std::size_t record,
 
 std::vector<record::Recording> ModelRuns::run_anew(std::size_t record, const Values& values,
                                                    std::string* fault) const {
-  const plan::Plan own = plan(record, values);
-  run::Executor simulation(own);
-  return take(record, simulation, fault);
+  return take(record, *pool_, pool_->begin_anew(record, settings_of(request_.parameters, values)), fault);
 }
 
 std::string ModelRuns::refusal(std::size_t record, const Values& values) const {
   try {
-    Record& of = *records_[record];
-    std::unique_ptr<run::Executor> run = begin(of, values);
-    if (!run) plan(record, values);
-    give_back(of, std::move(run));
+    static_cast<void>(pool_->begin(record, settings_of(request_.parameters, values)));
     return "";
   } catch (const yaml::Error& error) {
     return error.what();
   }
 }
 
-/// Joins a lane batch with other runs of the record's plan; false if there is none.
-bool ModelRuns::meet(run::PendingRun& run) const {
-  const bool own = meeting_ && &run.simulation->plan() == &records_[run.index]->plan;
-  const auto* code = own && records_[run.index]->code ? &*records_[run.index]->code : nullptr;
-  return own && meeting_->run(run.index, code, run);
-}
-
-void ModelRuns::go_alone(run::PendingRun& run, run::RunObserver* observer) const {
-  run::Drive drive(*run.simulation, *run.recorders);
-  drive.interrupt = source_.interrupt;
-  if (observer) drive.observers = {&observer, 1};
-  drive.shows_rows = false;  // rows are read at the end
-  run.end.interrupted = drive.run() == run::Drive::End::interrupted;
-  if (meeting_) meeting_->done(run.simulation->tick());
-}
-
-std::vector<record::Recording> ModelRuns::take(std::size_t record, run::Executor& simulation,
-                                               std::string* fault, run::RunObserver* observer) const {
-  record::RunRecording recording(simulation.plan());
-  run::PendingRun run{record, &simulation, &recording.recorders()};
-  if (!meet(run)) go_alone(run, observer);
-  if (run.end.interrupted) {
+std::vector<record::Recording> ModelRuns::take(std::size_t record, run::RunPool& pool,
+                                               const run::PooledRun& run, std::string* fault,
+                                               run::RunObserver* observer) const {
+  run::RunResult result = pool.run(run, record, observer);
+  if (result.interrupted) {
     if (fault) *fault = "interrupted, so that there is nothing yet to write";
     return {};
   }
-  if (!simulation.healthy()) {
-    if (fault) *fault = run::fault_of(simulation);
+  if (!run.simulation().healthy()) {
+    if (fault) *fault = run::fault_of(run.simulation());
     return {};
   }
-  std::vector<record::Recording> recordings = recording.take();
-  for (record::Recording& one : recordings)
+  for (record::Recording& one : result.recordings)
     for (table::Column column : swept_[record]) {
       column.values.assign(one.table.rows(), column.values.front());
       one.table.columns.push_back(std::move(column));
     }
-  return recordings;
+  return std::move(result.recordings);
 }
 
 }  // namespace stepwire::estimation

@@ -3,15 +3,14 @@
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/analyse/estimation/fit_request.hpp"
 #include "engine/analyse/estimation/sensitive_subdiagram.hpp"
 #include "engine/model/diagram/load.hpp"
-#include "engine/simulate/run/drive.hpp"
-#include "engine/simulate/run/run_meeting.hpp"
+#include "engine/simulate/run/run_pool.hpp"
 
 namespace stepwire::estimation {
 
@@ -24,8 +23,8 @@ struct ModelSource {
   const std::atomic<bool>* interrupt = nullptr;  ///< Once true, runs end without a recording.
 };
 
-/// The runs of a file's records at any values of the fitted parameters. Each record has one plan, whose
-/// executors are reused. Where possible, only the blocks that the parameters affect run, and the signals that
+/// The runs of a file's records at any values of the fitted parameters. Each record has one plan in a
+/// pool of runs. Where possible, only the blocks that the parameters affect run, and the signals that
 /// these read are replayed from a tape.
 class ModelRuns {
  public:
@@ -38,12 +37,12 @@ class ModelRuns {
   /// Returns the swept parameters of a record, as columns of one row.
   const std::vector<table::Column>& swept(std::size_t record) const { return swept_[record]; }
   /// True if the runs are compiled.
-  bool compiled() const { return compiled_; }
+  bool compiled() const { return pool_->compiled(); }
   /// True if only a part of the diagram runs and the rest is replayed.
   bool in_part() const { return part_.has_value(); }
   /// Calls task(0) to task(count - 1), which may call run(), on `cores` threads (0: all).
   void in_parallel(std::size_t count, unsigned cores, const std::function<void(std::size_t)>& task) const {
-    meeting_->in_parallel(count, meeting_->threads(cores), task);
+    pool_->in_parallel(count, pool_->threads(cores), task);
   }
   /// Returns the recordings of a run, with the swept parameters. On failure the list is empty and `fault`
   /// holds the reason. May be called from any thread.
@@ -55,38 +54,17 @@ class ModelRuns {
   std::string refusal(std::size_t record, const Values& values) const;
 
  private:
-  /// The plan of one record: the part, or the whole diagram.
-  struct Record {
-    Record(plan::Plan of, const std::vector<std::string>& names)
-        : plan(std::move(of)), varied(plan.diagram, names) {}
-    plan::Plan plan;
-    diagram::Variation varied;  ///< Variation of the fitted parameters.
-    std::optional<plan::CompiledPlan> code;
-    std::mutex mutex;
-    std::vector<std::unique_ptr<run::Executor>> idle;
-  };
-
-  diagram::Diagram load(std::size_t record, const Values& values) const;
-  plan::Plan plan(std::size_t record, const Values& values) const {
-    return plan::make_plan(load(record, values));
-  }
+  std::unique_ptr<run::PlanFamily> new_family() const;
+  std::vector<diagram::Setting> settings_at(std::size_t record) const;
   std::vector<std::string> names() const;
-  std::vector<diagram::Assignment> assignments(const Values& values) const;
-  void find_part();
-  bool play_in(std::size_t record, const plan::Plan& whole);
-  void make_records();
-  run::TogetherRuns::Members compile_all();
-  diagram::Variation variation(const Record& record) const;
-  std::vector<plan::VariableBlock> variable(const Record& record) const;
-  /// Returns an executor at time 0 with these values; nullptr if they need another plan. Throws Error for
-  /// refused values.
-  std::unique_ptr<run::Executor> begin(Record& record, const Values& values) const;
-  void give_back(Record& record, std::unique_ptr<run::Executor> run) const;
-  /// Runs to the end and returns the recordings; an empty list after a fault.
-  std::vector<record::Recording> take(std::size_t record, run::Executor& simulation, std::string* fault,
-                                      run::RunObserver* observer = nullptr) const;
-  bool meet(run::PendingRun& run) const;
-  void go_alone(run::PendingRun& run, run::RunObserver* observer) const;
+  run::RunOptions options() const;
+  void plan_records();
+  std::unique_ptr<run::PlanFamily> plan_part();
+  bool record_tape(std::size_t record, run::RunPool& pool);
+  void make_pool();
+  /// Makes a run and returns its recordings; an empty list after a fault.
+  std::vector<record::Recording> take(std::size_t record, run::RunPool& pool, const run::PooledRun& run,
+                                      std::string* fault, run::RunObserver* observer = nullptr) const;
   std::vector<record::Recording> complete(std::size_t record, std::vector<record::Recording> moved) const;
 
   ModelSource source_;
@@ -94,13 +72,11 @@ class ModelRuns {
   const FitRequest& request_;
   std::vector<std::string> labels_;
   std::vector<std::vector<table::Column>> swept_;
-  std::vector<std::unique_ptr<Record>> records_;
-  bool compiled_ = false;
-  std::unique_ptr<run::RunMeeting> meeting_;  ///< nullptr until the records have plans.
   std::optional<SensitiveSubdiagram> part_;
   std::vector<std::vector<double>> tapes_;  ///< [record]: signals that the part reads, tick by tick.
   std::vector<std::vector<record::Recording>> still_;  ///< [record]: compared columns that do not change.
-  mutable std::mutex loading_;
+  std::unique_ptr<run::PlanFamily> family_;            ///< A member for each record.
+  std::unique_ptr<run::RunPool> pool_;
 };
 
 /// Returns the settings that give the parameters these values.

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/simulate/run/stop_condition.hpp"
+#include "engine/simulate/run/drive.hpp"
 
 namespace stepwire::linear {
 
@@ -26,20 +26,15 @@ std::unique_ptr<run::Executor> run_up_to(const plan::Plan& plan, double time, st
   auto run = std::make_unique<run::Executor>(plan);
   const auto wanted = static_cast<std::int64_t>(std::llround(time / plan.diagram.step));
   const std::int64_t end = (wanted + base_ticks - 1) / base_ticks * base_ticks;
-  const run::StopConditionEvaluator stop(plan);
-  while (run->tick() < end) {
-    run->evaluate();
-    if (stop.stops(run->values()))
-      refuse(place, time, fmt::format("'stop_when' ends it at {:.12g} s; give an earlier time", run->time()));
-    if (run->healthy()) run->advance();
-    if (run->has_stopped())
-      refuse(place, time,
-             fmt::format("'stop_when' or a block ends it at {:.12g} s; give an earlier time", run->time()));
-    if (run->healthy()) continue;
-    if (const auto fault = run->fault()) throw yaml::Error(fault->fault);
-    break;
-  }
-  return run;
+  std::vector<record::Recorder> nothing_recorded;
+  run::Drive drive(*run, nothing_recorded);
+  drive.judges_steps = false;
+  drive.until = end;
+  if (drive.run() == run::Drive::End::paused) return run;
+  if (const auto fault = run->fault()) throw yaml::Error(fault->fault);
+  refuse(place, time,
+         fmt::format("'stop_when'{} ends it at {:.12g} s; give an earlier time", run->has_stopped() ? " or a block" : "",
+                     run->time()));
 }
 
 void require_linear(const plan::Plan& plan) {

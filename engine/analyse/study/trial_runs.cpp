@@ -8,7 +8,6 @@
 
 #include "engine/analyse/study/drawn_number.hpp"
 #include "engine/model/diagram/named_signals.hpp"
-#include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
 namespace stepwire::study {
@@ -65,19 +64,17 @@ std::string name_of(const TrialRun& trial, const StudyRequest& request) {
 
 TrialRuns::TrialRuns(TrialSource source, const StudyRequest& request, const run::Job& job,
                      std::size_t experiments)
-    : source_(std::move(source)),
-      request_(request),
-      job_(job),
-      family_(new_family()),
-      idle_(*family_) {
+    : source_(std::move(source)), request_(request), job_(job), family_(new_family()) {
   if (source_.engine != run::ExecutionMode::interpreted) find_members();
   if (source_.engine == run::ExecutionMode::automatic) compile_ahead();
   const auto trials = static_cast<double>(study_count(job) * request.subjects.size() * experiments *
                                           (request.conditions.size() + request.practice.size()));
-  changeover_.emplace(source_.engine, source_.code, members(), trials * static_cast<double>(job.plan.steps));
-  const bool alone = source_.engine == run::ExecutionMode::interpreted || !source_.observers.empty();
-  meeting_.emplace(plans(), alone ? run::LaneUse::never : run::LaneUse::automatic, source_.code,
-                   source_.interrupt);
+  run::RunOptions options;
+  options.interrupt = source_.interrupt;
+  options.engine = source_.engine;
+  options.code = source_.code;
+  options.observers = source_.observers;
+  pool_.emplace(*family_, std::move(options), run::PoolWork{trials * static_cast<double>(job.plan.steps)});
 }
 
 std::shared_ptr<run::PlanFamily> TrialRuns::new_family() const {
@@ -111,26 +108,12 @@ void TrialRuns::find_member(TrialRun trial, HandedOver handed, double share) {
   }
 }
 
-std::vector<run::TieredExecution::Member> TrialRuns::members() const {
-  std::vector<run::TieredExecution::Member> members;
-  for (std::size_t m = 0; m < family_->size(); ++m)
-    members.push_back({&family_->plan(m), family_->variable(m)});
-  return members;
-}
-
-run::TogetherRuns::Members TrialRuns::plans() const {
-  run::TogetherRuns::Members plans;
-  for (std::size_t m = 0; m < family_->size(); ++m)
-    plans.push_back({&family_->plan(m), {family_->variable(m), family_->targets(m)}});
-  return plans;
-}
-
 /// Starts the compilation of these plans in a thread. Trials find the code by its text.
 void TrialRuns::compile_ahead() {
   try {
-    ahead_ = std::jthread([this, wanted = members()](const std::stop_token& stop) {
-      for (const run::TieredExecution::Member& one : wanted)
-        source_.code->compile(*one.plan, one.variable, {.stop = stop});
+    ahead_ = std::jthread([this, wanted = family_->plans_of_runs()](const std::stop_token& stop) {
+      for (const run::PlanOfRuns& one : wanted)
+        source_.code->compile(*one.plan, one.differences.variable, {.stop = stop});
     });
   } catch (const std::system_error&) {  // without a thread nothing is compiled ahead
   }
@@ -249,35 +232,18 @@ std::size_t TrialRuns::number_of(const TrialRun& trial) const {
   return counting + person * request_.practice.size() + trial.practice - 1;
 }
 
-/// Makes a run, in a lane batch with others if possible.
-run::RunEnd TrialRuns::end_of(std::size_t member, run::PendingRun run) {
-  if (meeting_->run(member, changeover_->code(member), run)) return std::move(run.end);
-  run::RunOptions options;
-  options.interrupt = source_.interrupt;
-  options.observers = source_.observers;
-  run::RunEnd end =
-      run::run_simulation(*run.simulation, *run.recorders, options, *changeover_, member, run.index);
-  meeting_->done(end.ticks);
-  return end;
-}
-
 void TrialRuns::run_once(TrialRun& trial) {
-  const std::size_t member = trial.point.member;
-  auto run = idle_.take(member);
-  family_->begin(member, trial.point.own, *run);
-  trial.begun = begun_with(*run);
-  record::RunRecording recording(run->plan());
-  static_cast<run::RunEnd&>(trial.result) =
-      end_of(member, {number_of(trial), run.get(), &recording.recorders()});
-  trial.result.recordings = recording.take();
-  note_end(*run, trial);
+  const run::PooledRun run = pool_->begin(trial.point.member, trial.point.own);
+  trial.begun = begun_with(run.simulation());
+  trial.result = pool_->run(run, number_of(trial));
+  note_end(run.simulation(), trial);
   const auto& faults = trial.result.faults;
-  trial.done = faults.empty() && !trial.result.stopped && trial.result.ticks < run->plan().steps;
+  const plan::Plan& plan = run.simulation().plan();
+  trial.done = faults.empty() && !trial.result.stopped && trial.result.ticks < plan.steps;
   if (!trial.done && !trial.result.interrupted)
     trial.failures.push_back(faults.empty()
-                                 ? fmt::format("not done within {:g} s", run->plan().diagram.stop)
+                                 ? fmt::format("not done within {:g} s", plan.diagram.stop)
                                  : faults.front().fault.subject + ": " + faults.front().fault.message.text());
-  idle_.give_back(member, std::move(run));
 }
 
 void TrialRuns::run(TrialRun& trial, const HandedOver& handed) {

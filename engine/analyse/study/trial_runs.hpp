@@ -10,7 +10,7 @@
 
 #include "engine/analyse/statistics/circle.hpp"
 #include "engine/analyse/study/study_request.hpp"
-#include "engine/simulate/run/run_meeting.hpp"
+#include "engine/simulate/run/run_pool.hpp"
 
 namespace stepwire::study {
 
@@ -81,11 +81,11 @@ class TrialRuns {
   /// Returns the values that a trial passes to the next one.
   std::vector<diagram::Setting> carried(const TrialRun& trial) const;
 
-  run::LaneReport lanes() const { return meeting_->lanes(); }
+  run::LaneReport lanes() const { return pool_->lanes(); }
   bool interrupted() const { return source_.interrupt && *source_.interrupt; }
   /// Calls task(0) to task(count - 1), several in parallel.
   void in_parallel(std::size_t count, const std::function<void(std::size_t)>& task) {
-    meeting_->in_parallel(count, meeting_->threads(source_.threads), task);
+    pool_->in_parallel(count, pool_->threads(source_.threads), task);
   }
   /// Returns the plans of the trials.
   const std::shared_ptr<run::PlanFamily>& family() const { return family_; }
@@ -98,9 +98,6 @@ class TrialRuns {
   std::uint64_t noise_of(const TrialRun& trial) const;
   void plan(TrialRun& trial, const HandedOver& handed);
   void find_members();
-  std::vector<run::TieredExecution::Member> members() const;
-  run::TogetherRuns::Members plans() const;
-  run::RunEnd end_of(std::size_t member, run::PendingRun run);
   void compile_ahead();
   void find_member(TrialRun trial, HandedOver handed, double share);
   HandedOver file_values(const TrialRun& trial, double share) const;
@@ -113,9 +110,7 @@ class TrialRuns {
   const StudyRequest& request_;
   const run::Job& job_;
   std::shared_ptr<run::PlanFamily> family_;
-  run::IdleRuns idle_;
-  std::optional<run::TieredExecution> changeover_;
-  std::optional<run::RunMeeting> meeting_;
+  std::optional<run::RunPool> pool_;
   std::jthread ahead_;  ///< Compiles during the first trials. Last member, since it uses the others.
 };
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <exception>
 #include <nlopt.hpp>
+#include <random>
 
-#include "engine/analyse/tuning/random_start.hpp"
 #include "engine/analyse/tuning/search_log.hpp"
 #include "engine/analyse/tuning/target_search.hpp"
 
@@ -19,6 +19,17 @@ constexpr std::size_t attempts = 20;  // Random starts to try until one runs.
 constexpr std::size_t max_rounds = 4;      // Rounds of cobyla, whose steps only shrink.
 constexpr double below_the_claims = 0.01;  // Reserve by which restore() satisfies a claim.
 constexpr double highest_violation = 2.0;
+
+/// Returns uniform random shares of the bounds, 0 to 1. They depend on the arguments only and are the same on
+/// any machine.
+std::vector<double> random_shares(std::uint64_t seed, std::size_t number, std::size_t count,
+                                  std::size_t attempt) {
+  std::seed_seq words{seed, static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(attempt)};
+  std::mt19937_64 engine(words);
+  std::vector<double> shares(count);
+  for (double& share : shares) share = static_cast<double>(engine() >> 11u) * 0x1p-53;
+  return shares;
+}
 
 /// One search: its log of evaluations and the callbacks of NLopt.
 /// NLopt minimises over the shares of the parameters between their bounds. Objective and claims are divided

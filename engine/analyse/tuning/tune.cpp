@@ -70,13 +70,11 @@ class Tuning {
   }
 
  private:
-  unsigned threads() const { return runs_.meeting().threads(options_.threads); }
+  unsigned threads() const { return runs_.pool().threads(options_.threads); }
 
   /// Evaluates the start; its values are the scales of objective and claims.
   void look_at_start() {
-    Values values;
-    for (const TuneParameter& parameter : request_.parameters) values.push_back(parameter.start);
-    Evaluation one = evaluate(runs_, request_, std::move(values), threads());
+    Evaluation one = evaluate(runs_, request_, start_of(request_.parameters), threads());
     if (runs_.interrupted()) return;
     problem_.objective_scale = one.is_bad() || one.objective == 0.0 ? 1.0 : std::abs(one.objective);
     for (std::size_t i = 0; i < request_.constraints.size(); ++i)
@@ -99,7 +97,7 @@ class Tuning {
     problem_.threads = std::max(1u, threads() / beside);
     problem_.watch = [&](const Evaluation& one) { watch_.show(one); };
     std::vector<SearchResult> found(count);
-    runs_.meeting().in_parallel(count, beside, [&](std::size_t i) {
+    runs_.pool().in_parallel(count, beside, [&](std::size_t i) {
       if (runs_.interrupted() && i > 0) return;
       found[i] = search(problem_, i, i == 0 ? start_ : std::nullopt);
     });

@@ -3,14 +3,13 @@
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "engine/analyse/tuning/tune_request.hpp"
 #include "engine/model/diagram/load.hpp"
 #include "engine/simulate/run/pooling.hpp"
-#include "engine/simulate/run/run_meeting.hpp"
+#include "engine/simulate/run/run_pool.hpp"
 
 namespace stepwire::tuning {
 
@@ -33,42 +32,36 @@ struct TuneSource {
 /// Values of all tuned parameters, SI.
 using Values = std::vector<double>;
 
-/// All runs of a file at any values of the tuned parameters. Each structure of the sweep has one plan, whose
-/// executors are reused. Calls may come from any thread.
+/// All runs of a file at any values of the tuned parameters. Each structure of the sweep has one plan in a
+/// pool of runs. Calls may come from any thread.
 class TuneRuns {
  public:
   /// Job and request must outlive it.
   TuneRuns(TuneSource source, const run::Job& job, const TuneRequest& request);
-  ~TuneRuns();
 
   /// Returns the number of runs per evaluation; the trials of a study count as one.
   std::size_t count() const;
   /// Returns the swept values of a run: "load=2 kg"; empty for a single run.
   std::string label(std::size_t run) const;
-  bool compiled() const { return compiled_; }
-  /// Returns the pool that combines runs of parallel searches into lanes and divides the cores among them.
-  run::RunMeeting& meeting() const { return *meeting_; }
+  bool compiled() const { return pool_->compiled(); }
+  /// Returns the pool of the runs, which also divides the cores among parallel searches.
+  run::RunPool& pool() const { return *pool_; }
   bool interrupted() const { return source_.interrupt && *source_.interrupt; }
   /// Makes all runs and pools their recordings in the order of the sweep. Adds the linear analyses that the
   /// request reads. Returns an empty list if a run fails or refuses the values; `fault` holds the reason.
   std::vector<record::Recording> run(const Values& values, unsigned threads, std::string& fault) const;
 
  private:
-  struct Structure;
   using Recordings = std::vector<record::Recording>;
 
+  std::vector<diagram::Setting> settings_at(std::size_t point, const Values& values) const;
+  void plan_points();
+  void add_differences();
+  void make_pool();
+  bool is_structural() const;
   Recordings performed(const Values& values, std::string& fault) const;
-  void make_structures();
-  std::vector<std::string> names_at(std::size_t point, const plan::Plan& plan) const;
-  run::TogetherRuns::Members compile();
-  Structure& structure_of(std::size_t point) const;
-  std::vector<diagram::Assignment> assignments(std::size_t point, const Values& values) const;
   Recordings run_point(std::size_t point, const Values& values, std::string& fault) const;
-  Recordings run_anew(std::size_t point, const Values& values, std::string& fault) const;
-  /// Makes one run; `meeting`, unless nullptr, combines it with others into lanes.
-  Recordings take(std::size_t point, const Values& values, run::Executor& simulation, std::string& fault,
-                  run::RunMeeting* meeting = nullptr) const;
-  void go_alone(run::PendingRun& run) const;
+  Recordings take(std::size_t point, const Values& values, std::string& fault) const;
   void add_analyses(const run::Executor& simulation, Recordings& recordings) const;
   void add_parameters(const Values& values, Recordings& recordings) const;
 
@@ -78,13 +71,13 @@ class TuneRuns {
   run::SweptColumns swept_;
   std::vector<bool> analysed_;  ///< True for analyses that the request reads.
   std::vector<bool> recorded_;  ///< True for tuned parameters that it reads.
-  std::vector<std::unique_ptr<Structure>> structures_;
-  std::vector<std::size_t> of_point_;  ///< Index of each point's structure.
-  mutable std::mutex loading_;
-  bool compiled_ = false;
-  std::unique_ptr<run::RunMeeting> meeting_;
+  run::PlanFamily family_;
+  std::vector<std::size_t> members_;  ///< Member of the family of each point.
+  std::unique_ptr<run::RunPool> pool_;
 };
 
+/// Returns the start values of the parameters.
+Values start_of(const std::vector<TuneParameter>& parameters);
 /// Returns the settings that give the parameters these values.
 std::vector<diagram::Setting> settings_of(const std::vector<TuneParameter>& parameters, const Values& values);
 

@@ -5,14 +5,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <span>
 #include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "engine/app/cli/choice.hpp"
 #include "engine/app/cli/console.hpp"
-#include "engine/app/cli/console_options.hpp"
+#include "engine/app/cli/console_style.hpp"
 #include "engine/app/cli/folder_options.hpp"
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
@@ -28,6 +30,24 @@
 namespace stepwire::cli {
 
 namespace {
+
+const std::map<std::string, Color> colors{
+    {"auto", Color::automatic}, {"always", Color::always}, {"never", Color::never}};
+
+void add_options(CLI::App& app) {
+  app.add_flag_callback(
+      "--quiet", [] { console_style().quiet = true; }, "print errors, failures and data alone");
+  app.add_option_function<std::string>(
+         "--color", [](const std::string& word) { console_style().color = colors.at(word); },
+         "colours; auto: on a terminal, unless NO_COLOR is set")
+      ->check(Choice({"auto", "always", "never"}));
+}
+
+/// Declares --quiet and --color for the program and all its verbs.
+void add_console_options(CLI::App& program) {
+  add_options(program);
+  for (CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) add_options(*verb);
+}
 
 constexpr const char* no_value = "has no value";
 

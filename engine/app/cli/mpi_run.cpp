@@ -44,27 +44,14 @@ ExitCode work_for(messages::Connection& server, const RunCall& call, const Regis
   return ExitCode::done;
 }
 
-void MpiRun::serve(KeptRun& kept, const session::LoadedModel& model, const session::Monitor& monitor) {
-  cluster::PointItems points(kept.points());
-  server_.serve(points, bytes_of(job_of(SharedJob::Kind::points, model)), monitor);
-  kept.points().journal().flush();
+session::PointsReport MpiRun::run(session::KeptPoints& points, const session::LoadedModel& model,
+                                  const session::Monitor& monitor) {
+  const auto start = std::chrono::steady_clock::now();
+  cluster::PointItems items(points);
+  server_.serve(items, bytes_of(job_of(SharedJob::Kind::points, model)), monitor);
+  points.journal().flush();
   say_deaths();
-}
-
-session::Outcome MpiRun::run(KeptRun& kept, const session::LoadedModel& model,
-                             const session::Monitor& monitor) {
-  return kept.joined([&] {
-    const auto start = std::chrono::steady_clock::now();
-    serve(kept, model, monitor);
-    return session::PointsReport{
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), {}};
-  });
-}
-
-ExitCode MpiRun::run_share(KeptRun& kept, const session::LoadedModel& model,
-                           const session::Monitor& monitor) {
-  serve(kept, model, monitor);
-  return kept.end_share();
+  return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), {}};
 }
 
 messages::ItemWorkers& MpiRun::workers(const SharedJob& job, const std::string& folder,

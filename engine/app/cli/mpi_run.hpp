@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/app/cli/kept_run.hpp"
+#include "engine/app/cli/exit_code.hpp"
 #include "engine/app/cli/run_call.hpp"
 #include "engine/app/cluster/served_work.hpp"
 #include "engine/base/messages/messages.hpp"
@@ -18,10 +18,9 @@ class MpiRun {
 
   /// True if there are other processes.
   bool shares() const { return messages_.size() > 1; }
-  /// Distributes the points of a model to the other processes and joins them.
-  session::Outcome run(KeptRun& kept, const session::LoadedModel& model, const session::Monitor& monitor);
-  /// Distributes the points of a share to the other processes.
-  ExitCode run_share(KeptRun& kept, const session::LoadedModel& model, const session::Monitor& monitor);
+  /// Distributes the points of a journal to the other processes.
+  session::PointsReport run(session::KeptPoints& points, const session::LoadedModel& model,
+                            const session::Monitor& monitor);
   /// Returns the other processes as workers for a job. `follows_from` determines the results of the items,
   /// and `most` is their largest number. The workers exist until the end of the call.
   messages::ItemWorkers& workers(const cluster::SharedJob& job, const std::string& folder,
@@ -38,8 +37,6 @@ class MpiRun {
   ExitCode finish(ExitCode code);
 
  private:
-  void serve(KeptRun& kept, const session::LoadedModel& model, const session::Monitor& monitor);
-
   messages::Messages& messages_;
   cluster::ItemServer server_;
   std::vector<std::unique_ptr<cluster::ServedWork>> works_;

@@ -1,13 +1,18 @@
 #include "engine/app/cli/run_call.hpp"
 
 #include <unistd.h>
+#include <array>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 #include <sstream>
 
-#include "engine/app/cli/archive.hpp"
 #include "engine/app/cli/call_options.hpp"
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/console_style.hpp"
@@ -15,8 +20,11 @@
 #include "engine/app/cli/mpi_run.hpp"
 #include "engine/app/cli/run_file.hpp"
 #include "engine/app/cluster/relay.hpp"
+#include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/base/io/temporary.hpp"
 #include "engine/base/messages/worker_process.hpp"
+#include "engine/base/subprocess/process.hpp"
 #include "engine/base/subprocess/scratch_folder.hpp"
 #include "engine/base/yaml/error.hpp"
 
@@ -25,6 +33,39 @@ namespace stepwire::cli {
 using json::Json;
 
 namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs tar. Throws EnvironmentError with the first line of its errors.
+void make(const std::vector<std::string>& command) {
+  try {
+    subprocess::run_helper("tar", {.command = command});
+  } catch (const io::EnvironmentError& error) {
+    const std::string words = error.what();
+    throw io::EnvironmentError(words.substr(0, words.find('\n')));
+  }
+}
+
+/// Writes a tar archive of a folder to the standard output, by way of the temporary `file`.
+/// Entries are sorted by name and have no times and owners, so equal files give equal bytes. Throws
+/// EnvironmentError.
+void put_archive(const std::string& folder, const std::string& file) {
+  std::vector<std::string> command{
+      "tar",         "--create",   "--format=gnu", "--file=" + file, "--directory=" + folder,
+      "--sort=name", "--mtime=@0", "--owner=0",    "--group=0",      "--numeric-owner",
+      "--"};
+  const std::size_t options = command.size();
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    command.push_back(entry.path().filename().string());
+  std::sort(command.begin() + static_cast<std::ptrdiff_t>(options), command.end());
+  if (command.size() == options) return;  // no run has written a file
+  make(command);
+  std::ifstream archive(file, std::ios::binary);
+  std::array<char, 1 << 16> block;
+  while (archive.read(block.data(), block.size()) || archive.gcount() > 0)
+    put_data({block.data(), static_cast<std::size_t>(archive.gcount())});
+  if (!archive.eof()) io::refuse_file(file, errno);
+}
 
 /// True if each file has an output folder of its own. Files of one name from different folders would
 /// overwrite each other's results.

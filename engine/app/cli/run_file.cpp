@@ -1,7 +1,10 @@
 #include "engine/app/cli/run_file.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -10,9 +13,8 @@
 #include "engine/app/cli/guarded.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/kept_inputs.hpp"
-#include "engine/app/cli/kept_run.hpp"
 #include "engine/app/cli/monitoring.hpp"
-#include "engine/app/cli/run_requirements.hpp"
+#include "engine/app/cli/run_call.hpp"
 #include "engine/app/report/fit_text.hpp"
 #include "engine/app/report/profile_report.hpp"
 #include "engine/app/report/run_text.hpp"
@@ -22,6 +24,7 @@
 #include "engine/app/session/result_folder.hpp"
 #include "engine/app/session/run_files.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/view/render/figure_file.hpp"
 
@@ -31,9 +34,141 @@ using json::Json;
 
 namespace {
 
+void require_section(const RunCall& call, const session::LoadedModel& model) {
+  const auto refuse = [&](const char* message) {
+    throw yaml::Error(yaml::Fault{{model.file, {}}, "", message, {}});
+  };
+  if (call.requires_section == "fit" && !model.fit)
+    refuse("has no section 'fit'; it names parameters and records");
+  if (call.requires_section == "tune" && !model.tune)
+    refuse("has no section 'tune'; it names parameters and what is minimised");
+  if (call.requires_section == "study" && !model.study)
+    refuse("has no section 'study'; it names task, people and conditions");
+}
+
+/// Refuses --csv unless the model has exactly one recorded table.
+void require_one_table(const RunCall& call, const session::LoadedModel& model) {
+  if (call.csv.empty()) return;
+  const auto refuse = [&](const std::string& message) {
+    throw yaml::Error(yaml::Fault{{model.file, {}}, "", message, {}});
+  };
+  const std::size_t count = model.job.plan.diagram.records.size();
+  if (count == 0) refuse("records nothing, and --csv is a table of what is recorded");
+  if (model.study)
+    refuse("has a section 'study', whose trials are no single table; --out has files for them");
+  if (count != 1)
+    refuse(fmt::format(
+        "records at {} periods, which --csv, a single table, has no place for; --out has a file for each",
+        count));
+}
+
+/// Refuses --part and --mpi for a model that cannot be shared, or without a folder for the journal. A share
+/// is always a part of a sweep.
+void require_shares(const RunCall& call, const session::LoadedModel& model) {
+  if (!call.part && !call.mpi) return;
+  const auto refuse = [&](const char* message) {
+    throw yaml::Error(yaml::Fault{{model.file, {}}, call.part ? "--part" : "--mpi", message, {}});
+  };
+  const bool sweeps = !model.job.points.empty();
+  if (call.part && (!sweeps || model.study))
+    refuse("needs a file with a section 'sweep', and without a study");
+  if (!sweeps && !model.study && !model.fit && call.requires_section.empty())
+    refuse("needs a file with a section 'sweep', 'study' or 'fit', whose runs processes can share");
+  if (call.out.empty() || call.archive) refuse("needs --out DIR, in which what is done is kept");
+}
+
+/// Refuses a missing folder before the run rather than after it.
+void require_place(const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  if (!folder.empty()) io::require_folder(folder.string());
+}
+
+/// Refuses a model that does not fit the options of a call, before the first step. Throws Error and
+/// EnvironmentError.
+void require_fitting(const RunCall& call, const session::LoadedModel& model) {
+  require_section(call, model);
+  require_one_table(call, model);
+  require_shares(call, model);
+  require_place(call.csv);
+}
+
 std::string file_name(const session::LoadedModel& model) {
   return std::filesystem::path(model.file).filename().string();
 }
+
+/// Scope guard for following a journal; ends the following even after an exception.
+class Followed {
+ public:
+  explicit Followed(journal::Journal& journal) : journal_(journal) { journal_.follow(); }
+  ~Followed() { journal_.end_following(); }
+  Followed(const Followed&) = delete;
+  Followed& operator=(const Followed&) = delete;
+
+ private:
+  journal::Journal& journal_;
+};
+
+/// Runs the points that a journal misses: on threads of this process, or by other processes.
+using PointsRunner = std::function<session::PointsReport(session::KeptPoints&)>;
+
+/// Sweep with a journal in its folder. After an interruption or a kill, the same call continues it.
+class KeptRun {
+ public:
+  /// Opens the journal and reports the points of an earlier call. Throws EnvironmentError.
+  KeptRun(const session::LoadedModel& model, const session::RowUse& use, const session::Share& share = {})
+      : model_(model), use_(use), share_(share), kept_(model, use.folder, share) {
+    if (kept_.found() > 0)
+      complain("{}: {} of {} points are there from an earlier call\n", use_.folder, kept_.found(),
+               kept_.points());
+  }
+
+  /// Runs the missing points and joins all points.
+  session::Outcome run(const PointsRunner& runner) {
+    std::packaged_task<session::Outcome()> task(
+        [&] { return session::joined_points(model_, {&kept_.journal()}, use_, &kept_); });
+    const std::function<void()> join = [&] { task(); };
+    std::vector<std::jthread> writer;
+    const Followed followed(kept_.journal());
+    // Writes runs during the sweep if their files allow it. Otherwise the join needs all rows at once, and
+    // waits for the end to save memory.
+    if (session::goes_run_by_run(model_, use_)) writer = parallel::begin_threads(2, join);
+    const session::PointsReport report = runner(kept_);
+    kept_.journal().end_following();
+    if (writer.empty()) join();
+    session::Outcome outcome = task.get_future().get();
+    outcome.seconds = report.seconds;
+    outcome.result.lanes = report.lanes;
+    if (outcome.result.interrupted) note_interrupted();
+    return outcome;
+  }
+
+  /// Runs the missing points of a share, and prints how to collect the shares.
+  ExitCode run_share(const PointsRunner& runner) {
+    runner(kept_);
+    kept_.journal().flush();
+    if (interrupted() || kept_.kept() < kept_.points()) {
+      note_interrupted();
+      return ExitCode::interrupted;
+    }
+    say("{}: share {} of {}, {} of {} points; when all shares are there: stepwire collect DIR... --out DIR\n",
+        use_.folder, share_.number, share_.count, kept_.points(), model_.job.points.size());
+    return ExitCode::done;
+  }
+
+  /// Removes the journal, after the results are written.
+  void drop() { std::filesystem::remove(session::points_path(use_.folder)); }
+
+ private:
+  void note_interrupted() {
+    complain("{}: {} of {} points are kept; the same call goes on\n", use_.folder, kept_.kept(),
+             kept_.points());
+  }
+
+  const session::LoadedModel& model_;
+  const session::RowUse use_;
+  const session::Share share_;
+  session::KeptPoints kept_;
+};
 
 /// Run of one file.
 class FileRun {
@@ -79,8 +214,14 @@ class FileRun {
   ExitCode run_share(const session::LoadedModel& model) {
     KeptRun kept(model, use_, *call_.part);
     const auto watch = watched(file_name(model));
-    return mpi_ ? mpi_->run_share(kept, model, session_.monitor())
-                : kept.run_share(session_, call_.engine, call_.models.threads);
+    return kept.run_share(runner_of(model));
+  }
+
+  PointsRunner runner_of(const session::LoadedModel& model) {
+    return [&](session::KeptPoints& points) {
+      return mpi_ ? mpi_->run(points, model, session_.monitor())
+                  : session_.run(model, points, call_.engine, call_.models.threads);
+    };
   }
 
   /// Returns the other processes as workers for a job; nullptr without MPI.
@@ -156,8 +297,7 @@ class FileRun {
     if (!folder.empty() && !model.job.points.empty()) kept.emplace(model, use_);
     session::Outcome outcome = [&] {
       const auto watch = watched(file_name(model));
-      if (mpi_ && kept) return mpi_->run(*kept, model, session_.monitor());
-      if (kept) return kept->run(session_, call_.engine, call_.models.threads);
+      if (kept) return kept->run(runner_of(model));
       if (session::goes_run_by_run(model, use_))
         return session_.pass(model, call_.engine, call_.models.threads);
       if (partial) session_.monitor().observers = {partial.get()};

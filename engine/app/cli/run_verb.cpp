@@ -1,13 +1,29 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <memory>
 
-#include "engine/app/cli/kept_run.hpp"
 #include "engine/app/cli/run_call.hpp"
 #include "engine/app/cli/verb.hpp"
 
 namespace stepwire::cli {
 
 namespace {
+
+/// Parses a share such as "2/3". Throws CLI::ValidationError.
+session::Share share_of(const std::string& text) {
+  session::Share share;
+  const char* const end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, share.number);
+  const bool parted = number.ec == std::errc{} && number.ptr != end && *number.ptr == '/';
+  const auto count = parted ? std::from_chars(number.ptr + 1, end, share.count) : number;
+  if (!parted || count.ec != std::errc{} || count.ptr != end || share.number < 1 ||
+      share.number > share.count)
+    throw CLI::ValidationError("--part",
+                               fmt::format("is K/N, the share K of N from 1/N to N/N, not '{}'", text));
+  return share;
+}
 
 Action declare_run(CLI::App& verb) {
   const auto call = std::make_shared<RunCall>();

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engine/app/session/build_note.hpp"
-#include "engine/app/session/passed_runs.hpp"
+#include "engine/app/session/ordered_points.hpp"
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/owned_folder.hpp"
 #include "engine/base/yaml/yaml_text.hpp"
@@ -184,21 +184,18 @@ Outcome joined_points(const LoadedModel& model, const std::vector<journal::Journ
                       const RowUse& use, KeptPoints* halves) {
   const std::size_t points = model.job.points.size();
   if (goes_run_by_run(model, use)) {
-    PassedRuns passed(model, use);
+    StreamingJudge passed(model, use);
     for (std::size_t point = 0; point < points; ++point)
       if (auto result = point_of(journals, halves, point)) passed.add(std::move(*result));
     return passed.take();
   }
-  run::JoinedPoints joined(model.job, model.kept.get());
-  std::size_t whole = 0;
+  run::RunOptions options;
+  options.numbers = model.kept.get();
+  run::JoinedPoints joined(model.job, options);
   for (std::size_t point = 0; point < points; ++point)
-    if (auto result = point_of(journals, halves, point)) {
-      if (!result->end.interrupted) ++whole;
-      joined.add(std::move(*result));
-    }
+    if (auto result = point_of(journals, halves, point)) joined.take(std::move(*result));
   Outcome outcome;
-  outcome.result = joined.take();
-  outcome.result.interrupted = whole < points;
+  outcome.result = joined.result();
   judge_claims(model, outcome);
   return outcome;
 }

@@ -200,7 +200,6 @@ Outcome run_model(const LoadedModel& model, run::ExecutionMode engine, plan::Cod
 PointsReport run_points(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
                         const Monitor& monitor, run::PointExchange& exchange, unsigned threads) {
   run::RunOptions options = options_of(engine, code, monitor, threads);
-  options.progress = [&](double) { monitor.show(exchange.done()); };
   options.numbers = model.kept.get();
   const Seconds seconds;
   PointsReport report;

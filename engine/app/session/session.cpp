@@ -1,7 +1,7 @@
 #include "engine/app/session/session.hpp"
 
 #include "engine/analyse/kept/kept_numbers.hpp"
-#include "engine/app/session/passed_runs.hpp"
+#include "engine/app/session/ordered_points.hpp"
 
 namespace stepwire::session {
 
@@ -16,7 +16,7 @@ Outcome Session::run(const LoadedModel& model, run::ExecutionMode engine, unsign
 }
 
 Outcome Session::pass(const LoadedModel& model, run::ExecutionMode engine, unsigned threads) {
-  PointsInOrder points(model);
+  OrderedPoints points(model);
   const PointsReport report = run(model, points, engine, threads);
   Outcome outcome = points.outcome();
   outcome.seconds = report.seconds;

@@ -6,12 +6,11 @@
 #include <cmath>
 
 #include "engine/base/table/table_file.hpp"
+#include "engine/simulate/run/drive.hpp"
 
 namespace stepwire::replay {
 
 namespace {
-
-constexpr std::int64_t ticks_between_looks = 4096;  // interval of checks of the interrupt flag
 
 [[noreturn]] void refuse(const std::string& file, std::size_t row, std::string message) {
   throw yaml::Error(yaml::Fault{{file, {static_cast<int>(row) + 2, 1}}, "", std::move(message), {}});
@@ -86,7 +85,8 @@ class Inputs {
   std::vector<double> numbers_;
 };
 
-class LoopReplay {
+/// Replay of a loop: it writes the recorded inputs before each tick, and compares the rows after it.
+class LoopReplay : run::RunObserver {
  public:
   LoopReplay(const plan::Plan& plan, const std::vector<Recorded>& tables, const std::string& inputs_file)
       : simulation_(plan), tables_(tables), inputs_(plan, inputs_file) {
@@ -98,18 +98,18 @@ class LoopReplay {
   }
 
   void run(const run::RunOptions& options, Verification& verification) {
-    while (!all_ended() && verification.difference.empty()) {
-      inputs_.write(simulation_);
-      simulation_.evaluate();
-      verification.difference = compare();
-      if (simulation_.healthy() && !all_ended()) simulation_.advance();
-      if (!simulation_.healthy() && verification.difference.empty()) verification.difference = row_beyond();
-      if (!simulation_.healthy()) return;
-      if (simulation_.tick() % ticks_between_looks == 0 && options.interrupt && *options.interrupt) {
-        verification.interrupted = true;
-        return;
-      }
-    }
+    run::RunObserver* const self = this;
+    std::vector<record::Recorder> nothing_recorded;
+    run::Drive drive(simulation_, nothing_recorded);
+    drive.observers = {&self, 1};
+    drive.shows_rows = drive.ends = false;
+    drive.interrupt = options.interrupt;
+    const run::Drive::End end = drive.run();
+    verification.interrupted = end == run::Drive::End::interrupted;
+    // A tick whose outputs are not finite is not passed to observers.
+    if (end == run::Drive::End::finished && simulation_.tick() == begun_) difference_ = compare();
+    if (end == run::Drive::End::finished && difference_.empty()) difference_ = row_beyond();
+    verification.difference = difference_;
   }
 
   void count_rows(Verification& verification) const {
@@ -126,6 +126,14 @@ class LoopReplay {
   }
 
  private:
+  run::Flow before_tick(const run::ObservedRun&) override {
+    if (all_ended() || !difference_.empty()) return run::Flow::stop;
+    inputs_.write(simulation_);
+    begun_ = simulation_.tick();
+    return run::Flow::go_on;
+  }
+  void evaluated(const run::ObservedRun&) override { difference_ = compare(); }
+
   bool all_ended() const {
     return std::all_of(cursors_.begin(), cursors_.end(), [](const Cursor& cursor) { return cursor.ended(); });
   }
@@ -158,6 +166,8 @@ class LoopReplay {
   Inputs inputs_;
   std::vector<Cursor> cursors_;
   std::vector<std::vector<record::RecordedColumn>> columns_;
+  std::int64_t begun_ = 0;  ///< tick that is being computed
+  std::string difference_;
 };
 
 }  // namespace

@@ -13,6 +13,13 @@
 
 namespace stepwire::run {
 
+/// Plan of some runs.
+struct PlanOfRuns {
+  const plan::Plan* plan;
+  plan::RunDifferences differences{};
+  std::optional<std::size_t> runs{};  ///< Number of runs; std::nullopt if unknown.
+};
+
 /// Compiles the code of runs on a second thread while these runs proceed interpreted.
 ///
 /// The policy has two thresholds on the estimated remaining time. Above twice the cost of a cache lookup,

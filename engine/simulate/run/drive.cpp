@@ -12,6 +12,7 @@ Drive::End Drive::run() {
     simulation_.show_sides(this);
   }
   while (true) {
+    if (simulation_.tick() >= until) return End::paused;
     if (!observers.empty())
       if (const Flow flow = show_tick(); flow != Flow::go_on)
         return flow == Flow::pause ? End::paused : end(End::stopped);
@@ -39,6 +40,7 @@ void Drive::record(bool last) {
 }
 
 bool Drive::is_last() const {
+  if (!ends) return false;
   return simulation_.finished() || simulation_.has_stopped() || stopper_.stops(simulation_.values());
 }
 

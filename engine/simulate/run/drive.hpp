@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -22,7 +23,7 @@ class Drive : SideObserver {
   enum class End {
     finished,  ///< At the stop time, by `stop_when`, or by a fault of the simulation.
     stopped,   ///< By an observer.
-    paused,    ///< By an observer; run() continues.
+    paused,    ///< By an observer, or before the tick `until`; run() continues.
     interrupted
   };
 
@@ -36,7 +37,9 @@ class Drive : SideObserver {
   bool shows_rows = true;                        ///< True if the observers read the recorded rows.
   bool judges_steps = true;                      ///< Enables the check for unstable steps at the end.
   const std::atomic<bool>* interrupt = nullptr;  ///< Ends the run once true; its rows stay.
-  std::function<void()> look;                    ///< Callback of every `ticks_between_looks` ticks.
+  std::int64_t until = std::numeric_limits<std::int64_t>::max();  ///< Tick before which run() pauses.
+  bool ends = true;            ///< False for a run by the clock, which stop time and `stop_when` do not end.
+  std::function<void()> look;  ///< Callback of every `ticks_between_looks` ticks.
 
   /// Runs to the end, or until an observer pauses or stops the run.
   End run();

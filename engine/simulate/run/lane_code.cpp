@@ -11,15 +11,15 @@ constexpr double for_headers = 0.7, for_a_block = 40e-3;
 constexpr double patience = 0.2;   // Time [s] until the speed of the runs is measurable.
 constexpr std::size_t fewest = 3;  // Smallest number of runs of a plan that is worth a compilation.
 
-bool is_sought(const LaneCode::Member& member, LaneUse use) {
+bool is_sought(const PlanOfRuns& member, LaneUse use) {
   return member.runs.value_or(fewest) >= fewest || use == LaneUse::at_once;
 }
 
 /// Estimates the compile time of the plans that may use lanes; 0 without a source of code.
-BackgroundCompilation::Prospect prospect(const std::vector<LaneCode::Member>& members, LaneUse use,
+BackgroundCompilation::Prospect prospect(const std::vector<PlanOfRuns>& members, LaneUse use,
                                          const plan::CodeSource* source) {
   BackgroundCompilation::Prospect prospect{0.0, 0.0, patience};
-  for (const LaneCode::Member& member : members) {
+  for (const PlanOfRuns& member : members) {
     const auto blocks = static_cast<double>(member.plan->blocks.size());
     if (source && is_sought(member, use)) prospect.seconds += for_headers + for_a_block * blocks;
     if (!member.runs) prospect.ticks.reset();
@@ -31,7 +31,7 @@ BackgroundCompilation::Prospect prospect(const std::vector<LaneCode::Member>& me
 
 }  // namespace
 
-LaneCode::LaneCode(LaneUse use, plan::CodeSource* source, std::vector<Member> members)
+LaneCode::LaneCode(LaneUse use, plan::CodeSource* source, std::vector<PlanOfRuns> members)
     : source_(use == LaneUse::never ? nullptr : source),
       members_(std::move(members)),
       states_(members_.size()),

@@ -22,14 +22,7 @@ enum class LaneUse {
 /// Compiles plans for lanes of several runs, and decides by measurement which plans use them.
 class LaneCode {
  public:
-  /// Plan that some of the runs have.
-  struct Member {
-    const plan::Plan* plan;
-    plan::RunDifferences differences;
-    std::optional<std::size_t> runs{};  ///< Number of runs; std::nullopt if unknown.
-  };
-
-  LaneCode(LaneUse use, plan::CodeSource* source, std::vector<Member> members);
+  LaneCode(LaneUse use, plan::CodeSource* source, std::vector<PlanOfRuns> members);
 
   /// Returns the lane code of the plan with index `member`. Returns nullptr while it is not ready, and if its
   /// runs are stepped one by one. Thread-safe.
@@ -59,7 +52,7 @@ class LaneCode {
   void refuse(std::size_t member, const std::string& why);
 
   plan::CodeSource* source_;
-  std::vector<Member> members_;
+  std::vector<PlanOfRuns> members_;
   std::vector<State> states_;
   bool seeks_ = false;        ///< true if the code of some plan is to be compiled
   mutable std::mutex mutex_;  ///< guards why_not_

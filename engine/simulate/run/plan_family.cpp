@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <unordered_map>
+#include <utility>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/simulate/run/plan_member.hpp"
+#include "engine/model/diagram/variation.hpp"
 #include "engine/simulate/run/sweep_ends.hpp"
 
 namespace stepwire::run {
@@ -20,6 +22,30 @@ constexpr std::size_t at_once = 64;    // runs of one piece of work of a thread
 std::shared_ptr<const plan::Plan> plan_of_runs(plan::Plan plan) {
   plan.diagram.sweep.reset();
   return std::make_shared<const plan::Plan>(std::move(plan));
+}
+
+/// Returns the names that a diagram has: a part of the file's diagram does not have the values of all blocks.
+std::vector<std::string> known_names(const diagram::Diagram& diagram, std::vector<std::string> names) {
+  std::erase_if(names, [&](const std::string& name) {
+    try {
+      diagram::Variation(diagram, {name});
+      return false;
+    } catch (const yaml::Error&) {
+      return true;
+    }
+  });
+  return names;
+}
+
+/// True if the plans of two members can share code that reads these blocks from a table.
+bool are_alike(const std::vector<plan::VariableBlock>& variable, const plan::Plan& one,
+               const plan::Plan& other) {
+  if (one.blocks.size() != other.blocks.size()) return false;
+  return std::ranges::all_of(variable, [&](const plan::VariableBlock& of) {
+    const AnyBlock &a = one.diagram.blocks[of.block].block, &b = other.diagram.blocks[of.block].block;
+    return &a.type() == &b.type() &&
+           plan::MemberItems(a.type(), a.get()).outline() == plan::MemberItems(b.type(), b.get()).outline();
+  });
 }
 
 /// Throws Error if a recorded signal has other elements than in the base plan, since all runs share a table.
@@ -39,7 +65,154 @@ void require_same_columns(const plan::Plan& plan, const plan::Plan& base) {
     }
 }
 
+diagram::Assignment assignment_of(const diagram::Setting& setting) {
+  diagram::Assignment assignment{setting.name, diagram::value_of_text(setting.value, setting.written),
+                                 setting.written};
+  assignment.value.mark = setting.mark;
+  return assignment;
+}
+
+std::vector<std::string> names_of(const std::vector<diagram::Setting>& values) {
+  std::vector<std::string> names;
+  for (const diagram::Setting& value : values) names.push_back(value.name);
+  return names;
+}
+
 }  // namespace
+
+/// Plan of a family, the names that its runs set, and the values that its runs share because they decide the
+/// structure.
+class PlanMember {
+ public:
+  /// `values` are those of one run; `fixed` are the settings of the plan that its runs do not set.
+  PlanMember(std::shared_ptr<const plan::Plan> of, const std::vector<diagram::Setting>& values,
+             std::vector<diagram::Setting> fixed = {});
+
+  /// True if these values have this member's names and structural values. They may still be refused when set.
+  bool may_take(const std::vector<diagram::Setting>& values) const;
+  /// Sets the values in a run of the plan.
+  Executor::Setting set(const std::vector<diagram::Setting>& values, Executor& run) const;
+  /// True if one of its names decides the structure.
+  bool is_structural() const { return all_.structural(); }
+
+  const std::shared_ptr<const plan::Plan>& plan() const { return plan_; }
+  const std::vector<std::string>& names() const { return names_; }
+  const std::vector<diagram::Setting>& fixed() const { return fixed_; }
+  /// Returns the values of blocks that a run sets.
+  const std::vector<diagram::Target>& targets() const { return free_.targets(); }
+  /// Returns the differences between the runs so far.
+  const std::vector<plan::VariableBlock>& variable() const { return variable_; }
+  void widen(const std::vector<plan::VariableBlock>& more);
+
+ private:
+  std::vector<std::string> names_to_set() const;
+
+  std::shared_ptr<const plan::Plan> plan_;
+  std::vector<diagram::Setting> fixed_;
+  std::vector<std::string> names_;
+  diagram::Variation all_;              ///< all names
+  diagram::Variation free_;             ///< names that are set in a run of the plan
+  std::vector<std::string> structure_;  ///< values of structural names; "" for the others
+  std::vector<plan::VariableBlock> variable_;
+};
+
+/// One executor of each member, in which values are tried, and the differences that were found. Not
+/// thread-safe.
+class MemberTrial {
+ public:
+  /// True if a run of the member, which must outlive the trial, can have these values. Throws Error for
+  /// refused values.
+  bool takes(const PlanMember& member, const std::vector<diagram::Setting>& values);
+  /// Adds the differences between the tried values to a member.
+  void add_to(PlanMember& member) const;
+
+ private:
+  struct Tried {
+    std::unique_ptr<Executor> run;
+    std::vector<plan::VariableBlock> variable;
+  };
+
+  std::unordered_map<const PlanMember*, Tried> tried_;
+};
+
+/// Pool of trials, one for each concurrent thread.
+class MemberTrials {
+ public:
+  template <class Work>
+  void use(const Work& work) {
+    std::unique_ptr<MemberTrial> trial = take();
+    work(*trial);
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(trial));
+  }
+
+  /// Returns all trials, while none is in use.
+  const std::vector<std::unique_ptr<MemberTrial>>& all() const { return idle_; }
+
+ private:
+  std::unique_ptr<MemberTrial> take();
+
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<MemberTrial>> idle_;
+};
+
+PlanMember::PlanMember(std::shared_ptr<const plan::Plan> of, const std::vector<diagram::Setting>& values,
+                       std::vector<diagram::Setting> fixed)
+    : plan_(std::move(of)),
+      fixed_(std::move(fixed)),
+      names_(names_of(values)),
+      all_(plan_->diagram, names_),
+      free_(plan_->diagram, names_to_set()) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    structure_.push_back(all_.names()[i].structural ? values[i].value : "");
+  variable_ = plan::variable_blocks(*plan_, free_);
+}
+
+bool PlanMember::may_take(const std::vector<diagram::Setting>& values) const {
+  if (values.size() != names_.size()) return false;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i].name != names_[i] || (all_.names()[i].structural && values[i].value != structure_[i]))
+      return false;
+  return true;
+}
+
+Executor::Setting PlanMember::set(const std::vector<diagram::Setting>& values, Executor& run) const {
+  std::vector<diagram::Assignment> assignments;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!all_.names()[i].structural) assignments.push_back(assignment_of(values[i]));
+  return run.set(free_, assignments);
+}
+
+void PlanMember::widen(const std::vector<plan::VariableBlock>& more) {
+  plan::unite(variable_, *plan_, more);
+}
+
+std::vector<std::string> PlanMember::names_to_set() const {
+  std::vector<std::string> result;
+  for (const diagram::Variation::Name& name : all_.names())
+    if (!name.structural) result.push_back(name.text);
+  return result;
+}
+
+bool MemberTrial::takes(const PlanMember& member, const std::vector<diagram::Setting>& values) {
+  Tried& tried = tried_[&member];
+  if (!tried.run) tried = {std::make_unique<Executor>(*member.plan()), member.variable()};
+  if (member.set(values, *tried.run) != Executor::Setting::done) return false;
+  tried.run->widen(tried.variable);
+  return true;
+}
+
+void MemberTrial::add_to(PlanMember& member) const {
+  if (const auto tried = tried_.find(&member); tried != tried_.end()) member.widen(tried->second.variable);
+}
+
+std::unique_ptr<MemberTrial> MemberTrials::take() {
+  const std::lock_guard lock(mutex_);
+  if (idle_.empty()) return std::make_unique<MemberTrial>();
+  auto trial = std::move(idle_.back());
+  idle_.pop_back();
+  return trial;
+}
 
 PlanFamily::PlanFamily(diagram::Loader& loader, std::string file, std::vector<diagram::Setting> settings,
                        const plan::Plan& base)
@@ -47,6 +220,7 @@ PlanFamily::PlanFamily(diagram::Loader& loader, std::string file, std::vector<di
       file_(std::move(file)),
       settings_(std::move(settings)),
       base_(plan_of_runs(base)),
+      is_swept_(base.diagram.sweep.has_value()),
       trial_(std::make_unique<MemberTrial>()) {}
 
 PlanFamily::~PlanFamily() = default;
@@ -70,7 +244,45 @@ std::size_t PlanFamily::find(const std::vector<diagram::Setting>& values) {
     }
   } catch (const yaml::Error&) {  // planning the file reports the same fault, with all places
   }
-  return add(std::make_unique<PlanMember>(plan_anew(values), values));
+  auto plan = std::make_shared<const plan::Plan>(plan::make_plan(loaded({}, values)));
+  require_same_columns(*plan, *base_);
+  return add(std::make_unique<PlanMember>(std::move(plan), values));
+}
+
+std::size_t PlanFamily::add(const std::vector<diagram::Setting>& values,
+                            std::vector<diagram::Setting> fixed) {
+  const std::lock_guard lock(finding_);
+  auto plan = std::make_shared<const plan::Plan>(plan::make_plan(loaded(fixed, values)));
+  return add(std::make_unique<PlanMember>(std::move(plan), values, std::move(fixed)));
+}
+
+std::size_t PlanFamily::add(std::shared_ptr<const plan::Plan> plan,
+                            const std::vector<diagram::Setting>& values,
+                            std::vector<diagram::Setting> fixed) {
+  const std::lock_guard lock(finding_);
+  return add(std::make_unique<PlanMember>(std::move(plan), values, std::move(fixed)));
+}
+
+void PlanFamily::add_differences(std::size_t member, const std::vector<diagram::Setting>& values) {
+  const std::lock_guard lock(finding_);
+  if (trial_->takes(*members_[member], values)) trial_->add_to(*members_[member]);
+}
+
+void PlanFamily::share_code(const std::vector<std::string>& names) {
+  const std::lock_guard lock(finding_);
+  for (const auto& member : members_) {
+    const diagram::Diagram& diagram = member->plan()->diagram;
+    member->widen(
+        plan::variable_blocks(*member->plan(), diagram::Variation(diagram, known_names(diagram, names))));
+  }
+  const plan::Plan& first = *members_.front()->plan();
+  std::vector<plan::VariableBlock> shared = members_.front()->variable();
+  std::vector<PlanMember*> alike;
+  for (const auto& member : members_)
+    if (are_alike(shared, first, *member->plan())) alike.push_back(member.get());
+  for (const PlanMember* member : alike)
+    plan::widen(shared, first, [&](std::size_t b) { return member->plan()->diagram.blocks[b].block.get(); });
+  for (PlanMember* member : alike) member->widen(shared);
 }
 
 /// Returns the member that fits, without a lock of the list of members: the caller holds `finding_`, and only
@@ -141,12 +353,24 @@ std::size_t PlanFamily::size() const {
   return members_.size();
 }
 
-std::shared_ptr<const plan::Plan> PlanFamily::plan_anew(const std::vector<diagram::Setting>& values) const {
+diagram::Diagram PlanFamily::loaded(const std::vector<diagram::Setting>& fixed,
+                                    const std::vector<diagram::Setting>& values) const {
   std::vector<diagram::Setting> all = settings_;
+  all.insert(all.end(), fixed.begin(), fixed.end());
   all.insert(all.end(), values.begin(), values.end());
-  auto made = std::make_shared<const plan::Plan>(plan::make_plan(loader_.load_point(file_, all)));
-  require_same_columns(*made, *base_);
-  return made;
+  return loader_.load_point(file_, all);
+}
+
+diagram::Diagram PlanFamily::load(std::size_t member, const std::vector<diagram::Setting>& values) const {
+  const std::lock_guard lock(finding_);
+  return loaded(members_[member]->fixed(), values);
+}
+
+std::shared_ptr<const plan::Plan> PlanFamily::plan_anew(std::size_t member,
+                                                        const std::vector<diagram::Setting>& values) const {
+  auto plan = std::make_shared<const plan::Plan>(plan::make_plan(load(member, values)));
+  if (is_swept_) require_same_columns(*plan, *base_);
+  return plan;
 }
 
 const plan::Plan& PlanFamily::plan(std::size_t member) const {
@@ -166,28 +390,25 @@ std::vector<plan::VariableBlock> PlanFamily::variable(std::size_t member) const 
   return variable;
 }
 
-void PlanFamily::begin(std::size_t member, const std::vector<diagram::Setting>& values, Executor& run) const {
-  if (this->member(member).set(values, run) != Executor::Setting::done)
-    throw std::logic_error("a run is given values of another structure: " + run.structure_change());
-  run.reset();
-}
-
-std::unique_ptr<Executor> IdleRuns::take(std::size_t member) {
-  {
-    const std::lock_guard lock(mutex_);
-    idle_.resize(family_.size());
-    if (!idle_[member].empty()) {
-      auto run = std::move(idle_[member].back());
-      idle_[member].pop_back();
-      return run;
-    }
+std::vector<PlanOfRuns> PlanFamily::plans_of_runs(const std::vector<std::size_t>& runs) const {
+  std::vector<PlanOfRuns> plans;
+  for (std::size_t m = 0; m < size(); ++m) {
+    plans.push_back({&plan(m), {variable(m), targets(m)}});
+    if (!runs.empty()) plans.back().runs = runs[m];
   }
-  return std::make_unique<Executor>(family_.plan(member));
+  return plans;
 }
 
-void IdleRuns::give_back(std::size_t member, std::unique_ptr<Executor> run) {
-  const std::lock_guard lock(mutex_);
-  idle_[member].push_back(std::move(run));
+bool PlanFamily::set(std::size_t member, const std::vector<diagram::Setting>& values, Executor& run) const {
+  const PlanMember& of = this->member(member);
+  if (!of.may_take(values) || of.set(values, run) != Executor::Setting::done) return false;
+  run.reset();
+  return true;
+}
+
+void PlanFamily::begin(std::size_t member, const std::vector<diagram::Setting>& values, Executor& run) const {
+  if (!set(member, values, run))
+    throw std::logic_error("a run is given values of another structure: " + run.structure_change());
 }
 
 }  // namespace stepwire::run

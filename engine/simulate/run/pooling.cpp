@@ -201,13 +201,10 @@ std::vector<record::Recorder> PooledRecording::recorders(std::size_t point) {
   return recorders;
 }
 
-void PooledRecording::done(std::size_t point, const std::vector<record::Recorder>& recorders) {
-  for (std::size_t r = 0; r < all_.size(); ++r) all_[r].count[point] = recorders[r].rows();
-  fill_swept(point);
-}
-
-void PooledRecording::put(std::size_t point, const std::vector<record::Recording>& recorded) {
-  for (std::size_t r = 0; r < all_.size(); ++r) {
+void PooledRecording::put(std::size_t point, const std::vector<record::Recording>& recorded,
+                          const std::vector<std::size_t>& rows) {
+  for (std::size_t r = 0; r < rows.size(); ++r) all_[r].count[point] = rows[r];
+  for (std::size_t r = 0; r < recorded.size(); ++r) {
     const auto& from = recorded[r].table.columns;
     auto& to = all_[r].recording.table.columns;
     all_[r].count[point] = recorded[r].table.rows();

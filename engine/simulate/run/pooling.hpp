@@ -60,10 +60,10 @@ class PooledRecording {
 
   /// Returns the recorders of a point. Thread-safe.
   std::vector<record::Recorder> recorders(std::size_t point);
-  /// Stores how many rows the recorders of a point have written. Thread-safe.
-  void done(std::size_t point, const std::vector<record::Recorder>& recorders);
-  /// Copies the recordings of a point that were made elsewhere.
-  void put(std::size_t point, const std::vector<record::Recording>& recorded);
+  /// Stores how many rows the recorders of a point have written, or copies recordings that were made
+  /// elsewhere. Thread-safe.
+  void put(std::size_t point, const std::vector<record::Recording>& recorded,
+           const std::vector<std::size_t>& rows);
   /// Closes the gaps of points that ended early, and returns all recordings.
   std::vector<record::Recording> take();
 

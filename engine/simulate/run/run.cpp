@@ -43,6 +43,7 @@ RunEnd run_simulation(Executor& simulation, std::vector<record::Recorder>& recor
   Drive drive(simulation, recorders);
   drive.index = index;
   drive.observers = options.observers;
+  drive.shows_rows = options.shows_rows;
   drive.interrupt = options.interrupt;
   drive.look = [&] {
     changeover.done(Drive::ticks_between_looks);

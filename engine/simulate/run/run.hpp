@@ -27,6 +27,7 @@ struct RunOptions {
   plan::CodeSource* code = nullptr;     ///< Source of compiled code, for engines that use it.
   LaneUse lanes = LaneUse::automatic;   ///< Use of lanes in a sweep, with the interpreted engine too.
   std::vector<RunObserver*> observers;  ///< Observers of every run; must outlive the call.
+  bool shows_rows = true;               ///< True if the observers read the recorded rows.
   const RunNumbers* numbers = nullptr;  ///< Numbers that replace the rows of each run of a sweep.
 };
 

@@ -3,66 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/memory.hpp"
 #include "engine/simulate/run/point_exchange.hpp"
-#include "engine/simulate/run/point_runs.hpp"
-#include "engine/simulate/run/row_per_run.hpp"
 #include "engine/simulate/solve/solver.hpp"
 
 namespace stepwire::run {
 
 namespace {
-
-/// Recorders that write rows directly to their final place.
-struct RecordersInPlace {
-  std::vector<record::Recorder> all;
-  std::vector<record::Recorder>& recorders() { return all; }
-};
-
-RunResult result_of(SweepEnds& ends, std::vector<record::Recording> recordings, const PointRuns& runs) {
-  RunResult result{ends.take(), std::move(recordings), {}};
-  result.lanes = runs.lanes();
-  return result;
-}
-
-/// Runs all points into one recording, in which each point writes its own rows.
-RunResult run_all(const Job& job, const RunOptions& options) {
-  const SweptColumns swept(job);
-  PooledRecording recording(job, swept, options.threads);
-  SweepEnds ends(job);
-  PointRuns runs(job, options);
-  AllPoints points(job, runs, ends);
-  run_groups(
-      runs, options.threads, [&] { return [&] { return points.take(); }; },
-      [&](std::size_t point) {
-        return std::make_unique<RecordersInPlace>(RecordersInPlace{recording.recorders(point)});
-      },
-      [&](PendingRun& run, std::unique_ptr<RecordersInPlace> recorded) {
-        ends.add(run.index, std::move(run.end));
-        recording.done(run.index, recorded->all);
-      });
-  return result_of(ends, recording.take(), runs);
-}
-
-/// Runs all points and keeps one row of each.
-RunResult run_for_rows(const Job& job, const RunOptions& options) {
-  const SweptColumns swept(job);
-  RowPerRun kept(job, swept, options.numbers);
-  RowMaker rows(job, swept, options.numbers);
-  SweepEnds ends(job);
-  PointRuns runs(job, options);
-  AllPoints points(job, runs, ends);
-  run_groups(
-      runs, options.threads, [&] { return [&] { return points.take(); }; },
-      [&](std::size_t point) { return rows.take(runs.member_of(point)); },
-      [&](PendingRun& run, std::unique_ptr<record::RunRecording> recorded) {
-        const bool whole = run.end.faults.empty(), finished = !run.end.interrupted;
-        ends.add(run.index, std::move(run.end));
-        if (finished) kept.put(run.index, rows.row_of(run.index, whole, std::move(recorded)));
-      });
-  return result_of(ends, kept.recordings(), runs);
-}
 
 /// Replaces the values of a swept parameter by the value of a setting, for all runs.
 void pin(diagram::Sweep& sweep, const std::vector<diagram::Setting>& settings) {
@@ -151,49 +98,12 @@ std::vector<table::Column> swept_columns(const Job& job, std::size_t point) {
 
 RunResult run_job(const Job& job, const RunOptions& options) {
   if (job.points.empty()) return run_plan(job.plan, options);
-  if (keeps_a_row(job, options.numbers)) return run_for_rows(job, options);
-  require_memory_of_all_rows(job);
-  return run_all(job, options);
-}
-
-LaneReport run_points(const Job& job, const RunOptions& options, PointExchange& exchange) {
-  const SweptColumns swept(job);
-  RowMaker rows(job, swept, options.numbers);
-  const bool one_row = keeps_a_row(job, options.numbers);
-  PointRuns runs(job, options);
-  run_groups(
-      runs, options.threads,
-      [&] { return [points = std::make_unique<ExchangedPoints>(runs, exchange)] { return points->take(); }; },
-      [&](std::size_t point) { return rows.take(runs.member_of(point)); },
-      [&](PendingRun& run, std::unique_ptr<record::RunRecording> recorded) {
-        PointResult result{run.index, std::move(run.end)};
-        const bool whole = result.end.faults.empty();
-        if (!one_row)
-          result.recordings = recorded->take();
-        else if (!result.end.interrupted)
-          result.recordings = rows.row_of(run.index, whole, std::move(recorded));
-        exchange.take(std::move(result));
-      });
-  return runs.lanes();
-}
-
-JoinedPoints::JoinedPoints(const Job& job, const RunNumbers* numbers) : swept_(job), ends_(job) {
-  if (keeps_a_row(job, numbers))
-    kept_.emplace(job, swept_, numbers);
-  else
-    recording_.emplace(job, swept_, 0);
-}
-
-void JoinedPoints::add(PointResult result) {
-  if (recording_)
-    recording_->put(result.point, result.recordings);
-  else if (!result.end.interrupted)
-    kept_->put(result.point, std::move(result.recordings));
-  ends_.add(result.point, std::move(result.end));
-}
-
-RunResult JoinedPoints::take() {
-  return {ends_.take(), kept_ ? kept_->recordings() : recording_->take(), {}};
+  if (!keeps_a_row(job, options.numbers)) require_memory_of_all_rows(job);
+  JoinedPoints points(job, options);
+  const LaneReport lanes = run_points(job, options, points);
+  RunResult result = points.result();
+  result.lanes = lanes;
+  return result;
 }
 
 }  // namespace stepwire::run

@@ -12,14 +12,9 @@ namespace stepwire::run {
 /// Compiles the plans of some runs, at once or in the background, and returns the code when it is ready.
 class TieredExecution {
  public:
-  /// Plan of some runs.
-  struct Member {
-    const plan::Plan* plan;
-    std::vector<plan::VariableBlock> variable;  ///< differences between its runs
-  };
-
   /// `ticks` is the number of ticks of all runs together.
-  TieredExecution(ExecutionMode engine, plan::CodeSource* source, std::vector<Member> plans, double ticks);
+  TieredExecution(ExecutionMode engine, plan::CodeSource* source, std::vector<PlanOfRuns> plans,
+                  double ticks);
 
   /// Returns the code of the plan with this index. Returns nullptr while it is not ready, and for a plan that
   /// was added later. Thread-safe.
@@ -31,7 +26,7 @@ class TieredExecution {
   bool compile(const plan::CodeLimits& limits);
 
   plan::CodeSource* source_;
-  std::vector<Member> plans_;
+  std::vector<PlanOfRuns> plans_;
   std::atomic<bool> ready_ = false;
   std::vector<plan::CompiledPlan> code_;
   BackgroundCompilation compilation_;  ///< last member: its thread uses the others

@@ -28,9 +28,9 @@ LiveCode::LiveCode(const plan::Plan& plan, plan::CodeSource* source) : plan_(pla
 
 void LiveCode::compile() {
   code_.reset();  // ends a pending compilation
-  code_ = std::make_unique<run::TieredExecution>(
-      run::ExecutionMode::automatic, source_, std::vector<run::TieredExecution::Member>{{&plan_, variable_}},
-      static_cast<double>(plan_.steps));
+  code_ = std::make_unique<run::TieredExecution>(run::ExecutionMode::automatic, source_,
+                                                 std::vector<run::PlanOfRuns>{{&plan_, {variable_, {}}}},
+                                                 static_cast<double>(plan_.steps));
 }
 
 void LiveCode::look(run::Executor& run, std::int64_t ticks) {

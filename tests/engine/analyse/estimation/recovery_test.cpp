@@ -62,6 +62,20 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("records may differ in the value of a block that is run once and played back") {
+  codegen::GeneratedCode code{run::code_trial()};
+  std::string text = lag(both, "sweep: {sine.amplitude: [1, 2, 3]}\n");
+  text.replace(text.find("rk4"), 3, "euler");
+  for (plan::CodeSource* source :
+       {static_cast<plan::CodeSource*>(nullptr), static_cast<plan::CodeSource*>(&code)}) {
+    const FitResult result = fit_text(text, source);
+    CHECK(result.in_part);
+    CHECK(result.records.size() == 3);
+    CHECK(found(result, "tau").value == Approx(0.2).epsilon(1e-7));
+    CHECK(found(result, "gain").value == Approx(3.0).epsilon(1e-7));
+  }
+}
+
 TEST_CASE("several starts find the truth, and the same seed goes the same way") {
   const FitResult once = fit_text(lag(both + "  starts: 5\n  seed: 7\n"));
   const FitResult again = fit_text(lag(both + "  starts: 5\n  seed: 7\n"));

@@ -19,12 +19,11 @@ struct PendingRun {
 };
 
 /// Steps runs of one plan in lanes, if that is possible and faster. Thread-safe.
-class TogetherRuns {
+class LaneRunner {
  public:
-  using Members = std::vector<LaneCode::Member>;
-
   /// The plans and `interrupt` must outlive it.
-  TogetherRuns(Members members, LaneUse use, plan::CodeSource* source, const std::atomic<bool>* interrupt)
+  LaneRunner(std::vector<PlanOfRuns> members, LaneUse use, plan::CodeSource* source,
+             const std::atomic<bool>* interrupt)
       : use_(use), interrupt_(interrupt), code_(use, source, std::move(members)) {}
 
   /// Returns the number of runs of a member that fill the lanes.

@@ -29,10 +29,10 @@ class DrawnRows {
 
 /// Consumer of the runs of a sweep in order. Each run is judged and written to the files of runs; then its
 /// rows are discarded.
-class PassedRuns {
+class StreamingJudge {
  public:
   /// Opens the files. Throws EnvironmentError.
-  explicit PassedRuns(const LoadedModel& model, const RowUse& use = {});
+  explicit StreamingJudge(const LoadedModel& model, const RowUse& use = {});
 
   /// Adds a run, in ascending order of points. Skipped points count as runs without rows. Throws
   /// EnvironmentError.
@@ -55,14 +55,14 @@ class PassedRuns {
   bool misses_ = false;  ///< true after a skipped run
 };
 
-/// Exchange that names all points of a sweep and passes their results to PassedRuns in order.
+/// Exchange that names all points of a sweep and passes their results to StreamingJudge in order.
 /// Threads finish points out of order, so results wait until all earlier ones are passed. To bound the
 /// memory, a thread begins no further point while the waiting results exceed a limit. The thread that has the
 /// next point in order never waits, so there is no deadlock.
-class PointsInOrder : public run::PointExchange {
+class OrderedPoints : public run::PointExchange {
  public:
   /// `most_waiting` is the limit of waiting results [bytes].
-  explicit PointsInOrder(const LoadedModel& model, std::size_t most_waiting = std::size_t{64} << 20)
+  explicit OrderedPoints(const LoadedModel& model, std::size_t most_waiting = std::size_t{64} << 20)
       : points_(model.job.points.size()), most_waiting_(most_waiting), passed_(model) {}
 
   std::optional<std::size_t> next() override;
@@ -83,7 +83,7 @@ class PointsInOrder : public run::PointExchange {
   std::size_t named_ = 0, next_ = 0, bytes_ = 0, peak_ = 0;
   std::atomic<std::size_t> taken_ = 0;
   std::map<std::size_t, run::PointResult> waiting_;  ///< results whose predecessors are missing
-  PassedRuns passed_;
+  StreamingJudge passed_;
 };
 
 }  // namespace stepwire::session

@@ -1,4 +1,4 @@
-#include "engine/simulate/run/together_runs.hpp"
+#include "engine/simulate/run/lane_runner.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -36,12 +36,12 @@ bool pays(std::size_t runs, int lanes) {
 
 }  // namespace
 
-std::size_t TogetherRuns::at_once(std::size_t member) const {
+std::size_t LaneRunner::at_once(std::size_t member) const {
   const plan::CompiledLanes* code = code_.code(member);
   return code ? static_cast<std::size_t>(code->lanes) : 1;
 }
 
-bool TogetherRuns::run(std::size_t member, const plan::CompiledPlan* alone, std::vector<PendingRun>& runs) {
+bool LaneRunner::run(std::size_t member, const plan::CompiledPlan* alone, std::vector<PendingRun>& runs) {
   const plan::CompiledLanes* code = code_.code(member);
   if (!code || (use_ != LaneUse::at_once && !pays(runs.size(), code->lanes))) return false;
   std::vector<LaneGroup::Run> lanes;
@@ -64,8 +64,8 @@ bool TogetherRuns::run(std::size_t member, const plan::CompiledPlan* alone, std:
 
 /// Decides once, by measurement, whether a member's runs stay in lanes. If not, resets the runs and
 /// recorders.
-bool TogetherRuns::stays(std::size_t member, LaneGroup& group, const plan::CompiledPlan* alone,
-                         std::vector<PendingRun>& runs) {
+bool LaneRunner::stays(std::size_t member, LaneGroup& group, const plan::CompiledPlan* alone,
+                       std::vector<PendingRun>& runs) {
   if (code_.is_decided(member) || use_ == LaneUse::at_once) return true;
   if (is_faster(group, *runs.front().simulation, alone)) {
     code_.decide(member);
@@ -80,25 +80,25 @@ bool TogetherRuns::stays(std::size_t member, LaneGroup& group, const plan::Compi
 }
 
 /// Measures the first ticks in lanes and alone. The lanes keep their ticks; the single run is reset.
-bool TogetherRuns::is_faster(LaneGroup& group, Executor& alone, const plan::CompiledPlan* code) const {
+bool LaneRunner::is_faster(LaneGroup& group, Executor& alone, const plan::CompiledPlan* code) const {
   Shortest together, one;
   if (!code) return true;
   alone.use(*code);
-  const auto goes_on = [&] { return alone.healthy() && !alone.finished() && alone.tick() < tried; };
-  while (goes_on())
-    one.measure([&] {
-      for (std::int64_t tick = 0; tick < LaneGroup::ticks_at_once && goes_on(); ++tick) {
-        alone.evaluate();
-        alone.advance();
-      }
-    });
+  std::vector<record::Recorder> none;
+  Drive drive(alone, none);
+  drive.judges_steps = false;
+  Drive::End how = Drive::End::paused;
+  for (drive.until = 0; how == Drive::End::paused && drive.until < tried;) {
+    drive.until += LaneGroup::ticks_at_once;
+    one.measure([&] { how = drive.run(); });
+  }
   alone.reset();
   while (group.goes_on() && group.tick() < tried)
     together.measure([&] { group.step(LaneGroup::ticks_at_once); });
   return together.seconds() < static_cast<double>(group.runs()) * one.seconds();
 }
 
-void TogetherRuns::go_on(LaneGroup& group) {
+void LaneRunner::go_on(LaneGroup& group) {
   std::int64_t looked = group.tick();
   while (group.goes_on()) {
     group.step(LaneGroup::ticks_at_once);

@@ -1,5 +1,5 @@
 // Runs of a sweep that are looked at one by one, in their order, while several threads make them.
-#include "engine/app/session/passed_runs.hpp"
+#include "engine/app/session/ordered_points.hpp"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,8 @@ namespace {
 
 constexpr unsigned threads = 4;
 constexpr std::size_t runs = 200;
-constexpr std::size_t bytes_of_a_run = 3 * 501 * sizeof(double) + 4096;  // three columns, and what is about them
+constexpr std::size_t bytes_of_a_run =
+    3 * 501 * sizeof(double) + 4096;  // three columns, and what is about them
 
 const Registry& library() {
   static const Registry registry = blocks();
@@ -42,7 +43,7 @@ std::string sweep_of_two_plans() {
 
 /// Holds the first run back until more than `bytes` of others wait for it, and long enough for more to come.
 struct FirstIsLate : run::RunObserver {
-  FirstIsLate(const PointsInOrder& of, std::size_t wait_for, std::function<void()> then_do = {})
+  FirstIsLate(const OrderedPoints& of, std::size_t wait_for, std::function<void()> then_do = {})
       : points(of), bytes(wait_for), then(std::move(then_do)) {}
 
   void begin(const run::ObservedRun& run) override {
@@ -54,7 +55,7 @@ struct FirstIsLate : run::RunObserver {
     if (then) then();
   }
 
-  const PointsInOrder& points;
+  const OrderedPoints& points;
   std::size_t bytes;
   std::function<void()> then;
 };
@@ -73,7 +74,7 @@ struct Passing {
   Scratch folder;
   Session session{library()};
   LoadedModel model;
-  std::optional<PointsInOrder> points;
+  std::optional<OrderedPoints> points;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "engine/simulate/run/run_meeting.hpp"
+#include "engine/simulate/run/lane_batcher.hpp"
 
 #include <catch2/catch.hpp>
 #include <stdexcept>
@@ -41,7 +41,7 @@ struct Decay {
   PendingRun run;
 };
 
-TogetherRuns::Members members_of(const plan::Plan& plan) {
+std::vector<PlanOfRuns> members_of(const plan::Plan& plan) {
   const diagram::Variation variation(plan.diagram, {"k"});
   return {{&plan, {plan::variable_blocks(plan, variation), variation.targets()}}};
 }
@@ -51,7 +51,7 @@ TogetherRuns::Members members_of(const plan::Plan& plan) {
 std::vector<std::vector<double>> meet(const plan::Plan& plan, std::size_t chains, unsigned threads,
                                       LaneReport& report, std::atomic<std::size_t>& together) {
   codegen::GeneratedCode code{run::code_trial()};
-  RunMeeting meeting(members_of(plan), LaneUse::at_once, &code, nullptr);
+  LaneBatcher meeting(members_of(plan), LaneUse::at_once, &code, nullptr);
   std::vector<std::vector<double>> all(3 * chains);
   meeting.in_parallel(chains, threads, [&](std::size_t chain) {
     for (std::size_t i = 3 * chain; i < 3 * chain + 3; ++i) {
@@ -87,7 +87,7 @@ TEST_CASE("runs that threads bring one after the other meet and give what they g
 
 TEST_CASE("without lanes no run waits for another") {
   const plan::Plan plan = plan_text(decaying);
-  RunMeeting meeting(members_of(plan), LaneUse::never, nullptr, nullptr);
+  LaneBatcher meeting(members_of(plan), LaneUse::never, nullptr, nullptr);
   meeting.in_parallel(5, 5, [&](std::size_t i) {
     Decay one(plan, i);
     if (meeting.run(0, nullptr, one.run)) throw std::logic_error("a run met another one");
@@ -98,7 +98,7 @@ TEST_CASE("without lanes no run waits for another") {
 TEST_CASE("a thread that fails is not waited for") {
   const plan::Plan plan = plan_text(decaying);
   codegen::GeneratedCode code{run::code_trial()};
-  RunMeeting meeting(members_of(plan), LaneUse::at_once, &code, nullptr);
+  LaneBatcher meeting(members_of(plan), LaneUse::at_once, &code, nullptr);
   std::atomic<std::size_t> made = 0;
   const auto task = [&](std::size_t i) {
     if (i == 1) throw std::runtime_error("the second one fails");

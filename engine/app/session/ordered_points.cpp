@@ -1,4 +1,4 @@
-#include "engine/app/session/passed_runs.hpp"
+#include "engine/app/session/ordered_points.hpp"
 
 #include <algorithm>
 
@@ -54,7 +54,7 @@ std::size_t DrawnRows::first_drawn(const std::vector<record::Recording>& run, st
   return first;
 }
 
-PassedRuns::PassedRuns(const LoadedModel& model, const RowUse& use)
+StreamingJudge::StreamingJudge(const LoadedModel& model, const RowUse& use)
     : model_(model),
       swept_(model.job),
       ends_(model.job),
@@ -68,14 +68,14 @@ PassedRuns::PassedRuns(const LoadedModel& model, const RowUse& use)
       files_[r].push_back(open_run_file(signals_path(use.folder, kind, r), kind, diagram.title));
 }
 
-void PassedRuns::add(run::PointResult result) {
+void StreamingJudge::add(run::PointResult result) {
   pass_missing(result.point);
   for (record::Recording& recording : result.recordings) swept_.add(recording, result.point);
   ends_.add(result.point, std::move(result.end));
   pass(std::move(result.recordings));
 }
 
-void PassedRuns::pass(std::vector<record::Recording> run) {
+void StreamingJudge::pass(std::vector<record::Recording> run) {
   for (std::size_t r = 0; r < files_.size(); ++r) {
     if (files_[r].empty()) continue;
     const table::RunView view = RunViews(model_, run[r], next_).view(0);
@@ -87,7 +87,7 @@ void PassedRuns::pass(std::vector<record::Recording> run) {
   if (draws_) drawn_.add(run);
 }
 
-void PassedRuns::pass_missing(std::size_t end) {
+void StreamingJudge::pass_missing(std::size_t end) {
   while (next_ < end) {
     misses_ = true;
     auto run = run::empty_recordings(model_.job.plan_of(next_), nullptr);
@@ -96,7 +96,7 @@ void PassedRuns::pass_missing(std::size_t end) {
   }
 }
 
-Outcome PassedRuns::take() {
+Outcome StreamingJudge::take() {
   pass_missing(model_.job.points.size());
   for (const auto& files : files_)
     for (const auto& file : files) file->finish();
@@ -109,23 +109,23 @@ Outcome PassedRuns::take() {
   return outcome;
 }
 
-std::optional<std::size_t> PointsInOrder::next() {
+std::optional<std::size_t> OrderedPoints::next() {
   const std::lock_guard lock(mutex_);
   return named_ < points_ ? std::optional(named_++) : std::nullopt;
 }
 
-void PointsInOrder::wait_for_room(std::optional<std::size_t> held) {
+void OrderedPoints::wait_for_room(std::optional<std::size_t> held) {
   std::unique_lock lock(mutex_);
   moved_.wait(lock, [&] { return left_ || bytes_ <= most_waiting_ || held == next_; });
 }
 
-void PointsInOrder::leave() {
+void OrderedPoints::leave() {
   const std::lock_guard lock(mutex_);
   left_ = true;
   moved_.notify_all();
 }
 
-void PointsInOrder::take(run::PointResult result) {
+void OrderedPoints::take(run::PointResult result) {
   const std::lock_guard lock(mutex_);
   ++taken_;
   bytes_ += bytes_of(result);
@@ -139,16 +139,16 @@ void PointsInOrder::take(run::PointResult result) {
   moved_.notify_all();
 }
 
-double PointsInOrder::done() const {
+double OrderedPoints::done() const {
   return static_cast<double>(taken_) / static_cast<double>(points_);
 }
 
-std::size_t PointsInOrder::peak() const {
+std::size_t OrderedPoints::peak() const {
   const std::lock_guard lock(mutex_);
   return peak_;
 }
 
-Outcome PointsInOrder::outcome() {
+Outcome OrderedPoints::outcome() {
   for (auto& [point, result] : waiting_) passed_.add(std::move(result));
   return passed_.take();
 }

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <vector>
 
-#include "engine/simulate/run/together_runs.hpp"
+#include "engine/simulate/run/lane_runner.hpp"
 
 namespace stepwire::run {
 
@@ -15,12 +15,12 @@ namespace stepwire::run {
 /// Fits and tunings make runs one after the other in each of several threads, so no thread has enough runs to
 /// fill the lanes. Each thread therefore blocks in run() until its plan has as many runs as there are lanes,
 /// or until no other thread can bring a run. One of the waiting threads then steps the whole group.
-class RunMeeting {
+class LaneBatcher {
  public:
   /// The plans and `interrupt` must outlive it.
-  RunMeeting(TogetherRuns::Members members, LaneUse use, plan::CodeSource* source,
-             const std::atomic<bool>* interrupt)
-      : together_(std::move(members), use, source, interrupt) {}
+  LaneBatcher(std::vector<PlanOfRuns> members, LaneUse use, plan::CodeSource* source,
+              const std::atomic<bool>* interrupt)
+      : runner_(std::move(members), use, source, interrupt) {}
 
   /// Returns the number of threads that fill the lanes of `cores` cores (0: all).
   unsigned threads(unsigned cores) const;
@@ -33,8 +33,10 @@ class RunMeeting {
   /// made alone, with the code `alone` (nullptr: interpreted). While lanes are not compiled, the caller
   /// reports ticks to done(). Thread-safe for threads of in_parallel().
   bool run(std::size_t member, const plan::CompiledPlan* alone, PendingRun& run);
-  void done(std::int64_t ticks) { together_.done(ticks); }
-  LaneReport lanes() const { return together_.report(); }
+  void done(std::int64_t ticks) { runner_.done(ticks); }
+  LaneReport lanes() const { return runner_.report(); }
+  LaneRunner& runner() { return runner_; }
+  const LaneRunner& runner() const { return runner_; }
 
  private:
   class Tasks;
@@ -48,9 +50,9 @@ class RunMeeting {
   std::size_t waiting_for(std::size_t member) const;
   bool may_go(std::size_t member) const;
   std::vector<Waiting*> take(std::size_t member);
-  void go(std::size_t member, const plan::CompiledPlan* alone, std::unique_lock<std::mutex>& lock);
+  void step(std::size_t member, const plan::CompiledPlan* alone, std::unique_lock<std::mutex>& lock);
 
-  TogetherRuns together_;
+  LaneRunner runner_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<Waiting*> waiting_;  ///< Runs that have not begun, in order of arrival.
