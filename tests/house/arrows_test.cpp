@@ -49,8 +49,8 @@ const std::map<std::string, Folders>& arrows() {
   return all;
 }
 
-const Folders seen_by_blocks{"model/signal", "model/block",    "base/expression", "base/table",
-                             "base/io",      "base/data_file", "base/unit",       "base/math"};
+const Folders seen_by_blocks{"model/signal",   "model/block", "base/expression", "base/table", "base/io",
+                             "base/data_file", "base/unit",   "base/math",       "base/text"};
 
 void reach(const std::string& folder, Folders& seen) {
   if (!seen.insert(folder).second || !arrows().contains(folder)) return;
@@ -67,7 +67,8 @@ Folders reachable_from(const std::string& folder) {
 // The preparation of records has a room of its own, which suggests names as the reader of diagrams does.
 bool block_may_include(const std::string& file, const std::string& included) {
   const std::string folder = folder_of(file);
-  if (folder == "blocks/records" && included == "engine/base/yaml") return true;
+  const bool reads_files = folder == "blocks/records" || folder == "blocks/sources";
+  if (reads_files && included == "engine/base/yaml") return true;
   if (folder == "blocks/sources" && included == "blocks/records") return true;
   if (folder == "blocks/cosimulation" && included == "engine/base/fmi") return true;
   if (folder == "blocks/haptics" && included == "blocks/haptics/region") return true;

@@ -14,6 +14,7 @@ struct Home {
 
 // The first that fits counts. Eigen, fmt and the standard library are at home everywhere.
 const std::vector<Home> homes{
+    {"boost/math/tools/minima", "engine/analyse/linear"},
     {"boost/math/", "engine/analyse/statistics"},
     {"boost/random/", "engine/base/sampling"},
     {"boost/lockfree/", "engine/simulate/realtime"},

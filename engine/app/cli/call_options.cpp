@@ -18,7 +18,7 @@ const std::map<std::string, run::ExecutionMode> engines = {{"interpreted", run::
 void add_engine_option(CLI::App& verb, run::ExecutionMode& engine, const std::string& what) {
   const auto number_of = [](std::string& word) -> std::string {
     const auto known = engines.find(word);
-    if (known == engines.end()) return Choice({"auto", "compiled", "interpreted"})(word);
+    if (known == engines.end()) return choice({"auto", "compiled", "interpreted"})(word);
     word = std::to_string(static_cast<int>(known->second));
     return "";
   };

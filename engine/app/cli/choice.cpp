@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "engine/base/text/characters.hpp"
@@ -9,12 +10,13 @@
 
 namespace stepwire::cli {
 
-Choice::Choice(const std::vector<std::string>& words) : CLI::IsMember(words) {
-  func_ = [words](std::string& word) -> std::string {
+CLI::Validator choice(const std::vector<std::string>& words) {
+  const auto problem = [words](std::string& word) -> std::string {
     if (std::ranges::find(words, word) != words.end()) return "";
     const std::string all = fmt::format("It takes: {}", fmt::join(words, ", "));
     return (fmt::format("does not take '{}'", word) + yaml::did_you_mean(word, words, all)).text();
   };
+  return CLI::Validator(problem, CLI::IsMember(words).get_description());
 }
 
 std::vector<std::string> long_options(const CLI::App& app) {

@@ -1,16 +1,19 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+class Error;
+class Validator;
+}  // namespace CLI
+
 namespace stepwire::cli {
 
-/// Validator of an option that takes one word of a list. A misspelt word is refused with the nearest one.
-class Choice : public CLI::IsMember {
- public:
-  explicit Choice(const std::vector<std::string>& words);
-};
+/// Returns the validator of an option that takes one word of a list. A misspelt word is refused with the
+/// nearest one.
+CLI::Validator choice(const std::vector<std::string>& words);
 
 /// Returns the names of the long options of a verb or program, with dashes.
 std::vector<std::string> long_options(const CLI::App& app);

@@ -40,7 +40,7 @@ void add_options(CLI::App& app) {
   app.add_option_function<std::string>(
          "--color", [](const std::string& word) { console_style().color = colors.at(word); },
          "colours; auto: on a terminal, unless NO_COLOR is set")
-      ->check(Choice({"auto", "always", "never"}));
+      ->check(choice({"auto", "always", "never"}));
 }
 
 /// Declares --quiet and --color for the program and all its verbs.

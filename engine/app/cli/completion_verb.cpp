@@ -173,7 +173,7 @@ Script script_for(const std::string& shell) {
 
 Action declare_completion(CLI::App& verb) {
   const auto shell = std::make_shared<std::string>();
-  verb.add_option("SHELL", *shell, "the shell")->required()->check(Choice({"bash", "zsh", "fish"}));
+  verb.add_option("SHELL", *shell, "the shell")->required()->check(choice({"bash", "zsh", "fish"}));
   return [shell, program = verb.get_parent()](const Registry&) {
     put_data(script_for(*shell)(program_words(*program), verb_words(*program)));
     return ExitCode::done;

@@ -82,7 +82,7 @@ Action declare_linearize(CLI::App& verb) {
   verb.add_option("--feedback", call->feedback,
                   "how the loop is closed for margins; negative, but positive where --from, --to and "
                   "--open are one wire")
-      ->check(Choice({"negative", "positive"}));
+      ->check(choice({"negative", "positive"}));
   verb.add_option("--out", call->out, "folder for linear.json and linear.mat");
   verb.add_flag("--json", call->json, "print the result as JSON");
   add_load_options(verb, call->words);

@@ -64,7 +64,7 @@ void add_statistics_options(CLI::App& verb, StatisticsCall* call) {
   verb.add_option("--sums", call->sums,
                   "sums of squares of independent scores: sequential (type I), hierarchical "
                   "(II) or partial (III); partial without it")
-      ->check(Choice({"sequential", "hierarchical", "partial"}))
+      ->check(choice({"sequential", "hierarchical", "partial"}))
       ->excludes(subject);
   verb.add_flag("--power", call->power, "also the power of comparisons within subjects, by simulation");
   verb.add_option("--seed", call->seed, "of that simulation")->check(CLI::Range(0, 1'000'000'000));

@@ -52,7 +52,7 @@ class WatchedStep {
   struct Here : Stops {
     Here(WatchedStep& step, double& reached) : step(step), reached(reached) {}
     bool operator()(double at) const override {
-      if (!step.is_eventful(at)) return false;
+      if (step.ends_at_edge(at) || !step.is_eventful(at)) return false;
       reached = at;
       return true;
     }
@@ -74,6 +74,10 @@ class WatchedStep {
     std::copy_n(values_ + task_.states, task_.state_count, task_.scratch);
   }
 
+  /// True if the next edge is at this time but for rounding. Nothing acts at the end of an interval, which
+  /// therefore goes on beyond the edge.
+  bool ends_at_edge(double at) const { return edge_ <= at && edge_ >= left_of(at, at - open_); }
+
   bool is_eventful(double at) {
     const double length = at - open_;
     double* const past = values_ + task_.report + EventReport::count;
@@ -86,10 +90,8 @@ class WatchedStep {
       past[0] = look_closer;
       return true;
     }
-    if (edge_ > at) {  // an edge exactly at `at` is part of this interval
-      std::copy_n(after_, task_.crossing_count, before_);
-      open(at);
-    }
+    std::copy_n(after_, task_.crossing_count, before_);
+    open(at);
     return false;
   }
 

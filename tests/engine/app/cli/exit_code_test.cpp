@@ -48,7 +48,7 @@ TEST_CASE("what is wrong in the call ends with 2 and one line on standard error"
           "there is no 'chek'; did you mean 'check'? There are: run, studio, fit, tune, study, statistics, "
           "linearize, trim, collect, job, check, ");
   refused({"run", "lag.yaml", "--engine", "fast"},
-          "--engine: must be auto, compiled or interpreted, not 'fast'");
+          "--engine: does not take 'fast'. It takes: auto, compiled, interpreted");
   refused({"loop", "lag.yaml", "--rate", "0"}, "--rate 0: must be from 1 Hz to 1 MHz");
   refused({"blocks", "Foo"},
           "there is no block 'Foo', and no page has this word. 'stepwire blocks' lists them");

@@ -133,7 +133,7 @@ TEST_CASE("generate says how a parameter in a formula can be one that changes") 
       Contains("k cannot be changed there: b.states has formulas, which are code; wired as an input of b"));
   folder.file("wire-chart.yaml", chart + "u: [a, $k], states: {off: {to: {on: u1 > u2}}, on: }}}\n");
   for (const std::string file : {"wire.yaml", "wire-chart.yaml"}) {
-    const Done wired = run_program(folder, {"generate", file, "-o", "wire"});
+    const Done wired = run_program(folder, {"generate", file, "-o", "wire", "--name", "wire"});
     CHECK(wired.code == 0);
     CHECK_THAT(wired.out, !Contains("cannot be changed"));
     CHECK_THAT(content_of(folder.path("wire/wire.hpp")), Contains("k"));

@@ -9,6 +9,7 @@ using Catch::Contains;
 namespace {
 
 const std::string user = R"(stepwire: 1
+solver: rk4
 step: 1 ms
 stop: 5 ms
 sweep: {level: [1, 2]}

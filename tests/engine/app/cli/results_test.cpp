@@ -95,7 +95,7 @@ TEST_CASE("claims.json and run.json have the fields that scripts read") {
   CHECK(claims[0]["check"] == "final lag >= 0.9");
   const json run = json::parse(content_of(folder.path("out/run.json")));
   CHECK(keys_of(run) == std::vector<std::string>{"algebraic_loops", "block_folders", "blocks", "compiled_ticks", "compiler",
-                                                 "duration", "events", "faults", "file", "hash", "interrupted",
+                                                 "duration", "events", "faults", "file", "findings", "hash", "interrupted",
                                                  "keep", "kept", "lanes", "notices", "parameters", "recorded_runs", "runs", "solver", "solver_steps", "step", "stop",
                                                  "sweep", "ticks", "title", "version"});
   CHECK(run["step"] == 0.001);

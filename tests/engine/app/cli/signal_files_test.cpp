@@ -99,7 +99,7 @@ TEST_CASE("pictures are written in the kinds that are named, the same bytes each
     CHECK(content == content_of(folder.path(std::string("b/") + file)));
   }
   CHECK_THAT(run_program(folder, {"run", "lag.yaml", "--out", "c", "--pictures", "jpg"}).err,
-             Contains("svg, png, pdf, not 'jpg'"));
+             Contains("does not take 'jpg'. It takes: svg, png, pdf;"));
 }
 
 TEST_CASE("a kind of file that there is not is refused with those that there are") {
@@ -107,6 +107,7 @@ TEST_CASE("a kind of file that there is not is refused with those that there are
   folder.file("lag.yaml", lag_yaml);
   const Done done = run_program(folder, {"run", "lag.yaml", "--out", "out", "--files", "csv,xls"});
   CHECK(done.code == 2);
-  CHECK_THAT(done.err, Contains("csv, mat, h5, mcap, not 'xls'"));
+  CHECK_THAT(done.err,
+             Contains("does not take 'xls'. It takes: csv, mat, h5, mcap; several are separated by commas"));
   CHECK_FALSE(std::filesystem::exists(folder.path("out")));
 }
