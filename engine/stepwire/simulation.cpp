@@ -25,6 +25,7 @@ struct Simulation::State {
         stopper(plan()),
         inputs(model.inputs()),
         shown(plan().layout.size) {
+    run.prepare_end();
     const diagram::Variation tuned(plan().diagram, options.tuned);
     if (options.engine == run::ExecutionMode::interpreted) return;
     codegen::GeneratedCode source{run::code_trial()};

@@ -108,7 +108,7 @@ void Executor::evaluate() {
 
 void Executor::look_at_end() {
   if (!healthy()) return;
-  find_unstable_steps(blocks_, stepper_);
+  find_unstable_steps(blocks_, stepper_, probe_memory_);
   health_.look_at_step();
 }
 

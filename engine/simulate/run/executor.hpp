@@ -14,6 +14,7 @@
 #include "engine/simulate/run/health.hpp"
 #include "engine/simulate/run/loop_cost.hpp"
 #include "engine/simulate/run/step_count.hpp"
+#include "engine/simulate/run/step_probe.hpp"
 #include "engine/simulate/run/stepper.hpp"
 #include "engine/simulate/run/value_setter.hpp"
 
@@ -78,6 +79,8 @@ class Executor {
   void advance();
   /// Checks at the end of a run whether its steps were unstable. Call it after evaluate() of the last tick.
   void look_at_end();
+  /// Makes look_at_end() ask for no memory unless it finds a fault.
+  void prepare_end() { probe_memory_.prepare(plan_); }
   /// False after a non-finite value, a failed step or a diagnostic that ends the run.
   bool healthy() const { return health_.fine(); }
   /// True once the run has ended without a fault: by `stop_when` at an event between two ticks, or by a
@@ -142,6 +145,7 @@ class Executor {
   CallTable once_;  ///< calls whose results are constant in a run
   DiscretePhase phase_;
   Stepper stepper_;
+  StepProbeMemory probe_memory_;
   std::optional<EventStepper> events_;  ///< present if steps are split at events
   std::optional<BothSides> sides_;      ///< present if both sides of instants are recorded
   ValueSetter setter_;

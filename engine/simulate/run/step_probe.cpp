@@ -35,19 +35,22 @@ struct Mode {
 
 class StepProbe {
  public:
-  StepProbe(BoundBlocks& blocks, Stepper& stepper, solve::Tableau tableau)
+  StepProbe(BoundBlocks& blocks, Stepper& stepper, StepProbeMemory& memory)
       : plan_(blocks.plan()),
         values_(blocks.values()),
         stepper_(stepper),
-        tableau_(std::move(tableau)),
-        kept_(values_, values_ + plan_.layout.size),
+        tableau_(*memory.tableau),
+        memory_(memory),
         states_(values_ + plan_.layout.states, static_cast<Eigen::Index>(plan_.layout.state_count)),
-        start_(states_),
-        time_(values_[plan::Layout::time]) {}
+        start_(memory.start),
+        time_(values_[plan::Layout::time]) {
+    std::copy_n(values_, plan_.layout.size, memory.kept.begin());
+    memory.start = states_;
+  }
 
   void look() {
     const auto mode = find_mode();
-    std::ranges::copy(kept_, values_);
+    std::ranges::copy(memory_.kept, values_);
     if (mode) write(*mode);
   }
 
@@ -74,13 +77,16 @@ class StepProbe {
   bool errs() {
     const double h = plan_.diagram.step;
     step(time_, h);
-    const Eigen::VectorXd whole = states_;
+    Eigen::VectorXd& whole = memory_.whole;
+    whole = states_;
     states_ = start_;
     step(time_, 0.5 * h);
     step(time_ + 0.5 * h, 0.5 * h);
-    const Eigen::ArrayXd size = whole.cwiseAbs().array().max(sizes());
-    const Eigen::ArrayXd error = (states_ - whole).cwiseAbs().array();
-    return (!(error <= 0.1 * size)).any();
+    for (Eigen::Index i = 0; i < whole.size(); ++i) {
+      const double size = std::max({std::abs(whole[i]), std::abs(start_[i]), smallest_size});
+      if (!(std::abs(states_[i] - whole[i]) <= 0.1 * size)) return true;
+    }
+    return false;
   }
 
   Eigen::ArrayXd sizes() const { return start_.cwiseAbs().array().max(smallest_size); }
@@ -157,21 +163,30 @@ class StepProbe {
   const plan::Plan& plan_;
   double* const values_;
   Stepper& stepper_;
-  const solve::Tableau tableau_;
-  const std::vector<double> kept_;  ///< copy of the whole workspace
+  const solve::Tableau& tableau_;
+  StepProbeMemory& memory_;
   Eigen::Map<Eigen::VectorXd> states_;
-  const Eigen::VectorXd start_;
+  const Eigen::VectorXd& start_;
   const double time_;
 };
 
 }  // namespace
 
-void find_unstable_steps(BoundBlocks& blocks, Stepper& stepper) {
-  const plan::Plan& plan = blocks.plan();
+void StepProbeMemory::prepare(const plan::Plan& plan) {
+  if (ready) return;
+  ready = true;
   const auto states = static_cast<Eigen::Index>(plan.layout.state_count);
   if (plan.diagram.error_control || states == 0 || states > most_states) return;
-  if (auto tableau = solve::find_tableau(plan.diagram.solver))
-    StepProbe(blocks, stepper, std::move(*tableau)).look();
+  tableau = solve::find_tableau(plan.diagram.solver);
+  if (!tableau) return;
+  kept.resize(plan.layout.size);
+  start.resize(states);
+  whole.resize(states);
+}
+
+void find_unstable_steps(BoundBlocks& blocks, Stepper& stepper, StepProbeMemory& memory) {
+  memory.prepare(blocks.plan());
+  if (memory.tableau) StepProbe(blocks, stepper, memory).look();
 }
 
 }  // namespace stepwire::run
