@@ -6,8 +6,8 @@
 
 using namespace stepwire;
 
-// Whatever the file has behind its first line, a journal opens and returns each piece that it says it has,
-// and no other one.
+// Any bytes may follow the first line. The journal opens, and returns the pieces that has() is true for, and
+// no others.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static fuzz::InputFile file(".journal");
   constexpr std::size_t pieces = 16;

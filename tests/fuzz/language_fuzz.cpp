@@ -7,7 +7,7 @@
 
 using namespace stepwire;
 
-// Each line is a message of an editor. The server answers all of them, whatever they are.
+// Each line is a message of an editor. The server handles any message without a crash.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const Registry registry = blocks();
   language::LanguageServer server(registry, [](const std::string&) {});
