@@ -79,7 +79,7 @@ class Executor {
   void advance();
   /// Checks at the end of a run whether its steps were unstable. Call it after evaluate() of the last tick.
   void look_at_end();
-  /// Makes look_at_end() ask for no memory unless it finds a fault.
+  /// Reserves the memory of look_at_end(), which then allocates only for steps in doubt.
   void prepare_end() { probe_memory_.prepare(plan_); }
   /// False after a non-finite value, a failed step or a diagnostic that ends the run.
   bool healthy() const { return health_.fine(); }
