@@ -26,9 +26,9 @@ struct StepProbeMemory {
 /// the Jacobian are inserted into the stability function of the method. A mode is unstable if it is a tenth
 /// of a state or more, the method amplifies it, the equations do not, and further steps confirm the growth.
 /// Sizes are relative to each state, down to 1e-9 of its SI unit. Growth that the equations themselves or a
-/// sampled controller cause is accepted. The usual run costs three steps; a Jacobian is evaluated only after
-/// the comparison fails, and asks for memory. Plans with error control or with more than 400 states are not
-/// checked.
+/// sampled controller cause is accepted. The usual run costs three steps. Only after the
+/// comparison fails, a Jacobian is evaluated and memory is allocated. Plans with error control or with more
+/// than 400 states are not checked.
 void find_unstable_steps(BoundBlocks& blocks, Stepper& stepper, StepProbeMemory& memory);
 
 }  // namespace stepwire::run

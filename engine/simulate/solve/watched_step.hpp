@@ -74,8 +74,8 @@ class WatchedStep {
     std::copy_n(values_ + task_.states, task_.state_count, task_.scratch);
   }
 
-  /// True if the next edge is at this time but for rounding. Nothing acts at the end of an interval, which
-  /// therefore goes on beyond the edge.
+  /// True if the next edge is at this time but for rounding. No event is handled at the end of an interval,
+  /// so the interval is extended beyond such an edge.
   bool ends_at_edge(double at) const { return edge_ <= at && edge_ >= left_of(at, at - open_); }
 
   bool is_eventful(double at) {
