@@ -76,14 +76,8 @@ struct LinkageCore {
   template <Index n, class Position, class Velocity>
   Link<n> link(Dimension<n>, Index k, const Position& position, const Velocity& velocity) const {
     Link<n> is;
-    double square = 0.0;
-    unrolled<n>([&](Index i) {
-      at(is.along, i) = position[i] - anchors(k, i);
-      square += at(is.along, i) * at(is.along, i);
-    });
-    // The plain root has the same bits, where squares are far from overflow and underflow.
-    const bool plain = square > 1e-200 && square < 1e200;
-    is.length = plain ? std::sqrt(square) : length_of(n, [&](Index i) { return at(is.along, i); });
+    unrolled<n>([&](Index i) { at(is.along, i) = position[i] - anchors(k, i); });
+    is.length = norm(is.along);
     if (is.length > 0.0) set_along(k, velocity, is);
     unrolled<n>([&](Index i) {
       at(is.across, i) = velocity[i] - is.rate * at(is.along, i);
@@ -168,6 +162,17 @@ struct LinkageCore {
   }
 
  private:
+  /// Returns the length of a vector. On a line it needs neither root nor scale, and lanes no branch.
+  template <std::size_t n>
+  static double norm(const std::array<double, n>& vector) {
+    if constexpr (n == 1) return std::abs(vector[0]);
+    double square = 0.0;
+    unrolled<static_cast<Index>(n)>([&](Index i) { square += at(vector, i) * at(vector, i); });
+    // The plain root has the same bits, where squares are far from overflow and underflow.
+    if (square > 1e-200 && square < 1e200) return std::sqrt(square);
+    return length_of(n, [&](std::size_t i) { return vector[i]; });
+  }
+
   /// Sets the direction of a link of some length, where `along` is the vector to the pin, and its inertia.
   template <Index n, class Velocity>
   void set_along(Index k, const Velocity& velocity, Link<n>& is) const {
