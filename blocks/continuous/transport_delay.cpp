@@ -11,13 +11,14 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
       "TransportDelay",
       {.doc =
            "Delay of a continuous signal by any time of a step or more: y(t) = u(t - delay), and `initial` "
-           "until "
-           "then. Between two instants the past is a polynomial through the samples around, of degree 4 "
-           "where "
-           "there are so many, which does not reach across jumps and corners. For a signal that is sampled "
-           "take `between: hold`, or Delay. Samples are as far apart as ticks, also where a solver controls its "
-           "error: what is faster than these needs a shorter step. Its output does not depend on its input at the same instant. "
-           "Linear analyses take it as exact among continuous blocks, and refuse it beside sampled ones.",
+           "until then. Between two samples the past is a polynomial through the samples around, of degree 4 "
+           "where there are so many. It avoids bends, and ends at jumps, where the block keeps both sides. "
+           "For "
+           "a signal that is sampled take `between: hold`, or Delay. Samples are as far apart as ticks, also "
+           "where a solver controls its error: what is faster than these needs a shorter step. Its output "
+           "does "
+           "not depend on its input at the same instant. Linear analyses take it as exact among continuous "
+           "blocks, and refuse it beside sampled ones.",
        .source = "A. Harten, B. Engquist, S. Osher, S. R. Chakravarthy 1987, J. Comput. Phys. 71",
        .timing = Timing::continuous,
        .delayed_by = "delay",
@@ -39,8 +40,15 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
       {.unit = "s", .shape = "k", .doc = "times of the samples", .settable = false});
   is.state<&TransportDelay::samples>(
       {.unit = "'u", .shape = "k x n", .doc = "samples on their way", .settable = false});
-  is.state<&TransportDelay::edges>(
-      {.shape = "k", .doc = "1 at samples of instants, more at their echoes in a loop, else 0", .settable = false});
+  is.state<&TransportDelay::left_samples>({.unit = "'u",
+                                           .shape = "k x n",
+                                           .doc = "the same just before each of these instants",
+                                           .settable = false});
+  is.state<&TransportDelay::left>(
+      {.unit = "'u", .doc = "input just before the present instant", .settable = false});
+  is.state<&TransportDelay::edges>({.shape = "k",
+                                    .doc = "1 at samples of instants, more at their echoes in a loop, else 0",
+                                    .settable = false});
   is.state<&TransportDelay::newest>({.doc = "where the newest sample stands", .settable = false});
   is.state<&TransportDelay::count>({.doc = "how many samples there are", .settable = false});
   is.state<&TransportDelay::passed>(

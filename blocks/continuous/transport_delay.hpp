@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -21,12 +20,14 @@ struct TransportDelay {
   Input<> u{};
   Input<1> delay{};
   Output<> y{};
-  DiscreteState<> times{};    // Times of the rows of the ring buffer [s].
-  DiscreteState<> samples{};  // Samples, one for each row.
-  DiscreteState<> edges{};    // 1 at rows of instants, 2 and more at their echoes, else 0.
-  DiscreteState<1> newest{};  // Index of the last written row.
-  DiscreteState<1> count{};   // Number of written rows.
-  DiscreteState<1> passed{};  // Time of the last row of an instant that has arrived [s]; -1 without one.
+  DiscreteState<> times{};         // Times of the rows of the ring buffer [s].
+  DiscreteState<> samples{};       // Samples, one for each row.
+  DiscreteState<> left_samples{};  // The same just before the instant of the row.
+  DiscreteState<> left{};          // Input just before the present instant.
+  DiscreteState<> edges{};         // 1 at rows of instants, 2 and more at their echoes, else 0.
+  DiscreteState<1> newest{};       // Index of the last written row.
+  DiscreteState<1> count{};        // Number of written rows.
+  DiscreteState<1> passed{};       // Time of the last row of an instant that has arrived [s]; -1 without one.
   Diagnostic out_of_range{}, full{};
 
   Index rows = 1;
@@ -41,6 +42,9 @@ struct TransportDelay {
     for (Index i = 0; i < y.size(); ++i) y[i] = last < 0 ? initial[i] : value(i, last, t - T);
   }
 
+  void update_before_instant() {
+    for (Index i = 0; i < u.size(); ++i) left[i] = u[i];
+  }
   void update() {
     if (!(delay >= shortest() && delay <= most)) out_of_range.raise(t);
     store(false);
@@ -83,6 +87,7 @@ struct TransportDelay {
     return at < 0 ? at + rows : at;
   }
   double sample(Index row, Index i) const { return samples[place(row) * u.size() + i]; }
+  double left_sample(Index row, Index i) const { return left_samples[place(row) * u.size() + i]; }
 
   /// Returns the last row that the delayed time has reached; -1 without one.
   Index last_reached(double T) const {
@@ -100,74 +105,80 @@ struct TransportDelay {
       if (edges[place(row)] > 0.0) passed = times[place(row)];
   }
 
+  /// True if an element differs by more than rounding before and after the instant of a row, other than the
+  /// oldest one.
+  bool jumps(Index row, Index i) const {
+    const double here = left_sample(row, i), then = sample(row, i);
+    return std::abs(then - here) > 1e-9 * (std::abs(then) + std::abs(here - sample(row - 1, i)));
+  }
+
+  /// Interpolates between a row and the next one by Newton's polynomials through nearby rows.
+  ///
+  /// The stencil with the smallest last term is used, so that it does not cross a bend (ENO; Harten,
+  /// Engquist, Osher, Chakravarthy 1987). No stencil reaches beyond a jump.
   double value(Index i, Index row, double at) const {
     if (between == Between::hold || row + 1 >= known()) return sample(row, i);
-    if (between == Between::smooth) return smooth(i, row, at);
-    const double from = times[place(row)], to = times[place(row + 1)];
-    return sample(row, i) + (at - from) / (to - from) * (sample(row + 1, i) - sample(row, i));
+    const Index order = between == Between::linear ? 1 : degree;
+    return smoothest(nodes(i, row, order), order, at).value;
+  }
+
+  /// Rows around an interval as points of a curve.
+  struct Nodes {
+    double x[2 * degree]{}, f[2 * degree]{};
+    Index begin = degree - 1, end = degree + 1;  ///< The interval is from node degree - 1 to the next.
+  };
+
+  /// Returns the rows around an interval, at most `order` - 1 more on each side. They end at jumps. A
+  /// row beside another one but for rounding is left out.
+  Nodes nodes(Index i, Index row, Index order) const {
+    Nodes made;
+    const auto put = [&](Index node, Index of, double value) {
+      made.x[node] = times[place(of)];
+      made.f[node] = value;
+    };
+    put(degree - 1, row, sample(row, i));
+    put(degree, row + 1, left_sample(row + 1, i));
+    const double close = 1e-6 * (made.x[degree] - made.x[degree - 1]);
+    for (Index at = row; at > 0 && !jumps(at, i) && made.begin > degree - order; --at)
+      if (made.x[made.begin] - times[place(at - 1)] > close) put(--made.begin, at - 1, sample(at - 1, i));
+    for (Index at = row + 1; at + 1 < known() && !jumps(at, i) && made.end < degree + order; ++at)
+      if (times[place(at + 1)] - made.x[made.end - 1] > close)
+        put(made.end++, at + 1, left_sample(at + 1, i));
+    return made;
   }
 
   struct Newton {
-    static constexpr double none = std::numeric_limits<double>::infinity();
+    double value = 0.0;
+    /// Last term, which counts less towards the middle of the stencil, and a part of the one before it, since
+    /// a single one may be 0 across a bend.
+    double roughness = std::numeric_limits<double>::infinity();
 
-    Index begin = 0, order = 0;
-    double value = 0.0, last_term = none;
-    double roughness = none;  ///< last term for evenly spaced rows
+    bool operator<(const Newton& other) const { return roughness < other.roughness; }
   };
 
-  /// Interpolates by Newton's polynomial through nearby rows.
-  ///
-  /// The stencil with the smallest last term is used, so that it does not cross a jump or a kink (ENO;
-  /// Harten, Engquist, Osher, Chakravarthy 1987). There are two kinds: stencils that reach beyond `row`, and
-  /// stencils that end at `row` and extrapolate, up to a jump at the next row. The latter may have fewer
-  /// rows, after another jump. At a kink in `row` itself both kinds are smooth. Then the stencil that
-  /// contains the next row is right: the other one misses that row by far more than the roughness of the
-  /// rows.
-  double smooth(Index i, Index row, double at) const {
-    const Index order = std::min(degree, known() - 1);
-    Newton across, up_to;
-    const auto try_from = [&](Index begin, Index terms) {
-      const Newton made = newton(i, begin, terms, at);
-      Newton& best = begin + terms > row ? across : up_to;
-      if (made.last_term < best.last_term) best = made;
-    };
-    for (Index begin = std::min(row, known() - 1 - order); begin >= std::max<Index>(row - order, 0); --begin)
-      try_from(begin, order);
-    for (Index terms = std::min(order, row); terms > 0; --terms) try_from(row - terms, terms);
-    for (Index terms = std::min(order, known() - 1 - row); terms > 0; --terms) try_from(row, terms);
-    if (is_alone(i, row, across)) return sample(row, i);
-    if (!(up_to.last_term < across.last_term)) return across.value;
-    const double next = newton(i, up_to.begin, up_to.order, times[place(row + 1)]).value;
-    return across.roughness < 0.01 * std::abs(next - sample(row + 1, i)) ? across.value : up_to.value;
+  static Newton smoothest(const Nodes& nodes, Index order, double at) {
+    order = std::min(order, nodes.end - nodes.begin - 1);
+    Newton best;
+    for (Index begin = std::max(nodes.begin, degree - order); begin < degree && begin + order < nodes.end;
+         ++begin)
+      best = std::min(best, newton(nodes, begin, order, at));
+    return best;
   }
 
-  /// True if a row is isolated by jumps. Either there are a jump in `row` and one at the next row, so that
-  /// only a straight line fits. Or `row` is the first one and the later rows extrapolate to another value.
-  bool is_alone(Index i, Index row, const Newton& across) const {
-    if (row > 0) return across.order == 1 && edges[place(row)] > 0.0 && edges[place(row + 1)] > 0.0;
-    const Index terms = std::min(degree, known() - 2);
-    if (terms < 1) return edges[place(1)] > 0.0;
-    const Newton back = newton(i, 1, terms, times[place(0)]);
-    return std::abs(back.value - sample(0, i)) > 100.0 * back.roughness + 1e-9 * std::abs(sample(0, i));
-  }
-
-  Newton newton(Index i, Index begin, Index order, double at) const {
-    std::array<double, degree + 1> x{}, d{};
-    for (Index k = 0; k <= order; ++k) {
-      x[static_cast<std::size_t>(k)] = times[place(begin + k)];
-      d[static_cast<std::size_t>(k)] = sample(begin + k, i);
-    }
-    const auto n = static_cast<std::size_t>(order);
-    for (std::size_t k = 1; k <= n; ++k)
-      for (std::size_t j = n; j >= k; --j) d[j] = (d[j] - d[j - 1]) / (x[j] - x[j - k]);
-    const double step = (x[n] - x[0]) / static_cast<double>(std::max<Index>(order, 1));
-    double value = d[n], last_term = d[n], roughness = std::abs(d[n]);
-    for (std::size_t k = n; k-- > 0;) {
+  static Newton newton(const Nodes& nodes, Index begin, Index order, double at) {
+    const double* const x = nodes.x + begin;
+    double d[degree + 1]{};
+    std::copy_n(nodes.f + begin, order + 1, d);
+    for (Index k = 1; k <= order; ++k)
+      for (Index j = order; j >= k; --j) d[j] = (d[j] - d[j - 1]) / (x[j] - x[j - k]);
+    double value = d[order], last = d[order], before = order > 0 ? d[order - 1] : 0.0;
+    for (Index k = order; k-- > 0;) {
       value = d[k] + (at - x[k]) * value;
-      last_term *= at - x[k];
-      roughness *= step;
+      last *= at - x[k];
+      if (k + 1 < order) before *= at - x[k];
     }
-    return {begin, order, value, std::abs(last_term), roughness};
+    const double next = (x[order] - at) / (x[order] - x[0]);
+    return {value, std::abs(last * next) + 0.01 * std::abs(before)};
   }
 
   /// Writes a row; overwrites the last one if it has the same time.
@@ -182,8 +193,11 @@ struct TransportDelay {
       edges[next] = 0.0;
     }
     const Index at = static_cast<Index>(newest);
-    if (at_event || has_jumped()) edges[at] = at_event ? static_cast<double>(order_of_instant()) : 1.0;
-    for (Index i = 0; i < u.size(); ++i) samples[at * u.size() + i] = u[i];
+    for (Index i = 0; i < u.size(); ++i) {
+      samples[at * u.size() + i] = u[i];
+      left_samples[at * u.size() + i] = left[i];
+    }
+    if (at_event || has_bent()) edges[at] = at_event ? static_cast<double>(order_of_instant()) : 1.0;
   }
 
   /// Returns 1 for an instant of another block. In a loop, an instant that this block has delayed returns to
@@ -193,17 +207,18 @@ struct TransportDelay {
     constexpr double most_echoes = 5.0;
     const double T = length();
     for (Index row = last_reached(T); row >= 0 && times[place(row)] + T > t - 1e-6 * period; --row)
-      if (edges[place(row)] > 0.0 && !has_jumped())
+      if (edges[place(row)] > 0.0 && !has_bent())
         return edges[place(row)] < most_echoes ? static_cast<Index>(edges[place(row)]) + 1 : 0;
     return 1;
   }
 
-  /// True if the input is far off the line through the last two rows.
-  bool has_jumped() const {
+  /// True if the input has jumped, or is far off the line through the last two rows.
+  bool has_bent() const {
     const Index last = known() - 2;  // before the row of this time
     if (last < 1) return true;
     const double from = times[place(last - 1)], to = times[place(last)];
     for (Index i = 0; i < u.size(); ++i) {
+      if (jumps(last + 1, i)) return true;
       const double here = sample(last, i), slope = (here - sample(last - 1, i)) / (to - from);
       const double moved = std::abs(u[i] - here), expected = std::abs(slope * (t - to));
       if (moved > 10.0 * expected + 1e-9 * std::abs(here)) return true;

@@ -10,7 +10,7 @@ namespace stepwire::estimation {
 struct BoundedSquares {
   /// Writes the residuals at a point and, unless nullptr, their derivatives, one row per residual. Returns
   /// false if the point has none. An exception ends the search and is rethrown.
-  std::function<bool(const std::vector<double>& at, double* residuals, double* jacobian)> evaluate;
+  std::function<bool(const std::vector<double>& at, double* residuals, double* jacobian)> evaluate{};
   std::size_t residuals = 0;
   std::size_t iterations = 100;
   double tolerance = 1e-4;  ///< relative, of the point and of the sum of squares

@@ -60,6 +60,7 @@ struct BlockType {
   Kernels run_outputs_at_instant;
   /// Replaces run_update at located events; empty for a block with one update().
   Kernels run_update_at_event;
+  Kernels run_update_before_instant;  ///< with the values just before a tick or an event
   /// Writes the values of all crossing functions; nullptr for a block without crossings.
   void (*run_crossings)(const void* block, double* numbers) = nullptr;
   /// Returns the time [s] of the next jump or bend of an output that is caused by time alone; infinity

@@ -18,6 +18,8 @@ void find_phases(BlockType& type) {
   if constexpr (requires(Block b) { b.update(); }) type.run_update = kernels_of<Block, &Block::update>();
   if constexpr (requires(Block b) { b.update_at_event(); })
     type.run_update_at_event = kernels_of<Block, &Block::update_at_event>();
+  if constexpr (requires(Block b) { b.update_before_instant(); })
+    type.run_update_before_instant = kernels_of<Block, &Block::update_before_instant>();
 }
 
 template <class Block>

@@ -11,6 +11,7 @@
 #include "engine/base/io/file.hpp"
 #include "engine/base/yaml/yaml_text.hpp"
 #include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/constant_blocks.hpp"
 #include "engine/model/diagram/element_index.hpp"
 #include "engine/model/diagram/external_input.hpp"
 #include "engine/model/diagram/left_out.hpp"
@@ -179,16 +180,18 @@ class Flattener {
   yaml::Node blocks() const {
     yaml::Node map;
     map.entries.reserve(diagram_.blocks.size());
-    for (const DiagramBlock& block : diagram_.blocks)
-      if (&block.type() != &external_input_type()) add_key(map, block.name, keys(block));
+    const std::vector<bool> constant = constant_blocks(diagram_);
+    for (std::size_t b = 0; b < constant.size(); ++b)
+      if (const DiagramBlock& block = diagram_.blocks[b]; &block.type() != &external_input_type())
+        add_key(map, block.name, keys(block, block.every && !constant[b]));
     return map;
   }
 
-  yaml::Node keys(const DiagramBlock& block) const {
+  yaml::Node keys(const DiagramBlock& block, bool has_period) const {
     const BlockType& type = block.type();
     yaml::Node map;
     add_key(map, "block", written_text(type.name));
-    if (block.every) add_key(map, "every", written_every(*block.every, unit(time_dimension)));
+    if (has_period) add_key(map, "every", written_every(*block.every, unit(time_dimension)));
     if (block.guard >= 0) add_key(map, "guard", written_text(this->block(block.guard).name));
     for (std::size_t i = 0; i < block.inputs.size(); ++i)
       if (!block.inputs[i].empty()) add_key(map, type.inputs[i].name, input(type.inputs[i], block.inputs[i]));

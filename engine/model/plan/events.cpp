@@ -9,13 +9,47 @@ namespace stepwire::plan {
 
 namespace {
 
-/// Finds the crossing functions, and the blocks that act at every instant. A search backwards from the inputs
-/// of the crossing functions marks the blocks that must be computed to evaluate them between ticks. It ends
-/// at steady and discrete outputs, which do not change there, and at timed ones, which are computed in any
-/// case.
+/// Search backwards from inputs. Marks the blocks that must be computed to know these inputs between ticks.
+/// It ends at steady and discrete outputs, which do not change there, and at timed ones, which are computed
+/// in any case.
+class Upstream {
+ public:
+  Upstream(Draft& draft, bool Draft::Block::*mark) : draft_(draft), mark_(mark) {}
+
+  void need(std::size_t block, std::size_t input) {
+    for (const diagram::Source& source : draft_.diagram().blocks[block].inputs[input]) need(source.block);
+  }
+  void need_all(std::size_t block) {
+    for (std::size_t i = 0; i < draft_.diagram().blocks[block].inputs.size(); ++i) need(block, i);
+  }
+  void need(int source) {
+    if (source < 0) return;
+    const auto index = static_cast<std::size_t>(source);
+    Draft::Block& block = draft_.blocks[index];
+    if (block.*mark_ || !block.computes || block.timed || draft_.is_steady(index) ||
+        draft_.plan.blocks[index].rate.kind != Rate::Kind::continuous)
+      return;
+    block.*mark_ = true;
+    open_.push_back(index);
+  }
+  void search() {
+    while (!open_.empty()) {
+      const std::size_t block = open_.back();
+      open_.pop_back();
+      need_all(block);
+    }
+  }
+
+ private:
+  Draft& draft_;
+  bool Draft::Block::*mark_;
+  std::vector<std::size_t> open_;
+};
+
+/// Finds the crossing functions, what they depend on, and the blocks that act at every instant.
 class EventPlan {
  public:
-  explicit EventPlan(Draft& draft) : draft_(draft) {}
+  explicit EventPlan(Draft& draft) : draft_(draft), upstream_(draft, &Draft::Block::for_crossings) {}
 
   void run() {
     for (std::size_t b = 0; b < draft_.blocks.size(); ++b)
@@ -24,11 +58,7 @@ class EventPlan {
       if (draft_.type(b).run_next_edge && rate(b).kind == Rate::Kind::continuous)
         draft_.plan.edges.push_back(b);
     add_stop();
-    while (!open_.empty()) {
-      const std::size_t block = open_.back();
-      open_.pop_back();
-      for (std::size_t i = 0; i < draft_.diagram().blocks[block].inputs.size(); ++i) need(block, i);
-    }
+    upstream_.search();
     bool guards_act = false;
     for (std::size_t b = 0; b < draft_.blocks.size(); ++b)
       guards_act = guards_act || (is_guard(b) && follows(b));
@@ -76,7 +106,7 @@ class EventPlan {
     plan.branches = plan.branches || branches(block);
     for (const CrossingSpec& spec : draft_.type(block).crossings)
       for (const std::string& input : spec.inputs)
-        need(block, static_cast<std::size_t>(draft_.type(block).input(input)));
+        upstream_.need(block, static_cast<std::size_t>(draft_.type(block).input(input)));
   }
 
   /// True where outputs jump within a stage, by a branch or at an instant that a crossing of the block finds.
@@ -90,25 +120,12 @@ class EventPlan {
   void add_stop() {
     if (!draft_.diagram().stop_when) return;
     draft_.plan.stop_crossing = draft_.plan.crossing_count++;
-    for (const diagram::SignalRef& variable : draft_.diagram().stop_when->variables) need(variable.block);
-  }
-
-  void need(std::size_t block, std::size_t input) {
-    for (const diagram::Source& source : draft_.diagram().blocks[block].inputs[input]) need(source.block);
-  }
-  void need(int source) {
-    if (source < 0) return;
-    const auto index = static_cast<std::size_t>(source);
-    Draft::Block& block = draft_.blocks[index];
-    if (block.for_crossings || !block.computes || block.timed || rate(index).kind != Rate::Kind::continuous ||
-        draft_.is_steady(index))
-      return;
-    block.for_crossings = true;
-    open_.push_back(index);
+    for (const diagram::SignalRef& variable : draft_.diagram().stop_when->variables)
+      upstream_.need(variable.block);
   }
 
   Draft& draft_;
-  std::vector<std::size_t> open_;
+  Upstream upstream_;
 };
 
 /// Finds the blocks for crossings that can be evaluated ahead, at the end of a step before the tick there. No
@@ -185,9 +202,17 @@ void find_sides(Draft& draft) {
                                &draft.type(b) != &diagram::guard_type();
 }
 
+void find_lefts(Draft& draft) {
+  Upstream upstream(draft, &Draft::Block::for_left);
+  for (std::size_t b = 0; b < draft.blocks.size(); ++b)
+    if (draft.type(b).run_update_before_instant) upstream.need_all(b);
+  upstream.search();
+}
+
 }  // namespace
 
 void find_events(Draft& draft, const CallOrder& order) {
+  find_lefts(draft);
   if (draft.plan.records_instants() || may_end(draft)) find_sides(draft);
   if (!draft.diagram().events.locate) return;
   EventPlan(draft).run();

@@ -38,7 +38,8 @@ const std::vector<LoopCall>& Plan::loops_of(const std::vector<KernelCall>& table
       {&crossing_starts, &crossing_start_loops},
       {&event_outputs, &event_loops},
       {&event_befores, &event_before_loops},
-      {&sides, &side_loops}};
+      {&sides, &side_loops},
+      {&lefts, &left_loops}};
   for (const auto& [calls, loops] : all)
     if (calls == &table) return *loops;
   return none;

@@ -192,6 +192,10 @@ struct Plan {
   /// the run.
   std::vector<KernelCall> sides;
   std::vector<LoopCall> side_loops;
+  /// Updates of blocks that read their inputs just before each instant, and outputs that these inputs depend
+  /// on.
+  std::vector<KernelCall> left_updates, lefts;
+  std::vector<LoopCall> left_loops;
   std::vector<LoopCall> ahead_loops, rest_loops, crossing_loops, crossing_start_loops, event_loops,
       event_before_loops;
 

@@ -166,11 +166,12 @@ class OutputTables {
   static bool starts_crossings(const Draft::Block& block) { return block.for_crossings && !block.in_stages; }
   static bool at_events(const Draft::Block& block) { return block.at_events; }
   static bool on_sides(const Draft::Block& block) { return block.on_sides; }
+  static bool for_left(const Draft::Block& block) { return block.for_left; }
   static bool before_guards(const Draft::Block& block) { return block.before_guards; }
 
   Draft& draft_;
   Plan& plan_ = draft_.plan;
-  OutputTable tables_[11] = {{plan_.once, plan_.once_loops, never},
+  OutputTable tables_[12] = {{plan_.once, plan_.once_loops, never},
                              {plan_.timed, plan_.timed_loops, never},
                              {plan_.outputs, plan_.output_loops, always, true},
                              {plan_.stage, plan_.stage_loops, in_stages},
@@ -180,7 +181,8 @@ class OutputTables {
                              {plan_.crossing_starts, plan_.crossing_start_loops, starts_crossings},
                              {plan_.event_outputs, plan_.event_loops, at_events, true},
                              {plan_.event_befores, plan_.event_before_loops, before_guards, true},
-                             {plan_.sides, plan_.side_loops, on_sides}};
+                             {plan_.sides, plan_.side_loops, on_sides},
+                             {plan_.lefts, plan_.left_loops, for_left}};
   OutputTable &once_ = tables_[0], &timed_ = tables_[1];
 };
 
@@ -194,6 +196,8 @@ void append_updates(Draft& draft, std::size_t block) {
   if (!draft.blocks[block].updates) return;
   const BlockType& type = draft.type(block);
   append(draft.plan.updates, draft, block, type.run_update, 0, false, true);
+  if (type.run_update_before_instant)
+    append(draft.plan.left_updates, draft, block, type.run_update_before_instant);
   if (draft.blocks[block].updates_at_events)
     append(draft.plan.event_updates, draft, block,
            type.run_update_at_event ? type.run_update_at_event : type.run_update, 0, false, true);

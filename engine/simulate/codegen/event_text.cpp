@@ -17,8 +17,8 @@ namespace {
 
 /// Placeholders in order. Task: states, crossings, first signal, count of numbers, report, jumps of sources,
 /// limits of events and iterations. Then: step of the solver, update of time signals, report of the solver
-/// and its size, derivatives, calls before guards. At last: numbers that guards keep, stop condition, and
-/// inner points of the task.
+/// and its size, derivatives, calls before guards. At last: numbers that guards keep, stop condition, inner
+/// points of the task, and updates before an instant.
 constexpr char locate_form[] =
     "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, {4}, {5}, {17}, "
     "{6}, "
@@ -35,7 +35,7 @@ constexpr char locate_form[] =
     "    void follow() const {{\n{9}    follow_crossings(w, numbers, tick);\n    }}\n"
     "    void crossings(double* z) const {{ look(w, numbers, tick, z); }}\n"
     "    double edge() const {{ return next_edge(w, numbers, tick); }}\n"
-    "    void before() const {{\n{9}{13}{14}    }}\n"
+    "    void before() const {{\n{21}{9}{13}{14}    }}\n"
     "    void round() const {{\n    event_outputs(w, numbers, tick);\n    event_updates(w, numbers, "
     "tick);\n{14}    }}\n"
     "    bool after() const {{\n    settle();\n    return {15};\n    }}\n"
@@ -107,7 +107,8 @@ std::string locate_text(const plan::Plan& plan, const PlaceNames& names) {
       events.looks, plan.branches,
       watches(plan) ? fmt::format(watched_form, solver_text(plan, {false, false, in_place, {}, "stops"}))
                     : "",
-      watches(plan) ? "WatchedStep" : "EventLocator", events.looks_always());
+      watches(plan) ? "WatchedStep" : "EventLocator", events.looks_always(),
+      plan.left_updates.empty() ? "" : "    before_instant(w, numbers, tick, w[at::time]);\n");
 }
 
 bool watches(const plan::Plan& plan) {

@@ -13,8 +13,8 @@ std::string look_text(const plan::Plan& plan, const Statements& statements, cons
 std::string edge_text(const plan::Plan& plan, const Statements& statements, const Places& places);
 
 /// Returns the body of locate(w, numbers, tick, scratch), which repeats a step that contains a crossing, from
-/// event to event. It calls `slopes_in_place`, `follow_time`, `follow_crossings`, `event_befores`,
-/// `event_outputs`, `event_updates`, `look` and `next_edge`.
+/// event to event. It calls `slopes_in_place`, `follow_time`, `follow_crossings`, `before_instant`,
+/// `event_befores`, `event_outputs`, `event_updates`, `look` and `next_edge`.
 std::string locate_text(const plan::Plan& plan, const PlaceNames& names);
 
 /// Return the statements of advance() before and after the solver's step: the check for crossings, and the

@@ -48,6 +48,7 @@ class Maker {
     add_outputs();
     add_updates();
     if (plan_.layout.state_count > 0) add_slopes();
+    if (!plan_.left_updates.empty()) add_left();
     if (plan_.splits_steps()) add_events();
     add_advance();
   }
@@ -156,6 +157,18 @@ class Maker {
                    calls_of(plan_, statements_, plan_.updates, Phase::update, at_tick()));
   }
 
+  /// Adds the updates of blocks that read their inputs just before each instant.
+  void add_left() {
+    std::vector<Code> code = outputs_of(plan_.lefts);
+    append(code, calls_of(plan_, statements_, plan_.left_updates, Phase::update_before_instant, at_tick()));
+    functions_.add("updates_before", state_parameters(), state_arguments, code);
+    functions_.add_text(fmt::format(
+        "{} void before_instant({}, double time) {{\n  w[at::time] = {};\n{}  updates_before({});\n"
+        "  w[at::time] = time;\n}}\n\n",
+        functions_.attribute(), state_parameters(), plan_.jumps ? "solve::left_of(time, step)" : "time",
+        plan_.timed.empty() ? "" : "  follow_time(w, numbers);\n", state_arguments));
+  }
+
   Places at_workspace() const {
     Places places;
     if (in_lanes()) places.dot = "w.from(first_derivative)";
@@ -213,6 +226,8 @@ class Maker {
     if (splits) body += before_step_text(plan_);
     if (moves && !(splits && watches(plan_))) body += solver_text(plan_, {.small = small_, .lanes = lanes_});
     if (splits) body += after_step_text(plan_);
+    if (!plan_.left_updates.empty())
+      body += "  before_instant(" + state_arguments + ", static_cast<double>(tick + 1) * step);\n";
     functions_.add_text(
         fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters(), body));
   }

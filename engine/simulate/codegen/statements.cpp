@@ -25,6 +25,8 @@ const char* function_of(Phase phase) {
       return "update";
     case Phase::update_at_event:
       return "update_at_event";
+    case Phase::update_before_instant:
+      return "update_before_instant";
     case Phase::crossings:
       return "crossings";
     case Phase::next_edge:

@@ -28,6 +28,7 @@ enum class Phase {
   derivatives,
   update,
   update_at_event,
+  update_before_instant,
   start,
   crossings,
   next_edge  ///< lowers a number named `edge`

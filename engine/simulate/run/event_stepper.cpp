@@ -35,7 +35,9 @@ struct EventStepper::BetweenTicks {
   void crossings(double* numbers) const { of.looks_.find(numbers); }
   double edge() const { return of.looks_.next_edge(); }
   void before() const {
-    if (of.sides_) of.sides_->before(of.values_[plan::Layout::time]);
+    const double now = of.values_[plan::Layout::time];
+    if (of.sides_) of.sides_->before(now);
+    of.left_.update(now);
     of.stepper_.follow_time();
     of.phase_.begin_event();
   }
@@ -54,11 +56,12 @@ struct EventStepper::BetweenTicks {
   }
 };
 
-EventStepper::EventStepper(BoundBlocks& blocks, Participants& who, Stepper& stepper, DiscretePhase& phase,
-                           BothSides* sides)
+EventStepper::EventStepper(BoundBlocks& blocks, Participants& who, Stepper& stepper, LeftSide& left,
+                           DiscretePhase& phase, BothSides* sides)
     : plan_(blocks.plan()),
       values_(blocks.values()),
       stepper_(stepper),
+      left_(left),
       phase_(phase),
       sides_(sides),
       ahead_(plan_.ahead, blocks, who),

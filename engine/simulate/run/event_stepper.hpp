@@ -8,6 +8,7 @@
 #include "engine/simulate/run/crossing_looks.hpp"
 #include "engine/simulate/run/discrete_phase.hpp"
 #include "engine/simulate/run/event_count.hpp"
+#include "engine/simulate/run/left_side.hpp"
 #include "engine/simulate/run/stepper.hpp"
 #include "engine/simulate/solve/event_locator.hpp"
 
@@ -21,7 +22,7 @@ namespace stepwire::run {
 class EventStepper {
  public:
   /// `sides` receives the values on both sides of each event; it may be nullptr.
-  EventStepper(BoundBlocks& blocks, Participants& who, Stepper& stepper, DiscretePhase& phase,
+  EventStepper(BoundBlocks& blocks, Participants& who, Stepper& stepper, LeftSide& left, DiscretePhase& phase,
                BothSides* sides);
 
   void step(std::int64_t tick);
@@ -53,6 +54,7 @@ class EventStepper {
   const plan::Plan& plan_;
   double* const values_;
   Stepper& stepper_;
+  LeftSide& left_;
   DiscretePhase& phase_;
   BothSides* const sides_;
   CallTable ahead_, crossing_outputs_, crossing_starts_;

@@ -14,10 +14,12 @@ Executor::Executor(const plan::Plan& plan)
       once_(plan.once, blocks_, who_),
       phase_(blocks_, who_),
       stepper_(blocks_, who_),
+      left_(blocks_, who_, stepper_),
       setter_(blocks_),
       health_(blocks_) {
   if (plan.records_instants()) sides_.emplace(blocks_, who_, stepper_);
-  if (plan.splits_steps()) events_.emplace(blocks_, who_, stepper_, phase_, sides_ ? &*sides_ : nullptr);
+  if (plan.splits_steps())
+    events_.emplace(blocks_, who_, stepper_, left_, phase_, sides_ ? &*sides_ : nullptr);
   if (health_.may_end()) last_outputs_.emplace(plan.sides, blocks_, who_);
   reset();
 }
@@ -138,6 +140,7 @@ void Executor::take_step() {
   if (plan_.updates_continuous) stepper_.find_outputs();
   if (const double end = health_.end(); end < plan_.time_of(workspace_.tick + 1)) return take_last_step(end);
   events_ ? events_->step(workspace_.tick) : stepper_.step(workspace_.tick);
+  left_.update(plan_.time_of(workspace_.tick + 1));
 }
 
 void Executor::take_last_step(double end) {

@@ -12,6 +12,7 @@
 #include "engine/simulate/run/discrete_phase.hpp"
 #include "engine/simulate/run/event_stepper.hpp"
 #include "engine/simulate/run/health.hpp"
+#include "engine/simulate/run/left_side.hpp"
 #include "engine/simulate/run/loop_cost.hpp"
 #include "engine/simulate/run/step_count.hpp"
 #include "engine/simulate/run/step_probe.hpp"
@@ -145,6 +146,7 @@ class Executor {
   CallTable once_;  ///< calls whose results are constant in a run
   DiscretePhase phase_;
   Stepper stepper_;
+  LeftSide left_;
   StepProbeMemory probe_memory_;
   std::optional<EventStepper> events_;  ///< present if steps are split at events
   std::optional<BothSides> sides_;      ///< present if both sides of instants are recorded

@@ -59,6 +59,25 @@ record:
 )");
 }
 
+TEST_CASE("the period of a part is written for blocks on which it acts") {
+  const DiagramFolder folder;
+  folder.write("part.yaml",
+               "stepwire: 1\ntitle: p\ninputs: {u: {default: 1}}\noutputs: {y: g, z: h}\n"
+               "blocks: {c: {block: Constant, value: 2}, g: {block: Gain, u: c}, h: {block: Gain, u: u}}\n");
+  folder.write("main.yaml",
+               "title: m\nstepwire: 1\nstep: 1 s\nstop: 9 s\nblocks:\n"
+               "  t: {block: Clock}\n  p: {diagram: part.yaml, u: t, every: 3 s}\n"
+               "  noisy: {block: Sensor, u: p.y, noise: 1, seed: 9}\nrecord: noisy\n");
+  const plan::Plan plan = folder.plan("main.yaml");
+  CHECK_THAT(flattened(plan), Catch::Contains("p.c: {block: Constant, value: 2}"));
+  CHECK_THAT(flattened(plan), Catch::Contains("p.g: {block: Gain, u: p.c}"));
+  CHECK_THAT(flattened(plan), Catch::Contains("p.h: {block: Gain, every: 3 s, u: t}"));
+  const plan::Plan flat = again(plan);  // a sensor of a constant measures at every step
+  for (const plan::Plan* made : {&plan, &flat})
+    for (std::size_t b = 0; b < made->blocks.size(); ++b)
+      if (made->diagram.blocks[b].name == "noisy") CHECK(made->blocks[b].rate.ticks == 1);
+}
+
 TEST_CASE("inputs and outputs of the diagram itself stay") {
   const plan::Plan plan = plan_text(
       "inputs: {f: {unit: N, default: 3 mN, doc: of the hand}, g: {default: [1, 2]}, angle: {default: 180 "

@@ -34,14 +34,20 @@ TEST_CASE("an instant arrives through a delay that grows where it is due, and on
   double high = 0.0;
   for (double sent = 0.0; arrival(sent) < 2.0; sent += 0.37)
     high += std::min(arrival(sent + 0.185), 2.0) - arrival(sent);
-  for (const char* solver : {"rk4", "{name: dormand_prince, relative: 1e-11}"})
+  const std::pair<const char*, const char*> cases[] = {{"rk4", "hold"},
+                                                       {"{name: dormand_prince, relative: 1e-11}", "hold"},
+                                                       {"rk4", "smooth"},
+                                                       {"{name: dormand_prince, relative: 1e-11}", "linear"}};
+  for (const auto& [solver, between] : cases)
     for (const char* step : steps) {
-      INFO(step << " " << solver);
+      INFO(step << " " << solver << " " << between);
       const table::Table run = run_located(R"(  delay: {block: Ramp, slope: 0.2, initial: 0.15 s}
   sine: {block: Sine, frequency: 0.3 Hz}
   square: {block: Pulse, period: 0.37 s}
   y: {block: TransportDelay, u: sine, delay: delay, longest: 2 s}
-  z: {block: TransportDelay, u: square, delay: delay, longest: 2 s, between: hold}
+  z: {block: TransportDelay, u: square, delay: delay, longest: 2 s, between: )" +
+                                               std::string(between) +
+                                               R"(}
   n: {block: Counter, u: z}
   x: {block: Integrator, u: z}
 )",
@@ -50,6 +56,52 @@ TEST_CASE("an instant arrives through a delay that grows where it is due, and on
       CHECK(last(run, "x") == Approx(high).epsilon(1e-9));
       CHECK(last(run, "n") == 4.0);  // sent at 0, 0.37, 0.74 and 1.11 s; the one of 1.48 s arrives at 2.04 s
     }
+}
+
+TEST_CASE("a delayed signal has its own shape between jumps, however few samples lie there") {
+  // A sawtooth of 1/s that begins again every 0.37 s, and its square. The jumps are between ticks.
+  const double left = 2.0 - 0.153 - 4 * 0.37;
+  const double once = 0.5 * (4 * 0.37 * 0.37 + left * left);
+  const double squared = (4 * 0.37 * 0.37 * 0.37 + left * left * left) / 3.0;
+  for (const char* step : steps) {
+    INFO(step);
+    const table::Table run = run_located(R"(  square: {block: Pulse, period: 0.37 s}
+  saw: {block: Integrator, u: 1, reset: square}
+  product: {block: Product, u: [saw, saw]}
+  y: {block: TransportDelay, u: saw, delay: 0.153 s}
+  straight: {block: TransportDelay, u: saw, delay: 0.153 s, between: linear}
+  bent: {block: TransportDelay, u: product, delay: 0.153 s}
+  a: {block: Integrator, u: y}
+  b: {block: Integrator, u: straight}
+  c: {block: Integrator, u: bent}
+)",
+                                         "[a, b, c]", step);
+    CHECK(last(run, "a") == Approx(once).epsilon(1e-9));
+    CHECK(last(run, "b") == Approx(once).epsilon(1e-9));
+    // Between 0.555 and 0.6 s, say, two samples have a straight line alone, h^3/6 from the parabola.
+    CHECK(last(run, "c") == Approx(squared).epsilon(step == std::string("10 ms") ? 1e-6 : 4e-3));
+  }
+}
+
+TEST_CASE("a delayed jump on a tick has both its sides without located events") {
+  // Edges at ticks 2, 4, 6: between two ticks the delayed signal is constant, at whichever time it is read.
+  const table::Table run = run_text(R"(step: 0.1 s
+stop: 1 s
+solver: rk4
+blocks:
+  u: {block: Pulse, period: 0.4 s}
+  y: {block: TransportDelay, u: u, delay: 0.13 s}
+  straight: {block: TransportDelay, u: u, delay: 0.13 s, between: linear}
+  sum: {block: UnitDelay, u: u}
+  z: {block: TransportDelay, u: sum, delay: 0.13 s}
+record: [u, y, straight, sum, z]
+)");
+  for (std::size_t k = 2; k < column(run, "time").size(); ++k) {
+    INFO(k);
+    CHECK(column(run, "y")[k] == column(run, "u")[k - 2]);
+    CHECK(column(run, "straight")[k] == column(run, "u")[k - 2]);
+    CHECK(column(run, "z")[k] == column(run, "sum")[k - 2]);
+  }
 }
 
 TEST_CASE("a sample, a count and a latch follow the passing of a signal itself") {
