@@ -78,7 +78,7 @@ TEST_CASE("a delayed signal has its own shape between jumps, however few samples
                                          "[a, b, c]", step);
     CHECK(last(run, "a") == Approx(once).epsilon(1e-9));
     CHECK(last(run, "b") == Approx(once).epsilon(1e-9));
-    // Between 0.555 and 0.6 s, say, two samples have a straight line alone, h^3/6 from the parabola.
+    // Two samples at both ends of an interval h give a straight line alone, whose integral is h^3/6 too large.
     CHECK(last(run, "c") == Approx(squared).epsilon(step == std::string("10 ms") ? 1e-6 : 4e-3));
   }
 }
