@@ -26,6 +26,8 @@ void Interval::declare(Declare<Interval>& is) {
   is.parameter<&Interval::upper>(
       {.unit = "'x", .doc = "upper bound of the authorized region; left out: none"});
   is.input<&Interval::x>({.unit = "'x", .doc = "position"});
+  is.crossing<&Interval::x>("x reaches the lower bound");
+  is.crossing<&Interval::x>("it reaches the upper bound");
   is.output<&Interval::depth>({.unit = "'x", .doc = "distance outside the region, never negative"});
   is.output<&Interval::error>(
       {.unit = "'x", .doc = "position error: positive above upper, negative below lower"});

@@ -21,6 +21,13 @@ struct Interval {
     }
   }
 
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < x.size(); ++i) {
+      zero.add(x[i] - lower[i]);
+      zero.add(x[i] - upper[i]);
+    }
+  }
+
   void configure(Configure& is);
 
   static void declare(Declare<Interval>& is);

@@ -13,10 +13,12 @@ void Logic::declare(Declare<Logic>& is) {
                                    .words = {"and", "or", "not", "nand", "nor", "xor", "xnor"},
                                    .required = true});
   is.input<&Logic::u>({.unit = "*", .doc = "truths"});
+  is.crossing<&Logic::u>("an input becomes true or false", "c x n");
   is.output<&Logic::y>({.doc = "1 or 0"});
 }
 
 void Logic::configure(Configure& is) {
+  is.size("c", is.count<&Logic::u>());
   if (operator_ == Operator::not_ && is.count<&Logic::u>() > 1)
     is.refuse<&Logic::operator_>("'not' takes one input; for several, 'nor' or 'nand' is meant");
 }

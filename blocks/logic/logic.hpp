@@ -16,6 +16,11 @@ struct Logic {
     for (Index k = 0; k < y.size(); ++k) y[k] = holds(k) ? 1.0 : 0.0;
   }
 
+  void crossings(Crossings& zero) const {
+    for (Index i = 0; i < u.count(); ++i)
+      for (Index k = 0; k < y.size(); ++k) zero.add(u[i][k]);
+  }
+
   static void declare(Declare<Logic>& is);
   void configure(Configure& is);
 

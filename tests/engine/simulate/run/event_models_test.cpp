@@ -78,7 +78,8 @@ TEST_CASE("a delayed signal has its own shape between jumps, however few samples
                                          "[a, b, c]", step);
     CHECK(last(run, "a") == Approx(once).epsilon(1e-9));
     CHECK(last(run, "b") == Approx(once).epsilon(1e-9));
-    // Two samples at both ends of an interval h give a straight line alone, whose integral is h^3/6 too large.
+    // Two samples at both ends of an interval h give a straight line alone, whose integral is h^3/6 too
+    // large.
     CHECK(last(run, "c") == Approx(squared).epsilon(step == std::string("10 ms") ? 1e-6 : 4e-3));
   }
 }
@@ -101,6 +102,57 @@ record: [u, y, straight, sum, z]
     CHECK(column(run, "y")[k] == column(run, "u")[k - 2]);
     CHECK(column(run, "straight")[k] == column(run, "u")[k - 2]);
     CHECK(column(run, "z")[k] == column(run, "sum")[k - 2]);
+  }
+}
+
+TEST_CASE("each step of a quantizer is located, also in a loop") {
+  // x' = 1 - q(x): slope 1 up to 0.25, 0.5 up to 0.75 at 1.25 s, then 0. The stair has its steps at
+  // 1.7 t = 0.25, 0.75, ..., 3.25, and the value 3.5 at the end.
+  double stairs = 0.0;
+  for (double at = 0.25; at < 3.4; at += 0.5) stairs += 0.5 * (2.0 - at / 1.7);
+  for (const char* step : steps)
+    for (const char* solver : {"rk4", "{name: dormand_prince, relative: 1e-11}", "rosenbrock"}) {
+      INFO(step << " " << solver);
+      const table::Table run = run_located(R"(  ramp: {block: Ramp, slope: 1.7}
+  stair: {block: Quantizer, u: ramp, interval: 0.5}
+  y: {block: Integrator, u: stair}
+  q: {block: Quantizer, u: x, interval: 0.5}
+  slope: {block: Sum, u: [1, q], signs: +-}
+  x: {block: Integrator, u: slope}
+)",
+                                           "[y, x]", step, solver);
+      CHECK(last(run, "y") == Approx(stairs).epsilon(1e-9));
+      CHECK(last(run, "x") == Approx(0.75).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("truths of a gate, bounds of a map and axes of a direction are located") {
+  for (const char* step : steps) {
+    INFO(step);
+    const table::Table run = run_located(R"(  s: {block: Sine, frequency: 0.5 Hz}
+  c: {block: Sine, frequency: 0.5 Hz, phase: 90 deg}
+  both: {block: Logic, operator: and, u: [s, c]}
+  map: {block: Interval, x: s, lower: -0.6, upper: 0.5}
+  hand: {block: Mux, u: [s, c]}
+  way: {block: Directionality, law: D1, f_max: [1, 0.5], force: hand}
+  turned: {block: Directionality, law: D1, f_max: [1, 0.5], force: hand, angle: 30 deg}
+  a: {block: Integrator, u: both}
+  b: {block: Integrator, u: map.depth}
+  d: {block: Integrator, u: way}
+  e: {block: Integrator, u: turned.gain}
+)",
+                                         "[a, b, d, e]", step);
+    // Integral of |sin| - 0.5 where it is above, and the same for 0.6.
+    const auto beyond = [](double bound) {
+      const double from = std::asin(bound);
+      return (2.0 * std::cos(from) - bound * (pi - 2.0 * from)) / pi;
+    };
+    CHECK(last(run, "a") == Approx(0.5).epsilon(1e-9));
+    CHECK(last(run, "b") == Approx(beyond(0.5) + beyond(0.6)).epsilon(1e-9));
+    CHECK(last(run, "d.1") == Approx(1.0).epsilon(1e-9));  // half a period of 2 s, times 1 N
+    CHECK(last(run, "d.2") == Approx(0.5).epsilon(1e-9));
+    CHECK(last(run, "e.1") == Approx(1.0).epsilon(1e-9));
+    CHECK(last(run, "e.2") == Approx(1.0).epsilon(1e-9));
   }
 }
 
