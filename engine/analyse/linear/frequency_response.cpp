@@ -26,8 +26,10 @@ FrequencyResponse::FrequencyResponse(const StateSpace& system)
       sample_time_(system.sample_time),
       direct_(chain_ ? chain_->rational.D(0, 0) : largest_gain(system.D)),
       corners_(modes_of(chain_ ? chain_->rational : system)) {
-  for (const Complex& zero : zeros_of(chain_ ? chain_->rational : system))
-    corners_.push_back(corner_of_zero(zero, sample_time_));
+  const std::vector<Complex> zeros = zeros_of(chain_ ? chain_->rational : system);
+  for (const Complex& zero : zeros) corners_.push_back(corner_of_zero(zero, sample_time_));
+  samples_ =
+      sample_time_ > 0.0 ? static_cast<double>(system.A.rows()) - static_cast<double>(zeros.size()) : 0.0;
   for (const InnerDelay& delay : system.delays) delay_ += delay.time;
 }
 
@@ -92,8 +94,10 @@ bool FrequencyResponse::may_cross_beyond(double frequency, double decade) const 
 
 /// Adds frequencies at which the phase of all delays together advances by 0.1 rad.
 void FrequencyResponse::add_turns(double first, double last, std::vector<double>& frequencies) const {
-  if (delay_ == 0.0) return;
-  const double step = 0.1 / delay_;
+  constexpr double few_samples = 8.0;
+  const double together = samples_ < few_samples ? delay_ : samples_ * sample_time_;
+  if (together == 0.0) return;
+  const double step = 0.1 / together;
   for (double w = first + step; w < std::min(last, last_followed()); w += step) frequencies.push_back(w);
 }
 

@@ -56,6 +56,7 @@ class FrequencyResponse {
   std::optional<DelayChain> chain_;
   PointResponse response_;                  ///< Of the chain without its delays, or of the system.
   double sample_time_ = 0.0, delay_ = 0.0;  ///< In s; `delay_` is the sum of all delays.
+  double samples_ = 0.0;  ///< Poles of a sampled system beyond its zeros, each with the phase of a sample.
   double direct_ = 0.0;
   std::vector<Mode> corners_;  ///< Poles and zeros.
 };

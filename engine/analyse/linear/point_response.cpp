@@ -55,6 +55,9 @@ double largest_gain(const Eigen::MatrixXd& direct) {
 PointResponse::PointResponse(const StateSpace& system)
     : B_(system.B), C_(system.C), D_(system.D), delays_(system.delays) {
   if (system.A.rows() == 0) return;
+  constexpr std::size_t fewest = 8;  // delayed states
+  if (system.sample_time > 0.0 && chains_.emplace(system).count() >= fewest) return;
+  chains_.reset();
   const Eigen::VectorXd scale = balancing(system.A);
   const Eigen::MatrixXd A = scale.cwiseInverse().asDiagonal() * system.A * scale.asDiagonal();
   const Eigen::HessenbergDecomposition<Eigen::MatrixXd> reduced(A);
@@ -65,6 +68,7 @@ PointResponse::PointResponse(const StateSpace& system)
 }
 
 Eigen::MatrixXcd PointResponse::between(const Complex& point) const {
+  if (chains_) return chains_->response(point);
   if (hessenberg_.rows() == 0) return D_.cast<Complex>();
   return C_.cast<Complex>() * solve(point, hessenberg_, B_.cast<Complex>()) + D_;
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "engine/analyse/linear/sampled_chains.hpp"
 #include "engine/analyse/linear/state_space.hpp"
 
 namespace stepwire::linear {
@@ -11,7 +14,8 @@ double largest_gain(const Eigen::MatrixXd& direct);
 /// of the system has the factor exp(-s T).
 class PointResponse {
  public:
-  /// Reduces A once to Hessenberg form, so that each point costs n^2 (A. J. Laub, 1981).
+  /// Reduces A once to Hessenberg form, so that each point costs n^2 (A. J. Laub, 1981), or a sampled system
+  /// to the states beside its delays.
   explicit PointResponse(const StateSpace& system);
 
   Complex at(const Complex& point) const;
@@ -29,6 +33,7 @@ class PointResponse {
 
   Eigen::MatrixXd hessenberg_, B_, C_, D_;
   std::vector<InnerDelay> delays_;
+  std::optional<SampledChains> chains_;  ///< in the place of the matrices
 };
 
 }  // namespace stepwire::linear

@@ -1,4 +1,5 @@
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <Eigen/SVD>
 #include <cmath>
 
@@ -106,6 +107,39 @@ Turned turned_rows(const Eigen::MatrixXd& matrix) {
   return {svd.matrixU().transpose(), rank_of(svd)};
 }
 
+/// Orthogonal basis of the states whose first members are those that rows determine. Its matrix is a product
+/// of few reflections, so that a change of basis costs n^2.
+class Determined {
+ public:
+  explicit Determined(const Eigen::MatrixXd& rows)
+      : reflections_(rows.transpose()), few_(std::min(rows.rows(), rows.cols())) {
+    const Eigen::MatrixXd R = reflections_.matrixQR().topRows(few_).triangularView<Eigen::Upper>();
+    const Svd svd(R, Eigen::ComputeFullU);
+    turn_ = svd.matrixU();
+    count = rank_of(svd);
+  }
+
+  Eigen::Index count = 0;
+
+  /// Returns the transpose of the basis times a matrix.
+  Eigen::MatrixXd rows_of(Eigen::MatrixXd matrix) const {
+    matrix.applyOnTheLeft(reflections_.householderQ().adjoint());
+    matrix.topRows(few_) = (turn_.transpose() * matrix.topRows(few_)).eval();
+    return matrix;
+  }
+  /// Returns a matrix times the basis.
+  Eigen::MatrixXd columns_of(Eigen::MatrixXd matrix) const {
+    matrix.applyOnTheRight(reflections_.householderQ());
+    matrix.leftCols(few_) = (matrix.leftCols(few_) * turn_).eval();
+    return matrix;
+  }
+
+ private:
+  Eigen::HouseholderQR<Eigen::MatrixXd> reflections_;
+  Eigen::Index few_;
+  Eigen::MatrixXd turn_;
+};
+
 /// Reduces a system until D has full row rank. Each pass removes the outputs that do not depend directly on
 /// an input, with the states that they determine (Emami-Naeini and Van Dooren).
 Matrices with_full_rows(Matrices m) {
@@ -118,12 +152,12 @@ Matrices with_full_rows(Matrices m) {
     m.C = C.topRows(rank);
     const Eigen::Index n = m.A.rows();
     if (n == 0) break;
-    const Svd columns(C.bottomRows(lower), Eigen::ComputeFullV);
-    const Eigen::Index fixed = rank_of(columns);
+    const Determined states(C.bottomRows(lower));
+    const Eigen::Index fixed = states.count;
     if (fixed == 0) break;
     // The outputs determine the first of these states; the others remain free.
-    const Eigen::MatrixXd& V = columns.matrixV();
-    const Eigen::MatrixXd A = V.transpose() * m.A * V, B = V.transpose() * m.B, C1 = m.C * V;
+    const Eigen::MatrixXd A = states.columns_of(states.rows_of(m.A)), B = states.rows_of(m.B),
+                          C1 = states.columns_of(m.C);
     m.C = stacked(C1.rightCols(n - fixed), A.topRightCorner(fixed, n - fixed));
     m.D = stacked(m.D, B.topRows(fixed));
     m.A = A.bottomRightCorner(n - fixed, n - fixed);
