@@ -14,7 +14,8 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
            "until then. Between two samples the past is a polynomial through the samples around, of degree 4 "
            "where there are so many. It avoids bends, and ends at jumps, where the block keeps both sides. "
            "For "
-           "a signal that is sampled take `between: hold`, or Delay. Samples are as far apart as ticks, also "
+           "a signal that is sampled take `between: hold`, or Delay. While it is off it keeps what it saw "
+           "last. Samples are as far apart as ticks, also "
            "where a solver controls its error: what is faster than these needs a shorter step. Its output "
            "does "
            "not depend on its input at the same instant. Linear analyses take it as exact among continuous "
@@ -54,10 +55,12 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
   is.state<&TransportDelay::passed>(
       {.unit = "s", .doc = "last instant that has arrived, where the delay is a signal", .settable = false});
   is.crossing<&TransportDelay::delay>("an instant arrives, where the delay is a signal", "1");
+  is.crossing<&TransportDelay::delay>("it is on its way again, since the delay has grown", "1");
   is.diagnostic<&TransportDelay::out_of_range>(
       {.doc = "the delay is below a step or above `longest`", .ends_run = true});
   is.diagnostic<&TransportDelay::full>(
-      {.doc = "more events are on their way than the block keeps", .ends_run = true});
+      {.doc = "more than 500 events are on their way; take a longer step or `events: tick`",
+       .ends_run = true});
   is.clock<&TransportDelay::t>();
   is.clock<&TransportDelay::period>();
   is.derived<&TransportDelay::rows, From::no_number>();
@@ -66,7 +69,7 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
 }
 
 void TransportDelay::configure(Configure& is) {
-  constexpr double most_rows = 1e7, for_events = 64.0;
+  constexpr double most_rows = 1e7, for_events = 500.0;
   const auto constant = is.constant<&TransportDelay::delay>();
   const double step = is.period();
   changes = !constant;

@@ -63,10 +63,14 @@ struct TransportDelay {
     return std::numeric_limits<double>::infinity();
   }
 
+  /// Adds the times since the next instant and the last one that has arrived. A delay that grows by more than
+  /// the time goes back behind the last one.
   void crossings(Crossings& zero) const {
     Index row = 0;
     while (row < known() && !(edges[place(row)] > 0.0 && times[place(row)] > passed)) ++row;
-    zero.add(row < known() ? t - length() - times[place(row)] : -1.0);
+    const double from = t - length();
+    zero.add(row < known() ? from - times[place(row)] : -1.0);
+    zero.add(passed >= 0.0 ? from - passed + 1e-9 * period : 1.0);
   }
 
   void start() { passed = -1.0; }
@@ -101,13 +105,20 @@ struct TransportDelay {
 
   /// Stores the last instant that has arrived.
   void pass() {
-    for (Index row = last_reached(length()); row >= 0 && times[place(row)] > passed; --row)
+    Index row = last_reached(length());
+    const bool forward = row >= 0 && times[place(row)] >= passed;
+    if (!forward) passed = -1.0;
+    for (; row >= 0 && times[place(row)] > passed; --row)
       if (edges[place(row)] > 0.0) passed = times[place(row)];
   }
 
+  /// True if the block was off before a row other than the oldest one.
+  bool follows_gap(Index row) const { return times[place(row)] - times[place(row - 1)] > 1.5 * period; }
+
   /// True if an element differs by more than rounding before and after the instant of a row, other than the
-  /// oldest one.
+  /// oldest one, or if the block was off before it.
   bool jumps(Index row, Index i) const {
+    if (follows_gap(row)) return true;
     const double here = left_sample(row, i), then = sample(row, i);
     return std::abs(then - here) > 1e-9 * (std::abs(then) + std::abs(here - sample(row - 1, i)));
   }
@@ -117,7 +128,7 @@ struct TransportDelay {
   /// The stencil with the smallest last term is used, so that it does not cross a bend (ENO; Harten,
   /// Engquist, Osher, Chakravarthy 1987). No stencil reaches beyond a jump.
   double value(Index i, Index row, double at) const {
-    if (between == Between::hold || row + 1 >= known()) return sample(row, i);
+    if (between == Between::hold || row + 1 >= known() || follows_gap(row + 1)) return sample(row, i);
     const Index order = between == Between::linear ? 1 : degree;
     return smoothest(nodes(i, row, order), order, at).value;
   }
@@ -156,12 +167,13 @@ struct TransportDelay {
     bool operator<(const Newton& other) const { return roughness < other.roughness; }
   };
 
-  static Newton smoothest(const Nodes& nodes, Index order, double at) {
-    order = std::min(order, nodes.end - nodes.begin - 1);
+  static Newton smoothest(const Nodes& nodes, Index most, double at) {
+    most = std::min(most, nodes.end - nodes.begin - 1);
     Newton best;
-    for (Index begin = std::max(nodes.begin, degree - order); begin < degree && begin + order < nodes.end;
-         ++begin)
-      best = std::min(best, newton(nodes, begin, order, at));
+    for (Index order = std::min<Index>(most, 2); order <= most; ++order)
+      for (Index begin = std::max(nodes.begin, degree - order); begin < degree && begin + order < nodes.end;
+           ++begin)
+        best = std::min(best, newton(nodes, begin, order, at));
     return best;
   }
 
@@ -171,7 +183,7 @@ struct TransportDelay {
     std::copy_n(nodes.f + begin, order + 1, d);
     for (Index k = 1; k <= order; ++k)
       for (Index j = order; j >= k; --j) d[j] = (d[j] - d[j - 1]) / (x[j] - x[j - k]);
-    double value = d[order], last = d[order], before = order > 0 ? d[order - 1] : 0.0;
+    double value = d[order], last = d[order], before = d[order - 1];
     for (Index k = order; k-- > 0;) {
       value = d[k] + (at - x[k]) * value;
       last *= at - x[k];
@@ -197,7 +209,8 @@ struct TransportDelay {
       samples[at * u.size() + i] = u[i];
       left_samples[at * u.size() + i] = left[i];
     }
-    if (at_event || has_bent()) edges[at] = at_event ? static_cast<double>(order_of_instant()) : 1.0;
+    edges[at] = at_event ? static_cast<double>(order_of_instant()) : known() == 1 || has_jumped() ? 1.0 : 0.0;
+    if (known() > 1 && edges[place(known() - 2)] == 0.0 && has_bent()) edges[place(known() - 2)] = 1.0;
   }
 
   /// Returns 1 for an instant of another block. In a loop, an instant that this block has delayed returns to
@@ -207,23 +220,37 @@ struct TransportDelay {
     constexpr double most_echoes = 5.0;
     const double T = length();
     for (Index row = last_reached(T); row >= 0 && times[place(row)] + T > t - 1e-6 * period; --row)
-      if (edges[place(row)] > 0.0 && !has_bent())
+      if (edges[place(row)] > 0.0 && !has_jumped())
         return edges[place(row)] < most_echoes ? static_cast<Index>(edges[place(row)]) + 1 : 0;
     return 1;
   }
 
-  /// True if the input has jumped, or is far off the line through the last two rows.
+  bool has_jumped() const {
+    for (Index i = 0; known() > 1 && i < u.size(); ++i)
+      if (jumps(known() - 1, i)) return true;
+    return false;
+  }
+
+  /// True if the newest row shows that the input bends at the row before it: its second difference is far
+  /// larger than the two before it.
   bool has_bent() const {
-    const Index last = known() - 2;  // before the row of this time
-    if (last < 1) return true;
-    const double from = times[place(last - 1)], to = times[place(last)];
+    constexpr Index fewest = 5;
+    if (known() < fewest) return false;
     for (Index i = 0; i < u.size(); ++i) {
-      if (jumps(last + 1, i)) return true;
-      const double here = sample(last, i), slope = (here - sample(last - 1, i)) / (to - from);
-      const double moved = std::abs(u[i] - here), expected = std::abs(slope * (t - to));
-      if (moved > 10.0 * expected + 1e-9 * std::abs(here)) return true;
+      if (jumps(known() - 2, i) || jumps(known() - 3, i)) continue;
+      const double here = bend(known() - 2, i);
+      const double before = std::max(bend(known() - 3, i), bend(known() - 4, i));
+      const double h = t - times[place(known() - 2)];
+      if (here > 5.0 * before && here * h * h > 1e-9 * std::abs(sample(known() - 2, i))) return true;
     }
     return false;
+  }
+  /// Returns the size of the second difference about a row.
+  double bend(Index row, Index i) const {
+    const double at[3] = {times[place(row - 1)], times[place(row)], times[place(row + 1)]};
+    const double up = (left_sample(row + 1, i) - sample(row, i)) / (at[2] - at[1]);
+    const double down = (left_sample(row, i) - sample(row - 1, i)) / (at[1] - at[0]);
+    return std::abs(up - down) / (at[2] - at[0]);
   }
 };
 

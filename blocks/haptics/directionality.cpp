@@ -43,9 +43,6 @@ void Directionality::declare(Declare<Directionality>& is) {
                                     .doc = "D1, in a plane: by which its axes are turned from those of the "
                                            "vectors; left out: 0. D2 has no axes",
                                     .optional = true});
-  is.crossing<&Directionality::f_max, &Directionality::force, &Directionality::position,
-              &Directionality::angle>(
-      "D1: the hand turns on an axis from or to the region; D2: it begins or ends to push");
   is.output<&Directionality::y>({.unit = "N", .doc = "wanted force of the device on the hand"});
   is.output<&Directionality::gain>({.doc = "D1: 0 or 1 for each axis; D2: 0 to 1, the same for all"});
   is.state<&Directionality::behind>(

@@ -40,16 +40,6 @@ struct Directionality {
     y.each([&](Index i) { return share > 0.0 ? -most * share / length * toward(i) : 0.0; });
   }
 
-  /// Adds what decides: the product on each axis of D1, and whether the hand pushes for D2.
-  void crossings(Crossings& zero) const {
-    const double pushes = length_of_direction() > 0.0 ? 1.0 : -1.0;
-    const TurnedAxes turned = angle.connected() ? on_turned_axes() : TurnedAxes{};
-    for (Index i = 0; i < f_max.size(); ++i)
-      zero.add(law == Law::D2      ? pushes
-               : angle.connected() ? turned.most[i] * turned.push[i]
-                                   : f_max[i] * toward(i));
-  }
-
   void update() {
     if (direction == Direction::force) return;
     SumOfSquares squares;
@@ -64,28 +54,17 @@ struct Directionality {
   static void declare(Declare<Directionality>& is);
 
  private:
-  /// F_max and the push of the hand on the axes of D1.
-  struct TurnedAxes {
-    double c = 1.0, s = 0.0;
-    double most[2] = {}, push[2] = {};
-  };
-  TurnedAxes on_turned_axes() const {
-    const double c = std::cos(angle), s = std::sin(angle);
-    return {c,
-            s,
-            {c * f_max[0] + s * f_max[1], c * f_max[1] - s * f_max[0]},
-            {pushed(c * hand(0) + s * hand(1)), pushed(c * hand(1) - s * hand(0))}};
-  }
-
   void resist_on_turned_axes() {
-    const TurnedAxes on = on_turned_axes();
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double most[2] = {c * f_max[0] + s * f_max[1], c * f_max[1] - s * f_max[0]};
+    const double push[2] = {pushed(c * hand(0) + s * hand(1)), pushed(c * hand(1) - s * hand(0))};
     double out[2] = {};
     for (Index i = 0; i < 2; ++i) {
-      gain[i] = on.most[i] * on.push[i] < 0.0 ? 1.0 : 0.0;
-      out[i] = gain[i] * on.most[i];
+      gain[i] = most[i] * push[i] < 0.0 ? 1.0 : 0.0;
+      out[i] = gain[i] * most[i];
     }
-    y[0] = on.c * out[0] - on.s * out[1];
-    y[1] = on.s * out[0] + on.c * out[1];
+    y[0] = c * out[0] - s * out[1];
+    y[1] = s * out[0] + c * out[1];
   }
 
   double hand(Index i) const { return direction == Direction::motion ? way(i) : force[i]; }
