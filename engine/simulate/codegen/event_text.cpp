@@ -22,7 +22,7 @@ namespace {
 constexpr char locate_form[] =
     "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, {4}, {5}, {17}, "
     "{6}, "
-    "{7}, {16}, {20}, scratch}};\n"
+    "{7}, {16}, {19}, scratch}};\n"
     "  struct Between {{\n    double* w;\n    [[maybe_unused]] const double* numbers;\n    std::int64_t "
     "tick;\n"
     "    void advance([[maybe_unused]] double now, [[maybe_unused]] double end, "
@@ -35,15 +35,14 @@ constexpr char locate_form[] =
     "    void follow() const {{\n{9}    follow_crossings(w, numbers, tick);\n    }}\n"
     "    void crossings(double* z) const {{ look(w, numbers, tick, z); }}\n"
     "    double edge() const {{ return next_edge(w, numbers, tick); }}\n"
-    "    void before() const {{\n{21}{9}{13}{14}    }}\n"
+    "    void before() const {{\n{20}{9}    }}\n"
+    "    void begin_event() const {{\n{13}{14}    }}\n"
     "    void round() const {{\n    event_outputs(w, numbers, tick);\n    event_updates(w, numbers, "
     "tick);\n{14}    }}\n"
     "    bool after() const {{\n    settle();\n    return {15};\n    }}\n"
     "    void settle() const {{\n{12}    follow_crossings(w, numbers, tick);\n    }}\n"
     "  }};\n"
-    "  const Between between{{w, numbers, tick}};\n"
-    "  solve::{19}(task, w, between)\n"
-    "      .advance(static_cast<double>(tick) * step, static_cast<double>(tick + 1) * step, step);\n";
+    "  const Between between{{w, numbers, tick}};\n";
 
 /// Placeholder: step of the solver.
 constexpr char watched_form[] =
@@ -61,6 +60,11 @@ expression::VariableText stop_variables(const plan::Plan& plan) {
 /// Returns the count of signals and states.
 std::size_t numbers_at_events(const plan::Plan& plan) {
   return plan.layout.diagnostics - plan.layout.signals;
+}
+
+std::size_t scratch_size(const plan::Plan& plan) {
+  return solve::EventTask::scratch_size(plan.layout.state_count, plan.crossing_count,
+                                        numbers_at_events(plan));
 }
 
 std::string follow_time_text(const plan::Plan& plan) {
@@ -92,7 +96,10 @@ std::string edge_text(const plan::Plan& plan, const Statements& statements, cons
   return text + "  return edge;\n";
 }
 
-std::string locate_text(const plan::Plan& plan, const PlaceNames& names) {
+namespace {
+
+/// Returns the task of a step and the operations between its ticks.
+std::string between_text(const plan::Plan& plan, const PlaceNames& names) {
   const plan::Layout& layout = plan.layout;
   const diagram::Events& events = plan.diagram.events;
   const bool guards = !plan.event_befores.empty();
@@ -107,8 +114,39 @@ std::string locate_text(const plan::Plan& plan, const PlaceNames& names) {
       events.looks, plan.branches,
       watches(plan) ? fmt::format(watched_form, solver_text(plan, {false, false, in_place, {}, "stops"}))
                     : "",
-      watches(plan) ? "WatchedStep" : "EventLocator", events.looks_always(),
+      events.looks_always(),
       plan.left_updates.empty() ? "" : "    before_instant(w, numbers, tick, w[at::time]);\n");
+}
+
+}  // namespace
+
+std::string locate_text(const plan::Plan& plan, const PlaceNames& names) {
+  return between_text(plan, names) +
+         fmt::format(
+             "  solve::{}(task, w, between)\n      .advance(static_cast<double>(tick) * step, "
+             "static_cast<double>(tick + 1) * step, step);\n",
+             watches(plan) ? "WatchedStep" : "EventLocator");
+}
+
+std::string settle_text(const plan::Plan& plan, const PlaceNames& names) {
+  return fmt::format("  double scratch[{}];\n", scratch_size(plan)) + between_text(plan, names) +
+         "  return solve::EventLocator(task, w, between).settle_tick(step);\n";
+}
+
+std::string update_text(const plan::Plan& plan) {
+  if (!plan.splits_steps() || !plan.updates_continuous) return "  update(w, numbers, tick);\n";
+  return fmt::format(
+      "  double tick_states[{0}];\n  for (int i = 0; i < {0}; ++i) tick_states[i] = w[states + i];\n"
+      "  update(w, numbers, tick);\n"
+      "  if (std::memcmp(tick_states, w + states, sizeof tick_states) != 0) [[unlikely]]\n"
+      "    if (!settle_tick(w, numbers, tick)) {{\n{1}      return;\n    }}\n",
+      plan.layout.state_count, end_of_left_text(plan));
+}
+
+std::string end_of_left_text(const plan::Plan& plan) {
+  return plan.left_updates.empty()
+             ? ""
+             : "  before_instant(w, numbers, tick, static_cast<double>(tick + 1) * step);\n";
 }
 
 bool watches(const plan::Plan& plan) {
@@ -119,8 +157,7 @@ std::string before_step_text(const plan::Plan& plan) {
   const std::size_t states = plan.layout.state_count;
   if (watches(plan))
     return fmt::format("  double scratch[{}];\n  for (int i = 0; i < {}; ++i) scratch[i] = w[states + i];\n",
-                       solve::EventTask::scratch_size(states, plan.crossing_count, numbers_at_events(plan)),
-                       states);
+                       scratch_size(plan), states);
   std::string text =
       fmt::format("  double before[{0}], after[{0}], origin[{1}];\n",
                   std::max<std::size_t>(1, plan.crossing_count), std::max<std::size_t>(1, states));
@@ -153,8 +190,7 @@ std::string after_step_text(const plan::Plan& plan) {
              "    for (int i = 0; i < {3}; ++i) scratch[i] = origin[i];\n"
              "    for (int i = 0; i < {1}; ++i) scratch[{4} + i] = before[i];\n"
              "    locate(w, numbers, tick, scratch);\n    w[{6}] = solve::look_closer;\n  }}\n",
-             ahead, crossings, solve::EventTask::scratch_size(states, crossings, numbers_at_events(plan)),
-             states, solve::EventTask::before(states), reasons, past);
+             ahead, crossings, scratch_size(plan), states, solve::EventTask::before(states), reasons, past);
 }
 
 std::string end_of_step_text(const plan::Plan& plan) {

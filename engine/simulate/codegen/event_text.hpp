@@ -17,6 +17,14 @@ std::string edge_text(const plan::Plan& plan, const Statements& statements, cons
 /// `event_befores`, `event_outputs`, `event_updates`, `look` and `next_edge`.
 std::string locate_text(const plan::Plan& plan, const PlaceNames& names);
 
+/// Returns the body of settle_tick(w, numbers, tick), which repeats the discrete phase of a tick whose
+/// updates have changed states.
+std::string settle_text(const plan::Plan& plan, const PlaceNames& names);
+/// Returns the statements of advance() that update the blocks at a tick.
+std::string update_text(const plan::Plan& plan);
+/// Returns the statement of advance() that lets blocks see the limits at its end.
+std::string end_of_left_text(const plan::Plan& plan);
+
 /// Return the statements of advance() before and after the solver's step: the check for crossings, and the
 /// call of locate() if there is one.
 std::string before_step_text(const plan::Plan& plan);

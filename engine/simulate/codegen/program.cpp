@@ -214,7 +214,7 @@ class Maker {
 
   void add_advance() {
     const bool moves = plan_.layout.state_count > 0, splits = plan_.splits_steps();
-    std::string body = stop_guard() + "  update(w, numbers, tick);\n";
+    std::string body = stop_guard() + update_text(plan_);
     if (moves) {
       body += times_of_step_text(plan_) + keep_text(names_, plan_);
       if (plan_.updates_continuous) {
@@ -226,8 +226,7 @@ class Maker {
     if (splits) body += before_step_text(plan_);
     if (moves && !(splits && watches(plan_))) body += solver_text(plan_, {.small = small_, .lanes = lanes_});
     if (splits) body += after_step_text(plan_);
-    if (!plan_.left_updates.empty())
-      body += "  before_instant(" + state_arguments + ", static_cast<double>(tick + 1) * step);\n";
+    body += end_of_left_text(plan_);
     functions_.add_text(
         fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters(), body));
   }
@@ -256,6 +255,8 @@ class Maker {
       add_text(rarely + " void slopes_in_place", "double* w, [[maybe_unused]] const double* numbers",
                "  slopes(w, numbers, w, w + first_derivative);\n");
     add_text(rarely + " void follow_crossings", at_state, "  crossing_ends(" + state_arguments + ");\n");
+    if (plan_.updates_continuous)
+      add_text(rarely + " bool settle_tick", at_state, settle_text(plan_, names_));
     add_text(rarely + " void locate", at_state + ", double* scratch", locate_text(plan_, names_));
   }
 

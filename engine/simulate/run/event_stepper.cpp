@@ -39,8 +39,8 @@ struct EventStepper::BetweenTicks {
     if (of.sides_) of.sides_->before(now);
     of.left_.update(now);
     of.stepper_.follow_time();
-    of.phase_.begin_event();
   }
+  void begin_event() const { of.phase_.begin_event(); }
   void round() const { of.phase_.round(); }
   bool after() const {
     settle();
@@ -71,6 +71,7 @@ EventStepper::EventStepper(BoundBlocks& blocks, Participants& who, Stepper& step
       before_(plan_.crossing_count),
       after_(plan_.crossing_count),
       end_states_(plan_.layout.state_count),
+      tick_states_(plan_.layout.state_count),
       scratch_(solve::EventTask::scratch_size(plan_.layout.state_count, plan_.crossing_count,
                                               plan_.layout.diagnostics - plan_.layout.signals)),
       states_change_(plan_.updates_continuous || who.guards) {}
@@ -125,7 +126,24 @@ bool EventStepper::is_eventful(const solve::TimeStep& step, double edge) const {
   return eventful;
 }
 
+void EventStepper::keep_states() {
+  if (plan_.updates_continuous)
+    std::copy_n(values_ + plan_.layout.states, plan_.layout.state_count, tick_states_.data());
+}
+
+/// Returns false if the run ends at the tick.
+bool EventStepper::settle_tick() {
+  const plan::Layout& layout = plan_.layout;
+  if (!plan_.updates_continuous ||
+      std::memcmp(values_ + layout.states, tick_states_.data(), layout.state_count * sizeof(double)) == 0)
+    return true;
+  const solve::EventTask split = task();
+  const BetweenTicks between{*this};
+  return solve::EventLocator(split, values_, between).settle_tick(plan_.diagram.step);
+}
+
 void EventStepper::step(std::int64_t tick) {
+  if (!settle_tick()) return;
   return plan_.diagram.error_control && stepper_.moves() ? take_watched(tick) : take_whole(tick);
 }
 

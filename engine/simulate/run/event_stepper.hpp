@@ -25,6 +25,8 @@ class EventStepper {
   EventStepper(BoundBlocks& blocks, Participants& who, Stepper& stepper, LeftSide& left, DiscretePhase& phase,
                BothSides* sides);
 
+  /// Keeps the states before the updates of a tick.
+  void keep_states();
   void step(std::int64_t tick);
   /// True once `stop_when` has ended the run at an event.
   bool has_stopped() const;
@@ -41,6 +43,7 @@ class EventStepper {
   struct BetweenTicks;
 
   double& report(std::size_t number) const { return values_[plan_.layout.events + number]; }
+  bool settle_tick();
   void take_whole(std::int64_t tick);
   void take_watched(std::int64_t tick);
   void look_at_start();
@@ -59,8 +62,9 @@ class EventStepper {
   BothSides* const sides_;
   CallTable ahead_, crossing_outputs_, crossing_starts_;
   CrossingLooks looks_;
-  /// Crossing functions at the start and at the end of a step, and the states at the end of the last step.
-  std::vector<double> before_, after_, end_states_, scratch_;
+  /// Crossing functions at the start and at the end of a step, and the states at the end of the last step and
+  /// before the updates of a tick.
+  std::vector<double> before_, after_, end_states_, tick_states_, scratch_;
   const bool states_change_;  ///< true if states change outside of the solver
   bool knows_end_ = false;    ///< true while after_ and end_states_ are those of the last step
 };

@@ -134,6 +134,7 @@ void Executor::advance() {
 }
 
 void Executor::take_step() {
+  if (events_) events_->keep_states();
   phase_.update();
   if (health_.has_ended()) return last_outputs_->run();
   if (stepper_.moves()) who_.keep();

@@ -23,7 +23,8 @@ namespace stepwire::solve {
 /// derivatives. Function follow() computes all that crossings depend on, crossings(numbers) the crossing
 /// functions. Function edge() returns the time of the next edge, and begin() computes stage outputs and
 /// derivatives and calls follow(). Function failed() is true after a failed step; forget_fault() resets it.
-/// At an event, before() computes what guards read, and round() outputs and updates. Function after() does
+/// At an event, before() takes the values just before it, begin_event() computes what guards
+/// read, and round() outputs and updates. Function after() does
 /// the same as begin() and returns true if the run ends there.
 template <class Run>
 class EventLocator {
@@ -57,6 +58,15 @@ class EventLocator {
     double* report = values_ + task_.report;
     report[EventReport::events] += static_cast<double>(crossed);
     report[EventReport::most] = std::max(report[EventReport::most], static_cast<double>(crossed));
+  }
+
+  /// Repeats the discrete phase of a tick whose updates have changed states, until no number changes. A
+  /// condition that such a state makes false is then false, and can become true again. Returns false if the
+  /// run ends there.
+  bool settle_tick(double length) {
+    length_ = length;
+    run_.begin_event();
+    return settle();
   }
 
  private:
@@ -143,6 +153,10 @@ class EventLocator {
   /// Runs the event iteration of the present instant. Returns false if the run ends there.
   bool act() {
     run_.before();
+    run_.begin_event();
+    return settle();
+  }
+  bool settle() {
     const double* const place = values_ + task_.first;
     for (std::int64_t round = 0; true; ++round) {
       std::copy_n(place, task_.numbers, kept_);
@@ -245,7 +259,8 @@ class EventLocator {
 
   /// Returns a time after a crossing found from an earlier start; 0 if there is none up to `most`.
   double beyond_crossing(double from, double found, double most) {
-    for (double at = found; true; at = std::min(most, std::max(std::nextafter(at, most), at + 2.0 * (at - from)))) {
+    for (double at = found; true;
+         at = std::min(most, std::max(std::nextafter(at, most), at + 2.0 * (at - from)))) {
       go_back();
       go(from, at, at - from, high_);
       if (sign_changes(start_, high_, task_.crossing_count)) return at;
@@ -288,11 +303,11 @@ class EventLocator {
   const EventTask& task_;
   double* values_;
   const Run& run_;
-  double *x_, *slopes_;  ///< after the last event
+  double *x_, *slopes_;                    ///< after the last event
   double *start_, *high_, *low_, *trial_;  ///< crossing functions there, beyond, before, between
   EverFaster ever_faster_;
-  double* end_;  ///< states at the end of the interval
-  double* kept_;  ///< signals and states before an iteration
+  double* end_;                            ///< states at the end of the interval
+  double* kept_;                           ///< signals and states before an iteration
   double length_ = 0.0, length_of_ = 0.0;  ///< length of the step, and of the interval up to the next event
 };
 

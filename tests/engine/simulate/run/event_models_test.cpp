@@ -126,6 +126,24 @@ TEST_CASE("each step of a quantizer is located, also in a loop") {
     }
 }
 
+TEST_CASE("a reset on a tick makes its own condition false there") {
+  // A sawtooth of 1/s up to 0.5, which ends on ticks. Over 2 s its integral is 4 * 0.5^2 / 2.
+  for (const char* condition : {"{block: Compare, u: x.before, operator: greater_equal, to: 0.5}",
+                                "{block: Expression, u: x.before, expression: u >= 0.5}",
+                                "{block: Relay, u: x.before, switch_on: 0.5, switch_off: 0.001}",
+                                "{block: Hysteresis, u: x.before, upper: 0.5, lower: 0.001}"})
+    for (const char* step : {"0.5 s", "0.125 s", "0.1 s"})
+      for (const char* solver : {"rk4", "sdirk", "rosenbrock", "{name: dormand_prince, relative: 1e-11}"}) {
+        INFO(condition << " " << step << " " << solver);
+        const table::Table run =
+            run_located("  x: {block: Integrator, u: 1 1/s, reset: c}\n  c: " + std::string(condition) +
+                            "\n  y: {block: Integrator, u: x}\n",
+                        "[x, y]", step, solver);
+        CHECK(last(run, "y") == Approx(0.5).epsilon(1e-8));
+        CHECK(*std::ranges::max_element(column(run, "x")) < 0.5 + 1e-9);
+      }
+}
+
 TEST_CASE("truths of a gate and bounds of a map are located") {
   for (const char* step : steps) {
     INFO(step);
