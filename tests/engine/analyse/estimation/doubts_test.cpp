@@ -49,6 +49,42 @@ TEST_CASE("a search that ends at the mean of the record is doubted, and never se
   CHECK_THAT(all, Contains("no better than by its mean") && !Contains("fix"));
 }
 
+namespace {
+
+/// The file of a fit of a exp(-b t) + c to 5 exp(-t/2) + 1 with a small disturbance.
+std::string decay_from(const std::string& a, const std::string& b, const std::string& c,
+                       const std::string& more = "") {
+  return "step: 0.25 s\nstop: 9.75 s\nparameters: {a: " + a + ", b: " + b + ", c: " + c +
+         "}\nfit:\n  parameters: {a: {start: " + a + "}, b: {start: " + b + "}, c: {start: " + c +
+         "}}\n  compare: [{model: m, measured: y}]\n" + more +
+         R"yaml(blocks:
+  t: {block: Ramp, slope: 1}
+  y: {block: Expression, u: t, expression: "5*exp(-u/2) + 1 + 0.05*sin(37*u)"}
+  m: {block: Expression, u: t, expression: "$a*exp(-$b*u) + $c"}
+units: {t: "1", y: "1", m: "1"}
+record: [m, y]
+)yaml";
+}
+
+}  // namespace
+
+// scipy 1.10.1: least_squares(lambda p: p[0]*exp(-p[1]*t)+p[2]-y, [-5,3,1], xtol=1e-15), t = arange(40)/4
+TEST_CASE("a search that a steep start has made slow is not at a minimum, and does not say so") {
+  for (const char* a : {"-1", "1"}) {
+    const FitResult steep = fit_text(decay_from(a, "-3", "1"));
+    CHECK_FALSE(steep.converged);
+    CHECK(steep.astray);
+    REQUIRE(!steep.findings.empty());
+    CHECK_THAT(steep.findings.front(), Contains("where the search has ended") || Contains("no minimum"));
+  }
+  const FitResult good = fit_text(decay_from("-5", "3", "1"));
+  CHECK(good.converged);
+  CHECK_FALSE(good.astray);
+  CHECK(digits(found(good, "a").value, 5.0002484587) > 7.0);
+  CHECK(digits(found(good, "b").value, 0.500520468148) > 7.0);
+  CHECK(digits(found(good, "c").value, 1.00136144596) > 7.0);
+}
+
 TEST_CASE("rows of a diagram without memory have classical errors, with a note where they go together") {
   const FitResult result = fit_text(nist_diagram(small_set("Misra1a"), 1));
   CHECK(result.standard_errors == StandardErrors::classical);
