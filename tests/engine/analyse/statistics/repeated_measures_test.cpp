@@ -57,7 +57,9 @@ TEST_CASE("four stools are told apart, and are not spherical") {
   CHECK(type.sphericity->mauchly == Approx(0.1796005467).epsilon(1e-9));
   CHECK(type.sphericity->p_mauchly == Approx(0.043647965565).epsilon(1e-8));
   REQUIRE(all.warnings.size() == 1);
-  CHECK_THAT(all.warnings[0], Contains("'Type' is not spherical (Greenhouse-Geisser epsilon 0.646"));
+  CHECK_THAT(
+      all.warnings[0],
+      Contains("'Type' is not spherical (Mauchly's P 0.044); its Greenhouse-Geisser epsilon is 0.646"));
 }
 
 TEST_CASE("two factors within subjects are compared each with its own interaction") {
