@@ -23,16 +23,10 @@ std::vector<std::size_t> used_factors(const Observations& observations, const st
   return used;
 }
 
-}  // namespace
-
-Grouped grouped(const Observations& observations, const std::vector<Term>& terms) {
-  const std::vector<std::size_t> used = used_factors(observations, terms);
-  Grouped result{
-      {observations.response, {}, {}}, {}, 0.0, 0.0, static_cast<double>(observations.values.size())};
-  for (const std::size_t k : used) {
-    result.groups.factors.push_back(observations.factors[k]);
-    result.groups.factors.back().level.clear();
-  }
+/// Returns the values of each group, and adds the levels of the groups to the factors.
+std::vector<std::vector<double>> values_by_group(const Observations& observations,
+                                                 const std::vector<std::size_t>& used,
+                                                 std::vector<Factor>& factors) {
   std::map<std::vector<std::size_t>, std::size_t> known;
   std::vector<std::vector<double>> values;
   for (std::size_t row = 0; row < observations.values.size(); ++row) {
@@ -41,10 +35,25 @@ Grouped grouped(const Observations& observations, const std::vector<Term>& terms
     const auto [group, is_new] = known.emplace(levels, values.size());
     if (is_new) {
       values.emplace_back();
-      for (std::size_t i = 0; i < used.size(); ++i) result.groups.factors[i].level.push_back(levels[i]);
+      for (std::size_t i = 0; i < used.size(); ++i) factors[i].level.push_back(levels[i]);
     }
     values[group->second].push_back(observations.values[row]);
   }
+  return values;
+}
+
+}  // namespace
+
+Grouped grouped(const Observations& observations, const std::vector<Term>& terms) {
+  const std::vector<std::size_t> used = used_factors(observations, terms);
+  Grouped result;
+  result.groups.response = observations.response;
+  result.count = static_cast<double>(observations.values.size());
+  for (const std::size_t k : used) {
+    result.groups.factors.push_back(observations.factors[k]);
+    result.groups.factors.back().level.clear();
+  }
+  const auto values = values_by_group(observations, used, result.groups.factors);
   result.roots.resize(static_cast<Eigen::Index>(values.size()));
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Moments moments = moments_of(values[i], observations.values[0]);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "engine/analyse/estimation/still_falling.hpp"
 #include "tests/engine/analyse/estimation/fit_text.hpp"
 #include "tests/engine/analyse/estimation/nist.hpp"
 
@@ -53,10 +54,10 @@ namespace {
 
 /// The file of a fit of a exp(-b t) + c to 5 exp(-t/2) + 1 with a small disturbance.
 std::string decay_from(const std::string& a, const std::string& b, const std::string& c,
-                       const std::string& more = "") {
+                       const std::string& bounds = "") {
   return "step: 0.25 s\nstop: 9.75 s\nparameters: {a: " + a + ", b: " + b + ", c: " + c +
-         "}\nfit:\n  parameters: {a: {start: " + a + "}, b: {start: " + b + "}, c: {start: " + c +
-         "}}\n  compare: [{model: m, measured: y}]\n" + more +
+         "}\nfit:\n  parameters: {a: {start: " + a + bounds + "}, b: {start: " + b + "}, c: {start: " + c +
+         bounds + "}}\n  compare: [{model: m, measured: y}]\n" +
          R"yaml(blocks:
   t: {block: Ramp, slope: 1}
   y: {block: Expression, u: t, expression: "5*exp(-u/2) + 1 + 0.05*sin(37*u)"}
@@ -83,6 +84,22 @@ TEST_CASE("a search that a steep start has made slow is not at a minimum, and do
   CHECK(digits(found(good, "a").value, 5.0002484587) > 7.0);
   CHECK(digits(found(good, "b").value, 0.500520468148) > 7.0);
   CHECK(digits(found(good, "c").value, 1.00136144596) > 7.0);
+}
+
+// scipy 1.10.1: least_squares of the same, from [-16,-0.02,19.9] with bounds of 20 for a and c
+TEST_CASE("a search that a steep start has made slow begins again, and a parameter at its bound may end it") {
+  const FitResult result = fit_text(decay_from("1", "-3", "1", ", bounds: [-20, 20]"));
+  CHECK(result.converged);
+  CHECK(found(result, "c").value == 20.0);
+  CHECK(found(result, "c").at_bound);
+  CHECK(digits(found(result, "a").value, -16.16797011) > 6.0);
+  CHECK(digits(found(result, "b").value, -0.02100260466) > 6.0);
+}
+
+TEST_CASE("the note on a search that has ended at no minimum names the parameters") {
+  CHECK_THAT(falling_text({{0, 0.19}, {2, 0.26}}, {"a", "b", "c"}),
+             Contains("no minimum: the search has ended where the cost still falls along a, c (cosine") &&
+                 Contains("up to 0.26") && Contains("try other starts"));
 }
 
 TEST_CASE("rows of a diagram without memory have classical errors, with a note where they go together") {

@@ -92,6 +92,18 @@ TEST_CASE("two subjects leave Huynh and Feldt's epsilon open, and equal scores a
   CHECK_THAT(equal.warnings[0], Contains("F of condition has no value"));
 }
 
+TEST_CASE("a test that rejects nothing does not call a term aspherical") {
+  // Python: S = cov of the scores times orthonormal contrasts; epsilon = tr(S)^2/(2 tr(S S));
+  // W = det(S)/(tr(S)/2)^2; chi2.sf(-(n-1)*(1-12/(12*(n-1)))*log(W), 2), n = 4
+  const std::vector<Factor> factors{running("condition", 3, 1, 12), running("subject", 4, 3, 12, true)};
+  const std::vector<double> scores{1, 2, 4, 1, 3, 9, 2, 2, 5, 1, 4, 6};
+  const Anova all = repeated_measures({"error", scores, factors}, {"condition"}, "subject");
+  REQUIRE(all.warnings.size() == 1);
+  CHECK_THAT(all.warnings[0],
+             Contains("Mauchly's test does not reject that 'condition' is spherical (P 0.61)") &&
+                 Contains("its Greenhouse-Geisser epsilon is 0.718: read the corrected P"));
+}
+
 TEST_CASE("several trials of one subject in one cell count as their mean") {
   Observations twice = sleep();
   const Observations once = twice;
