@@ -252,6 +252,10 @@ class Fit {
           fitted_curve(request_.curves[i], titles, best_.x, certainty.covariance, certainty.quantile);
       result_.curves[i].data_range = std::move(data_range);
     }
+    describe_free_directions(certainty, titles);
+  }
+
+  void describe_free_directions(const Certainty& certainty, const std::vector<std::string>& titles) {
     const bool known = known_at_start(certainty);
     for (const Eigen::VectorXd& direction : certainty.free_directions) {
       std::string text = in_words(direction, titles, known);
