@@ -15,6 +15,7 @@
 #include "engine/analyse/estimation/resolution.hpp"
 #include "engine/analyse/estimation/searches.hpp"
 #include "engine/analyse/estimation/starts.hpp"
+#include "engine/analyse/estimation/still_falling.hpp"
 #include "engine/model/plan/plan.hpp"
 
 namespace stepwire::estimation {
@@ -135,29 +136,34 @@ class Fit {
     if (!std::isfinite(best_.cost) && !interrupted())
       throw yaml::Error(
           yaml::Fault{request_.place, "fit", "no start can be evaluated; give a start that runs", {}});
-    if (!std::isfinite(best_.cost)) best_ = {residuals_.start(), 0.0, false, 0};
+    if (!std::isfinite(best_.cost)) best_ = {residuals_.start(), 0.0};
     result_.converged = best_.converged;
-    if (!best_.converged || interrupted()) return;
+    if (!(best_.converged || best_.stalled) || interrupted()) return;
     Refined refined = refine(residuals_, request_, std::move(best_), source_.interrupt);
     best_ = std::move(refined.minimum);
     end_ = std::move(refined.at);
   }
 
-  void limit(const std::string& refusal) {
-    result_.limited = true;
-    result_.findings.push_back("the records want what the diagram refuses: " + refusal);
+  /// Decides whether the search has ended at a minimum. The cost may also fall towards values that the
+  /// diagram refuses, which have no cost themselves.
+  void judge_end(const Eigen::VectorXd& r, const Jacobian& slopes) {
+    std::vector<FallingUnknown> falling = still_falling(residuals_, request_, best_.x, r, slopes);
+    std::erase_if(falling, [&](const FallingUnknown& one) {
+      return result_.numbers[static_cast<std::size_t>(one.unknown)].at_bound;
+    });
+    result_.limited = !falling.empty() && !best_.refusal.empty();
+    result_.converged = best_.converged || best_.stalled;
+    if (result_.limited)
+      result_.findings.push_back("the records want what the diagram refuses: " + best_.refusal);
+    else if (result_.converged && !falling.empty())
+      leave_astray(falling_text(falling, titles()));
   }
 
-  /// Sets `limited` if the derivatives show that the cost falls towards refused values, which have no cost
-  /// themselves.
-  void tell_slope(const Eigen::VectorXd& r, const Jacobian& slopes) {
-    constexpr double flat = 1e-3;  // cosine between the residuals and a parameter's column
-    if (result_.limited || best_.refusal.empty()) return;
-    for (Eigen::Index i = 0; i < slopes.cols(); ++i) {
-      const bool held = result_.numbers[static_cast<std::size_t>(i)].at_bound;
-      if (!held && std::abs(slopes.col(i).dot(r)) > flat * slopes.col(i).norm() * r.norm())
-        return limit(best_.refusal);
-    }
+  /// Adds a finding by which the end of the search is no minimum. A search that has not ended remains so.
+  void leave_astray(std::string why) {
+    result_.astray = result_.astray || result_.converged;
+    result_.converged = false;
+    result_.findings.push_back(std::move(why));
   }
 
   double predict() {
@@ -195,7 +201,7 @@ class Fit {
     for (std::size_t i = 0; i < residuals_.unknowns().size(); ++i) result_.numbers.push_back(number(i));
     if (result_.numbers.empty() || interrupted() || !differentiate()) return;
     count(request_, end_.residuals, end_.slopes);
-    tell_slope(end_.residuals, end_.slopes);
+    judge_end(end_.residuals, end_.slopes);
     describe_certainty(certainty_of(end_.residuals, end_.slopes, sizes(), result_.freedom,
                                     {residuals_.stretches(), result_.in_time, result_.standard_errors}));
   }
@@ -220,9 +226,14 @@ class Fit {
     return sizes;
   }
 
-  void describe_certainty(const Certainty& certainty) {
+  std::vector<std::string> titles() const {
     std::vector<std::string> titles;
     for (const FittedNumber& one : result_.numbers) titles.push_back(one.title());
+    return titles;
+  }
+
+  void describe_certainty(const Certainty& certainty) {
+    const std::vector<std::string> titles = this->titles();
     result_.deviation = certainty.deviation;
     result_.correlation = certainty.correlation;
     result_.together = certainty.serial.rows;
@@ -241,8 +252,18 @@ class Fit {
           fitted_curve(request_.curves[i], titles, best_.x, certainty.covariance, certainty.quantile);
       result_.curves[i].data_range = std::move(data_range);
     }
-    for (const Eigen::VectorXd& direction : certainty.free_directions)
-      result_.findings.push_back(in_words(direction, titles, known_at_start(certainty)));
+    describe_free_directions(certainty, titles);
+  }
+
+  void describe_free_directions(const Certainty& certainty, const std::vector<std::string>& titles) {
+    const bool known = known_at_start(certainty);
+    for (const Eigen::VectorXd& direction : certainty.free_directions) {
+      std::string text = in_words(direction, titles, known);
+      if (known)
+        leave_astray(std::move(text));
+      else
+        result_.findings.push_back(std::move(text));
+    }
   }
 
   FittedNumber number(std::size_t unknown) {

@@ -67,6 +67,7 @@ struct FitResult {
   bool in_time = false;               ///< True: the rows are a time series.
   StandardErrors standard_errors = StandardErrors::classical;  ///< Kind used for the intervals.
   bool converged = false, interrupted = false;
+  bool astray = false;    ///< True: the search has ended, but at no minimum. A finding has the parameters.
   bool limited = false;   ///< True: the cost would fall further, but the diagram refuses those values.
   bool compiled = false;  ///< True: one compilation served all runs.
   bool in_part = false;   ///< True: only the blocks that the parameters affect ran; the rest was replayed.

@@ -8,6 +8,11 @@
 // for the second derivative of the residuals along the step (M. K. Transtrum, J. P. Sethna 2012). It costs
 // two additional runs, beside the step and at its end, and is accepted if it lowers the cost further. An
 // unknown at a bound towards which the cost falls is held; a step that crosses a bound is cut there.
+//
+// The largest norms of a search from a poor start are those of the start, e.g. of an exponential, and hold
+// all later steps. The search then ends where the cost still falls. Where the cosines between the residuals
+// and the columns of J are not small at the end, it begins again from there with the norms of that point.
+// This costs no run. It is repeated while it lowers the cost, a limited number of times.
 #include "engine/analyse/estimation/least_squares.hpp"
 
 #include <Eigen/Core>
@@ -18,6 +23,7 @@
 #include <limits>
 
 #include "engine/analyse/estimation/loss.hpp"
+#include "engine/analyse/estimation/still_falling.hpp"
 
 namespace stepwire::estimation {
 
@@ -111,6 +117,7 @@ constexpr double poor = 0.25, good = 0.75;  // Actual over predicted decrease of
 constexpr double probe = 0.1;               // Share of a step, for the second derivative along it.
 constexpr double most_bend = 0.15;          // Limit of the acceleration over the step.
 constexpr double shortest = 1e-10;          // Limit of the step over the size of the unknowns.
+constexpr int most_restarts = 20;
 
 /// Residuals after the loss, their derivatives, and half the sum of their squares.
 struct Counts {
@@ -138,7 +145,7 @@ class Descent {
     found_.x = start;
     if (!begin()) return found_;
     const double gain = smallest_gain(residuals_, start.size(), request_.tolerance);
-    while (found_.iterations < options_.iterations && !found_.converged) {
+    while (found_.iterations < options_.iterations && !found_.converged && !found_.stalled) {
       if (options_.watch) options_.watch(found_.iterations, found_.cost);
       if (options_.interrupt && *options_.interrupt) break;
       advance(gain);
@@ -159,10 +166,26 @@ class Descent {
     if (point.residuals.size() == 0 && !evaluate(x, point.residuals)) return false;
     if (point.slopes.size() == 0 && !differentiate(x, point.residuals, point.slopes)) return false;
     take(std::move(point));
-    Eigen::VectorXd sizes = x.cwiseAbs();
+    set_radius();
+    return true;
+  }
+
+  void set_radius() {
+    Eigen::VectorXd sizes = found_.x.cwiseAbs();
     for (Eigen::Index i = 0; i < sizes.size(); ++i) sizes[i] = std::max(sizes[i], parameter(i).scale);
     radius_ = metric_.cwiseProduct(sizes).norm();
-    return true;
+  }
+
+  /// Ends the search at a minimum; elsewhere begins again with the metric of this point. A search that has
+  /// begun again without effect has stalled. Values that the diagram refuses may hold it, too.
+  void end_or_begin_again(double gain) {
+    found_.converged = still_falling(residuals_, request_, found_.x, here_.r, here_.slopes).empty();
+    if (found_.converged) return;
+    found_.stalled = restarts_++ == most_restarts || !(found_.cost < begun_at_ * (1.0 - gain));
+    begun_at_ = found_.cost;
+    metric_.resize(0);
+    add_to_metric();
+    set_radius();
   }
 
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r) {
@@ -180,6 +203,11 @@ class Descent {
     found_.cost = cost_of(point.residuals, request_);
     here_ = {std::move(point.residuals), std::move(point.slopes), found_.cost};
     count(request_, here_.r, here_.slopes);
+    add_to_metric();
+  }
+
+  /// Makes the metric that of the largest derivatives so far.
+  void add_to_metric() {
     const Eigen::VectorXd lengths = here_.slopes.colwise().norm();
     metric_ = metric_.size() == 0 ? lengths : Eigen::VectorXd(metric_.cwiseMax(lengths));
     for (Eigen::Index i = 0; i < metric_.size(); ++i)
@@ -229,9 +257,9 @@ class Descent {
     const double reached = cost(next);
     const bool small = length <= shortest * metric_.cwiseProduct(found_.x).norm();
     const bool flat = std::abs(found_.cost - reached) <= gain * found_.cost && expected <= gain * found_.cost;
-    found_.converged = small || flat;
     resize(expected > 0.0 ? (found_.cost - reached) / expected : -1.0, length);
     if (reached < found_.cost && differentiate(next.x, next.residuals, next.slopes)) take(std::move(next));
+    if (small || flat) end_or_begin_again(gain);
   }
 
   void resize(double share, double length) {
@@ -263,6 +291,8 @@ class Descent {
   Counts here_;
   Eigen::VectorXd metric_;
   double radius_ = 0.0;
+  int restarts_ = 0;
+  double begun_at_ = std::numeric_limits<double>::infinity();  ///< Cost at the last restart.
 };
 
 }  // namespace

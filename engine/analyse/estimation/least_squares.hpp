@@ -32,6 +32,7 @@ struct Minimum {
   double cost = std::numeric_limits<double>::infinity();  ///< Half of the sum of squares of the residuals
                                                           ///< after the loss.
   bool converged = false;
+  bool stalled = false;  ///< True: no step lowers the cost any more, but it still falls along an unknown.
   std::size_t iterations = 0;
   std::string
       refusal{};  ///< Reason why the diagram refused a point, the first one refused; empty if none was.

@@ -30,14 +30,14 @@ std::string bytes_of(const SearchStart& start) {
 std::string bytes_of(const Minimum& minimum) {
   ByteWriter writer;
   put(writer, minimum.x);
-  all(writer, minimum.cost, minimum.converged, minimum.iterations, minimum.refusal);
+  all(writer, minimum.cost, minimum.converged, minimum.stalled, minimum.iterations, minimum.refusal);
   return writer.take();
 }
 
 Minimum minimum_of(std::string_view bytes) {
   ByteReader reader(bytes);
   Minimum minimum{.x = vector_of(reader)};
-  all(reader, minimum.cost, minimum.converged, minimum.iterations, minimum.refusal);
+  all(reader, minimum.cost, minimum.converged, minimum.stalled, minimum.iterations, minimum.refusal);
   if (!reader.whole()) throw io::EnvironmentError("a search of another process is not as it was sent");
   return minimum;
 }

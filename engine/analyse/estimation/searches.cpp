@@ -41,7 +41,7 @@ void Searches::follow(std::vector<Minimum>& minima) const {
   const std::size_t kept = std::min(order.size(), request_.follow.value_or((order.size() + 3) / 4));
   std::vector<SearchStart> searches;
   for (std::size_t k = 0; k < kept; ++k)
-    if (const Minimum& one = minima[order[k]]; !one.converged && std::isfinite(one.cost))
+    if (const Minimum& one = minima[order[k]]; !one.converged && !one.stalled && std::isfinite(one.cost))
       searches.push_back({minima.size() + order[k], one.x, request_.iterations});
   std::vector<Minimum> found = search(searches, 0.6, 0.4, [&](const SearchStart& one) {
     return fmt::format("start {}", one.number - minima.size() + 1);

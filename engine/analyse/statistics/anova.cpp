@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/analyse/statistics/anova_rows.hpp"
+#include "engine/analyse/statistics/grouped.hpp"
 #include "engine/analyse/statistics/linear_model.hpp"
 #include "engine/analyse/statistics/no_number.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
@@ -35,33 +36,52 @@ std::vector<const TermColumns*> others(const std::vector<TermColumns>& model, st
   return result;
 }
 
-double sum_of_squares(const Eigen::VectorXd& response, const std::vector<TermColumns>& model,
-                      std::size_t index, SumsOfSquares sums) {
-  auto terms = others(model, index, sums);
-  const Eigen::VectorXd without = explained(response, terms);
-  terms.push_back(&model[index]);
-  return (explained(response, terms) - without).squaredNorm();
-}
-
-/// Adds the sums of squares of all terms, of the residual and of the total; `squares` is that of the scores.
-void add_rows(Anova& result, const Eigen::VectorXd& response, double squares,
-              const std::vector<TermColumns>& model) {
-  const auto freedom_of_all = static_cast<double>(response.size() - 1);
-  std::vector<const TermColumns*> all;
-  double left = freedom_of_all;
-  for (std::size_t i = 0; i < model.size(); ++i) {
-    const auto freedom = static_cast<double>(model[i].columns.cols());
-    const double sum =
-        freedom > 0.0 ? beyond_rounding(sum_of_squares(response, model, i, result.sums), squares) : no_number;
-    result.terms.push_back(anova_row(model[i].term.name(), freedom, sum));
-    all.push_back(&model[i]);
-    left -= freedom;
+/// Sums of squares of a model of grouped observations.
+class Sums {
+ public:
+  /// Here `squares` is the sum of squares of the scores; the share of rounding error in it counts as 0.
+  Sums(const Grouped& observations, double squares, SumsOfSquares sums)
+      : observations_(observations), squares_(squares), sums_(sums) {
+    const std::vector<double>& means = observations.groups.values;
+    response_ = Eigen::Map<const Eigen::VectorXd>(means.data(), static_cast<Eigen::Index>(means.size()))
+                    .cwiseProduct(observations.roots);
   }
-  const double rest = left > 0.0 ? (response - explained(response, all)).squaredNorm() : 0.0;
-  result.residual = anova_row("residual", left, beyond_rounding(rest, squares));
-  result.total = anova_row("total", freedom_of_all,
-                           beyond_rounding((response.array() - response.mean()).square().sum(), squares));
-}
+
+  /// Adds the rows of all terms, of the residual and of the total.
+  void add_rows(Anova& result, const std::vector<TermColumns>& model) const {
+    const double freedom_of_all = observations_.count - 1.0;
+    std::vector<const TermColumns*> all;
+    double left = freedom_of_all;
+    for (std::size_t i = 0; i < model.size(); ++i) {
+      const auto freedom = static_cast<double>(model[i].columns.cols());
+      const double sum = freedom > 0.0 ? beyond_rounding(of_term(model, i), squares_) : no_number;
+      result.terms.push_back(anova_row(model[i].term.name(), freedom, sum));
+      all.push_back(&model[i]);
+      left -= freedom;
+    }
+    const double rest =
+        left > 0.0 ? observations_.within + (response_ - explained_by(all)).squaredNorm() : 0.0;
+    result.residual = anova_row("residual", left, beyond_rounding(rest, squares_));
+    result.total = anova_row("total", freedom_of_all, beyond_rounding(observations_.total, squares_));
+  }
+
+ private:
+  Eigen::VectorXd explained_by(const std::vector<const TermColumns*>& terms) const {
+    return explained(response_, terms, observations_.roots);
+  }
+
+  double of_term(const std::vector<TermColumns>& model, std::size_t index) const {
+    auto terms = others(model, index, sums_);
+    const Eigen::VectorXd without = explained_by(terms);
+    terms.push_back(&model[index]);
+    return (explained_by(terms) - without).squaredNorm();
+  }
+
+  const Grouped& observations_;
+  Eigen::VectorXd response_;
+  double squares_;
+  SumsOfSquares sums_;
+};
 
 void judge_terms(Anova& result, const std::vector<Term>& terms) {
   for (std::size_t i = 0; i < terms.size(); ++i) {
@@ -117,15 +137,14 @@ std::vector<Term> pooled_terms(const std::vector<std::string>& treatments, const
 }
 
 /// Adds a warning on interactions that the model pools in the residual, with the F they would have as terms.
-void warn_of_pooled_terms(Anova& result, const Observations& observations, const Eigen::VectorXd& response,
-                          double squares, std::vector<Term> terms,
-                          const std::vector<std::string>& treatments) {
+void warn_of_pooled_terms(Anova& result, const Grouped& observations, const Sums& sums,
+                          std::vector<Term> terms, const std::vector<std::string>& treatments) {
   const auto pooled = pooled_terms(treatments, terms);
   if (pooled.empty()) return;
   terms.insert(terms.end(), pooled.begin(), pooled.end());
   Anova whole;
   whole.sums = result.sums;
-  add_rows(whole, response, squares, model_columns(observations, terms));
+  sums.add_rows(whole, model_columns(observations.groups, terms));
   for (const Term& term : pooled)
     for (AnovaRow& row : whole.terms) {
       if (row.name != term.name() || row.freedom <= 0.0) continue;
@@ -163,20 +182,20 @@ std::string words_of(SumsOfSquares sums) {
 
 Anova anova(const Observations& observations, const std::vector<Term>& terms, SumsOfSquares sums) {
   observations.check();
-  const auto count = static_cast<Eigen::Index>(observations.values.size());
-  // Differences from the first value keep the digits that a large mean would cost.
-  const Eigen::Map<const Eigen::VectorXd> scores(observations.values.data(), count);
-  const Eigen::VectorXd response = scores.array() - observations.values[0];
-  const auto model = model_columns(observations, terms);
+  double squares = 0.0;
+  for (const double score : observations.values) squares += score * score;
+  const Grouped groups = grouped(observations, terms);
+  const Sums of_squares(groups, squares, sums);
+  const auto model = model_columns(groups.groups, terms);
   Anova result;
   result.response = observations.response;
   result.sums = sums;
-  add_rows(result, response, scores.squaredNorm(), model);
+  of_squares.add_rows(result, model);
   judge_terms(result, terms);
   warn_of_missing_f(result);
   warn_of_lost_terms(result, model);
   const auto names = treatments(observations, terms);
-  warn_of_pooled_terms(result, observations, response, scores.squaredNorm(), terms, names);
+  warn_of_pooled_terms(result, groups, of_squares, terms, names);
   describe_design(result, observations, names);
   warn_of_variances(result, observations, names);
   return result;

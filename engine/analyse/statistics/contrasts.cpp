@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "engine/analyse/statistics/moments.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
 
 namespace stepwire::statistics {
@@ -47,7 +47,7 @@ Eigen::MatrixXd cell_means(const Observations& observations, std::vector<std::st
                       "every subject in every cell",
                       cell_name(observations, factors, all[i])));
     means(static_cast<Eigen::Index>(i / columns), static_cast<Eigen::Index>(i % columns)) =
-        std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+        moments_of(values).mean;
   }
   return means;
 }

@@ -1,18 +1,14 @@
 #include "engine/analyse/statistics/equal_variances.hpp"
 
 #include <cmath>
-#include <numeric>
 
+#include "engine/analyse/statistics/moments.hpp"
 #include "engine/analyse/statistics/quartiles.hpp"
 #include "engine/analyse/statistics/rounding.hpp"
 #include "engine/analyse/statistics/tail.hpp"
 
 namespace stepwire::statistics {
 namespace {
-
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 double squares_about(const std::vector<double>& values, double middle) {
   double sum = 0.0;
@@ -21,9 +17,11 @@ double squares_about(const std::vector<double>& values, double middle) {
 }
 
 std::vector<double> distances(const std::vector<double>& group, Middle middle) {
-  const double from = middle == Middle::mean ? mean(group) : box_summary(group).median;
+  const double first = group.front();  // differences from it keep the digits that a large mean would cost
   std::vector<double> result;
-  for (const double value : group) result.push_back(std::abs(value - from));
+  for (const double value : group) result.push_back(value - first);
+  const double from = middle == Middle::mean ? moments_of(result).mean : box_summary(result).median;
+  for (double& value : result) value = std::abs(value - from);
   return result;
 }
 
@@ -46,10 +44,10 @@ std::optional<VarianceTest> variance_test(const std::vector<std::vector<double>>
   }
   if (kept.size() < 2) return std::nullopt;
   double between = 0.0, within = 0.0;
-  const double centre = mean(all);
+  const double centre = moments_of(all).mean;
   for (const auto& group : kept) {
-    between += static_cast<double>(group.size()) * std::pow(mean(group) - centre, 2);
-    within += squares_about(group, mean(group));
+    between += static_cast<double>(group.size()) * std::pow(moments_of(group).mean - centre, 2);
+    within += moments_of(group).squares;
   }
   if (is_rounding(std::sqrt(within), size_of(groups))) return std::nullopt;
   VarianceTest test;

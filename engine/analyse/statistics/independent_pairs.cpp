@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/analyse/statistics/holm.hpp"
+#include "engine/analyse/statistics/moments.hpp"
 #include "engine/analyse/statistics/student.hpp"
 #include "engine/analyse/statistics/tail.hpp"
 
@@ -15,7 +16,8 @@ namespace {
 
 struct Group {
   std::string name;
-  double mean = 0.0, square = 0.0, count = 0.0;  ///< square: squared standard error of the mean
+  double above = 0.0, square = 0.0, count = 0.0;  ///< above: mean minus the first value of all; square:
+                                                  ///< squared standard error of the mean
 };
 
 Group group_of(const Observations& observations, const std::vector<std::string>& factors, const Cell& cell) {
@@ -23,16 +25,15 @@ Group group_of(const Observations& observations, const std::vector<std::string>&
   for (std::size_t k = 0; k < factors.size(); ++k)
     levels.push_back(observations.factor(factors[k]).levels[cell.levels[k]]);
   Group group{fmt::format("{}", fmt::join(levels, " ")), 0.0, 0.0, static_cast<double>(cell.values.size())};
-  for (const double value : cell.values) group.mean += value / group.count;
-  double sum = 0.0;
-  for (const double value : cell.values) sum += (value - group.mean) * (value - group.mean);
-  group.square = sum / (group.count - 1.0) / group.count;
+  const Moments moments = moments_of(cell.values, observations.values.front());
+  group.above = moments.above;
+  group.square = moments.squares / (group.count - 1.0) / group.count;
   return group;
 }
 
 IndependentPair compared(const Group& a, const Group& b) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  IndependentPair pair{a.name, b.name, a.mean - b.mean, {none, none}, none, none, none, none};
+  IndependentPair pair{a.name, b.name, a.above - b.above, {none, none}, none, none, none, none};
   const double square = a.square + b.square;
   if (!(square > 0.0)) return pair;
   pair.freedom =

@@ -102,14 +102,15 @@ std::vector<TermColumns> model_columns(const Observations& observations, const s
   return result;
 }
 
-Eigen::VectorXd explained(const Eigen::VectorXd& response, const std::vector<const TermColumns*>& terms) {
+Eigen::VectorXd explained(const Eigen::VectorXd& response, const std::vector<const TermColumns*>& terms,
+                          const Eigen::VectorXd& roots) {
   Eigen::Index count = 1;
   for (const TermColumns* term : terms) count += term->columns.cols();
   Eigen::MatrixXd columns(response.size(), count);
-  columns.col(0).setOnes();
+  columns.col(0) = roots;
   Eigen::Index at = 1;
   for (const TermColumns* term : terms) {
-    columns.middleCols(at, term->columns.cols()) = term->columns;
+    columns.middleCols(at, term->columns.cols()) = roots.asDiagonal() * term->columns;
     at += term->columns.cols();
   }
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);

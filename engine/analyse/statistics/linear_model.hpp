@@ -20,7 +20,9 @@ struct TermColumns {
 /// Returns the columns of the terms of a model; the constant comes before them.
 std::vector<TermColumns> model_columns(const Observations& observations, const std::vector<Term>& terms);
 
-/// Returns the part of a response that the constant and some terms explain.
-Eigen::VectorXd explained(const Eigen::VectorXd& response, const std::vector<const TermColumns*>& terms);
+/// Returns the part of a response that the constant and some terms explain. Rows of the model count with the
+/// squares of `roots`. The response and the result are multiplied by `roots`.
+Eigen::VectorXd explained(const Eigen::VectorXd& response, const std::vector<const TermColumns*>& terms,
+                          const Eigen::VectorXd& roots);
 
 }  // namespace stepwire::statistics

@@ -1,8 +1,8 @@
 #include "engine/analyse/statistics/paired_test.hpp"
 
 #include <cmath>
-#include <numeric>
 
+#include "engine/analyse/statistics/moments.hpp"
 #include "engine/analyse/statistics/no_number.hpp"
 #include "engine/analyse/statistics/rounding.hpp"
 #include "engine/analyse/statistics/student.hpp"
@@ -12,10 +12,8 @@ namespace stepwire::statistics {
 namespace {
 
 /// Returns the standard deviation; 0 if the values differ by rounding only.
-double deviation_of(const std::vector<double>& values, double mean) {
-  double squares = 0.0;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  const double deviation = std::sqrt(squares / static_cast<double>(values.size() - 1));
+double deviation_of(const std::vector<double>& values) {
+  const double deviation = std::sqrt(moments_of(values).squares / static_cast<double>(values.size() - 1));
   return is_rounding(deviation, largest_of(values)) ? 0.0 : deviation;
 }
 
@@ -31,10 +29,10 @@ PairedTest paired_test(const std::vector<double>& differences) {
   PairedTest test{no_number, no_number, no_number, no_number, no_number, {no_number, no_number}};
   if (differences.empty()) return test;
   const auto count = static_cast<double>(differences.size());
-  test.mean = std::accumulate(differences.begin(), differences.end(), 0.0) / count;
+  test.mean = moments_of(differences).mean;
   if (differences.size() < 2) return test;
   test.freedom = count - 1.0;
-  test.deviation = deviation_of(differences, test.mean);
+  test.deviation = deviation_of(differences);
   const double error = test.deviation / std::sqrt(count);
   test.interval = student_interval(test.mean, error, test.freedom);
   if (error <= 0.0) return test;

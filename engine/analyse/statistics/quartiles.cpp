@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "engine/analyse/statistics/moments.hpp"
 
 namespace stepwire::statistics {
 
@@ -43,7 +44,7 @@ BoxSummary box_summary(std::vector<double> values, Whiskers whiskers) {
   box.median = hazen_quantile(values, 0.5);
   box.upper = hazen_quantile(values, 0.75);
   box.max = box.high_whisker = values.back();
-  box.mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  box.mean = moments_of(values).mean;
   if (whiskers == Whiskers::tukey) shorten_whiskers(box, values);
   return box;
 }

@@ -155,10 +155,17 @@ std::optional<Sphericity> sphericity(const Eigen::MatrixXd& rest, double freedom
 void warn(Anova& result, const AnovaRow& row) {
   const Sphericity& s = *row.sphericity;
   if (s.epsilon >= doubtful_epsilon && !(s.p_mauchly < significant)) return;
-  const std::string mauchly = std::isnan(s.p_mauchly) ? "" : fmt::format(", Mauchly's P {:.2g}", s.p_mauchly);
+  const std::string verdict =
+      std::isnan(s.p_mauchly) ? fmt::format("too few subjects to test whether '{}' is spherical", row.name)
+      : s.p_mauchly < significant
+          ? fmt::format("'{}' is not spherical (Mauchly's P {:.2g})", row.name, s.p_mauchly)
+          : fmt::format(
+                "Mauchly's test does not reject that '{}' is spherical (P {:.2g}), but with few subjects "
+                "it misses much",
+                row.name, s.p_mauchly);
   result.warnings.push_back(
-      fmt::format("'{}' is not spherical (Greenhouse-Geisser epsilon {:.3f}{}): read the corrected P, {:.3g}",
-                  row.name, s.epsilon, mauchly, s.p_corrected));
+      fmt::format("{}; its Greenhouse-Geisser epsilon is {:.3f}: read the corrected P, {:.3g}", verdict,
+                  s.epsilon, s.p_corrected));
 }
 
 /// All lines of one design. Each within-subject term is reduced to orthonormal contrasts of the cell means,

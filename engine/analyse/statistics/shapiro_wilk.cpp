@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "engine/analyse/statistics/moments.hpp"
 #include "engine/analyse/statistics/rounding.hpp"
 
 namespace stepwire::statistics {
@@ -58,13 +59,12 @@ std::vector<double> weights(std::size_t n) {
 double lack(const std::vector<double>& sorted) {
   const std::size_t n = sorted.size();
   const auto a = weights(n);
-  const double mean = std::accumulate(sorted.begin(), sorted.end(), 0.0) / static_cast<double>(n);
-  double both = 0.0, aa = 0.0, xx = 0.0;
+  const double xx = moments_of(sorted).squares;
+  double both = 0.0, aa = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     both += a[i] * (sorted[n - 1 - i] - sorted[i]);
     aa += 2.0 * a[i] * a[i];
   }
-  for (const double value : sorted) xx += (value - mean) * (value - mean);
   const double most_possible = std::sqrt(aa * xx);
   return (most_possible - both) * (most_possible + both) / (aa * xx);
 }

@@ -28,7 +28,8 @@ void correct(std::vector<PairComparison>& comparisons) {
 
 /// Returns the residuals of the model subject + condition; empty if they are rounding error.
 std::vector<double> residuals_of(const Eigen::MatrixXd& values) {
-  const Eigen::MatrixXd by_subject = values.colwise() - values.rowwise().mean();
+  const Eigen::MatrixXd above = values.array() - values(0, 0);  // keeps the digits of a large mean
+  const Eigen::MatrixXd by_subject = above.colwise() - above.rowwise().mean();
   const Eigen::MatrixXd rest = by_subject.rowwise() - by_subject.colwise().mean();
   if (is_rounding(rest.norm(), values.norm())) return {};
   return {rest.data(), rest.data() + rest.size()};

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numeric>
 
+#include "engine/analyse/statistics/moments.hpp"
 #include "engine/analyse/study/analysis.hpp"
 #include "engine/analyse/study/comparison_tables.hpp"
 #include "engine/analyse/study/scores.hpp"
@@ -15,16 +15,13 @@ using json::Json;
 namespace {
 
 double mean_of(const statistics::Cell& cell) {
-  return std::accumulate(cell.values.begin(), cell.values.end(), 0.0) /
-         static_cast<double>(cell.values.size());
+  return statistics::moments_of(cell.values).mean;
 }
 
 /// Returns the standard deviation of the sample; nan for a single value.
 double deviation_of(const statistics::Cell& cell) {
-  double sum = 0.0;
-  const double mean = mean_of(cell);
-  for (const double value : cell.values) sum += (value - mean) * (value - mean);
-  return std::sqrt(sum / (static_cast<double>(cell.values.size()) - 1.0));
+  return std::sqrt(statistics::moments_of(cell.values).squares /
+                   (static_cast<double>(cell.values.size()) - 1.0));
 }
 
 std::string shown_number(double value) {

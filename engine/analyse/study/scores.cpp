@@ -7,6 +7,10 @@
 
 #include "engine/analyse/statistics/repeated_measures.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
+#include "engine/base/csv/cell.hpp"
+#include "engine/base/csv/decimal_survey.hpp"
+#include "engine/base/table/csv_cell.hpp"
+#include "engine/base/table/csv_lines.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/yaml/error.hpp"
 
@@ -31,16 +35,10 @@ class ScoreReader {
 
   Observations read() {
     table::ColumnWords words;
-    for (const std::string& name : names_)
-      if (name != request_.score) words[name] = {};
+    for (const std::string& name : names_) words[name] = {};
     const table::Table table = table::read_csv(path_, words);
     const table::Column& scores = *table.find(request_.score);
-    for (std::size_t row = 0; row < scores.values.size(); ++row)
-      if (!std::isfinite(scores.values[row]))
-        throw table::TableError(
-            fmt::format("{}:{}: {} is no finite number (column '{}'); leave the row out, or mend it", path_,
-                        row + 2, scores.values[row], request_.score));
-    Observations result{request_.score, scores.values, {}};
+    Observations result{request_.score, numbers(scores, words[request_.score]), {}};
     if (!scores.unit.empty()) result.response += fmt::format(" [{}]", scores.unit);
     std::vector<std::string> all = request_.factors;
     if (!request_.subject.empty()) all.push_back(request_.subject);
@@ -51,6 +49,54 @@ class ScoreReader {
  private:
   [[noreturn]] void fail(const std::string& message) const {
     throw table::TableError(fmt::format("{}:1: {}", path_, message));
+  }
+
+  [[noreturn]] void fail_at(std::size_t row, const std::string& message) const {
+    throw table::TableError(
+        fmt::format("{}:{}: {} (column '{}')", path_, row + 2, message, table::csv_shown(request_.score)));
+  }
+
+  /// Returns the scores of a column that was read as words. The decimal mark is a point. It is a comma where
+  /// the column proves that, by the rules of measured records.
+  std::vector<double> numbers(const table::Column& column, const std::vector<std::string>& words) const {
+    const csv::Decimal decimal = decimal_of(column, words);
+    std::vector<double> numbers;
+    for (std::size_t row = 0; row < column.values.size(); ++row) {
+      const std::string& word = words[static_cast<std::size_t>(column.values[row])];
+      if (csv::is_missing(word)) fail_at(row, "the score is missing; leave the row out, or mend it");
+      const auto cell = decimal == csv::Decimal::comma ? csv::cell_number(word, decimal) : std::nullopt;
+      const std::string text = cell ? cell->text : word;
+      const auto value =
+          cell || decimal != csv::Decimal::comma ? table::csv_number(text) : std::optional<double>();
+      if (!value) fail_at(row, fmt::format("'{}' {}", table::csv_shown(word), problem(word, decimal)));
+      if (!std::isfinite(*value))
+        fail_at(row, fmt::format("{} is no finite number; leave the row out, or mend it", *value));
+      numbers.push_back(*value);
+    }
+    return numbers;
+  }
+
+  csv::Decimal decimal_of(const table::Column& column, const std::vector<std::string>& words) const {
+    if (std::ranges::all_of(words,
+                            [](const std::string& word) { return table::csv_number(word).has_value(); }))
+      return csv::Decimal::point;
+    csv::DecimalSurvey survey(1);
+    for (std::size_t row = 0; row < column.values.size(); ++row)
+      survey.add(0, words[static_cast<std::size_t>(column.values[row])], row + 2);
+    return survey.verdict(false).decimal;
+  }
+
+  static std::string problem(const std::string& word, csv::Decimal decimal) {
+    const csv::Shape shape = csv::shape_of(word);
+    const bool comma = decimal == csv::Decimal::comma;
+    if (shape == csv::Shape::either_comma || shape == csv::Shape::grouped_point)
+      return "may part thousands or be decimal; write scores with a decimal point and without marks of "
+             "thousands";
+    if (csv::cell_number(word, comma ? csv::Decimal::point : csv::Decimal::comma))
+      return fmt::format(
+          "has a decimal {}, but other scores a decimal {}; write one of them in the whole column",
+          comma ? "point" : "comma", comma ? "comma" : "point");
+    return table::csv_number_problem(word);
   }
 
   /// Sets the columns that the request leaves open, and checks those that it names.

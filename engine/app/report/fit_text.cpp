@@ -107,6 +107,7 @@ std::string summary(const estimation::FitResult& result) {
     text += fmt::format("; {} starts, {} of them to the end", result.starts.size(), finished);
   if (result.interrupted) return text + "; interrupted: this is the best so far\n";
   if (result.limited) return text + "; held by what the diagram refuses: see the note\n";
+  if (result.astray) return text + "; not converged: at no certain minimum, see the note\n";
   return text + (result.converged ? "\n" : "; not converged: allow more 'iterations'\n");
 }
 

@@ -91,7 +91,25 @@ class RecordReader {
     if (!lines_.at_end()) lines_.skip_line_end();
     const std::vector<std::string> below = lines_.fields();
     lines_.go_to(here);
-    return titles > 1 && below.size() == titles && std::ranges::all_of(below, is_value) ? ' ' : marked;
+    if (titles == 1 || below.size() == 1 || !std::ranges::all_of(below, is_value)) return marked;
+    if (below.size() != titles) refuse_blanks(below.size(), marked);
+    return below.size() == titles ? ' ' : marked;
+  }
+
+  /// Refuses a header whose names contain blanks above values that blanks separate, unless the row below is
+  /// one value, e.g. a time.
+  void refuse_blanks(std::size_t values, char marked) {
+    const table::CsvLines::Place here = lines_.place();
+    lines_.separate_by(marked);
+    const std::vector<std::string> header = lines_.fields();
+    lines_.skip_line_end();
+    const std::vector<std::string> row = lines_.fields();
+    lines_.go_to(here);
+    if (row.size() != 1 || is_value(row.front())) return;
+    lines_.fail(fmt::format(
+        "the header '{}' is one name, but the row below has {} values parted by blanks; part names "
+        "and values by commas, semicolons or tabs, or write names without blanks",
+        table::csv_shown(header.front()), values));
   }
 
   /// Reads the row of units if there is one.
@@ -189,19 +207,25 @@ class RecordReader {
     const std::size_t count = texts.size();
     const bool fits =
         count > wanted_ ? is_empty_from(texts, wanted_) : is_empty_from(texts, 0) || is_unnamed_from(count);
-    if (count != wanted_ && !fits) refuse_count(count);
+    if (count != wanted_ && !fits) refuse_count(texts);
     texts.resize(wanted_);
     lines_.skip_line_end();
     return texts;
   }
 
-  [[noreturn]] void refuse_count(std::size_t count) const {
-    const bool commas = lines_.separator() == ',' && count == 2 * wanted_;
-    lines_.fail(fmt::format("{} value{} where the header names {}{}", count, count == 1 ? "" : "s", wanted_,
-                            commas
-                                ? "; decimal commas between commas cannot be told apart: write the file with "
-                                  "semicolons between the columns, or with decimal points"
-                                : ""));
+  [[noreturn]] void refuse_count(const std::vector<std::string>& texts) const {
+    const std::size_t count = texts.size();
+    const bool values = std::ranges::all_of(texts, is_value);
+    const bool names = count > 1 && std::ranges::none_of(texts, is_value);
+    const char* cure = "";
+    if (values && lines_.separator() == ',' && count == 2 * wanted_)
+      cure =
+          "; decimal commas between commas cannot be told apart: write the file with semicolons between the "
+          "columns, or with decimal points";
+    else if (names)
+      cure = "; if this line is the header, delete the lines above it, or begin them with '#'";
+    lines_.fail(
+        fmt::format("{} value{} where the header names {}{}", count, count == 1 ? "" : "s", wanted_, cure));
   }
 
   static bool is_empty_from(const std::vector<std::string>& texts, std::size_t first) {

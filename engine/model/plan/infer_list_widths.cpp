@@ -15,13 +15,9 @@ namespace {
 
 class ListWidthInference {
  public:
-  ListWidthInference(Draft& draft, PortSizes& sizes, MatrixLists& matrices)
+  ListWidthInference(Draft& draft, PortSizes& sizes, MatrixLists& matrices, const std::vector<int>& order)
       : draft_(draft), sizes_(sizes), matrices_(matrices) {
-    for (std::size_t block = 0; block < draft.blocks.size(); ++block)
-      for (std::size_t input = 0; input < draft.type(block).inputs.size(); ++input)
-        if (draft.type(block).inputs[input].list &&
-            !PortShape(draft.type(block).inputs[input].shape).is_matrix)
-          add_list(block, input);
+    for (const int block : order) add_lists(static_cast<std::size_t>(block));
   }
 
   std::set<std::pair<std::size_t, std::size_t>> run() {
@@ -35,6 +31,12 @@ class ListWidthInference {
     std::size_t block, input;
     bool settled = false;
   };
+
+  void add_lists(std::size_t block) {
+    const std::vector<InputSpec>& inputs = draft_.type(block).inputs;
+    for (std::size_t input = 0; input < inputs.size(); ++input)
+      if (inputs[input].list && !PortShape(inputs[input].shape).is_matrix) add_list(block, input);
+  }
 
   void add_list(std::size_t block, std::size_t input) {
     const int list = static_cast<int>(lists_.size());
@@ -157,8 +159,9 @@ class ListWidthInference {
 }  // namespace
 
 std::set<std::pair<std::size_t, std::size_t>> infer_list_widths(Draft& draft, PortSizes& sizes,
-                                                                MatrixLists& matrices) {
-  return ListWidthInference(draft, sizes, matrices).run();
+                                                                MatrixLists& matrices,
+                                                                const std::vector<int>& order) {
+  return ListWidthInference(draft, sizes, matrices, order).run();
 }
 
 }  // namespace stepwire::plan

@@ -2,6 +2,7 @@
 
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "engine/model/plan/matrix_lists.hpp"
 
@@ -18,8 +19,10 @@ constexpr Eigen::Index max_numbers = Eigen::Index{1} << 26;
 /// elements of one size or scalars. With the shape "+m" each element has its own size, and m is their sum;
 /// sums of lists of matrices are alike. The sizes are propagated by a worklist until no list changes. An open
 /// size that then depends on no other open size becomes a scalar; of sizes that depend on each other in a
-/// loop one becomes a scalar. Propagation continues until no size is open.
+/// loop one becomes a scalar: the first one in the order of the blocks. Propagation continues until no size
+/// is open.
 std::set<std::pair<std::size_t, std::size_t>> infer_list_widths(Draft& draft, PortSizes& sizes,
-                                                                MatrixLists& matrices);
+                                                                MatrixLists& matrices,
+                                                                const std::vector<int>& order);
 
 }  // namespace stepwire::plan

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
+#include "engine/model/plan/canonical_order.hpp"
 #include "engine/model/plan/configuring.hpp"
 #include "engine/model/plan/element_slot.hpp"
 #include "engine/model/plan/infer_list_widths.hpp"
@@ -14,6 +16,22 @@ namespace stepwire::plan {
 
 namespace {
 
+bool has_matrix_port(const BlockType& type) {
+  const auto is_matrix = [](const auto& port) { return PortShape(port.shape).is_matrix; };
+  return std::ranges::any_of(type.inputs, is_matrix) || std::ranges::any_of(type.outputs, is_matrix);
+}
+
+/// Returns the blocks in the order in which their sizes are determined. Rows and columns that nothing
+/// determines are assumed one by one, so this order must not be that of the file.
+std::vector<int> order_of(const Draft& draft) {
+  const auto& blocks = draft.plan.diagram.blocks;
+  if (std::ranges::any_of(blocks, [](const auto& block) { return has_matrix_port(block.type()); }))
+    return canonical_order(draft);
+  std::vector<int> order(blocks.size());
+  std::iota(order.begin(), order.end(), 0);
+  return order;
+}
+
 /// Determines the size of every port and state: from declarations and parameters, along wires, then from
 /// lists.
 class Shapes {
@@ -21,10 +39,11 @@ class Shapes {
   explicit Shapes(Draft& draft) : draft_(draft), sizes_(draft), matrix_lists_(draft, sizes_) {}
 
   void run() {
-    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) declare(i);
-    for (std::size_t i = 0; i < draft_.blocks.size(); ++i) connect(i);
+    const std::vector<int> order = order_of(draft_);
+    for (const int block : order) declare(static_cast<std::size_t>(block));
+    for (const int block : order) connect(static_cast<std::size_t>(block));
     for (const diagram::ShapeDemand& demand : draft_.diagram().shape_demands) demand_shape(demand);
-    refused_ = infer_list_widths(draft_, sizes_, matrix_lists_);
+    refused_ = infer_list_widths(draft_, sizes_, matrix_lists_, order);
     check_shapes(draft_, sizes_, refused_);
     matrix_lists_.check();
     for (std::size_t i = 0; i < draft_.blocks.size(); ++i) store(i);

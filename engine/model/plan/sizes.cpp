@@ -65,6 +65,10 @@ bool Sizes::multiply(int size) {
   const auto [rows, columns] = *factors(size);
   const auto all = value(size), high = value(rows), wide = value(columns);
   if (high && wide) return set_if_open(size, *high * *wide);
+  if (all == 1) {  // one number is one row of one column
+    const bool new_rows = set_if_open(rows, 1);
+    return set_if_open(columns, 1) || new_rows;
+  }
   if (all && high && *high > 0 && *all % *high == 0) return set_if_open(columns, *all / *high);
   if (all && wide && *wide > 0 && *all % *wide == 0) return set_if_open(rows, *all / *wide);
   return false;

@@ -29,7 +29,7 @@ class Sizes {
   /// Returns the columns; 1 for a vector and if unknown.
   Eigen::Index columns(int size);
   /// Determines products, rows and columns from known values. Returns true if one is new; quotients with a
-  /// remainder are ignored.
+  /// remainder are ignored. The rows and columns of a single number are 1.
   bool multiply();
   /// Gives a size without rows and columns a single column.
   bool settle_columns();

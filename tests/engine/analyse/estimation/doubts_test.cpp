@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "engine/analyse/estimation/still_falling.hpp"
 #include "tests/engine/analyse/estimation/fit_text.hpp"
 #include "tests/engine/analyse/estimation/nist.hpp"
 
@@ -47,6 +48,58 @@ TEST_CASE("a search that ends at the mean of the record is doubted, and never se
   std::string all;
   for (const std::string& finding : result.findings) all += finding + "\n";
   CHECK_THAT(all, Contains("no better than by its mean") && !Contains("fix"));
+}
+
+namespace {
+
+/// The file of a fit of a exp(-b t) + c to 5 exp(-t/2) + 1 with a small disturbance.
+std::string decay_from(const std::string& a, const std::string& b, const std::string& c,
+                       const std::string& bounds = "") {
+  return "step: 0.25 s\nstop: 9.75 s\nparameters: {a: " + a + ", b: " + b + ", c: " + c +
+         "}\nfit:\n  parameters: {a: {start: " + a + bounds + "}, b: {start: " + b + "}, c: {start: " + c +
+         bounds + "}}\n  compare: [{model: m, measured: y}]\n" +
+         R"yaml(blocks:
+  t: {block: Ramp, slope: 1}
+  y: {block: Expression, u: t, expression: "5*exp(-u/2) + 1 + 0.05*sin(37*u)"}
+  m: {block: Expression, u: t, expression: "$a*exp(-$b*u) + $c"}
+units: {t: "1", y: "1", m: "1"}
+record: [m, y]
+)yaml";
+}
+
+}  // namespace
+
+// scipy 1.10.1: least_squares(lambda p: p[0]*exp(-p[1]*t)+p[2]-y, [-5,3,1], xtol=1e-15), t = arange(40)/4
+TEST_CASE("a search that a steep start has made slow is not at a minimum, and does not say so") {
+  for (const char* a : {"-1", "1"}) {
+    const FitResult steep = fit_text(decay_from(a, "-3", "1"));
+    CHECK_FALSE(steep.converged);
+    CHECK(steep.astray);
+    REQUIRE(!steep.findings.empty());
+    CHECK_THAT(steep.findings.front(), Contains("where the search has ended") || Contains("no minimum"));
+  }
+  const FitResult good = fit_text(decay_from("-5", "3", "1"));
+  CHECK(good.converged);
+  CHECK_FALSE(good.astray);
+  CHECK(digits(found(good, "a").value, 5.0002484587) > 7.0);
+  CHECK(digits(found(good, "b").value, 0.500520468148) > 7.0);
+  CHECK(digits(found(good, "c").value, 1.00136144596) > 7.0);
+}
+
+// scipy 1.10.1: least_squares of the same, from [-16,-0.02,19.9] with bounds of 20 for a and c
+TEST_CASE("a search that a steep start has made slow begins again, and a parameter at its bound may end it") {
+  const FitResult result = fit_text(decay_from("1", "-3", "1", ", bounds: [-20, 20]"));
+  CHECK(result.converged);
+  CHECK(found(result, "c").value == 20.0);
+  CHECK(found(result, "c").at_bound);
+  CHECK(digits(found(result, "a").value, -16.16797011) > 6.0);
+  CHECK(digits(found(result, "b").value, -0.02100260466) > 6.0);
+}
+
+TEST_CASE("the note on a search that has ended at no minimum names the parameters") {
+  CHECK_THAT(falling_text({{0, 0.19}, {2, 0.26}}, {"a", "b", "c"}),
+             Contains("no minimum: the search has ended where the cost still falls along a, c (cosine") &&
+                 Contains("up to 0.26") && Contains("try other starts"));
 }
 
 TEST_CASE("rows of a diagram without memory have classical errors, with a note where they go together") {

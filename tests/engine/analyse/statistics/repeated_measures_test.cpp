@@ -57,7 +57,9 @@ TEST_CASE("four stools are told apart, and are not spherical") {
   CHECK(type.sphericity->mauchly == Approx(0.1796005467).epsilon(1e-9));
   CHECK(type.sphericity->p_mauchly == Approx(0.043647965565).epsilon(1e-8));
   REQUIRE(all.warnings.size() == 1);
-  CHECK_THAT(all.warnings[0], Contains("'Type' is not spherical (Greenhouse-Geisser epsilon 0.646"));
+  CHECK_THAT(
+      all.warnings[0],
+      Contains("'Type' is not spherical (Mauchly's P 0.044); its Greenhouse-Geisser epsilon is 0.646"));
 }
 
 TEST_CASE("two factors within subjects are compared each with its own interaction") {
@@ -88,6 +90,18 @@ TEST_CASE("two subjects leave Huynh and Feldt's epsilon open, and equal scores a
   CHECK_FALSE(equal.find("condition")->sphericity.has_value());
   REQUIRE(equal.warnings.size() == 1);
   CHECK_THAT(equal.warnings[0], Contains("F of condition has no value"));
+}
+
+TEST_CASE("a test that rejects nothing does not call a term aspherical") {
+  // Python: S = cov of the scores times orthonormal contrasts; epsilon = tr(S)^2/(2 tr(S S));
+  // W = det(S)/(tr(S)/2)^2; chi2.sf(-(n-1)*(1-12/(12*(n-1)))*log(W), 2), n = 4
+  const std::vector<Factor> factors{running("condition", 3, 1, 12), running("subject", 4, 3, 12, true)};
+  const std::vector<double> scores{1, 2, 4, 1, 3, 9, 2, 2, 5, 1, 4, 6};
+  const Anova all = repeated_measures({"error", scores, factors}, {"condition"}, "subject");
+  REQUIRE(all.warnings.size() == 1);
+  CHECK_THAT(all.warnings[0],
+             Contains("Mauchly's test does not reject that 'condition' is spherical (P 0.61)") &&
+                 Contains("its Greenhouse-Geisser epsilon is 0.718: read the corrected P"));
 }
 
 TEST_CASE("several trials of one subject in one cell count as their mean") {

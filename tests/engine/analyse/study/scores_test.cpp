@@ -1,5 +1,7 @@
 #include "engine/analyse/study/scores.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -38,6 +40,52 @@ TEST_CASE("independent scores of a table are analysed with their interactions") 
   CHECK(found.request.score == "len");
   CHECK_FALSE(found.pairs.has_value());
   CHECK_THAT(text::text(score_tables(found).front()), Contains("13.23"));  // the mean of OJ at 0.5 mg
+}
+
+TEST_CASE("scores with a decimal comma are read, and ones that may be read in two ways are refused") {
+  const Scratch folder;
+  const auto read = [&](const std::string& text) {
+    folder.file("d.csv", text);
+    return analyse_scores(folder.path("d.csv"), {}).observations.values;
+  };
+  CHECK(read("d;y\na;1,5\na;2,25\nb;3\nb;4,5\n") == std::vector<double>{1.5, 2.25, 3.0, 4.5});
+  CHECK(read("d,y\na,1.234\na,2.345\nb,3.456\nb,4.567\n") == std::vector<double>{1.234, 2.345, 3.456, 4.567});
+  CHECK_THROWS_WITH(read("d;y\na;1,234\nb;2\n"),
+                    Contains("d.csv:2: '1,234' may part thousands or be decimal"));
+  CHECK_THROWS_WITH(read("d;y\na;1,5\nb;2.5\n"),
+                    Contains("a decimal comma, but other scores a decimal point"));
+  CHECK_THROWS_WITH(read("d;y\na;1,5\nb;\n"), Contains("d.csv:3: the score is missing; leave the row out"));
+  CHECK_THROWS_WITH(read("d;y\na;1.5\nb;NA\n"), Contains("d.csv:3: the score is missing"));
+}
+
+TEST_CASE("cells of scores with a large offset have the moments of the differences") {
+  // The scores 0, 0.5 and 1 beyond 1e12 are exact there, each 667 times: mean 0.5, squares 2 * 667 * 0.25.
+  const Scratch folder;
+  std::string text = "d,y\n";
+  for (const char* level : {"a", "b"})
+    for (int row = 0; row < 2001; ++row)
+      text += fmt::format("{},{:.10f}\n", level, 1e12 + (row % 3 == 0 ? 0.0 : row % 3 == 1 ? 0.5 : 1.0));
+  folder.file("far.csv", text);
+  const std::string json = scores_json("far.csv", analyse_scores(folder.path("far.csv"), {})).text();
+  CHECK_THAT(json, Contains("\"mean\": 1000000000000.5"));
+  CHECK_THAT(json, Contains("\"standard_deviation\": 0.40835"));  // sqrt(667 * 0.5 / 2000)
+}
+
+TEST_CASE("one factor of many levels is analysed in a time that its rows do not decide") {
+  // 500 levels of 40 scores each: level k has mean k, and scores k +- 1, so the sums of squares are closed.
+  Observations data{"y", {}, {{"d", {}, {}}}};
+  for (std::size_t level = 0; level < 500; ++level) {
+    data.factors[0].levels.push_back(std::to_string(level));
+    for (int k = 0; k < 40; ++k) {
+      data.factors[0].level.push_back(level);
+      data.values.push_back(static_cast<double>(level) + (k % 2 ? 1.0 : -1.0));
+    }
+  }
+  const statistics::Anova found = statistics::anova(data, statistics::crossed_terms({"d"}));
+  CHECK(found.find("d")->sum_of_squares == Approx(40.0 * 500.0 * (250000.0 - 1.0) / 12.0).epsilon(1e-12));
+  CHECK(found.residual.sum_of_squares == Approx(20000.0).epsilon(1e-12));
+  CHECK(found.find("d")->freedom == 499.0);
+  CHECK(found.residual.freedom == 19500.0);
 }
 
 TEST_CASE("scores of subjects are analysed by repeated measures, with comparisons of all conditions") {

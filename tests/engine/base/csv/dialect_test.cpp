@@ -106,6 +106,21 @@ TEST_CASE("decimal commas between commas are refused with the cure") {
                                     "commas between commas cannot be told apart"));
 }
 
+TEST_CASE("a header below other lines, and one whose names contain blanks, are refused with the cure") {
+  const std::string cure = "; if this line is the header, delete the lines above it, or begin them with '#'";
+  CHECK_THROWS_WITH(read("Logger 7\nt,x\n0,1\n"),
+                    Catch::EndsWith("press.csv:2: 2 values where the header names 1" + cure));
+  CHECK_THROWS_WITH(read("Logger,7\nDate,today\nt,x,y,z\n0,1,2,3\n"),
+                    Catch::EndsWith("press.csv:3: 4 values where the header names 2" + cure));
+  CHECK_THROWS_WITH(
+      read("t [s]   x [mm]\n0  1.5\n1  2.5\n"),
+      Catch::EndsWith(
+          "press.csv:1: the header 't [s]   x [mm]' is one name, but the row below has 2 values parted "
+          "by blanks; part names and values by commas, semicolons or tabs, or write names without "
+          "blanks"));
+  CHECK(column("time of day\n27.11.2026 10:00:00\n", "time of day") == Values{0.0});
+}
+
 TEST_CASE("units are read from brackets and parentheses in the header") {
   CHECK(unit("t (s),x (mm)\n0,1\n", "x") == "mm");
   CHECK(unit("Time(s),x\n0,1\n", "Time") == "s");

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
@@ -98,6 +100,37 @@ TEST_CASE("sizes that differ are refused where the wire ends, with both ends") {
         "test.yaml:4:37: g.u: has 3 numbers; 2 would fit");
   CHECK_THAT(only_fault("  d: {block: UnitDelay, u: v, initial: [1, 2]}\n"),
              Catch::StartsWith("test.yaml:4:28: d.u: 'v' has 3 elements, but d.u takes 2"));
+}
+
+TEST_CASE("sizes that only a product of one determines are found in any order of the blocks") {
+  // n2 = 0.5 * 0.5; n3 = [n2, 0.5]; n6 has its numbers below each other
+  std::vector<std::string> lines{
+      "  n2: {block: MatrixMultiply, a: 0.5, b: 0.5}\n", "  n3: {block: Concatenate, u: [n2, 0.5]}\n",
+      "  n4: {block: Concatenate, u: [n3]}\n", "  n6: {block: Reshape, u: n4, rows: 2}\n"};
+  do {
+    std::string text = "step: 1 s\nstop: 1 s\nblocks:\n";
+    for (const std::string& line : lines) text += line;
+    INFO(text);
+    const table::Table run = run_text(text + "record: [n6]\n");
+    CHECK(column(run, "n6.1") == std::vector<double>{0.25, 0.25});
+    CHECK(column(run, "n6.2") == std::vector<double>{0.5, 0.5});
+  } while (std::ranges::next_permutation(lines).found);
+}
+
+TEST_CASE("rows and columns that nothing determines are assumed alike in any order of the blocks") {
+  std::vector<std::string> lines{"  n1: {block: Sine}\n", "  n2: {block: MatrixMultiply, a: n1, b: n1}\n",
+                                 "  n3: {block: Concatenate, u: [n2, n1]}\n",
+                                 "  n4: {block: Concatenate, u: [n3]}\n",
+                                 "  n6: {block: Reshape, u: n4, rows: 2}\n"};
+  std::set<std::string> outcomes;
+  do {
+    std::string text = "blocks:\n";
+    for (const std::string& line : lines) text += line;
+    std::string outcome;
+    for (const std::string& fault : faults_of(text)) outcome += fault.substr(fault.find(": ")) + "\n";
+    outcomes.insert(outcome);
+  } while (std::ranges::next_permutation(lines).found);
+  CHECK(outcomes.size() == 1);
 }
 
 TEST_CASE("rows of different length are no matrix") {
