@@ -1,5 +1,7 @@
 #include "engine/analyse/linear/analysis.hpp"
 
+#include "engine/analyse/linear/gain_at_rest.hpp"
+
 namespace stepwire::linear {
 
 namespace {

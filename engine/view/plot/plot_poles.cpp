@@ -180,7 +180,7 @@ PlotKind poles_plot() {
   PlotKind kind{"poles", "poles and zeros of an analysis; of a sampled one about the unit circle",
                 {},      {analysis_key()},
                 true,    draw_poles};
-  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar};
+  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar, KeyNeeds::scale};
   return kind;
 }
 
@@ -192,7 +192,7 @@ PlotKind root_locus_plot() {
       {analysis_key()},
       true,
       draw_locus};
-  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar};
+  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar, KeyNeeds::scale};
   return kind;
 }
 
@@ -200,7 +200,7 @@ PlotKind nyquist_plot() {
   PlotKind kind{"nyquist", "the loop of an analysis in the plane of complex numbers, with its margins",
                 {},        {analysis_key()},
                 true,      draw_nyquist};
-  kind.lacks = {KeyNeeds::ratio, KeyNeeds::rows, KeyNeeds::color_bar};
+  kind.lacks = {KeyNeeds::ratio, KeyNeeds::rows, KeyNeeds::color_bar, KeyNeeds::scale};
   return kind;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/analyse/linear/gain_at_rest.hpp"
+
 namespace stepwire::linear {
 
 namespace {
