@@ -9,7 +9,6 @@
 #include <numbers>
 #include <optional>
 
-#include "engine/analyse/linear/point_response.hpp"
 #include "engine/analyse/linear/poles.hpp"
 
 namespace stepwire::linear {
@@ -52,8 +51,28 @@ class Resolvent {
     T.setFromTriplets(all.begin(), all.end());
     Eigen::SparseLU<Sparse> solver(T);
     if (solver.info() != Eigen::Success) return std::nullopt;
-    return std::array<Eigen::VectorXcd, 2>{solver.solve(into_.cast<Complex>()),
-                                           solver.transpose().solve(out_of_.cast<Complex>())};
+    std::array<Eigen::VectorXcd, 2> both{solver.solve(into_.cast<Complex>()),
+                                         solver.transpose().solve(out_of_.cast<Complex>())};
+    if (!both[0].allFinite() || !both[1].allFinite()) return std::nullopt;
+    return both;
+  }
+
+  /// Returns the response at a real point; std::nullopt if rounding of the numbers of T may change it.
+  std::optional<double> gain_at(double point) const {
+    constexpr double rounding = 1e-15, least = 1e-6;
+    const auto solved = at(point);
+    if (!solved) return std::nullopt;
+    const Eigen::VectorXd x = (*solved)[0].real(), y = (*solved)[1].real();
+    double change = 0.0;
+    for (const auto& part : constant_)
+      change += std::abs(part.value()) * std::abs(x[part.col()]) * std::abs(y[part.row()]);
+    for (Eigen::Index i = 0; i < size(); ++i)
+      change += (i < n_ ? std::abs(point) : 1.0) * std::abs(x[i]) * std::abs(y[i]);
+    change *= rounding;
+    const double size = out_of_.cwiseAbs().dot(x.cwiseAbs()) + std::abs(direct());
+    if (!(change <= least * size)) return std::nullopt;
+    const double gain = out_of_.dot(x) + direct();
+    return std::abs(gain) > change ? gain : 0.0;
   }
 
  private:
@@ -101,7 +120,7 @@ class CircleAboutRest {
   bool look() {
     for (int k = 0; k <= points / 2; ++k) {
       const auto here = resolvent_.at(centre_ + radius_ * turned(k));
-      if (!here || !(*here)[0].allFinite() || !(*here)[1].allFinite()) return false;
+      if (!here) return false;
       states_.push_back((*here)[0]);
       costates_.push_back((*here)[1]);
       values_.push_back((resolvent_.out_of().transpose() * states_.back())(0) + resolvent_.direct());
@@ -142,42 +161,52 @@ class CircleAboutRest {
 
 /// Poles by their distance from the point at rest.
 struct Surroundings {
-  std::size_t at_rest = 0;  ///< Number of poles there, within rounding.
-  double spread = 0.0;      ///< Largest distance of these.
-  double crowd = 0.0;       ///< Sum of the inverse distances of all others.
+  std::vector<double> distances;
+  std::size_t fewest = 0, most = 0;  ///< Numbers of poles that can be one pole at rest, but for rounding.
+
+  /// Returns the radius of a circle about the first poles, on which the others change the response little.
+  double radius(std::size_t inside, const std::vector<InnerDelay>& delays) const {
+    double crowd = 0.0;
+    for (std::size_t k = inside; k < distances.size(); ++k) crowd += 1.0 / distances[k];
+    for (const InnerDelay& delay : delays) crowd += delay.time;
+    return crowd > 0.0 ? 0.25 / crowd : 0.25;
+  }
+  /// Returns the largest distance of the first poles.
+  double spread(std::size_t inside) const { return inside > 0 ? distances[inside - 1] : 0.0; }
 };
 
-/// Takes the largest cluster that can be one pole. Rounding by `eps` of the largest pole spreads a pole of
-/// order m over a radius of eps^(1/m), but its mean moves by eps only.
+/// Rounding of the largest pole spreads a pole of order m over a radius of eps^(1/m), but its mean moves by
+/// eps only.
 Surroundings surroundings_of(std::vector<Complex> poles, double centre) {
-  constexpr double rounding = 1e-15;
+  constexpr double rounding = 1e-14;
   for (Complex& pole : poles) pole -= centre;
   std::ranges::sort(poles, {}, [](const Complex& pole) { return std::abs(pole); });
   const double size = centre > 0.0 ? 1.0 : poles.empty() ? 0.0 : std::abs(poles.back());
   Surroundings found;
   Complex sum = 0.0;
-  for (std::size_t m = 1; m <= poles.size(); ++m) {
-    sum += poles[m - 1];
-    const double count = static_cast<double>(m), distance = std::abs(poles[m - 1]);
-    const bool is_one = std::abs(sum) <= 10.0 * count * rounding * size &&
-                        distance <= 10.0 * std::pow(rounding, 1.0 / count) * size;
-    if (distance == 0.0 || is_one) found.at_rest = m, found.spread = distance;
+  for (const Complex& pole : poles) {
+    sum += pole;
+    found.distances.push_back(std::abs(pole));
+    const double order = static_cast<double>(found.distances.size());
+    if (std::abs(sum) > order * rounding * size ||
+        std::abs(pole) > 3.0 * std::pow(rounding, 1.0 / order) * size)
+      continue;
+    found.most = found.distances.size();
+    if (found.fewest == 0 || std::abs(pole) <= rounding * size) found.fewest = found.most;
   }
-  for (std::size_t k = found.at_rest; k < poles.size(); ++k) found.crowd += 1.0 / std::abs(poles[k]);
   return found;
 }
 
 double limit_of(const Expansion& expansion) {
-  return expansion.order == 0 ? expansion.leading
-                              : std::copysign(std::numeric_limits<double>::infinity(), expansion.leading);
+  if (expansion.order == 0) return expansion.leading;
+  return std::copysign(std::numeric_limits<double>::infinity(), expansion.leading);
 }
 
-/// Returns the limit by two circles about the point at rest, on which other poles change the response little.
-double limit_by_circles(const StateSpace& system, double centre, const Surroundings& near) {
-  double crowd = near.crowd;
-  for (const InnerDelay& delay : system.delays) crowd += delay.time;
-  const double radius = crowd > 0.0 ? 0.25 / crowd : 0.25;
-  const double inner = std::max(1e-2 * radius, std::sqrt(radius * near.spread));
+/// Returns the limit by two circles about poles at rest; NaN if they disagree.
+double limit_by_circles(const StateSpace& system, double centre, const Surroundings& near,
+                        std::size_t inside) {
+  const double radius = near.radius(inside, system.delays);
+  const double inner = std::max(1e-2 * radius, std::sqrt(radius * near.spread(inside)));
   const Resolvent resolvent(system);
   const int highest = static_cast<int>(std::min<Eigen::Index>(8, resolvent.size()));
   const auto far = CircleAboutRest(resolvent, centre, radius).expand(highest),
@@ -193,13 +222,12 @@ double limit_by_circles(const StateSpace& system, double centre, const Surroundi
 double gain_at_rest(const StateSpace& system) {
   const double centre = system.is_sampled() ? 1.0 : 0.0;
   if (!system.A.allFinite()) return undecided;
-  const Surroundings plain = surroundings_of(eigenvalues(system.A), centre);
-  const Surroundings whole = system.delays.empty() ? plain : surroundings_of(poles_of(system), centre);
-  if (plain.at_rest == 0 && whole.at_rest == 0) {
-    const double limit = PointResponse(system).at(centre).real();
-    if (std::isfinite(limit)) return limit;
-  }
-  return limit_by_circles(system, centre, whole);
+  if (const auto limit = Resolvent(system).gain_at(centre)) return *limit;
+  const Surroundings near = surroundings_of(poles_of(system), centre);
+  const double limit = limit_by_circles(system, centre, near, near.fewest);
+  if (near.most == near.fewest) return limit;
+  const double other = limit_by_circles(system, centre, near, near.most);
+  return limit == other || std::abs(limit - other) <= 1e-6 * std::abs(limit) ? limit : undecided;
 }
 
 }  // namespace stepwire::linear

@@ -207,7 +207,7 @@ PlotKind nyquist_plot() {
 PlotKind step_response_plot() {
   PlotKind kind{"step_response", "what an analysis puts out after a step of 1", {}, {analysis_key()}, true,
                 draw_step};
-  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar};
+  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar, KeyNeeds::scale};
   return kind;
 }
 
