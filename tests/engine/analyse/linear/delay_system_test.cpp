@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "engine/analyse/linear/gain_at_rest.hpp"
 #include "engine/analyse/linear/margins.hpp"
@@ -289,8 +290,8 @@ StateSpace in_series(double gain, double first, double a, double b, double secon
   return system;
 }
 
-/// A Smith predictor with the gain 2 for a lag of 1 s whose gain is `plant`, between delays of 0.2 s and 0.1
-/// s; the model has a gain of 1 and one delay. The input is the reference.
+/// A Smith predictor with the gain 2 for a lag of 1 s, whose gain is `plant`. Delays of 0.2 s and 0.1 s are
+/// before and behind it. The model has a gain of 1 and one delay. The input is the reference.
 StateSpace smith(double plant) {
   StateSpace system{
       -Eigen::MatrixXd::Identity(2, 2),
@@ -343,10 +344,33 @@ TEST_CASE("two delays in one loop are as stable as one delay of their sum") {
 }
 
 TEST_CASE("several loops with direct ways from delay to delay are counted") {
-  // The poles are -1 and the roots of s + 3 + 2 (k - 1) exp(-0.3 s) for a plant of gain k; one is on the axis
-  // where 3 tan(0.3 w) = -w, w = 6.648843221281488, at k = 1 + sqrt(9 + w^2)/2 = 4.647160408495244.
+  // The poles are -1 and the roots of s + 3 + 2 (k - 1) exp(-0.3 s) for a plant of gain k. The first is on
+  // the axis where 3 tan(0.3 w) = -w: w = 6.648843221281488, at k = 1 + sqrt(9 + w^2)/2 = 4.647160408495244.
   for (const double plant : {1.0, 2.0, 4.64}) CHECK(count_unstable(smith(plant)) == 0);
   CHECK(count_unstable(smith(4.65)) == 2);
+}
+
+TEST_CASE("the number of unstable poles is that of the poles found by Newton's method") {
+  std::mt19937 bits(7);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  int stable = 0, unstable = 0;
+  for (int k = 0; k < 60; ++k) {
+    StateSpace system = smith(1.0);
+    for (Eigen::MatrixXd* matrix : {&system.A, &system.B, &system.C})
+      *matrix = matrix->unaryExpr([&](double) { return 2.0 * number(bits); });
+    system.A.diagonal().array() -= 2.0;
+    // Direct ways go from a delay to later ones only, with gains up to 3.
+    system.D.setZero();
+    for (int i = 1; i < 4; ++i)
+      for (int j = 1; j < i; ++j) system.D(i, j) = 3.0 * number(bits);
+    const auto poles = delay_poles(system);
+    const auto right = std::ranges::count_if(poles, [](const Complex& pole) { return pole.real() > 0.0; });
+    CHECK(count_unstable(system) == static_cast<int>(right));
+    stable += right == 0;
+    unstable += right > 0;
+  }
+  CHECK(stable > 10);
+  CHECK(unstable > 10);
 }
 
 TEST_CASE("two delays that echo are stable below a gain of 1 around both") {
