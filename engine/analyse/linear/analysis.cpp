@@ -13,7 +13,7 @@ ChannelAnalysis channel_of(const Linearization& all, std::size_t input, std::siz
   ChannelAnalysis found{channel.inputs[0].name, channel.outputs[0].name, zeros_of(channel),
                         gain_at_rest(channel),  bandwidth(channel),      margins_of(whole, all.feedback)};
   if (std::isnan(found.gain_at_rest))
-    found.margins.notes.push_back(
+    found.margins.notes.emplace_back(
         "the gain at rest and the bandwidth: rounding hides whether slow poles are at rest");
   return found;
 }
