@@ -146,7 +146,8 @@ class CircleAboutRest {
 
   /// Returns the size of a coefficient that rounding makes where states cancel.
   double rounding(int power) const {
-    constexpr double of_states = 1e-10, of_values = 1e-12;
+    constexpr double of_states = 1e-10;
+    const double of_values = 1e-12 + 1e-14 * centre_ / radius_;  // points about 1 are rounded themselves
     const double left = resolvent_.out_of().cwiseAbs().dot(mean(states_, power).cwiseAbs()),
                  right = resolvent_.into().cwiseAbs().dot(mean(costates_, power).cwiseAbs());
     return (of_states * std::max(left, right) + of_values * most_) * std::pow(radius_, -power);

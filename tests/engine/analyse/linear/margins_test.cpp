@@ -113,7 +113,12 @@ TEST_CASE("the gain at rest is the limit where poles there are double, slow or c
   const Eigen::MatrixXd first = Eigen::Vector2d(1.0, 0.0), row = Eigen::RowVector2d(0.1, 0.05);
   CHECK(gain_at_rest(system_of(double_pole, first, row, 0.01)) == infinite);
   CHECK(gain_at_rest(system_of(double_pole, first, -row, 0.01)) == -infinite);
-  CHECK(gain_at_rest(sampled_integrator(-5.0, 1e-3, 500)) == -infinite);
+  for (const int delays : {2, 20, 200, 500}) {
+    StateSpace late = sampled_integrator(-5.0, 1e-3, delays);
+    CHECK(gain_at_rest(late) == -infinite);
+    late.A(0, 0) = 0.9999999999999999;  // a step of the solver, rounded
+    CHECK(gain_at_rest(late) == -infinite);
+  }
   // 1/s - 1/s + 1/(s + 1); with a little more of the second, -1e-6/s remains.
   const Eigen::MatrixXd poles = Eigen::Vector3d(0.0, 0.0, -1.0).asDiagonal();
   const auto difference = [&](double second) {
