@@ -1,13 +1,21 @@
 #include "engine/analyse/linear/analysis.hpp"
 
+#include <cmath>
+
+#include "engine/analyse/linear/gain_at_rest.hpp"
+
 namespace stepwire::linear {
 
 namespace {
 
 ChannelAnalysis channel_of(const Linearization& all, std::size_t input, std::size_t output) {
   const StateSpace whole = all.system.channel(input, output), channel = whole.connected();
-  return {channel.inputs[0].name, channel.outputs[0].name, zeros_of(channel),
-          gain_at_rest(channel),  bandwidth(channel),      margins_of(whole, all.feedback)};
+  ChannelAnalysis found{channel.inputs[0].name, channel.outputs[0].name, zeros_of(channel),
+                        gain_at_rest(channel),  bandwidth(channel),      margins_of(whole, all.feedback)};
+  if (std::isnan(found.gain_at_rest))
+    found.margins.notes.emplace_back(
+        "the gain at rest and the bandwidth: rounding hides whether slow poles are at rest");
+  return found;
 }
 
 }  // namespace

@@ -54,10 +54,22 @@ class Turns {
   int points_ = 0;
 };
 
-/// Returns the angle of det(1 - X); std::nullopt if the norm of X is not below 1, as then the angle is
-/// ambiguous.
-std::optional<double> angle_from_one(const Eigen::MatrixXcd& X) {
-  if (!(X.operatorNorm() < 0.999)) return std::nullopt;
+/// Returns the largest size of an eigenvalue.
+double spectral_radius(const Eigen::MatrixXd& sizes) {
+  return sizes.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+/// True if the loops through delays have gains below 1 from a frequency on, whatever the turns of the delays.
+/// X is the gain from delay to delay there, `direct` its limit. Either norm is enough. The radius of the
+/// sizes also sees that a way from one delay to the next is no loop.
+bool stays_below_one(const Eigen::MatrixXcd& X, const Eigen::MatrixXd& direct) {
+  constexpr double most = 0.999;
+  if (X.operatorNorm() < most && direct.operatorNorm() < most) return true;
+  return spectral_radius(X.cwiseAbs().cwiseMax(direct.cwiseAbs())) < most;
+}
+
+/// Returns the angle of det(1 - X) for eigenvalues of X below 1.
+double angle_from_one(const Eigen::MatrixXcd& X) {
   double angle = 0.0;
   for (const Complex& value : X.eigenvalues()) angle += std::arg(1.0 - value);
   return angle;
@@ -87,6 +99,9 @@ std::optional<int> count_by_turns(const StateSpace& system, const Scales& scales
   const double scale = scales.settled > 0.0 ? std::min(scales.fastest, scales.settled) : scales.slowest;
   const double beside = -std::max(1e-9 * scale, 1e-15 * scales.fastest);
   const PointResponse response(system);
+  const auto delays = std::ssize(system.delays);
+  const Eigen::MatrixXd direct = system.D.bottomRightCorner(delays, delays);
+  if (!stays_below_one(direct.cast<Complex>(), direct)) return std::nullopt;
   Turns turns(response, beside, scales.delay);
   double turned = 0.0, low = 0.0;
   std::optional<double> rest;
@@ -95,7 +110,9 @@ std::optional<int> count_by_turns(const StateSpace& system, const Scales& scales
     const auto more = turns.between(low, high);
     if (!more) return std::nullopt;
     turned += *more;
-    if (high > scales.settled) rest = angle_from_one(response.around({beside, high}));
+    if (high <= scales.settled) continue;
+    const Eigen::MatrixXcd around = response.around({beside, high});
+    if (stays_below_one(around, direct)) rest = angle_from_one(around);
   }
   const auto right =
       std::ranges::count_if(eigenvalues(system.A), [&](const Complex& pole) { return pole.real() > beside; });

@@ -148,21 +148,6 @@ std::vector<double> FrequencyResponse::search_frequencies(const std::vector<Mode
   return all;
 }
 
-/// Extrapolates to rest: near it the gain is constant, or grows with the order of the pole.
-double FrequencyResponse::at_rest() const {
-  const auto near = [&](double s) {
-    return response_.at(sample_time_ > 0.0 ? std::exp(s * sample_time_) : s).real();
-  };
-  double lowest = sample_time_ > 0.0 ? 1.0 / sample_time_ : 1.0;
-  if (!follows_all_turns()) lowest = std::min(lowest, 1.0 / delay_);
-  for (const Mode& corner : corners_)
-    if (corner.frequency > 0.0) lowest = std::min(lowest, corner.frequency);
-  const double far = near(1e-5 * lowest), closer = near(1e-7 * lowest);
-  if (std::abs(closer) > 30.0 * std::abs(far))
-    return std::copysign(std::numeric_limits<double>::infinity(), closer);
-  return response_.at(sample_time_ > 0.0 ? 1.0 : 0.0).real();
-}
-
 /// Returns frequencies at equal ratios, and denser ones near corners.
 std::vector<double> FrequencyResponse::spread(double first, double last, std::size_t per_decade,
                                               const std::vector<Mode>& corners) const {

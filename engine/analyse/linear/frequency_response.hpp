@@ -38,8 +38,6 @@ class FrequencyResponse {
   /// near the closed-loop poles as well, and extend at both ends until the gain has left 1 for good. Beyond
   /// last_followed() a chain of delays is resolved where its gain is nearest to 1.
   std::vector<double> search_frequencies(const std::vector<Mode>& closed) const;
-  /// Returns the gain at rest; infinite for a pole there.
-  double at_rest() const;
   bool is_sampled() const { return sample_time_ > 0.0; }
 
  private:

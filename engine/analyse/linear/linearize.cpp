@@ -36,13 +36,14 @@ class Columns {
   }
 
   /// Removes one state that cannot be a state of a linear system. A counter or flag makes other numbers jump.
-  /// A private state that nothing depends on, such as the value after a reset, has no effect. Returns false
-  /// if there is none.
+  /// A private state that nothing depends on has no effect: the value after a reset, or memory that each
+  /// update overwrites. Returns false if there is none.
   bool remove_one(std::vector<Slopes>& all) {
     for (std::size_t s = 0; s < point_.states().size(); ++s) {
       const StatePlace& state = point_.states()[s];
       const bool jumps = std::ranges::find(all[s].jumps, true) != all[s].jumps.end();
-      const bool leaves = (jumps && state.may_count) || (state.own && is_alone(all, s));
+      const bool leaves =
+          (jumps && state.may_count) || (state.own && (is_alone(all, s) || is_overwritten(all[s])));
       if (!leaves) continue;
       if (jumps) notes.push_back(state.channel.name + " is held: with another value of it numbers jump");
       point_.remove_state(s);
@@ -51,6 +52,12 @@ class Columns {
       return true;
     }
     return false;
+  }
+
+  /// True if neither the state itself nor anything else a base period later depends on it.
+  static bool is_overwritten(const Slopes& slopes) {
+    return slopes.value.isZero(0.0) && !slopes.left.array().isFinite().any() &&
+           !slopes.farther.array().isFinite().any();
   }
 
   static bool is_alone(const std::vector<Slopes>& all, std::size_t s) {

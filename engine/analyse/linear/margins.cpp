@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "engine/analyse/linear/delay_system.hpp"
+#include "engine/analyse/linear/gain_at_rest.hpp"
 #include "engine/analyse/linear/loop_gain.hpp"
 #include "engine/analyse/linear/search.hpp"
 
@@ -241,10 +242,6 @@ Margins margins_of(const StateSpace& all, double feedback) {
   return margins;
 }
 
-double gain_at_rest(const StateSpace& system) {
-  return FrequencyResponse(system).at_rest();
-}
-
 namespace {
 
 /// Returns the first frequency beyond a grid at which a monotone function is negative; nan if `falls` but
@@ -260,6 +257,7 @@ double first_below(const std::function<double(double)>& above, double from) {
 double bandwidth(const StateSpace& system) {
   const FrequencyResponse response(system);
   const double rest = std::abs(gain_at_rest(system));
+  if (std::isnan(rest)) return not_known;
   if (!(rest > 0.0 && std::isfinite(rest))) return 0.0;
   const auto above = [&](double w) {
     return std::log(std::abs(response.at(w)) / rest) + 0.5 * std::log(2.0);

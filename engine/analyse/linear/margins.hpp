@@ -48,10 +48,8 @@ struct Margins {
 Margins margins_of(const StateSpace& all, double feedback);
 
 /// Returns the frequency [rad/s] at which the gain first falls below 1/sqrt(2) of its value at rest. Infinite
-/// if it never does, 0 if the gain at rest is 0 or infinite, NaN if delays in parallel or in a loop let it
-/// fall beyond the frequencies that are searched.
+/// if it never does, 0 if the gain at rest is 0 or infinite, NaN if that is not known or if delays in
+/// parallel or in a loop let it fall beyond the frequencies that are searched.
 double bandwidth(const StateSpace& system);
-/// Returns the gain at rest; infinite for a pole there.
-double gain_at_rest(const StateSpace& system);
 
 }  // namespace stepwire::linear

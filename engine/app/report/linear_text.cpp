@@ -18,6 +18,7 @@ using query::short_number;
 
 constexpr Eigen::Index most_printed = 12;
 constexpr std::size_t most_crossings = 8;
+constexpr std::size_t most_singular_values = 8;
 
 std::string complex_text(const Complex& number) {
   if (number.imag() == 0.0) return short_number(number.real(), 6);
@@ -25,9 +26,35 @@ std::string complex_text(const Complex& number) {
                      short_number(std::abs(number.imag()), 6));
 }
 
+/// A line of text, and how often it occurs.
+template <class Line>
+struct Repeated {
+  Line line;
+  std::size_t times = 1;
+};
+
+/// Returns the lines without repetitions, in the order of their first occurrence.
+template <class Line>
+std::vector<Repeated<Line>> counted(const std::vector<Line>& lines) {
+  std::vector<Repeated<Line>> all;
+  for (const Line& line : lines) {
+    const auto same = std::ranges::find(all, line, &Repeated<Line>::line);
+    if (same == all.end())
+      all.push_back({line});
+    else
+      ++same->times;
+  }
+  return all;
+}
+
+std::string times_text(std::size_t times) {
+  return times == 1 ? "" : fmt::format(" ({} times)", times);
+}
+
 std::string list_text(const std::vector<Complex>& numbers) {
-  std::vector<std::string> texts;
-  for (const Complex& number : numbers) texts.push_back(complex_text(number));
+  std::vector<std::string> all, texts;
+  for (const Complex& number : numbers) all.push_back(complex_text(number));
+  for (const auto& [text, times] : counted(all)) texts.push_back(text + times_text(times));
   return texts.empty() ? "none" : fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -51,11 +78,16 @@ std::string matrix_text(const char* name, const Eigen::MatrixXd& matrix,
 }
 
 std::string modes_text(const linear::Analysis& analysis) {
+  std::vector<std::vector<std::string>> all;
+  for (const linear::Mode& mode : analysis.modes)
+    all.push_back(
+        {complex_text(mode.pole), short_number(mode.frequency, 6) + " rad/s", short_number(mode.damping, 4)});
   text::TextTable table;
   table.columns = {"pole", "natural frequency", "damping"};
-  for (const linear::Mode& mode : analysis.modes)
-    table.rows.push_back(
-        {complex_text(mode.pole), short_number(mode.frequency, 6) + " rad/s", short_number(mode.damping, 4)});
+  for (auto& [row, times] : counted(all)) {
+    row[0] += times_text(times);
+    table.rows.push_back(std::move(row));
+  }
   return text::text(table) + fmt::format("  {}\n", analysis.stable ? "stable" : "not stable");
 }
 
@@ -119,9 +151,11 @@ std::string channel_text(const linear::ChannelAnalysis& channel, const linear::A
 
 std::string rank_text(const char* what, const linear::Rank& rank, std::size_t states) {
   std::vector<std::string> values;
-  for (const double value : rank.singular_values) values.push_back(short_number(value, 3));
-  return fmt::format("{} states of {} are {} (singular values {})\n", rank.rank, states, what,
-                     fmt::join(values, ", "));
+  for (const double value : rank.singular_values)
+    if (values.size() < most_singular_values) values.push_back(short_number(value, 3));
+  const std::size_t others = rank.singular_values.size() - values.size();
+  return fmt::format("{} states of {} are {} (singular values {}{})\n", rank.rank, states, what,
+                     fmt::join(values, ", "), others == 0 ? "" : fmt::format(" and {} others", others));
 }
 
 }  // namespace

@@ -180,7 +180,7 @@ PlotKind poles_plot() {
   PlotKind kind{"poles", "poles and zeros of an analysis; of a sampled one about the unit circle",
                 {},      {analysis_key()},
                 true,    draw_poles};
-  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar};
+  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar, KeyNeeds::scale};
   return kind;
 }
 
@@ -192,7 +192,7 @@ PlotKind root_locus_plot() {
       {analysis_key()},
       true,
       draw_locus};
-  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar};
+  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar, KeyNeeds::scale};
   return kind;
 }
 
@@ -200,14 +200,14 @@ PlotKind nyquist_plot() {
   PlotKind kind{"nyquist", "the loop of an analysis in the plane of complex numbers, with its margins",
                 {},        {analysis_key()},
                 true,      draw_nyquist};
-  kind.lacks = {KeyNeeds::ratio, KeyNeeds::rows, KeyNeeds::color_bar};
+  kind.lacks = {KeyNeeds::ratio, KeyNeeds::rows, KeyNeeds::color_bar, KeyNeeds::scale};
   return kind;
 }
 
 PlotKind step_response_plot() {
   PlotKind kind{"step_response", "what an analysis puts out after a step of 1", {}, {analysis_key()}, true,
                 draw_step};
-  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar};
+  kind.lacks = {KeyNeeds::rows, KeyNeeds::color_bar, KeyNeeds::scale};
   return kind;
 }
 

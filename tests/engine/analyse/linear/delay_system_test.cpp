@@ -4,7 +4,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <random>
 
+#include "engine/analyse/linear/gain_at_rest.hpp"
 #include "engine/analyse/linear/margins.hpp"
 #include "engine/analyse/linear/step_response.hpp"
 
@@ -131,7 +133,7 @@ TEST_CASE("two lags and two delays in one loop agree with their transfer functio
     const Complex s(0.0, w), expected = 4.0 * std::exp(-0.25 * s) / (0.1 * s + 1.0) / (0.3 * s + 1.0);
     CHECK(std::abs(response.at(w) - expected) < 1e-12 * std::abs(expected) + 1e-15);
   }
-  CHECK(response.at_rest() == Approx(4.0));
+  CHECK(gain_at_rest(system) == Approx(4.0));
   CHECK(count_unstable(system.closed(-1.0)) == 2);
   CHECK(margins_of(system, -1.0).worst_gain()->margin < 1.0);
 }
@@ -266,6 +268,124 @@ TEST_CASE("beyond the turns of parallel delays nothing is promised") {
   both.D(0, 1) = 0.9;
   CHECK(std::isnan(margins_of(both, -1.0).phase_margin()));
   CHECK(std::isnan(margins_of(both, -1.0).modulus_margin()));
+}
+
+namespace {
+
+/// A gain, a delay, a system of one state with dx/dt = a x + b u, and a second delay, one behind the other.
+StateSpace in_series(double gain, double first, double a, double b, double second) {
+  StateSpace system{Eigen::MatrixXd::Constant(1, 1, a),
+                    Eigen::MatrixXd::Zero(1, 3),
+                    Eigen::MatrixXd::Zero(3, 1),
+                    Eigen::MatrixXd::Zero(3, 3),
+                    {{"x", ""}},
+                    {{"u", ""}},
+                    {{"y", ""}},
+                    0.0,
+                    {{first, {"d.u", ""}, {"d.y", ""}}, {second, {"e.u", ""}, {"e.y", ""}}}};
+  system.D(1, 0) = gain;
+  system.B(0, 1) = b;
+  system.C(2, 0) = 1.0;
+  system.D(0, 2) = 1.0;
+  return system;
+}
+
+/// A Smith predictor with the gain 2 for a lag of 1 s, whose gain is `plant`. Delays of 0.2 s and 0.1 s are
+/// before and behind it. The model has a gain of 1 and one delay. The input is the reference.
+StateSpace smith(double plant) {
+  StateSpace system{
+      -Eigen::MatrixXd::Identity(2, 2),
+      Eigen::MatrixXd::Zero(2, 4),
+      Eigen::MatrixXd::Zero(4, 2),
+      Eigen::MatrixXd::Zero(4, 4),
+      {{"p", ""}, {"m", ""}},
+      {{"r", ""}},
+      {{"y", ""}},
+      0.0,
+      {{0.2, {"a.u", ""}, {"a.y", ""}}, {0.1, {"b.u", ""}, {"b.y", ""}}, {0.3, {"c.u", ""}, {"c.y", ""}}}};
+  // u = 2 (r - b.y + c.y - m) drives the model and the first delay.
+  const Eigen::RowVector4d control(2.0, 0.0, -2.0, 2.0);
+  system.A(1, 1) = -3.0;
+  system.B(0, 1) = plant;
+  system.B.row(1) = control;
+  system.C(1, 1) = -2.0;
+  system.D.row(1) = control;
+  system.C(2, 0) = 1.0;
+  system.C(3, 1) = 1.0;
+  system.D(0, 2) = 1.0;
+  return system;
+}
+
+}  // namespace
+
+TEST_CASE("two delays in one loop are as stable as one delay of their sum") {
+  // k exp(-0.2 s)/(s + 1): a pole is on the axis where atan(w) + 0.2 w = pi, w = 8.443413449792345, at
+  // k = sqrt(1 + w^2) = 8.502424988445018.
+  for (const double first : {0.1, 0.03}) {
+    const auto count = [&](double gain) {
+      return count_unstable(in_series(gain, first, -1.0, 1.0, 0.2 - first).closed(-1.0));
+    };
+    for (const double gain : {0.5, 1.0, 2.0, 8.5}) CHECK(count(gain) == 0);
+    CHECK(count(8.505) == 2);
+    CHECK(count(200.0) == count_unstable(delayed(-Eigen::MatrixXd::Ones(1, 1), Eigen::VectorXd::Ones(1),
+                                                 Eigen::RowVectorXd::Constant(1, 200.0), 0.2)
+                                             .closed(-1.0)));
+  }
+  const Margins margins = margins_of(in_series(2.0, 0.1, -1.0, 1.0, 0.1), -1.0);
+  CHECK(margins.knows_stability);
+  CHECK(margins.stable);
+  CHECK(margins.phase_margin() == Approx(2.0 * pi / 3.0 - 0.2 * std::sqrt(3.0)));
+  // An integrator, k exp(-s T)/s, up to k T = pi/2.
+  CHECK(count_unstable(in_series(1.0, 0.7, 0.0, 1.0, 0.8).closed(-1.0)) == 0);
+  CHECK(count_unstable(in_series(1.0, 0.7, 0.0, 1.0, 0.9).closed(-1.0)) == 2);
+  // 2 exp(-s T)/(s - 1), up to T = (pi/3)/sqrt(3) = 0.6046.
+  CHECK(count_unstable(in_series(2.0, 0.3, 1.0, 1.0, 0.304).closed(-1.0)) == 0);
+  CHECK(count_unstable(in_series(2.0, 0.3, 1.0, 1.0, 0.305).closed(-1.0)) == 2);
+}
+
+TEST_CASE("several loops with direct ways from delay to delay are counted") {
+  // The poles are -1 and the roots of s + 3 + 2 (k - 1) exp(-0.3 s) for a plant of gain k. The first is on
+  // the axis where 3 tan(0.3 w) = -w: w = 6.648843221281488, at k = 1 + sqrt(9 + w^2)/2 = 4.647160408495244.
+  for (const double plant : {1.0, 2.0, 4.64}) CHECK(count_unstable(smith(plant)) == 0);
+  CHECK(count_unstable(smith(4.65)) == 2);
+}
+
+TEST_CASE("the number of unstable poles is that of the poles found by Newton's method") {
+  std::mt19937 bits(7);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  int stable = 0, unstable = 0;
+  for (int k = 0; k < 60; ++k) {
+    StateSpace system = smith(1.0);
+    for (Eigen::MatrixXd* matrix : {&system.A, &system.B, &system.C})
+      *matrix = matrix->unaryExpr([&](double) { return 2.0 * number(bits); });
+    system.A.diagonal().array() -= 2.0;
+    // Direct ways go from a delay to later ones only, with gains up to 3.
+    system.D.setZero();
+    for (int i = 1; i < 4; ++i)
+      for (int j = 1; j < i; ++j) system.D(i, j) = 3.0 * number(bits);
+    const auto poles = delay_poles(system);
+    const auto right = std::ranges::count_if(poles, [](const Complex& pole) { return pole.real() > 0.0; });
+    CHECK(count_unstable(system) == static_cast<int>(right));
+    stable += right == 0;
+    unstable += right > 0;
+  }
+  CHECK(stable > 10);
+  CHECK(unstable > 10);
+}
+
+TEST_CASE("two delays that echo are stable below a gain of 1 around both") {
+  const auto echoes = [](double there, double back) {
+    StateSpace system = echo(0.0, 0.2);
+    system.delays.push_back({0.3, {"e.u", ""}, {"e.y", ""}});
+    system.B.resize(0, 3);
+    system.C.resize(3, 0);
+    system.D = Eigen::MatrixXd::Zero(3, 3);
+    system.D << 1.0, 0.0, back, 1.0, 0.0, back, 0.0, there, 0.0;
+    return count_unstable(system);
+  };
+  CHECK(echoes(5.0, 0.19) == 0);
+  CHECK(echoes(0.19, 5.0) == 0);
+  CHECK_FALSE(echoes(5.0, 0.21).has_value());
 }
 
 }  // namespace stepwire::linear

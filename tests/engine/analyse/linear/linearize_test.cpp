@@ -154,6 +154,22 @@ blocks:
   }
 }
 
+TEST_CASE("memory that each update overwrites is no state") {
+  const Linearization found = linear(R"(step: 10 ms
+stop: 1 s
+inputs:
+  r: {default: 1}
+blocks:
+  x: {block: DiscreteStateSpace, u: r, A: [[0.5, 0.1], [0, 0.6]], B: [[0], [2]], C: [[1, 0]]}
+)",
+                                     {"r"}, {"x"});
+  REQUIRE(found.system.states.size() == 2);
+  CHECK(found.system.A.isApprox(Eigen::Matrix2d{{0.5, 0.1}, {0.0, 0.6}}, 1e-12));
+  CHECK(found.system.B.isApprox(Eigen::Vector2d(0.0, 2.0), 1e-12));
+  CHECK(analyse(found).controllable.rank == 2);
+  CHECK(analyse(found).channels[0].gain_at_rest == Approx(2.0 * 0.1 / 0.5 / 0.4));
+}
+
 TEST_CASE("a discrete PID has the transfer function of its recursion") {
   // scipy: none needed; y = kp u + ki T/(z - 1) u, forward Euler or trapezoid: a pole at 1 in each case.
   const Linearization pid = linear(R"(step: 1 ms

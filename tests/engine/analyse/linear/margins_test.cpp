@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/analyse/linear/gain_at_rest.hpp"
+
 namespace stepwire::linear {
 
 namespace {
@@ -102,6 +104,77 @@ TEST_CASE("the gain at rest of what integrates is infinite") {
   CHECK(gain_at_rest(integrator(-3.0)) == -std::numeric_limits<double>::infinity());
   CHECK(gain_at_rest(sampled_integrator(2.0, 0.1, 1)) == std::numeric_limits<double>::infinity());
   CHECK(gain_at_rest(lags(3, 1e-3, 7.0)) == Approx(7.0));
+}
+
+TEST_CASE("the gain at rest is the limit where poles there are double, slow or cancel") {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  // (0.1 z + 0.05)/(z - 1)^2, and its negative.
+  const Eigen::MatrixXd double_pole = Eigen::Matrix2d{{2.0, -1.0}, {1.0, 0.0}};
+  const Eigen::MatrixXd first = Eigen::Vector2d(1.0, 0.0), row = Eigen::RowVector2d(0.1, 0.05);
+  CHECK(gain_at_rest(system_of(double_pole, first, row, 0.01)) == infinite);
+  CHECK(gain_at_rest(system_of(double_pole, first, -row, 0.01)) == -infinite);
+  for (const int delays : {2, 20, 200, 500}) {
+    StateSpace late = sampled_integrator(-5.0, 1e-3, delays);
+    CHECK(gain_at_rest(late) == -infinite);
+    late.A(0, 0) = 0.9999999999999999;  // a step of the solver, rounded
+    CHECK(gain_at_rest(late) == -infinite);
+  }
+  // 1/s - 1/s + 1/(s + 1); with a little more of the second, -1e-6/s remains.
+  const Eigen::MatrixXd poles = Eigen::Vector3d(0.0, 0.0, -1.0).asDiagonal();
+  const auto difference = [&](double second) {
+    return system_of(poles, Eigen::Vector3d::Ones(), Eigen::RowVector3d(1.0, -second, 1.0));
+  };
+  CHECK(gain_at_rest(difference(1.0)) == Approx(1.0));
+  CHECK(bandwidth(difference(1.0)) == Approx(1.0));
+  CHECK(gain_at_rest(difference(1.0 + 1e-6)) == -infinite);
+  // 1e-6/s beside a fast lag of gain 1, and 1/(s + 1e-6) beside it.
+  const auto beside = [](double slow, double gain) {
+    const Eigen::MatrixXd A = Eigen::Vector2d(-slow, -1e4).asDiagonal();
+    return system_of(A, Eigen::Vector2d(1.0, 1e4), Eigen::RowVector2d(gain, 1.0));
+  };
+  CHECK(gain_at_rest(beside(0.0, 1e-6)) == infinite);
+  CHECK(gain_at_rest(beside(1e-6, 1.0)) == Approx(1e6 + 1.0));
+  // s/(s (s + 2)) in its canonical form, and 1/(s^2 + w^2) with a slow w.
+  const Eigen::MatrixXd shown = Eigen::Matrix2d{{-2.0, 0.0}, {1.0, 0.0}};
+  CHECK(gain_at_rest(system_of(shown, first, Eigen::RowVector2d(1.0, 0.0))) == Approx(0.5));
+  const Eigen::MatrixXd slow = Eigen::Matrix2d{{0.0, -1e-6}, {1.0, 0.0}};
+  CHECK(gain_at_rest(system_of(slow, first, Eigen::RowVector2d(0.0, 1.0))) == Approx(1e6));
+  // The same beside a lag of 1e4/(s + 1e4).
+  Eigen::MatrixXd both = Eigen::MatrixXd::Zero(3, 3);
+  both.topLeftCorner(2, 2) = slow;
+  both(2, 2) = -1e4;
+  CHECK(gain_at_rest(system_of(both, Eigen::Vector3d(1.0, 0.0, 1e4), Eigen::RowVector3d(0.0, 1.0, 1.0))) ==
+        Approx(1e6 + 1.0));
+}
+
+TEST_CASE("a gain at rest that rounding may hide is never a wrong one") {
+  // 1/s - 1/s + 1/(s^2 + w^2) + 1e4/(s + 1e4) with w = 1e-3.
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(5, 5);
+  A(2, 3) = -1e-6;
+  A(3, 2) = 1.0;
+  A(4, 4) = -1e4;
+  Eigen::MatrixXd B(5, 1), C(1, 5);
+  B << 1.0, 1.0, 1.0, 0.0, 1e4;
+  C << 1.0, -1.0, 0.0, 1.0, 1.0;
+  const double gain = gain_at_rest(system_of(A, B, C));
+  CHECK((std::isnan(gain) || gain == Approx(1e6 + 1.0)));
+  CHECK((std::isnan(gain) || std::isfinite(bandwidth(system_of(A, B, C)))));
+}
+
+TEST_CASE("an integrator that a delay closes inside of the system has a gain at rest") {
+  // k/(s + k h exp(-s)): 1/h at rest. For k = 0.5 and h = 1 the gain is 1/sqrt(2) at 1.124334112484634 rad/s.
+  const auto closed = [](double k, double h) {
+    StateSpace system = integrator(1.0);
+    system.delays = {{1.0, {"d.u", ""}, {"d.y", ""}}};
+    system.B = Eigen::RowVector2d(k, -k);
+    system.C = Eigen::Vector2d(1.0, h);
+    system.D = Eigen::MatrixXd::Zero(2, 2);
+    return system;
+  };
+  CHECK(gain_at_rest(closed(0.5, 1.0)) == Approx(1.0));
+  CHECK(bandwidth(closed(0.5, 1.0)) == Approx(1.124334112484634).epsilon(1e-9));
+  CHECK(gain_at_rest(closed(1.0, 0.25)) == Approx(4.0));
+  CHECK(gain_at_rest(closed(1.0, 0.0)) == std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("a loop whose gain is 1 everywhere has no phase and delay margin that is met") {

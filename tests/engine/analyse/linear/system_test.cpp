@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/analyse/linear/gain_at_rest.hpp"
 #include "engine/analyse/linear/margins.hpp"
 #include "engine/analyse/linear/poles.hpp"
 #include "engine/analyse/linear/ranks.hpp"

@@ -72,8 +72,9 @@ TEST_CASE("linearize refuses names, times and files without ports with what woul
 
 TEST_CASE("trim finds a point, whose file puts a run there, and linearize takes it") {
   const Scratch folder;
-  folder.file("a.yaml", pendulum_yaml + "trim: {states: {angle: 0.5}, inputs: {torque: free}}\n"
-                                        "claims: [{that: it stands still, spread: angle, at_most: 1e-9}]\n");
+  folder.file("a.yaml", pendulum_yaml +
+                            "trim: {states: {angle: 0.5}, inputs: {torque: free}}\n"
+                            "claims: [{that: it stands still, spread: angle, at_most: 1e-9}]\n");
   const Done done = run_program(folder, {"trim", "a.yaml", "--out", "out"});
   INFO(done.err << done.out);
   CHECK(done.code == 0);
@@ -99,8 +100,9 @@ TEST_CASE("what follows from other signals is no input of an operating point") {
 
 TEST_CASE("a point that is not there is told, and is no point to be linearized at") {
   const Scratch folder;
-  folder.file("a.yaml", pendulum_yaml + "trim: {states: {angle.x: 0.5}, inputs: {torque: {bounds: [0 N m, 0.1 N "
-                                        "m]}}}\n");
+  folder.file("a.yaml", pendulum_yaml +
+                            "trim: {states: {angle.x: 0.5}, inputs: {torque: {bounds: [0 N m, 0.1 N "
+                            "m]}}}\n");
   const Done done = run_program(folder, {"trim", "a.yaml"});
   CHECK(done.code == 1);
   CHECK_THAT(done.out, Contains("NOT found") && Contains("at its bound"));
@@ -146,4 +148,36 @@ claims:
   CHECK_THAT(content_of(folder.path("out/figure.svg")), !Contains("6.02 dB"));
   CHECK_THAT(content_of(folder.path("out/figure-2.svg")), Contains("6.02 dB"));
   CHECK(std::filesystem::exists(folder.path("out/figure-3.svg")));
+}
+
+TEST_CASE("equal poles are one line, and of many singular values the first are printed") {
+  const Scratch folder;
+  folder.file("a.yaml", R"(stepwire: 1
+title: A delayed loop
+step: 1 ms
+stop: 10 ms
+inputs: {r: {default: 1}}
+outputs: {y: y}
+blocks:
+  y: {block: Delay, u: r, delay: 20 ms}
+record: [y]
+)");
+  const Done done = run_program(folder, {"linearize", "a.yaml"});
+  INFO(done.err << done.out);
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out,
+             Contains("0 (20 times)  inf rad/s") &&
+                 Contains("20 states of 20 are controllable (singular values 1, 1, 1, 1, 1, 1, 1, 1 "
+                          "and 12 others)"));
+}
+
+TEST_CASE("figures of poles, loci, circles and steps have no logarithmic axes") {
+  for (const std::string kind : {"poles", "root_locus", "nyquist", "step_response"}) {
+    const Scratch folder;
+    folder.file("a.yaml", pendulum_yaml + "linear: {loop: {from: torque, to: angle}}\nfigure: {plot: " +
+                              kind + ", of: loop, log: x}\n");
+    const Done done = run_program(folder, {"run", "a.yaml"});
+    CHECK(done.code == 2);
+    CHECK_THAT(done.err, Contains("a plot '" + kind + "' has no 'log'; it has: plot, of, "));
+  }
 }
