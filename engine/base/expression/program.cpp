@@ -63,7 +63,7 @@ class Translator {
   }
 
   void value(const Token& token) {
-    if (token.kind == Token::Kind::number) return number({token.value, token.dimension});
+    if (token.kind == Token::Kind::number) return number({token.value, token.dimension, token.has_offset});
     if (token.kind == Token::Kind::name) return name(token);
     if (token.is("(")) return open(token, nullptr);
     if (token.is("[")) return open_brackets(token);
@@ -241,7 +241,7 @@ class Translator {
     if (is_question(top)) fail(*top.token, "'?' without ':'");
     if (top.operation) return add_operation(*top.operation, top.values, *top.token);
     program_.code[top.instruction].index = program_.code.size();
-    program_.code.push_back({Instruction::Kind::choice, 3, program_.code.size()});
+    program_.code.push_back({Instruction::Kind::choice, 3, top.token->position});
   }
 
   Waiting take_waiting() {
