@@ -17,7 +17,7 @@ class AxisChecks {
 
   void check() {
     for (const char* axis : {"x", "y"}) check_units(axis);
-    if (const query::Series* across = panel_.find("u")) check_along("v", *across);
+    check_arrows();
     const auto y = panel_.series.find("y");
     if (y == panel_.series.end()) return;
     check_number_of_x(y->second);
@@ -55,6 +55,18 @@ class AxisChecks {
     fault(x->second.front().formula.mark, "x",
           fmt::format("there are {} in 'x' and {} in 'y'; x is one, or one for each y", x->second.size(),
                       y.size()));
+  }
+
+  /// Checks the two parts of the arrows of a field, of which both are drawn in the unit of the first.
+  void check_arrows() {
+    const query::Series *across = panel_.find("u"), *up = panel_.find("v");
+    if (!across || !up) return;
+    const auto &first = across->formula.dimension, &second = up->formula.dimension;
+    if (!first || !second || *first == *second) return check_along("v", *across);
+    fault(up->formula.mark, "v",
+          yaml::fault_text("'{}' is in {}, but '{}' in {}; the two parts of an arrow have one unit",
+                           across->formula.text, unit::si_name(*first), up->formula.text,
+                           unit::si_name(*second)));
   }
 
   /// Checks the channels drawn along the axis of another channel, and gives them its unit.
