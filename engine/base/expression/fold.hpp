@@ -18,8 +18,7 @@ std::vector<Piece> take_last(std::vector<Piece>& pieces, int count) {
 }
 
 /// Folds an expression bottom-up into one piece. `make` maps variables, numbers, choices of three pieces, and
-/// operations on pieces to pieces. Operations are passed with their position in the text, and choices if
-/// `make` takes it.
+/// operations on pieces to pieces. Operations are passed with their position in the text.
 template <class Piece, class Make>
 Piece fold(const Program& program, const Make& make) {
   std::vector<Piece> pieces;
@@ -30,11 +29,7 @@ Piece fold(const Program& program, const Make& make) {
       pieces.push_back(make.number(program.numbers[instruction.index]));
     if (instruction.operation)
       pieces.push_back(make.operation(*instruction.operation, of, instruction.index));
-    if (instruction.kind != Instruction::Kind::choice) continue;
-    if constexpr (requires { make.choice(of[0], of[1], of[2], instruction.index); })
-      pieces.push_back(make.choice(of[0], of[1], of[2], instruction.index));
-    else
-      pieces.push_back(make.choice(of[0], of[1], of[2]));
+    if (instruction.kind == Instruction::Kind::choice) pieces.push_back(make.choice(of[0], of[1], of[2]));
   }
   return std::move(pieces.back());
 }

@@ -72,9 +72,9 @@ class MakeMeasure {
     return binding == Binding::comparison ? truth : result;
   }
 
-  Piece choice(const Piece&, const Piece& a, const Piece& b, std::size_t place) const {
-    refuse_meanings(a, b, "? :", place);
-    static_cast<void>(join(a, b, "? :", place));
+  Piece choice(const Piece&, const Piece& a, const Piece& b) const {
+    refuse_meanings(a, b, "? :", 0);
+    static_cast<void>(join(a, b, "? :", 0));
     Piece joined = a.bare ? b : a;
     const bool differ = !a.bare && !b.bare && a.measure.dimension != b.measure.dimension;
     if (differ) joined.measure = {};

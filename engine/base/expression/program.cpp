@@ -241,7 +241,7 @@ class Translator {
     if (is_question(top)) fail(*top.token, "'?' without ':'");
     if (top.operation) return add_operation(*top.operation, top.values, *top.token);
     program_.code[top.instruction].index = program_.code.size();
-    program_.code.push_back({Instruction::Kind::choice, 3, top.token->position});
+    program_.code.push_back({Instruction::Kind::choice, 3, program_.code.size()});
   }
 
   Waiting take_waiting() {

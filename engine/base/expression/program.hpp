@@ -20,9 +20,9 @@ struct Instruction {
   enum class Kind { variable, number, sum, difference, product, quotient, operation, branch, jump, choice };
   Kind kind;
   int count = 0;
-  /// Operand: of a variable or number its index, of an operation or choice its position in the text. Of a
-  /// branch or jump it is the target, after which the evaluation continues. A branch jumps only if the
-  /// condition, which it removes, is 0.
+  /// Operand: of a variable or number its index, of an operation its position in the text. Of a branch or
+  /// jump it is the target, after which the evaluation continues. A branch jumps only if the condition, which
+  /// it removes, is 0.
   std::size_t index = 0;
   const Operation* operation = nullptr;  ///< set for arithmetic as well
 };

@@ -88,14 +88,15 @@ TEST_CASE("an initial value of a scaled difference is a difference") {
 }
 
 TEST_CASE("a product of a temperature and a number other than 1 is no temperature") {
-  CHECK_THAT(fault("  p: {block: Product, u: [room, 2]}\n"),
+  CHECK_THAT(fault("  p: {block: Product, u: [room, 200 %]}\n"),
              Catch::Contains("adds or scales temperatures in degC"));
-  CHECK(faults("  two: {block: Constant, value: 2}\n  p: {block: Product, u: [room, two]}\n").size() == 1);
-  CHECK(faults("  p: {block: Product, u: [room, 1]}\n").empty());
-  CHECK(faults("  p: {block: Product, u: [gap, 2]}\n"
+  CHECK(faults("  two: {block: Constant, value: 200 %}\n  p: {block: Product, u: [room, two]}\n").size() ==
+        1);
+  CHECK(faults("  p: {block: Product, u: [room, 100 %]}\n").empty());
+  CHECK(faults("  p: {block: Product, u: [gap, 200 %]}\n"
                "  c: {block: Compare, u: p, operator: greater, to: 1 degC}\n")
             .size() == 1);
-  CHECK(faults("  s: {block: Sum, u: [room, oven]}\n  p: {block: Product, u: [s, 0.5]}\n"
+  CHECK(faults("  s: {block: Sum, u: [room, oven]}\n  p: {block: Product, u: [s, 50 %]}\n"
                "  c: {block: Compare, u: p, operator: greater, to: 1 degC}\n")
             .empty());
 }
