@@ -12,13 +12,15 @@ void DiscreteTransferFunction::declare(Declare<DiscreteTransferFunction>& is) {
            "Y(z) / U(z) = numerator / denominator for one signal. Coefficients stand highest power of z "
            "first: "
            "[1, -0.9] is z - 0.9. The numerator's degree may not exceed the denominator's. The default is a "
-           "delay by one period. Units are not checked through it.",
+           "delay by one period. "
+           "The coefficients of the numerator share one unit, [0.1 m/N, 0.05 m/N]; those of the denominator "
+           "are pure numbers.",
        .source = "controllable canonical form, e.g. Ogata, Discrete-Time Control Systems, section 5-2",
        .symbol = {.text = "{numerator:z|num(z)} / {denominator:z|den(z)}"}});
-  is.parameter<&Block::numerator>({.unit = "*", .doc = "coefficients, highest power of z first"});
-  is.parameter<&Block::denominator>({.unit = "*", .doc = "coefficients, highest power of z first"});
-  is.input<&Block::u>({.unit = "*", .doc = "input; felt at once only where both degrees are equal"});
-  is.output<&Block::y>({.unit = "*", .doc = "output"});
+  is.parameter<&Block::numerator>({.unit = "'n", .doc = "coefficients, highest power of z first"});
+  is.parameter<&Block::denominator>({.unit = "1", .doc = "coefficients, highest power of z first"});
+  is.input<&Block::u>({.unit = "'u", .doc = "input; felt at once only where both degrees are equal"});
+  is.output<&Block::y>({.unit = "'n 'u", .doc = "output"});
   is.state<&Block::x>({.unit = "*", .shape = "n", .doc = "states of the canonical form, newest first"});
   declare_reset(is, "*", "the states", "n");
   is.derived<&DiscreteTransferFunction::form, &DiscreteTransferFunction::numerator,

@@ -88,10 +88,8 @@ void read_model_and_measured(const yaml::Node& node, Claim& claim, const query::
   if (!node.is_list() || node.items.size() != 2) return read.fault(node.mark, "fit takes [MODEL, MEASURED]");
   for (const auto& item : node.items) add_value(item, claim, read);
   if (claim.values.size() != 2) return;
-  const auto &model = claim.values[0].dimension, &measured = claim.values[1].dimension;
-  if (model && measured && *model != *measured)
-    read.fault(node.mark, fmt::format("'{}' is in {}, but '{}' is in {}", claim.values[0].text,
-                                      unit::si_name(*model), claim.values[1].text, unit::si_name(*measured)));
+  const std::string other = query::compared_fault(claim.values[0], claim.values[1]);
+  if (!other.empty()) read.fault(node.mark, other);
 }
 
 /// Reads a map of several keys; `time` and `share` are numbers, the other keys are formulas.

@@ -5,6 +5,7 @@
 
 #include "engine/analyse/estimation/fit_keys.hpp"
 #include "engine/analyse/query/number.hpp"
+#include "engine/base/unit/meaning.hpp"
 
 namespace stepwire::estimation {
 
@@ -35,7 +36,11 @@ void read_bounds(FitParameter& parameter, const yaml::Node& node, const FitReadi
 }
 
 void read_scale(FitParameter& parameter, const yaml::Node& node, const FitReading& read) {
-  parameter.scale = number(node, parameter, read);
+  FitParameter change = parameter;
+  if (change.dimension && unit::is_temperature(*change.dimension)) change.dimension->zeros = 0.0;
+  parameter.scale = number(node, change, read);
+  if (!parameter.dimension) parameter.dimension = change.dimension;
+  parameter.unit = change.unit;
   if (!(parameter.scale > 0.0)) read.fault(node.mark, fmt::format("the scale {} is not above 0", node.text));
 }
 

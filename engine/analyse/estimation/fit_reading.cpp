@@ -44,11 +44,8 @@ const ComparisonTable& comparison_table() {
 void read_comparison(FitRequest& request, const yaml::Node& map, const FitReading& read) {
   ComparisonDraft draft;
   if (!comparison_table().read(map, draft, read) || !draft.model || !draft.measured) return;
-  const auto& dimension = draft.model->formula.dimension;
-  if (dimension && draft.measured->dimension && *dimension != *draft.measured->dimension)
-    read.fault(map.mark, fmt::format("'{}' is in {}, but '{}' is in {}", draft.model->formula.text,
-                                     unit::si_name(*dimension), draft.measured->text,
-                                     unit::si_name(*draft.measured->dimension)));
+  const std::string other = query::compared_fault(draft.model->formula, *draft.measured);
+  if (!other.empty()) read.fault(map.mark, other);
   std::vector<const query::Formula*> together{&draft.model->formula, &*draft.measured,
                                               draft.weight ? &*draft.weight : nullptr,
                                               draft.where ? &*draft.where : nullptr};

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "engine/analyse/query/number.hpp"
 #include "engine/analyse/query/substituted.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/signal_words.hpp"
@@ -158,7 +159,8 @@ query::SymbolTable names_of(const run::Job& job) {
   add_words(diagram, names);
   for (const diagram::DiagramParameter& parameter : diagram.parameters)
     if (const double* number = std::get_if<double>(&parameter.value.content))
-      names.parameters.push_back({parameter.name, *number, parameter.dimension});
+      names.parameters.push_back(
+          {parameter.name, *number, parameter.dimension, query::unit_after_number(parameter.text)});
     else if (const std::string* text = parameter.value.text(); text && is_formula(*text))
       names.drawn.push_back({query::name_of_text(parameter.name), *text});
   add_signals(diagram, names);

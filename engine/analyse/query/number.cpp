@@ -7,19 +7,10 @@
 #include <charconv>
 #include <cstdlib>
 
-#include "engine/analyse/query/formula.hpp"
 #include "engine/base/unit/meaning.hpp"
 
 namespace stepwire::query {
 namespace {
-
-std::string unit_after_number(const std::string& text) {
-  char* end = nullptr;
-  std::strtod(text.c_str(), &end);
-  std::string unit(end);
-  unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
-  return unit;
-}
 
 std::string unit_phrase(const unit::Dimension& dimension) {
   return dimension == unit::Dimension{} ? "has no unit" : "is in " + unit::si_name(dimension);
@@ -37,7 +28,36 @@ std::string number_fault(const WantedNumber& number, const unit::Dimension& dime
   return other.empty() ? "" : fmt::format("{} {}", what, other);
 }
 
+/// Returns degC or degF for the text of a parameter, $wall, that the file gives in it; empty for others.
+std::string unit_of_temperature(const std::string& text, const SymbolTable& names) {
+  const std::string name = text.starts_with('$') ? text.substr(1) : text;
+  const auto found = std::ranges::find(names.parameters, name, &KnownParameter::name);
+  const auto unit = found == names.parameters.end() ? std::nullopt : unit::parse_unit(found->unit);
+  return unit && unit->offset != 0.0L ? found->unit : "";
+}
+
 }  // namespace
+
+std::string unit_after_number(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  std::string unit(end);
+  unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
+  return unit;
+}
+
+std::string compared_fault(const Formula& first, const Formula& second) {
+  const auto &one = first.dimension, &two = second.dimension;
+  if (!one || !two) return "";
+  if (*one != *two)
+    return fmt::format("'{}' is in {}, but '{}' is in {}", first.text, unit::si_name(*one), second.text,
+                       unit::si_name(*two));
+  const std::string cure = unit::mixes_rates(*one / *two) ? "; " + unit::cure_of_rate(*two) : "";
+  std::string other = unit::other_meaning(*one, *two);
+  if (!other.empty()) return fmt::format("'{}' {}{}", first.text, other, cure);
+  other = unit::other_meaning(*two, *one);
+  return other.empty() ? "" : fmt::format("'{}' {}", second.text, other);
+}
 
 std::optional<WantedNumber> read_number(const yaml::Node& node, const SymbolTable& names,
                                         const std::string& subject, yaml::Faults& faults) {
@@ -59,8 +79,8 @@ std::optional<WantedNumber> read_number(const yaml::Node& node, const SymbolTabl
     return std::nullopt;
   }
   const bool is_temperature = formula->dimension && formula->dimension->zeros;
-  return WantedNumber{formula->expression({}), is_temperature ? formula->dimension : std::nullopt, "",
-                      formula->text};
+  return WantedNumber{formula->expression({}), is_temperature ? formula->dimension : std::nullopt,
+                      unit_of_temperature(formula->text, names), formula->text};
 }
 
 void check_dimension(const WantedNumber& number, const std::optional<unit::Dimension>& dimension,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/analyse/query/formula.hpp"
 #include "engine/analyse/query/symbol_table.hpp"
 #include "engine/base/unit/unit.hpp"
 #include "engine/base/yaml/document.hpp"
@@ -22,6 +23,13 @@ struct WantedNumber {
 /// the text.
 std::optional<WantedNumber> read_number(const yaml::Node& node, const SymbolTable& names,
                                         const std::string& subject, yaml::Faults& faults);
+
+/// Returns the unit behind a number: "N m" of "2 N m"; empty without one.
+std::string unit_after_number(const std::string& text);
+
+/// Returns the message for two formulas whose values cannot be compared: other units, rates or temperatures
+/// of other meanings. Empty if they can.
+std::string compared_fault(const Formula& first, const Formula& second);
 
 /// Adds a fault if the dimension of the number differs from that of `what`, the value it is compared with.
 void check_dimension(const WantedNumber& number, const std::optional<unit::Dimension>& dimension,

@@ -66,6 +66,8 @@ std::optional<Series> read_signal(const yaml::Node& node, const SymbolTable& nam
                                          : read_formula(node, std::string_view(node.text).substr(0, in), 0,
                                                         names, subject, faults);
   if (!formula) return std::nullopt;
+  const RecordedName* replaced = names.find(formula->text);
+  if (replaced && !replaced->expression.empty()) formula->text = replaced->expression;
   Series series{*formula, unit::Unit{}, "", words_of(*formula)};
   if (in == std::string::npos) {
     if (formula->dimension) series.unit_text = unit::si_name(*formula->dimension);

@@ -30,7 +30,8 @@ struct RecordedName {
   std::string column{};  ///< Column name in the table ("lag" for "lag.y"); empty if equal to `name`.
   std::vector<std::string> words{};  ///< Words for the numbers 0, 1, ...; empty for ordinary numbers.
   std::vector<double> values{};  ///< Values of a swept parameter with few of them, SI, ascending; else empty.
-  std::string unit{};  ///< Unit in which the file writes the values of a swept parameter; else empty.
+  std::string unit{};        ///< Unit in which the file writes the values of a swept parameter; else empty.
+  std::string expression{};  ///< Expression that the name replaces in the text of the file; else empty.
 };
 
 /// A parameter of the diagram, used in figures and claims as "$name".
@@ -38,6 +39,7 @@ struct KnownParameter {
   std::string name;
   double value = 0.0;  ///< Value in SI.
   std::optional<unit::Dimension> dimension{};
+  std::string unit{};  ///< Unit as the file writes it; empty without one.
 };
 
 /// A block with an outline that figures can draw.

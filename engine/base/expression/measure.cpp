@@ -16,6 +16,7 @@ struct Piece {
   Measure measure;
   bool bare = false;
   std::optional<double> number{};
+  bool has_offset = false;  ///< true for a number in degC or degF
 };
 
 const Piece truth{{unit::Dimension{}, true}};
@@ -57,7 +58,8 @@ class MakeMeasure {
   Piece variable(std::size_t i) const { return {variables_[i]}; }
 
   Piece number(const Program::Number& number) const {
-    return number.dimension ? Piece{{number.dimension, true}} : Piece{{}, true, number.value};
+    if (!number.dimension) return {{}, true, number.value};
+    return {{number.dimension, true}, false, {}, number.has_offset};
   }
 
   Piece operation(const Operation& operation, const std::vector<Piece>& values, std::size_t place) const {
@@ -71,6 +73,8 @@ class MakeMeasure {
   }
 
   Piece choice(const Piece&, const Piece& a, const Piece& b) const {
+    refuse_meanings(a, b, "? :", 0);
+    static_cast<void>(join(a, b, "? :", 0));
     Piece joined = a.bare ? b : a;
     const bool differ = !a.bare && !b.bare && a.measure.dimension != b.measure.dimension;
     if (differ) joined.measure = {};
@@ -81,10 +85,15 @@ class MakeMeasure {
   static Piece unit_of(const Operation& operation, const std::vector<Piece>& values, std::size_t place) {
     const Piece& a = values.front();
     if (operation.binding == Binding::prefix) return negative(a);
-    if (operation.binding == Binding::product) return product(operation.name, a, values[1]);
+    if (operation.binding == Binding::product) {
+      if (operation.name == "/") refuse_divisor(values[1], place);
+      return product(operation.name, a, values[1]);
+    }
     if (operation.binding == Binding::power) return to_the(a, values[1]);
     if (operation.binding == Binding::comparison) refuse_meanings(a, values[1], operation.name, place);
     Piece joined = join(a, values[1], operation.name, place);
+    if (operation.binding == Binding::sum && mix_rates(a, values[1]))
+      refuse_meanings(a, values[1], operation.name, place);
     if (operation.binding == Binding::sum && joined.measure.dimension)
       joined.measure.dimension->zeros =
           unit::joined_zeros(zeros_of(a), zeros_of(values[1]), operation.name == "-");
@@ -97,12 +106,31 @@ class MakeMeasure {
     return result;
   }
 
+  /// True for the sum of an angle per time and a number of periods per time. A sum of temperatures of
+  /// different meaning is allowed: a temperature plus a difference.
+  static bool mix_rates(const Piece& a, const Piece& b) {
+    const auto &x = a.measure.dimension, &y = b.measure.dimension;
+    return x && y && *x == *y && unit::mixes_rates(*x / *y);
+  }
+
+  /// Refuses a number in degC as a divisor: 1 degC is 274.15 K.
+  static void refuse_divisor(const Piece& divisor, std::size_t place) {
+    if (divisor.has_offset)
+      throw ExpressionError(
+          "the number in degC or degF behind '/' is a temperature above absolute zero; write "
+          "a difference in K or delta_degC, and a temperature in K",
+          place);
+  }
+
   static void refuse_meanings(const Piece& a, const Piece& b, std::string_view sign, std::size_t place) {
     if (a.bare || b.bare || !a.measure.sure || !b.measure.sure) return;
     const unit::Dimension &x = *a.measure.dimension, &y = *b.measure.dimension;
     std::string other = unit::other_meaning(y, x);
+    const unit::Dimension& wanted = other.empty() ? y : x;
     if (other.empty()) other = unit::other_meaning(x, y);
-    if (!other.empty()) throw ExpressionError(fmt::format("a value beside '{}' {}", sign, other), place);
+    const std::string cure = unit::mixes_rates(x / y) ? "; " + unit::cure_of_rate(wanted) : "";
+    if (!other.empty())
+      throw ExpressionError(fmt::format("a value beside '{}' {}{}", sign, other, cure), place);
   }
 
   /// Returns the unit of a matrix function. All elements of a matrix share one unit, or it is unknown.

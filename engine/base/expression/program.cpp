@@ -63,7 +63,7 @@ class Translator {
   }
 
   void value(const Token& token) {
-    if (token.kind == Token::Kind::number) return number({token.value, token.dimension});
+    if (token.kind == Token::Kind::number) return number({token.value, token.dimension, token.has_offset});
     if (token.kind == Token::Kind::name) return name(token);
     if (token.is("(")) return open(token, nullptr);
     if (token.is("[")) return open_brackets(token);

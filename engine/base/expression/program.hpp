@@ -32,6 +32,7 @@ struct Program {
   struct Number {
     double value;
     std::optional<unit::Dimension> dimension;  ///< set where the number carries a unit
+    bool has_offset = false;                   ///< true for a number in degC or degF
   };
   /// A use of a variable in the text: its index and character position.
   struct Use {

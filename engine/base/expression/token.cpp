@@ -72,16 +72,14 @@ class Lexer {
     const char* const end = text_.data() + text_.size();
     const auto [rest, error] = std::from_chars(text_.data() + at_, end, value);
     at_ = static_cast<std::size_t>(rest - text_.data());
-    std::optional<unit::Dimension> dimension;
-    if (const auto unit = take_unit()) {
-      value = unit->to_si(value);
-      dimension = unit->dimension;
-    }
+    const auto unit = take_unit();
+    if (unit) value = unit->to_si(value);
     if (error != std::errc{} || !std::isfinite(value)) {
       throw ExpressionError(fmt::format("'{}' is out of range", text_.substr(first, at_ - first)), first);
     }
     Token token = finish(Token::Kind::number, first, value);
-    token.dimension = dimension;
+    if (unit) token.dimension = unit->dimension;
+    token.has_offset = unit && unit->offset != 0.0L;
     return token;
   }
 

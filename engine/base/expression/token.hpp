@@ -18,6 +18,7 @@ struct Token {
   std::size_t position = 0;
   double value = 0.0;
   std::optional<unit::Dimension> dimension{};  ///< of a number that carries a unit
+  bool has_offset = false;                     ///< true for a number in degC or degF
 
   bool is(std::string_view sign) const { return kind == Kind::sign && text == sign; }
 };

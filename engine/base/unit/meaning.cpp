@@ -16,8 +16,9 @@ std::string other_temperature(const Dimension& given, const Dimension& wanted) {
   if (!are_zeros(*given.zeros, 0.0) && !are_zeros(*given.zeros, 1.0))
     return "adds or scales temperatures in degC, whose zero is none; subtract them, or take their mean";
   if (!wanted.zeros || are_zeros(*given.zeros, *wanted.zeros)) return "";
-  return are_zeros(*wanted.zeros, 0.0) ? "is a temperature, but a difference of temperatures is meant"
-                                       : "is a difference of temperatures, but a temperature is meant";
+  if (are_zeros(*wanted.zeros, 0.0)) return "is a temperature, but a difference of temperatures is meant";
+  // Zeros other than 0 and 1 are a fault of the second dimension, not of the first.
+  return are_zeros(*wanted.zeros, 1.0) ? "is a difference of temperatures, but a temperature is meant" : "";
 }
 
 }  // namespace

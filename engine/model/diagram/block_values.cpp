@@ -72,6 +72,16 @@ std::string unknown_unit(const std::string& text) {
   return end == text.c_str() || unit.empty() || unit::parse_unit(unit) ? "" : unit;
 }
 
+/// True for a text that begins like a number and is none: 1_000, 0o17, 1:30, 1.5.2, 1,5. `unit` is its rest
+/// from unknown_unit().
+bool is_mistyped_number(const std::string& text, const std::string& unit) {
+  constexpr std::string_view digits = "0123456789", after_number = "_:.,0123456789";
+  if (unit.empty()) return false;
+  const bool has_base = unit.size() > 1 && std::string_view("obOB").find(unit[0]) != std::string_view::npos &&
+                        digits.find(unit[1]) != std::string_view::npos;
+  return after_number.find(unit[0]) != std::string_view::npos || (has_base && text.starts_with('0'));
+}
+
 /// Returns the fault of a formula in the place of a number: an unknown parameter ("3*kk") or a missing '='.
 /// Returns std::nullopt for other texts.
 std::optional<yaml::Message> formula_fault(const std::string& text, const yaml::Node& node,
@@ -103,7 +113,11 @@ yaml::Message other_word(const std::string& text, const std::vector<std::string>
 yaml::Message no_value(const ParameterSpec& spec, const WrittenValue& written, const yaml::Node& node,
                        const ParameterScope& parameters) {
   if (auto fault = formula_fault(written.text, node, parameters)) return *fault;
-  if (const std::string unit = unknown_unit(written.text); !unit.empty())
+  const std::string unit = unknown_unit(written.text);
+  if (is_mistyped_number(written.text, unit))
+    return yaml::fault_text("'{}' is no number; numbers are written 1000, 0.5 or 2e-3, with a unit 5 mm",
+                            written.text);
+  if (!unit.empty())
     return yaml::fault_text("'{}' is no unit; a product of units is written N s or N.s", unit);
   if (node.is_list() && node.items.empty())
     return fmt::format("the list is empty; it must be {}", wanted(spec.kind));

@@ -74,10 +74,17 @@ class BlockFormulas {
     std::vector<Measure> measures;
     for (const std::string& name : formula->variables()) measures.push_back(measure_of(name));
     try {
-      static_cast<void>(formula->measure(measures));
+      refuse_zeros(formula->measure(measures));
     } catch (const ExpressionError& error) {
       refuse(text, *formula, measures, error);
     }
+  }
+
+  /// Throws ExpressionError for a value that is neither a temperature nor a difference of temperatures.
+  static void refuse_zeros(const Measure& value) {
+    if (!value.dimension) return;
+    const std::string other = unit::other_meaning(*value.dimension, *value.dimension);
+    if (!other.empty()) throw ExpressionError("the value " + other, 0);
   }
 
   /// True for the names that the block knows: any other one after a number is a unit.
@@ -122,7 +129,7 @@ class BlockFormulas {
     const std::string where = units.empty() ? "" : fmt::format(", where {}", fmt::join(units, ", "));
     std::string wrong = error.what(), cure = "give a number its unit, or divide a value by one, as u1/(1 m)";
     if (const std::size_t end = wrong.find("; "); end != wrong.npos) {
-      cure = wrong.substr(end + 2) + ": " + cure;
+      cure = wrong.substr(end + 2) + (wrong.find("; they must", end) == end ? ": " + cure : "");
       wrong.resize(end);
     }
     report_.add(

@@ -128,6 +128,17 @@ class NumbersReading {
     return false;
   }
 
+  /// Refuses a relative variation of a temperature in degC, which is a share of its kelvins.
+  bool has_true_zero() {
+    if (unit_.offset == 0.0L) return true;
+    refuse(list_.items[1].mark,
+           yaml::fault_text(
+               "{} of a temperature in {} is a share of its kelvins; write normal: [{}, 2 K] with a "
+               "deviation in K",
+               list_.items[1].text, result_.unit, list_.items[0].text));
+    return false;
+  }
+
   /// True where one number is below another one, or equal if allowed; otherwise adds a fault.
   bool in_order(std::size_t low, std::size_t high, bool may_be_equal) {
     if (number(low) < number(high) || (may_be_equal && number(low) == number(high))) return true;
@@ -144,7 +155,7 @@ class NumbersReading {
       case Kind::normal:
         return above_zero(1);
       case Kind::lognormal:
-        return above_zero(0) && above_zero(1);
+        return has_true_zero() && above_zero(0) && above_zero(1);
       case Kind::triangular:
         return in_order(0, 1, true) && in_order(1, 2, true) && in_order(0, 2, false);
       default:

@@ -121,6 +121,7 @@ class Temperatures {
     if (output.unit.starts_with(difference_prefix)) return 0.0;
     if (!type.symbol.signs.empty()) return zeros_of_sum(index);
     if (const auto scaled = zeros_of_gain(index, output.unit)) return scaled;
+    if (multiplies(type)) return zeros_of_product(index);
     const Group group = known(index, output.unit);
     if (group.empty()) return std::nullopt;
     const bool differ = std::ranges::any_of(
@@ -156,6 +157,35 @@ class Temperatures {
     return std::nullopt;
   }
 
+  static bool multiplies(const BlockType& type) {
+    return std::ranges::any_of(type.inputs, [](const InputSpec& spec) { return spec.multiply_units; });
+  }
+
+  /// Returns the zeros of the product of one temperature and pure numbers. A difference times any factor is a
+  /// difference.
+  Zeros zeros_of_product(std::size_t index) const {
+    Zeros zeros, factor = 1.0;
+    for (const Source& source : block(index).inputs.front()) {
+      const Zeros own = zeros_of_source(source);
+      const Zeros number = own ? 1.0 : pure_number(source);
+      if (own && zeros) return std::nullopt;
+      if (own) zeros = own;
+      factor = factor && number ? Zeros(*factor * *number) : std::nullopt;
+    }
+    if (zeros && unit::are_zeros(*zeros, 0.0)) return 0.0;
+    return zeros && factor ? Zeros(*zeros * *factor) : std::nullopt;
+  }
+
+  /// Returns the number of a source that is a constant for all elements; std::nullopt for other sources.
+  Zeros pure_number(const Source& source) const {
+    if (source.block < 0) return number_of({source.constant});
+    const DiagramBlock& owner = block(static_cast<std::size_t>(source.block));
+    const BlockType& type = owner.type();
+    const bool is_constant = type.inputs.empty() && type.states.empty() && type.parameters.size() == 1 &&
+                             type.outputs.front().unit == type.parameters.front().unit;
+    return is_constant ? number_of(type.parameters.front().get(owner.block.get())) : std::nullopt;
+  }
+
   static Zeros number_of(const Value& value) {
     if (const auto* number = std::get_if<double>(&value.content)) return *number;
     const auto* list = std::get_if<Eigen::VectorXd>(&value.content);
@@ -163,10 +193,10 @@ class Temperatures {
     return alike ? Zeros((*list)[0]) : std::nullopt;
   }
 
-  /// True for sums and gains, whose inputs may have any number of zeros.
+  /// True for sums, gains and products, whose inputs may have any number of zeros.
   bool takes_any_zeros(std::size_t index) const {
     const BlockType& type = block(index).type();
-    if (!type.symbol.signs.empty()) return true;
+    if (!type.symbol.signs.empty() || multiplies(type)) return true;
     return std::ranges::any_of(type.inputs, joins_pieces) ||
            std::ranges::any_of(type.outputs, [&](const OutputSpec& output) {
              return zeros_of_gain(index, output.unit).has_value();
@@ -176,12 +206,25 @@ class Temperatures {
   void check(std::size_t index) {
     const BlockType& type = block(index).type();
     check_factors(index);
-    if (takes_any_zeros(index)) return;
+    if (takes_any_zeros(index)) return check_initial(index);
     std::map<std::string, bool> units;
     for (const InputSpec& spec : type.inputs) units[spec.unit] = true;
     for (const ParameterSpec& spec : type.parameters) units[spec.unit] = true;
     for (const auto& [unit, used] : units)
       if (unit.find('\'') != std::string::npos) check_group(index, unit);
+  }
+
+  /// Checks initial values against the output that begins with them.
+  void check_initial(std::size_t index) {
+    const DiagramBlock& block = this->block(index);
+    const auto& outputs = block.type().outputs;
+    for (const InitialValue& initial : block.initial)
+      for (std::size_t o = 0; o < outputs.size(); ++o)
+        if (const Zeros own = zeros_of(initial.dimension),
+            begun = zeros_of(diagram_.output_dimensions[index][o]);
+            own && begun &&
+            outputs[o].unit == block.type().states[static_cast<std::size_t>(initial.state)].unit)
+          complain({initial.origin, "initial", "the initial value", *own}, *begun, index);
   }
 
   void check_group(std::size_t index, const std::string& unit) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/unit/meaning.hpp"
 #include "engine/model/diagram/element_index.hpp"
 #include "engine/model/diagram/parameters.hpp"
 #include "engine/model/diagram/report.hpp"
@@ -55,12 +56,20 @@ std::vector<expression::Measure> measures_of(const std::vector<WrittenValue>& pa
   return measures;
 }
 
+/// Returns the dimension of a formula if it is sure. A sum or multiple of temperatures in degC keeps its own,
+/// so that the reader of the value refuses it.
+std::optional<unit::Dimension> dimension_of(const expression::Measure& measure) {
+  const auto& dimension = measure.dimension;
+  const bool is_known = measure.sure || (dimension && !unit::other_meaning(*dimension, *dimension).empty());
+  return is_known ? dimension : std::nullopt;
+}
+
 /// Evaluates a formula of single numbers.
 WrittenValue evaluated(const expression::Expression& expression, const std::vector<double>& values,
                        const std::vector<WrittenValue>& parameters, const std::string& text) {
   const expression::Measure measure = expression.measure(measures_of(parameters));
   expression.check_draws(std::vector<std::optional<double>>(values.begin(), values.end()));
-  return {{expression(values)}, measure.sure ? measure.dimension : std::nullopt, text};
+  return {{expression(values)}, dimension_of(measure), text};
 }
 
 }  // namespace
@@ -122,7 +131,7 @@ std::optional<WrittenValue> ValueReader::read_matrices(const std::vector<Written
   Eigen::MatrixXd result = expression(numbers);
   if (!result.allFinite())
     return refuse(node, subject, fmt::format("'{}' has numbers that are not finite", node.text));
-  WrittenValue written{{result}, measure.sure ? measure.dimension : std::nullopt, node.text};
+  WrittenValue written{{result}, dimension_of(measure), node.text};
   if (result.size() == 1) written.value.content = result(0, 0);
   return written;
 }

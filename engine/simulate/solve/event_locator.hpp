@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "engine/simulate/solve/crossing_signs.hpp"
@@ -12,6 +13,11 @@
 #include "engine/simulate/solve/left_of.hpp"
 
 namespace stepwire::solve {
+
+/// True if numbers have other bits than a copy of them.
+inline bool have_changed(const double* numbers, const double* copy, std::size_t count) {
+  return std::memcmp(numbers, copy, count * sizeof *numbers) != 0;
+}
 
 /// Repeats a step of the solver from event to event. An event is an edge that a source has declared, or a
 /// crossing: an instant at which a number changes its sign. 0 is a sign of its own. A crossing is bracketed

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "engine/view/plot/panel_reading.hpp"
-
 #include "engine/base/yaml/message.hpp"
+#include "engine/view/plot/along_axis.hpp"
+#include "engine/view/plot/panel_reading.hpp"
 
 namespace stepwire::plot {
 namespace {
@@ -17,10 +17,11 @@ class AxisChecks {
 
   void check() {
     for (const char* axis : {"x", "y"}) check_units(axis);
+    check_arrows();
     const auto y = panel_.series.find("y");
     if (y == panel_.series.end()) return;
     check_number_of_x(y->second);
-    check_references(y->second.front());
+    for (const char* key : {"reference", "low", "high"}) check_along(key, y->second.front());
     check_legend(y->second);
   }
 
@@ -35,23 +36,17 @@ class AxisChecks {
     const auto with_unit = std::ranges::find_if(found->second, has_unit);
     if (with_unit == found->second.end()) return;
     for (query::Series& series : found->second) {
-      if (&series == &*with_unit || series.unit_text == with_unit->unit_text) continue;
+      if (&series == &*with_unit) continue;
+      const bool alike = series.unit_text == with_unit->unit_text;
       if (is_bare(series))
         series.unit = with_unit->unit;
       else if (series.unit_text.empty())
-        no_unit(axis, series, *with_unit);
-      else
-        two_units(axis, series, *with_unit);
+        fault(series.formula.mark, axis, no_unit(series, *with_unit));
+      else if (!alike)
+        fault(series.formula.mark, axis, two_units(series, *with_unit));
+      else if (auto wrong = fault_along(series, *with_unit))
+        fault(series.formula.mark, axis, std::move(*wrong));
     }
-  }
-
-  static bool has_unit(const query::Series& series) {
-    return !series.unit_text.empty() && series.unit_text != "1";
-  }
-
-  /// True for a plain number, which has the SI unit of its counterpart.
-  static bool is_bare(const query::Series& series) {
-    return series.unit_text.empty() && series.formula.columns.empty();
   }
 
   void check_number_of_x(const std::vector<query::Series>& y) {
@@ -62,30 +57,27 @@ class AxisChecks {
                       y.size()));
   }
 
-  void check_references(const query::Series& first) {
-    const auto references = panel_.series.find("reference");
-    if (references == panel_.series.end()) return;
-    for (query::Series& reference : references->second) {
-      const auto &ours = reference.formula.dimension, &axis = first.formula.dimension;
-      if (ours && axis && *ours != *axis) two_units("reference", reference, first);
-      if (!is_bare(reference) && has_unit(first) && reference.unit_text.empty())
-        no_unit("reference", reference, first);
-      reference.unit = first.unit;
+  /// Checks the two parts of the arrows of a field, of which both are drawn in the unit of the first.
+  void check_arrows() {
+    const query::Series *across = panel_.find("u"), *up = panel_.find("v");
+    if (!across || !up) return;
+    const auto &first = across->formula.dimension, &second = up->formula.dimension;
+    if (!first || !second || *first == *second) return check_along("v", *across);
+    fault(up->formula.mark, "v",
+          yaml::fault_text("'{}' is in {}, but '{}' in {}; the two parts of an arrow have one unit",
+                           across->formula.text, unit::si_name(*first), up->formula.text,
+                           unit::si_name(*second)));
+  }
+
+  /// Checks the channels drawn along the axis of another channel, and gives them its unit.
+  void check_along(const std::string& key, const query::Series& axis) {
+    const auto found = panel_.series.find(key);
+    if (found == panel_.series.end()) return;
+    for (query::Series& series : found->second) {
+      if (auto wrong = fault_along(series, axis)) fault(series.formula.mark, key, std::move(*wrong));
+      series.unit = axis.unit;
+      series.unit_text = axis.unit_text;
     }
-  }
-
-  void no_unit(const std::string& key, const query::Series& series, const query::Series& first) {
-    fault(series.formula.mark, key,
-          yaml::fault_text(
-              "'{}' is drawn in {}, but the unit of '{}' is not known; {}", first.formula.text,
-              first.unit_text, series.formula.text,
-              query::unit_cure(series.formula, first.formula.dimension.value_or(first.unit.dimension))));
-  }
-
-  void two_units(const std::string& key, const query::Series& series, const query::Series& first) {
-    fault(series.formula.mark, key,
-          yaml::fault_text("'{}' is drawn in {}, but '{}' in {}; one axis has one unit: give each a panel",
-                           first.formula.text, first.unit_text, series.formula.text, series.unit_text));
   }
 
   /// Checks the legend. Without `by` there is one curve for each y, for any number of runs.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/base/yaml/message.hpp"
+#include "engine/view/plot/along_axis.hpp"
 
 namespace stepwire::plot {
 
@@ -24,6 +25,8 @@ std::optional<query::Series> read_coordinate(const yaml::Node& node, const std::
     read.fault(node.mark,
                yaml::fault_text("'{}' is in {}, but '{}' in {}; both are drawn along {}", formula->text,
                                 unit::si_name(*ours), drawn->formula.text, unit::si_name(*theirs), axis));
+  else if (auto wrong = fault_along({*formula, {}, ours ? unit::si_name(*ours) : "", formula->text}, *drawn))
+    read.fault(node.mark, std::move(*wrong));
   return query::Series{*formula, drawn->unit, drawn->unit_text, formula->text};
 }
 

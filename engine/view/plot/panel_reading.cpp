@@ -175,6 +175,7 @@ class PanelReader {
   /// Adds a fault for a key whose object is missing, such as a line without a region.
   void check_beside() {
     std::vector<std::pair<const char*, const char*>> beside{{"region_line", "region"}};
+    if (panel_.kind->channel("low")) beside.insert(beside.end(), {{"low", "high"}, {"high", "low"}});
     if (panel_.kind->bar_of_channel)
       for (const char* key : {"color_label", "color_range"}) beside.emplace_back(key, "color");
     for (const auto& [key, of] : beside)

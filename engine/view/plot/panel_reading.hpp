@@ -33,7 +33,7 @@ void read_note(const yaml::Node& node, Panel& panel, const query::NamesReading& 
 void read_regions(const yaml::Node& node, Panel& panel, const query::NamesReading& read);
 
 /// Checks that all series along an axis have one unit, that each y has an x, and that the legend has texts
-/// for curves only. Reference lines get the unit of their axis.
+/// for curves only. References, edges of a band and the vertical part of an arrow get the unit of their axis.
 void check_axes(Panel& panel, const yaml::Node& node, const query::SymbolTable& names, yaml::Faults& faults);
 
 /// Reads the value of `marks`: {NAME: [X, Y], ...}, or a list of points, which are named 1, 2, 3. A mark

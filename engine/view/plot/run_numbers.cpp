@@ -70,6 +70,7 @@ std::optional<query::Series> read_run_series(const yaml::Node& node, const query
   name.resize(std::max(name.size(), text.size()), '_');
   query::SymbolTable names = read.names;
   names.columns.push_back({name, number->formula->dimension, {}});
+  names.columns.back().expression = text;
   yaml::Node named = formula;
   named.text = name + behind;
   auto series = query::read_series(named, names, read.subject, read.faults);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/analyse/query/names_reading.hpp"
+#include "engine/analyse/query/number.hpp"
 #include "engine/analyse/query/run_rows.hpp"
 #include "engine/view/plot/panel_reading.hpp"
 

@@ -51,6 +51,21 @@ record: [lag]
   }
 }
 
+TEST_CASE(
+    "The output of a discrete transfer function has the unit of its coefficients times that of its input") {
+  const table::Table table = run_text(R"(
+step: 1 s
+stop: 1 s
+blocks:
+  f: {block: Constant, value: 2 N}
+  filter: {block: DiscreteTransferFunction, numerator: [0.1 m/N], denominator: [1, 0], u: f}
+record: [filter]
+)");
+  REQUIRE(table.find("filter") != nullptr);
+  CHECK(table.find("filter")->unit == "m");
+  CHECK(column(table, "filter").back() == Approx(0.2));
+}
+
 TEST_CASE("A discrete transfer function that looks ahead is refused") {
   CHECK_THAT(
       error_of("step: 1 s\nstop: 1 s\nblocks:\n"

@@ -18,7 +18,7 @@ query::SymbolTable rooms() {
            {"speed", of("rpm"), 0},
            {"beat", of("Hz"), 0},
            {"guess", {}, 0}},
-          {{"allowed", 273.25, of("degC")}}};
+          {{"allowed", 273.25, of("degC"), "degC"}}};
 }
 
 /// The fault of a claim; an empty text where it has none.
@@ -67,6 +67,23 @@ TEST_CASE("a difference of temperatures is held against kelvin") {
   CHECK(fault("max: (room + room)/2, at_most: 30 degC").empty());
   CHECK(fault("fraction: gap > 10 degC, at_most: 10 %") != "");
   CHECK(fault("fraction: room > 10 degC, at_most: 10 %").empty());
+}
+
+TEST_CASE("what is at fault is named: a sum, a share or a divisor") {
+  CHECK(fault("final: room/2, at_most: 20 degC") ==
+        "claims.at_most: the claim's value adds or scales temperatures in degC, whose zero is none; subtract "
+        "them, or take their mean\n");
+  CHECK_THAT(fault("final: gap/1 degC, at_most: 2"),
+             Catch::Contains("write a difference in K or delta_degC"));
+  CHECK_THAT(fault("final: room/(1 degC), at_most: 2"), Catch::Contains("behind '/'"));
+  CHECK(fault("final: gap/1 K, at_most: 2").empty());
+  CHECK(fault("fit: [room, gap], at_least: 90") != "");
+  CHECK(fault("final: speed + beat, at_most: 100 rad/s") != "");
+}
+
+TEST_CASE("a parameter in degC is shown in degC") {
+  CHECK(claim("final: room, equals: $allowed").comparison.unit == "degC");
+  CHECK(claim("final: room, equals: allowed").comparison.low == 273.25);
 }
 
 TEST_CASE("turns per time are held against no frequency") {

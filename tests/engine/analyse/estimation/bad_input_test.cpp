@@ -31,6 +31,11 @@ TEST_CASE("bounds the wrong way round and a start outside of them are refused") 
              Contains("bounds are a lower and an upper one"));
 }
 
+TEST_CASE("the scale of a temperature is a difference") {
+  CHECK_THAT(error_of_fit("  parameters: {slope: {start: 20 degC, scale: 1 degC}}\n" + compare),
+             Contains("1 degC is a temperature, but a difference of temperatures is meant; write it in K"));
+}
+
 TEST_CASE("a parameter that moves nothing is refused") {
   const std::string error = error_of_fit(
       "  parameters: {slope: {start: 1}, bias: {start: 1}}\n"

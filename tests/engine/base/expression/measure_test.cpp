@@ -70,6 +70,35 @@ TEST_CASE("values of different units are neither joined nor compared") {
   CHECK(refusal("3*max(a, b)", {metre, newton}) == "2: 'max' joins m and N; they must have the same unit");
 }
 
+TEST_CASE("both values of a choice have one unit") {
+  CHECK(refusal("a > 1 ? a : b", {metre, newton}) == "0: '? :' joins m and N; they must have the same unit");
+  CHECK(found("a > 1 ? a : 2 mm", {metre}) == metre);
+  CHECK(found("a > 1 ? a : 0", {metre}) == metre);
+  CHECK(found("a > 1 ? 0 : a", {metre}) == metre);
+  CHECK(refusal("a > 1 ? 20 degC : 5 delta_degC", {metre}) != "none");
+  CHECK(refusal("a > 1 ? 20 degC : 5 K", {metre}) == "none");
+}
+
+TEST_CASE("an angle per time and a number of periods per time are not added") {
+  const unit::Dimension turning = unit::parse_unit("rpm")->dimension,
+                        beating = unit::parse_unit("Hz")->dimension;
+  CHECK(refusal("a + b", {turning, beating}) ==
+        "2: a value beside '+' counts periods per time, of which each has 2*pi rad; multiply by 2*pi");
+  CHECK(refusal("a - 1 rpm", {beating}) ==
+        "2: a value beside '-' is an angle per time, and a period has 2*pi rad; divide by 2*pi");
+  CHECK(refusal("a + 2*pi*b", {turning, beating}) == "none");
+  CHECK(refusal("a + 3 1/s", {turning}) == "none");
+}
+
+TEST_CASE("a number in degC is no divisor") {
+  const unit::Dimension kelvin{{0, 0, 0, 0, 1}};
+  CHECK_THAT(refusal("a/1 degC", {kelvin}), Catch::Contains("1: the number in degC or degF behind '/'"));
+  CHECK_THAT(refusal("1/(0.5 degF)", {}), Catch::Contains("behind '/'"));
+  CHECK(refusal("a/1 delta_degC", {kelvin}) == "none");
+  CHECK(refusal("a/(1 K)", {kelvin}) == "none");
+  CHECK(refusal("a/(20 degC + 1 K)", {kelvin}) == "none");
+}
+
 TEST_CASE("a function of a pure number takes seconds as well, but nothing is known of its unit then") {
   CHECK_FALSE(found("exp(-a)", {second}));
   CHECK_FALSE(found("log10(abs(a))", {metre}));

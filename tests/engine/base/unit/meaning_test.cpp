@@ -35,6 +35,13 @@ TEST_CASE("a temperature is no difference of temperatures, and kelvin are either
         "is a temperature, but a difference of temperatures is meant; write it in K or delta_degC");
 }
 
+TEST_CASE("a temperature is at no fault beside half of one") {
+  Dimension half = parse_unit("degC")->dimension;
+  half.zeros = 0.5;
+  CHECK(other_meaning(parse_unit("degC")->dimension, half).empty());
+  CHECK(other_meaning(half, parse_unit("degC")->dimension) != "");
+}
+
 TEST_CASE("an angle per time is no frequency, and 1/s is either") {
   CHECK(parse_unit("rpm")->to_si(60.0) == Approx(6.283185307179586).epsilon(1e-15));
   for (const char* speed : {"rpm", "rad/s", "deg/s", "rev/min"}) {

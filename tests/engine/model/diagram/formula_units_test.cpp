@@ -60,6 +60,16 @@ TEST_CASE("formulas whose units fit are accepted, and those of signals without u
           Lines{});
 }
 
+TEST_CASE("a formula that adds temperatures is refused, their mean is not") {
+  const Lines sum = faults_of_expression("u: [heat, heat], expression: u1 + u2");
+  REQUIRE(sum.size() == 1);
+  CHECK_THAT(sum[0],
+             Contains("the value adds or scales temperatures in degC") && Contains("take their mean"));
+  CHECK(faults_of_expression("u: [heat, heat], expression: (u1 + u2)/2").empty());
+  CHECK(faults_of_expression("u: [heat, heat], expression: u1 - u2").empty());
+  CHECK(faults_of_expression("u: [way, force], expression: \"u1 > 1 ? u1 : u2\"").size() == 1);
+}
+
 TEST_CASE("guards, settings and conditions of a chart have the units of its inputs") {
   const std::string chart = "u: [way, heat], variables: [x, T], states: ";
   for (const std::string states :

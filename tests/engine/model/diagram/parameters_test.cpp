@@ -82,6 +82,9 @@ TEST_CASE("a unit that is unknown or the wrong one is refused") {
   CHECK(fault_of("{a: {value: 1, unit: foo}}") == "test.yaml:1:34: a: 'foo' is no unit");
   CHECK_THAT(fault_of("{}", "8 Ns/m"),
              Catch::Contains("c.value: 'Ns/m' is no unit; a product of units is written N s or N.s"));
+  for (const std::string text : {"1_000", "0o17", "0b11", "1:30", "1.5.2", "1 000"})
+    CHECK_THAT(fault_of("{}", text),
+               Catch::Contains("'" + text + "' is no number; numbers are written 1000, 0.5 or 2e-3"));
   CHECK(fault_of("{a: 1 mm}", "1", {{"a", "3 s"}}) == "--set a=3 s: a: 3 s is in s; it must be in m");
 }
 

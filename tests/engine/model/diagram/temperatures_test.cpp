@@ -76,6 +76,44 @@ TEST_CASE("temperatures follow the wires through blocks with a memory, and initi
             .size() == 1);
 }
 
+TEST_CASE("an initial value of a scaled difference is a difference") {
+  const std::string message =
+      "l.initial: the initial value is a temperature, but a difference of temperatures is meant; write it in "
+      "K "
+      "or delta_degC";
+  CHECK(fault("  l: {block: Lag, u: gap, tau: 1 s, initial: 1 degC}\n") == message);
+  CHECK(faults("  l: {block: Lag, u: gap, tau: 1 s, initial: 1 K}\n").empty());
+  CHECK(faults("  l: {block: Lag, u: room, tau: 1 s, initial: 1 degC}\n").empty());
+  CHECK(faults("  l: {block: Lag, u: room, tau: 1 s, initial: 1 delta_degC}\n").size() == 1);
+}
+
+TEST_CASE("a product of a temperature and a number other than 1 is no temperature") {
+  CHECK_THAT(fault("  p: {block: Product, u: [room, 200 %]}\n"),
+             Catch::Contains("adds or scales temperatures in degC"));
+  CHECK(faults("  two: {block: Constant, value: 200 %}\n  p: {block: Product, u: [room, two]}\n").size() ==
+        1);
+  CHECK(faults("  p: {block: Product, u: [room, 100 %]}\n").empty());
+  CHECK(faults("  p: {block: Product, u: [gap, 200 %]}\n"
+               "  c: {block: Compare, u: p, operator: greater, to: 1 degC}\n")
+            .size() == 1);
+  CHECK(faults("  s: {block: Sum, u: [room, oven]}\n  p: {block: Product, u: [s, 50 %]}\n"
+               "  c: {block: Compare, u: p, operator: greater, to: 1 degC}\n")
+            .empty());
+}
+
+TEST_CASE("a multiple of a parameter in degC is no temperature") {
+  const auto relay = [](const std::string& on) {
+    return faults_of(
+        "parameters: {tol: 1 degC, cold: -1 degC}\n" + rooms +
+        "  r: {block: Relay, u: gap, switch_on: " + on +
+        ", switch_off: -1 K}\n  t: {block: Constant, value: $tol}\n  d: {block: Constant, value: $cold}\n");
+  };
+  CHECK(relay("= 2*tol").size() == 1);
+  CHECK(relay("$tol").size() == 1);
+  CHECK(relay("= tol + cold").size() == 1);
+  CHECK(relay("= tol - cold").empty());
+}
+
 TEST_CASE("conditions hold a difference against a difference") {
   CHECK(faults_of("stop_when: gap > 10 degC\n" + rooms).size() == 1);
   CHECK(faults_of("stop_when: gap > 10 K\n" + rooms).empty());

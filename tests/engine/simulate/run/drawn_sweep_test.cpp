@@ -136,6 +136,9 @@ TEST_CASE("what is wrong with a design is one sentence with its place") {
   CHECK_THAT(refusal("{k: {normal: [3 N/m, 1 s]}" + design),
              Contains("'deviation' is in s; it must be in N/m"));
   CHECK_THAT(refusal("{k: {lognormal: [3 N/m, 1 s]}" + design), Contains("'variation' is in s"));
+  CHECK_THAT(
+      refusal("{k: {lognormal: [20 degC, 0.1]}" + design),
+      Contains("0.1 of a temperature in degC is a share of its kelvins; write normal: [20 degC, 2 K]"));
   CHECK_THAT(refusal("{k: {uniform: [1 s, 2 s]}" + design),
              Contains("k: 1.") && Contains("it must be in N/m"));
   CHECK_THAT(refusal("{m: {uniform: [-1 kg, 2 kg]}" + design), Contains("it must be above 0 kg"));

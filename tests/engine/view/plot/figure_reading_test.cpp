@@ -54,6 +54,32 @@ TEST_CASE("ranges and options become the unit of their axis") {
   CHECK(panel.contour == std::vector<double>{1.0, 2000.0});
 }
 
+TEST_CASE("the edges of a band and a reference are in the unit of their axis") {
+  const Panel panel = panel_of(
+      "{plot: lines, x: time, y: rig.x in mm, low: rig.x - 1 mm, high: rig.x + 1 mm in um, reference: "
+      "rig.x}");
+  for (const char* key : {"low", "high", "reference"}) CHECK(panel.find(key)->unit.from_si(0.002) == 2.0);
+  const std::string plot = "{plot: lines, x: time, y: rig.x in mm, ";
+  CHECK(faults_of(plot + "low: push.force, high: rig.x}") ==
+        "d.yaml:1:50: figure.low: 'rig.x' is drawn in mm, but 'push.force' in N; one axis has one unit: give "
+        "each a panel\n");
+  CHECK(faults_of(plot + "low: 3 + 10*current, high: rig.x}") != "");
+  CHECK(faults_of(plot + "low: rig.x}") == "d.yaml:1:50: figure.low: goes with 'high', which is not given\n");
+  CHECK(faults_of("{plot: lines, x: time, y: 3 + 10*current, reference: rig.x}") != "");
+  CHECK(faults_of("{plot: field, x: rig.x, y: rig.x, u: push.force, v: rig.v}") != "");
+}
+
+TEST_CASE("a reference has the meaning of its axis") {
+  CHECK(faults_of("{plot: box, y: rig.v/1 m in rpm, reference: 5 Hz}") ==
+        "d.yaml:1:45: figure.reference: '5 Hz' counts periods per time, of which each has 2*pi rad; write it "
+        "in "
+        "rad/s\n");
+  CHECK(faults_of("{plot: box, y: rig.v/1 m in rpm, reference: rig.v/1 m in Hz}") != "");
+  CHECK(faults_of("{plot: box, y: rig.v/1 m in rpm, reference: 5 rad/s}").empty());
+  CHECK(faults_of("{plot: box, y: rig.x*(1 K/1 m) in degC, reference: 5 delta_degC}") != "");
+  CHECK(faults_of("{plot: box, y: rig.x*(1 delta_degC/1 m) in K, reference: 20 K}").empty());
+}
+
 TEST_CASE("one entry, a list of entries and panels give pictures") {
   CHECK(figures_of("{plot: lines, x: time, y: rig.x}").figures.size() == 1);
   const auto read = figures_of(
