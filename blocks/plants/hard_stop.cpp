@@ -43,6 +43,9 @@ void HardStop::declare(Declare<HardStop>& is) {
   is.state<&HardStop::struck>(
       {.doc = "1 where the last instant was that of an impact, -1 where not, 0 before the first",
        .settable = false});
+  is.state<&HardStop::struck_at>(
+      {.unit = "s", .doc = "time of the last hit at a tick; -1 before the first one", .settable = false});
+  is.clock<&HardStop::t>();
   is.clock<&HardStop::period>();
 }
 

@@ -16,8 +16,10 @@ struct HardStop {
   Output<> y{}, hit{}, rebound{}, rests{};
   DiscreteState<> side{};  // 1 and -1 while it rests at the upper and the lower stop, as of the last instant.
   DiscreteState<> rest{};  // Velocity of a resting mass at the last instant.
-  DiscreteState<> struck{};  // 1 after a hit at the last instant, else -1; 0 before the first one.
+  DiscreteState<> struck{};     // 1 after a hit at the last instant, else -1; 0 before the first one.
+  DiscreteState<> struck_at{};  // Time of the last hit at a tick [s].
 
+  Time t{};
   Period period{};
 
   void outputs() {
@@ -37,11 +39,14 @@ struct HardStop {
   }
   void update() {
     for (Index i = 0; i < side.size(); ++i) {
-      const bool now = is_hit(i);
-      side[i] = next_side(i);
-      rest[i] = now ? 0.0 : velocity[i];
-      struck[i] = now ? 1.0 : -1.0;
+      if (is_hit(i)) struck_at[i] = t;
+      follow(i);
     }
+  }
+  /// A hit at a tick counts until the next instant, also while the tick is settled.
+  void update_at_event() {
+    for (Index i = 0; i < side.size(); ++i)
+      if (!(struck[i] > 0.0 && struck_at[i] == t)) follow(i);
   }
   void crossings(Crossings& zero) const {
     for (Index i = 0; i < side.size(); ++i)
@@ -49,10 +54,19 @@ struct HardStop {
     for (Index i = 0; i < side.size(); ++i) zero.add(side[i] != 0.0 ? 1.0 : position[i] - lower[i]);
   }
 
+  void start() {
+    for (Index i = 0; i < side.size(); ++i) struck_at[i] = -1.0;
+  }
   void configure(Configure& is);
   static void declare(Declare<HardStop>& is);
 
  private:
+  void follow(Index i) {
+    const bool now = is_hit(i);
+    side[i] = next_side(i);
+    rest[i] = now ? 0.0 : velocity[i];
+    struck[i] = now ? 1.0 : -1.0;
+  }
   /// Returns the stop that it hits: 1 the upper, -1 the lower, 0 none.
   double meets(Index i) const {
     if (side[i] != 0.0) return 0.0;

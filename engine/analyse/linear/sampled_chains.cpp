@@ -42,29 +42,26 @@ SampledChains::SampledChains(const StateSpace& system) : D_(system.D) {
   std::vector<Link> links = links_of(system);
   open_rings(links);
   std::vector<Eigen::Index> kept, place(links.size(), -1);
-  for (std::size_t k = 0; k < links.size(); ++k)
-    if (links[k].from < 0) {
-      place[k] = static_cast<Eigen::Index>(kept.size());
-      kept.push_back(static_cast<Eigen::Index>(k));
-    }
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    if (links[k].from >= 0) continue;
+    place[k] = static_cast<Eigen::Index>(kept.size());
+    kept.push_back(static_cast<Eigen::Index>(k));
+  }
   count_ = links.size() - kept.size();
   A_ = system.A(kept, kept);
   B_ = system.B(kept, Eigen::all);
   C_ = system.C(Eigen::all, kept);
   for (std::size_t k = 0; k < links.size(); ++k) {
-    if (links[k].from < 0) continue;
     const auto column = static_cast<Eigen::Index>(k);
     Tail tail{0, 0.0, system.A(kept, column), system.C.col(column)};
-    if (tail.into_states.isZero(0.0) && tail.into_outputs.isZero(0.0)) continue;
-    double factor = 1.0;
+    if (links[k].from < 0 || (tail.into_states.isZero(0.0) && tail.into_outputs.isZero(0.0))) continue;
     std::size_t at = k;
     for (; links[at].from >= 0; at = static_cast<std::size_t>(links[at].from)) {
-      factor *= links[at].factor;
+      tail.into_states *= links[at].factor;
+      tail.into_outputs *= links[at].factor;
       tail.steps += 1.0;
     }
     tail.head = place[at];
-    tail.into_states *= factor;
-    tail.into_outputs *= factor;
     tails_.push_back(std::move(tail));
   }
 }

@@ -138,7 +138,7 @@ std::string update_text(const plan::Plan& plan) {
   return fmt::format(
       "  double tick_states[{0}];\n  for (int i = 0; i < {0}; ++i) tick_states[i] = w[states + i];\n"
       "  update(w, numbers, tick);\n"
-      "  if (std::memcmp(tick_states, w + states, sizeof tick_states) != 0) [[unlikely]]\n"
+      "  if (solve::have_changed(w + states, tick_states, {0})) [[unlikely]]\n"
       "    if (!settle_tick(w, numbers, tick)) {{\n{1}      return;\n    }}\n",
       plan.layout.state_count, end_of_left_text(plan));
 }

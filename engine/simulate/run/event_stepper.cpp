@@ -1,7 +1,6 @@
 #include "engine/simulate/run/event_stepper.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #include "engine/simulate/run/whole_step.hpp"
 #include "engine/simulate/solve/left_of.hpp"
@@ -100,8 +99,7 @@ EventCount EventStepper::count() const {
 void EventStepper::look_at_start() {
   const plan::Layout& layout = plan_.layout;
   const double* states = values_ + layout.states;
-  if (!knows_end_ ||
-      (states_change_ && std::memcmp(states, end_states_.data(), layout.state_count * sizeof *states) != 0))
+  if (!knows_end_ || (states_change_ && solve::have_changed(states, end_states_.data(), layout.state_count)))
     return looks_.find(before_.data());
   before_.swap(after_);
   looks_.find_changing(before_.data());
@@ -135,7 +133,7 @@ void EventStepper::keep_states() {
 bool EventStepper::settle_tick() {
   const plan::Layout& layout = plan_.layout;
   if (!plan_.updates_continuous ||
-      std::memcmp(values_ + layout.states, tick_states_.data(), layout.state_count * sizeof(double)) == 0)
+      !solve::have_changed(values_ + layout.states, tick_states_.data(), layout.state_count))
     return true;
   const solve::EventTask split = task();
   const BetweenTicks between{*this};
