@@ -36,6 +36,17 @@ void open_rings(std::vector<Link>& links) {
   }
 }
 
+/// Adds the steps and factors of the links from a state to its head, which is returned.
+template <class Tail>
+std::size_t follow(const std::vector<Link>& links, std::size_t at, Tail& tail) {
+  for (; links[at].from >= 0; at = static_cast<std::size_t>(links[at].from)) {
+    tail.into_states *= links[at].factor;
+    tail.into_outputs *= links[at].factor;
+    tail.steps += 1.0;
+  }
+  return at;
+}
+
 }  // namespace
 
 SampledChains::SampledChains(const StateSpace& system) : D_(system.D) {
@@ -55,13 +66,7 @@ SampledChains::SampledChains(const StateSpace& system) : D_(system.D) {
     const auto column = static_cast<Eigen::Index>(k);
     Tail tail{0, 0.0, system.A(kept, column), system.C.col(column)};
     if (links[k].from < 0 || (tail.into_states.isZero(0.0) && tail.into_outputs.isZero(0.0))) continue;
-    std::size_t at = k;
-    for (; links[at].from >= 0; at = static_cast<std::size_t>(links[at].from)) {
-      tail.into_states *= links[at].factor;
-      tail.into_outputs *= links[at].factor;
-      tail.steps += 1.0;
-    }
-    tail.head = place[at];
+    tail.head = place[follow(links, k, tail)];
     tails_.push_back(std::move(tail));
   }
 }
