@@ -223,6 +223,7 @@ double limit_by_circles(const StateSpace& system, double centre, const Surroundi
 double gain_at_rest(const StateSpace& system) {
   const double centre = system.is_sampled() ? 1.0 : 0.0;
   if (!system.A.allFinite()) return undecided;
+  if (system.A.size() == 0 && system.delays.empty()) return system.D(0, 0);
   if (const auto limit = Resolvent(system).gain_at(centre)) return *limit;
   const Surroundings near = surroundings_of(poles_of(system), centre);
   const double limit = limit_by_circles(system, centre, near, near.fewest);

@@ -101,6 +101,11 @@ TEST_CASE("rounding far beyond all corners makes no gain margin") {
 }
 
 TEST_CASE("the gain at rest of what integrates is infinite") {
+  StateSpace direct;
+  direct.B.resize(0, 1);
+  direct.C.resize(1, 0);
+  direct.D = Eigen::MatrixXd::Constant(1, 1, 3.0);
+  CHECK(gain_at_rest(direct) == 3.0);
   CHECK(gain_at_rest(integrator(-3.0)) == -std::numeric_limits<double>::infinity());
   CHECK(gain_at_rest(sampled_integrator(2.0, 0.1, 1)) == std::numeric_limits<double>::infinity());
   CHECK(gain_at_rest(lags(3, 1e-3, 7.0)) == Approx(7.0));
