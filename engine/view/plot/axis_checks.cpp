@@ -57,10 +57,12 @@ class AxisChecks {
                       y.size()));
   }
 
-  /// Checks the two parts of the arrows of a field, of which both are drawn in the unit of the first.
+  /// Checks the two parts of the arrows of a field, of which both are drawn in the unit of the first. In a
+  /// phase portrait, whose axes have two units, the parts have two as well.
   void check_arrows() {
     const query::Series *across = panel_.find("u"), *up = panel_.find("v");
-    if (!across || !up) return;
+    const query::Series *x = panel_.find("x"), *y = panel_.find("y");
+    if (!across || !up || (x && y && x->formula.dimension != y->formula.dimension)) return;
     const auto &first = across->formula.dimension, &second = up->formula.dimension;
     if (!first || !second || *first == *second) return check_along("v", *across);
     fault(up->formula.mark, "v",

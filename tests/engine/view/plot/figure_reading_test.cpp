@@ -61,10 +61,10 @@ TEST_CASE("the edges of a band and a reference are in the unit of their axis") {
   for (const char* key : {"low", "high", "reference"}) CHECK(panel.find(key)->unit.from_si(0.002) == 2.0);
   const std::string plot = "{plot: lines, x: time, y: rig.x in mm, ";
   CHECK(faults_of(plot + "low: push.force, high: rig.x}") ==
-        "d.yaml:1:50: figure.low: 'rig.x' is drawn in mm, but 'push.force' in N; one axis has one unit: give "
+        "d.yaml:1:45: figure.low: 'rig.x' is drawn in mm, but 'push.force' in N; one axis has one unit: give "
         "each a panel\n");
   CHECK(faults_of(plot + "low: 3 + 10*current, high: rig.x}") != "");
-  CHECK(faults_of(plot + "low: rig.x}") == "d.yaml:1:50: figure.low: goes with 'high', which is not given\n");
+  CHECK(faults_of(plot + "low: rig.x}") == "d.yaml:1:45: figure.low: goes with 'high', which is not given\n");
   CHECK(faults_of("{plot: lines, x: time, y: 3 + 10*current, reference: rig.x}") != "");
   CHECK(faults_of("{plot: field, x: rig.x, y: rig.x, u: push.force, v: rig.v}") != "");
 }
