@@ -13,13 +13,11 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
            "Delay of a continuous signal by any time of a step or more: y(t) = u(t - delay), and `initial` "
            "until then. Between two samples the past is a polynomial through the samples around, of degree 4 "
            "where there are so many. It avoids bends, and ends at jumps, where the block keeps both sides. "
-           "For "
-           "a signal that is sampled take `between: hold`, or Delay. While it is off it keeps what it saw "
-           "last. Samples are as far apart as ticks, also "
-           "where a solver controls its error: what is faster than these needs a shorter step. Its output "
-           "does "
-           "not depend on its input at the same instant. Linear analyses take it as exact among continuous "
-           "blocks, and refuse it beside sampled ones.",
+           "For a signal that is sampled take `between: hold`, or Delay. While it is off it keeps what it "
+           "saw "
+           "last. Samples are as far apart as ticks, also where a solver controls its error: what is faster "
+           "than these needs a shorter step. Its output does not depend on its input at the same instant. "
+           "Linear analyses take it as exact among continuous blocks, and refuse it beside sampled ones.",
        .source = "A. Harten, B. Engquist, S. Osher, S. R. Chakravarthy 1987, J. Comput. Phys. 71",
        .timing = Timing::continuous,
        .delayed_by = "delay",
@@ -59,7 +57,7 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
   is.diagnostic<&TransportDelay::out_of_range>(
       {.doc = "the delay is below a step or above `longest`", .ends_run = true});
   is.diagnostic<&TransportDelay::full>(
-      {.doc = "more than 500 events are on their way; take a longer step or `events: tick`",
+      {.doc = "more than 500 events are on their way; take a shorter step or `events: tick`",
        .ends_run = true});
   is.clock<&TransportDelay::t>();
   is.clock<&TransportDelay::period>();

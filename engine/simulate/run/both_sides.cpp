@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/simulate/solve/left_of.hpp"
+#include "engine/simulate/run/whole_step.hpp"
 
 namespace stepwire::run {
 
@@ -16,7 +16,7 @@ BothSides::BothSides(BoundBlocks& blocks, Participants& who, Stepper& stepper)
 void BothSides::before(double time) {
   if (!observer) return;
   std::copy_n(values_, kept_.size(), kept_.begin());
-  values_[plan::Layout::time] = plan_.jumps ? solve::left_of(time, plan_.diagram.step) : time;
+  values_[plan::Layout::time] = left_limit(plan_, time, plan_.diagram.step);
   stepper_.follow_time();
   outputs_.run();
   values_[plan::Layout::time] = time;

@@ -1,6 +1,6 @@
 #include "engine/simulate/run/left_side.hpp"
 
-#include "engine/simulate/solve/left_of.hpp"
+#include "engine/simulate/run/whole_step.hpp"
 
 namespace stepwire::run {
 
@@ -13,7 +13,7 @@ LeftSide::LeftSide(BoundBlocks& blocks, Participants& who, Stepper& stepper)
 
 void LeftSide::update(double time) {
   if (updates_.empty()) return;
-  values_[plan::Layout::time] = plan_.jumps ? solve::left_of(time, plan_.diagram.step) : time;
+  values_[plan::Layout::time] = left_limit(plan_, time, plan_.diagram.step);
   stepper_.follow_time();
   outputs_.run();
   updates_.run();
