@@ -36,6 +36,18 @@ std::string target_line(const tuning::TunedTarget& target) {
                      text::visible(target.verdict.check));
 }
 
+/// Returns the row of the Jacobian of a target, such as "    per range: aspect 3.1, precision -12"; ""
+/// without one.
+std::string derivatives_line(const tuning::TuneResult& result, std::size_t target) {
+  const auto& jacobian = result.resolution.jacobian;
+  if (target >= jacobian.size()) return "";
+  std::vector<std::string> terms;
+  for (std::size_t k = 0; k < result.numbers.size(); ++k)
+    terms.push_back(
+        fmt::format("{} {}", result.numbers[k].name, query::short_number(jacobian[target][k], 3)));
+  return fmt::format("    deviations from bound to bound: {}\n", fmt::join(terms, ", "));
+}
+
 std::string number_line(const tuning::TunedNumber& number, std::size_t width) {
   std::string text = fmt::format("  {:<{}}  {:<22} from {}", number.name, width,
                                  in_unit_of(number, number.value), in_unit_of(number, number.start));
@@ -87,7 +99,8 @@ std::string tune_text(const tuning::TuneResult& result) {
   for (const tuning::TunedNumber& number : result.numbers) width = std::max(width, number.name.size());
   for (const tuning::TunedNumber& number : result.numbers) text += number_line(number, width);
   text += objective_text(result);
-  for (const tuning::TunedTarget& target : result.targets) text += target_line(target);
+  for (std::size_t i = 0; i < result.targets.size(); ++i)
+    text += target_line(result.targets[i]) + derivatives_line(result, i);
   text += singular_line(result.resolution);
   for (const tuning::TunedClaim& claim : result.claims) text += claim_line(claim);
   for (const std::string& finding : result.findings)

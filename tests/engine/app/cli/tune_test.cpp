@@ -122,3 +122,29 @@ TEST_CASE("The gains in the example of a PID controller are those that tune find
   CHECK(tune["parameters"].size() == 3);
   CHECK(tune["converged"] == true);
 }
+
+TEST_CASE("tune prints the Jacobian of its targets, in their deviations from bound to bound") {
+  // The sum changes by 10/0.5 from bound to bound of a and of b, the difference by 10/0.1 and -10/0.1.
+  const Scratch folder;
+  folder.file("a.yaml", R"(stepwire: 1
+title: Two numbers by their sum and their difference
+step: 1 s
+stop: 1 s
+parameters: {a: {value: 0, doc: x}, b: {value: 0, doc: x}}
+tune:
+  parameters: {a: {from: -5, to: 5}, b: {from: -5, to: 5}}
+  toward:
+    - {that: the sum is 3, final: both, equals: 3, within: 0.5}
+    - {that: the difference is 1, final: apart, equals: 1, within: 0.1}
+blocks:
+  both: {block: Sum, u: [$a, $b]}
+  apart: {block: Sum, signs: "+-", u: [$a, $b]}
+record: [both, apart]
+)");
+  const Done done = run_program(folder, {"tune", "a.yaml"});
+  INFO(done.err << done.out);
+  CHECK(done.code == 0);
+  CHECK_THAT(done.out, Contains("target the sum is 3: 3, ") &&
+                           Contains("\n    deviations from bound to bound: a 20, b 20\n") &&
+                           Contains("\n    deviations from bound to bound: a 100, b -100\n"));
+}
