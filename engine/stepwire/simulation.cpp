@@ -7,6 +7,7 @@
 
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/run/code_trial.hpp"
+#include "engine/simulate/run/step_probe.hpp"
 #include "engine/simulate/run/stop_condition.hpp"
 #include "engine/stepwire/content.hpp"
 #include "engine/stepwire/moment.hpp"
@@ -25,7 +26,8 @@ struct Simulation::State {
         stopper(plan()),
         inputs(model.inputs()),
         shown(plan().layout.size) {
-    run.prepare_end();
+    run.prepare_checks();
+    find_next_check();
     const diagram::Variation tuned(plan().diagram, options.tuned);
     if (options.engine == run::ExecutionMode::interpreted) return;
     codegen::GeneratedCode source{run::code_trial()};
@@ -54,10 +56,13 @@ struct Simulation::State {
     run.evaluate();
     require_health();
     ended = run.finished() || run.has_stopped() || stopper.stops(run.values());
-    if (!ended) return;
-    run.look_at_end();
+    if (!ended && run.tick() < next_check) return;
+    run.check_steps();
+    find_next_check();
     require_health();
   }
+
+  void find_next_check() { next_check = run::next_step_check(plan(), run.tick()); }
 
   void require_health() {
     if (run.healthy()) return;
@@ -75,7 +80,8 @@ struct Simulation::State {
   WaitingInputs inputs;
   bool at_tick = false;  ///< true if outputs are computed and updates are not
   bool ended = false;
-  std::vector<double> shown;  ///< numbers of the last tick
+  std::int64_t next_check = 0;  ///< tick of run::next_step_check()
+  std::vector<double> shown;    ///< numbers of the last tick
   std::int64_t shown_tick = 0;
 };
 
@@ -142,6 +148,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   check_plan(snapshot, state.plan());
   const Snapshot::Content& moment = snapshot.content();
   state.run.restore(moment.workspace);
+  state.find_next_check();
   state.shown = moment.shown;
   state.shown_tick = moment.shown_tick;
   state.ended = moment.ended;
@@ -151,6 +158,7 @@ void Simulation::restore(const Snapshot& snapshot) {
 
 void Simulation::reset() {
   state_->run.reset();
+  state_->find_next_check();
   std::ranges::fill(state_->shown, 0.0);
   state_->shown_tick = 0;
   state_->at_tick = state_->ended = false;

@@ -1,5 +1,7 @@
 #include "engine/simulate/run/drive.hpp"
 
+#include "engine/simulate/run/step_probe.hpp"
+
 namespace stepwire::run {
 
 Drive::Drive(Executor& simulation, std::vector<record::Recorder>& recorders)
@@ -10,6 +12,7 @@ Drive::End Drive::run() {
     watched_.emplace(ObservedRun{index, simulation_}, observers, shows_rows);
     watched_->begin();
     simulation_.show_sides(this);
+    prepare_checks();
   }
   while (true) {
     if (simulation_.tick() >= until) return End::paused;
@@ -20,10 +23,8 @@ Drive::End Drive::run() {
     if (!simulation_.healthy()) return end(End::finished);
     const bool last = is_last();
     record(last);
-    if (last) {
-      if (judges_steps) simulation_.look_at_end();
-      return end(End::finished);
-    }
+    check_steps(last);
+    if (last || !simulation_.healthy()) return end(End::finished);
     simulation_.advance();
     if (!simulation_.healthy()) return end(End::finished);
     forget_row_of_end();
@@ -42,6 +43,18 @@ void Drive::record(bool last) {
 bool Drive::is_last() const {
   if (!ends) return false;
   return simulation_.finished() || simulation_.has_stopped() || stopper_.stops(simulation_.values());
+}
+
+void Drive::prepare_checks() {
+  if (!judges_steps || !ends) return;
+  simulation_.prepare_checks();
+  next_check_ = next_step_check(simulation_.plan(), simulation_.tick());
+}
+
+void Drive::check_steps(bool last) {
+  if (simulation_.tick() < next_check_ && !(last && judges_steps)) return;
+  simulation_.check_steps();
+  next_check_ = next_step_check(simulation_.plan(), simulation_.tick());
 }
 
 /// Removes the row of a tick at which a block has ended the run, so that the last row shows the tick after

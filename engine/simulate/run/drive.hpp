@@ -35,7 +35,7 @@ class Drive : SideObserver {
   std::size_t index = 0;                         ///< Index of the run, for observers.
   std::span<RunObserver* const> observers;       ///< Must outlive the drive.
   bool shows_rows = true;                        ///< True if the observers read the recorded rows.
-  bool judges_steps = true;                      ///< Enables the check for unstable steps at the end.
+  bool judges_steps = true;                      ///< Enables the checks for unstable steps.
   const std::atomic<bool>* interrupt = nullptr;  ///< Ends the run once true; its rows stay.
   std::int64_t until = std::numeric_limits<std::int64_t>::max();  ///< Tick before which run() pauses.
   bool ends = true;            ///< False for a run by the clock, which stop time and `stop_when` do not end.
@@ -50,6 +50,8 @@ class Drive : SideObserver {
   void record_side(const double* values, record::Recorder::Side side);
   void record(bool last);
   bool is_last() const;
+  void prepare_checks();
+  void check_steps(bool last);
   void forget_row_of_end();
   Flow show_tick();
   End end(End how);
@@ -57,7 +59,8 @@ class Drive : SideObserver {
   Executor& simulation_;
   std::vector<record::Recorder>& recorders_;
   StopConditionEvaluator stopper_;
-  std::optional<ObservedTicks> watched_;  ///< set by the first call of run()
+  std::optional<ObservedTicks> watched_;                                ///< set by the first call of run()
+  std::int64_t next_check_ = std::numeric_limits<std::int64_t>::max();  ///< tick of next_step_check()
 };
 
 }  // namespace stepwire::run

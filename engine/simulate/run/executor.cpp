@@ -108,7 +108,7 @@ void Executor::evaluate() {
   health_.look_at_outputs();
 }
 
-void Executor::look_at_end() {
+void Executor::check_steps() {
   if (!healthy()) return;
   find_unstable_steps(blocks_, stepper_, probe_memory_);
   health_.look_at_step();

@@ -78,10 +78,11 @@ class Executor {
   void evaluate();
   /// Steps the run to the next tick: updates, then the solver. Call evaluate() before.
   void advance();
-  /// Checks at the end of a run whether its steps were unstable. Call it after evaluate() of the last tick.
-  void look_at_end();
-  /// Reserves the memory of look_at_end(), which then allocates only for steps in doubt.
-  void prepare_end() { probe_memory_.prepare(plan_); }
+  /// Checks whether the steps of the solver are unstable. Call it after evaluate() of the last tick, and of
+  /// those of next_step_check().
+  void check_steps();
+  /// Reserves the memory of check_steps(), which then allocates only for steps in doubt.
+  void prepare_checks() { probe_memory_.prepare(plan_); }
   /// False after a non-finite value, a failed step or a diagnostic that ends the run.
   bool healthy() const { return health_.fine(); }
   /// True once the run has ended without a fault: by `stop_when` at an event between two ticks, or by a

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <new>
 
+#include "engine/simulate/run/step_probe.hpp"
+
 namespace stepwire::run {
 
 namespace {
@@ -29,6 +31,8 @@ LaneGroup::LaneGroup(const plan::CompiledLanes& code, std::vector<Run> runs)
       lanes_(static_cast<std::size_t>(code.lanes)),
       runs_(std::move(runs)),
       plan_(runs_.front().simulation->plan()),
+      stopper_(plan_),
+      next_check_(next_step_check(plan_, 0)),
       values_(aligned(plan_.layout.size * lanes_)),
       fits_(gather_values() && gather_numbers()) {
   make_rows();
@@ -103,9 +107,32 @@ void LaneGroup::make_rows() {
 }
 
 void LaneGroup::step(std::int64_t ticks) {
-  task_.end = std::min(task_.tick + std::min(ticks, ticks_at_once), plan_.steps + 1);
+  task_.end = std::min({task_.tick + std::min(ticks, ticks_at_once), plan_.steps + 1, next_check_});
   code_.run(task_);
   write_rows();
+  if (task_.active != 0 && task_.tick == next_check_) check_steps();
+}
+
+/// Checks the runs at a tick whose outputs are not computed yet, and removes those whose steps are unstable.
+void LaneGroup::check_steps() {
+  std::uint32_t unstable = 0;
+  for (std::size_t l = 0; l < runs_.size(); ++l)
+    if ((task_.active >> l & 1u) != 0 && !has_stable_steps(l)) unstable |= 1u << l;
+  if (unstable != 0) remove(unstable);
+  next_check_ = next_step_check(plan_, task_.tick);
+}
+
+/// True if the run also ends at this tick, since the lanes find that by themselves.
+bool LaneGroup::has_stable_steps(std::size_t lane) {
+  Executor& simulation = *runs_[lane].simulation;
+  simulation.stand_at(task_.tick - 1, values_of(lane), true);
+  simulation.evaluate();
+  if (!simulation.healthy() || simulation.finished() || stopper_.stops(simulation.values())) return true;
+  simulation.check_steps();
+  if (simulation.healthy()) return true;
+  for (record::Recorder& recorder : *runs_[lane].recorders)
+    recorder.record(task_.tick, simulation.values(), false);
+  return false;
 }
 
 void LaneGroup::write_rows() {
@@ -124,6 +151,10 @@ void LaneGroup::leave(std::uint32_t lanes, int how) {
   write_rows();
   for (std::size_t l = 0; l < runs_.size(); ++l)
     if (lanes >> l & 1u) take_out(l, how);
+  remove(lanes);
+}
+
+void LaneGroup::remove(std::uint32_t lanes) {
   task_.active &= ~lanes;
   if (task_.active == 0) return;
   const auto other = static_cast<std::size_t>(std::countr_zero(task_.active));
@@ -137,7 +168,7 @@ void LaneGroup::take_out(std::size_t lane, int how) {
   if (how != plan::LaneTask::last) return;
   for (record::Recorder& recorder : *runs_[lane].recorders)
     recorder.record(task_.tick, simulation.values(), true);
-  simulation.look_at_end();
+  simulation.check_steps();
 }
 
 std::vector<double> LaneGroup::values_of(std::size_t lane) const {

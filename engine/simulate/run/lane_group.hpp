@@ -5,6 +5,7 @@
 
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/executor.hpp"
+#include "engine/simulate/run/stop_condition.hpp"
 
 namespace stepwire::run {
 
@@ -46,7 +47,10 @@ class LaneGroup {
   void make_rows();
   void begin_rows();
   void write_rows();
+  void check_steps();
+  bool has_stable_steps(std::size_t lane);
   void leave(std::uint32_t lanes, int how);
+  void remove(std::uint32_t lanes);
   void take_out(std::size_t lane, int how);
   void copy_lane(std::size_t from, std::size_t to);
   std::vector<double> values_of(std::size_t lane) const;
@@ -55,6 +59,8 @@ class LaneGroup {
   std::size_t lanes_;
   std::vector<Run> runs_;  ///< runs of the first lanes; the other lanes have copies of the last one
   const plan::Plan& plan_;
+  StopConditionEvaluator stopper_;
+  std::int64_t next_check_;  ///< tick of next_step_check()
   plan::LaneTask task_{};
   Aligned values_, numbers_, row_memory_;
   std::size_t singles_ = 0;            ///< numbers of a table before its lists

@@ -18,11 +18,13 @@ double rounded_down(double value) {
 
 std::string text_of_unstable(const diagram::Diagram& diagram, const double* report) {
   const double longest = rounded_down(report[solve::StepReport::longest_step]);
+  const double growth = report[1];
   return fmt::format(
-      "{} with steps of {:g} s makes this state {:.3g} times as large at each step, while the equations do "
-      "not "
-      "let it grow: what was recorded is wrong. {}, solver: auto, or a stiff one (rosenbrock, sdirk) helps",
-      diagram.solver, diagram.step, report[1],
+      "{} with steps of {:g} s {} at each step, while the equations do not let it grow: what was recorded is "
+      "wrong. {}, solver: auto, or a stiff one (rosenbrock, sdirk) helps",
+      diagram.solver, diagram.step,
+      growth < 1.1 ? fmt::format("lets this state grow by {:.2g} %", 100.0 * (growth - 1.0))
+                   : fmt::format("makes this state {:.3g} times as large", growth),
       longest > 0.0 ? fmt::format("A step of at most {:g} s", longest) : "A solver of higher order");
 }
 

@@ -2,8 +2,11 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
+#include <limits>
+#include <numbers>
 
 namespace stepwire::run {
 
@@ -12,6 +15,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double smallest_size = 1e-9;  // of a state, in its SI unit
 constexpr Eigen::Index most_states = 400;
+constexpr Eigen::Index most_for_slow_growth = 64;  // states, since eigenvalues take their third power
 
 /// Returns the modulus of the stability function R(z) of a method: the factor of x per step h in x' = lambda
 /// x, with z = h lambda. Hairer and Wanner, Solving Ordinary Differential Equations II, IV.2.
@@ -26,11 +30,32 @@ double stability(const solve::Tableau& tableau, Complex z) {
   return std::abs(1.0 + z * sum(tableau.b));
 }
 
+/// Returns the factor per step that makes 2 in all steps of a run.
+double growth_in_all(const plan::Plan& plan) {
+  if (plan.layout.state_count > most_for_slow_growth) return 1.1;
+  const auto steps = static_cast<double>(std::max<std::int64_t>(plan.steps, 1));
+  return std::clamp(std::pow(2.0, 1.0 / steps), 1.0 + 1e-9, 1.1);
+}
+
+/// Returns a modulus of z in the left half plane below which the method amplifies nothing by `growth`.
+double rate_of_growth(const solve::Tableau& tableau, double growth) {
+  double modulus = 8.0;
+  const auto grows = [&](double angle) { return stability(tableau, std::polar(modulus, angle)) > growth; };
+  for (; modulus > 1e-9; modulus *= 0.5) {
+    bool any = false;
+    for (int k = 0; k <= 12 && !any; ++k) any = grows(std::numbers::pi * (0.5 + k / 24.0));
+    if (!any) break;
+  }
+  return modulus;
+}
+
 /// Mode with the largest growth by the method, among the modes that the equations damp.
 struct Mode {
-  double growth = 1.0;     ///< factor per step
-  Complex rate = 0.0;      ///< eigenvalue [1/s]
-  Eigen::Index state = 0;  ///< State of which it is the largest part.
+  double growth = 1.0;         ///< factor per step
+  Complex rate = 0.0;          ///< eigenvalue [1/s]
+  Eigen::Index state = 0;      ///< State of which it is the largest part.
+  Eigen::RowVectorXcd left{};  ///< Left eigenvector: its product with the derivatives is the mode's part.
+  Complex part = 0.0;          ///< of the mode in the derivatives
 };
 
 class StepProbe {
@@ -56,9 +81,9 @@ class StepProbe {
 
  private:
   std::optional<Mode> find_mode() {
-    if (!errs()) return std::nullopt;
-    const Mode mode = worst_mode();
-    if (mode.growth > 1.0 && grows(mode.growth)) return mode;
+    if (!changes() || !errs()) return std::nullopt;
+    Mode mode = worst_mode();
+    if (mode.left.size() > 0 && grows(mode)) return mode;
     return std::nullopt;
   }
 
@@ -73,8 +98,16 @@ class StepProbe {
     stepper_.advance({time, time + length, length});
   }
 
-  /// True if one step and two half steps differ by a tenth of a state.
+  /// True if the derivative of a state changes it within a step as that of an unstable mode of a tenth of it.
+  bool changes() {
+    find_slopes(time_);
+    const Eigen::Map<const Eigen::ArrayXd> slopes(values_ + plan_.layout.derivatives, states_.size());
+    return !((plan_.diagram.step * slopes.abs() <= 0.1 * memory_.least_rate * sizes()).all());
+  }
+
+  /// True if one step and two half steps differ as for an unstable mode of a tenth of a state.
   bool errs() {
+    const double most = 0.05 * (memory_.least_growth - 1.0);
     const double h = plan_.diagram.step;
     step(time_, h);
     Eigen::VectorXd& whole = memory_.whole;
@@ -84,7 +117,7 @@ class StepProbe {
     step(time_ + 0.5 * h, 0.5 * h);
     for (Eigen::Index i = 0; i < whole.size(); ++i) {
       const double size = std::max({std::abs(whole[i]), std::abs(start_[i]), smallest_size});
-      if (!(std::abs(states_[i] - whole[i]) <= 0.1 * size)) return true;
+      if (!(std::abs(states_[i] - whole[i]) <= most * size)) return true;
     }
     return false;
   }
@@ -111,13 +144,14 @@ class StepProbe {
   /// Returns the mode that the method amplifies most, among those that are a tenth of a state or more. The
   /// part of a mode in the states is its part in their derivatives, divided by the eigenvalue.
   Mode worst_mode() {
-    Mode worst;
+    Mode worst{.growth = memory_.least_growth};
     Eigen::VectorXd slopes;
     const Eigen::MatrixXd A = jacobian(slopes);
     if (!A.allFinite() || !slopes.allFinite()) return worst;
     const Eigen::EigenSolver<Eigen::MatrixXd> modes(A);
     const Eigen::MatrixXcd shapes = modes.eigenvectors();
-    const Eigen::VectorXcd parts = shapes.partialPivLu().solve(slopes.cast<Complex>());
+    const Eigen::MatrixXcd left = shapes.inverse();
+    const Eigen::VectorXcd parts = left * slopes.cast<Complex>();
     const Eigen::ArrayXd size = sizes();
     for (Eigen::Index k = 0; k < parts.size(); ++k) {
       const Complex rate = modes.eigenvalues()[k];
@@ -125,18 +159,22 @@ class StepProbe {
       if (rate.real() > 1e-6 * std::abs(rate) || !(growth > worst.growth)) continue;
       Eigen::Index state = 0;
       const double part = ((shapes.col(k) * (parts[k] / rate)).cwiseAbs().array() / size).maxCoeff(&state);
-      if (!(part < 0.1)) worst = {growth, rate, state};
+      if (!(part < 0.1)) worst = {growth, rate, state, left.row(k), parts[k]};
     }
     return worst;
   }
 
-  /// True if further steps amplify the states within the time in which the mode grows twentyfold.
-  bool grows(double growth) {
+  /// True if further steps amplify the mode within the time in which it grows twentyfold. A jump or a bend of
+  /// the equations, as of dry friction, keeps a part small whose linearization grows.
+  bool grows(const Mode& mode) {
     states_ = start_;
     const double h = plan_.diagram.step;
-    const auto steps = static_cast<int>(std::clamp(std::log(20.0) / std::log(growth), 1.0, 2000.0));
-    for (int k = 0; k < steps; ++k) step(time_ + k * h, h);
-    return !((states_.cwiseAbs().array() / sizes()).maxCoeff() <= 1.4);
+    const double steps = std::clamp(std::ceil(std::log(20.0) / std::log(mode.growth)), 1.0, 2000.0);
+    for (double k = 0.0; k < steps; ++k) step(time_ + k * h, h);
+    find_slopes(time_ + steps * h);
+    const Eigen::Map<const Eigen::VectorXd> slopes(values_ + plan_.layout.derivatives, states_.size());
+    const Complex part = mode.left * slopes.cast<Complex>();
+    return !(std::abs(part) <= std::pow(mode.growth, 0.5 * steps) * std::abs(mode.part));
   }
 
   /// Returns the longest step [s] at which the method does not amplify a mode; 0 if there is no such step.
@@ -179,9 +217,21 @@ void StepProbeMemory::prepare(const plan::Plan& plan) {
   if (plan.diagram.error_control || states == 0 || states > most_states) return;
   tableau = solve::find_tableau(plan.diagram.solver);
   if (!tableau) return;
+  least_growth = growth_in_all(plan);
+  least_rate = rate_of_growth(*tableau, least_growth);
   kept.resize(plan.layout.size);
   start.resize(states);
   whole.resize(states);
+}
+
+std::int64_t next_step_check(const plan::Plan& plan, std::int64_t tick) {
+  const bool hides = !plan.guards.empty() || plan.updates_continuous;
+  std::int64_t next = std::numeric_limits<std::int64_t>::max();
+  if (const std::int64_t part = plan.steps / (hides ? 8 : 4); part >= 4) next = (tick / part + 1) * part;
+  if (hides)
+    next = std::min(next, static_cast<std::int64_t>(std::bit_ceil(
+                              static_cast<std::uint64_t>(std::max<std::int64_t>(tick + 1, 4)))));
+  return next;
 }
 
 void find_unstable_steps(BoundBlocks& blocks, Stepper& stepper, StepProbeMemory& memory) {

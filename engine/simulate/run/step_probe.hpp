@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -14,21 +15,30 @@ struct StepProbeMemory {
   bool ready = false;
   std::optional<solve::Tableau> tableau{};  ///< std::nullopt for a plan that is not checked
   std::vector<double> kept{};               ///< copy of the whole workspace
-  Eigen::VectorXd start{}, whole{};         ///< states at the end of the run, and one step later
+  Eigen::VectorXd start{}, whole{};         ///< states at the check, and one step later
+  double least_growth = 1.1;                ///< factor per step of the slowest growth that is looked for
+  double least_rate = 0.0;                  ///< smallest modulus of step times eigenvalue that grows so
 
   void prepare(const plan::Plan& plan);
 };
 
-/// Detects, at the end of a run, that an explicit solver with fixed steps was unstable: states grew that the
+/// Returns the next tick after `tick` at which the steps of a run are checked before its end: at each quarter
+/// of it. Parts that are switched and states that are reset can hide what has grown until then, so a plan
+/// with these is also checked at each eighth and at ticks 4, 8, 16, 32, ... The last int64 if there is none.
+std::int64_t next_step_check(const plan::Plan& plan, std::int64_t tick);
+
+/// Detects at the present tick that an explicit solver with fixed steps is unstable: states grow that the
 /// equations damp. Writes the result into the report of steps and leaves the run unchanged.
 ///
-/// First one step is compared with two half steps. If they differ by a tenth of a state, the eigenvalues of
-/// the Jacobian are inserted into the stability function of the method. A mode is unstable if it is a tenth
-/// of a state or more, the method amplifies it, the equations do not, and further steps confirm the growth.
-/// Sizes are relative to each state, down to 1e-9 of its SI unit. Growth that the equations themselves or a
-/// sampled controller cause is accepted. The usual run costs three steps. Only after the
-/// comparison fails, a Jacobian is evaluated and memory is allocated. Plans with error control or with more
-/// than 400 states are not checked.
+/// A mode is unstable if it is a tenth of a state or more, the method doubles it or more within the
+/// length of the run, the equations damp it, and further steps confirm the growth. With more than 64 states
+/// only growth by a tenth a step is looked for. Sizes are relative to each state, down to 1e-9 of its SI
+/// unit. Growth that the equations themselves or a sampled controller cause is accepted.
+///
+/// Cheap tests go before: the derivatives of an unstable mode are large for the step, and one step differs
+/// from two half steps. Only then the eigenvalues of the Jacobian are inserted into the stability function of
+/// the method, and memory is allocated. Plans with error control or with more than 400 states are not
+/// checked.
 void find_unstable_steps(BoundBlocks& blocks, Stepper& stepper, StepProbeMemory& memory);
 
 }  // namespace stepwire::run

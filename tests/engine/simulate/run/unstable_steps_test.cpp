@@ -102,7 +102,58 @@ record: [rest, v, x]
 )") == "");
 }
 
-TEST_CASE("runs of a sweep are judged alike in lanes and alone") {
+TEST_CASE("a part that is switched off, and a reset, hide no state that has grown") {
+  const std::string head = "solver: rk4\nstep: 0.1 s\nstop: 10 s\nrecord: lag\nblocks:\n";
+  for (const char* how : {"enable: time < 0.75 s", "reset: pulse", "enable: time > 1.3 s && time < 2.2 s"}) {
+    INFO(how);
+    const std::string message = message_of(
+        head + "  pulse: {block: Pulse, period: 0.7 s, width: 0.1}\n  lag: {block: Lag, tau: 20 ms, u: 1, " +
+        how + "}\n");
+    CHECK_THAT(message, Catch::Contains("A step of at most 0.055 s"));  // 2.785 times 20 ms
+  }
+}
+
+TEST_CASE("a lag whose rate is high for a while is found at a quarter of the run") {
+  const std::string message = message_of(R"(blocks:
+  rate: {block: Step, time: 3 s, before: -40, after: -1}
+  fade: {block: Product, u: [rate, x]}
+  x: {block: Integrator, u: fade, initial: 1}
+solver: rk4
+step: 0.1 s
+stop: 10 s
+record: x
+)");
+  CHECK_THAT(message, Catch::Contains("A step of at most 0.069 s"));  // 2.785/40
+}
+
+TEST_CASE("growth that doubles a state within the run is found, and slower growth is not") {
+  // |R(i y)|^2 of dormand_prince is 1.0646 at y = 2, that of euler 1 + y^2.
+  const auto oscillator = [](const std::string& solver, const std::string& step, const std::string& stop) {
+    return message_of(
+        "blocks:\n  force: {block: Gain, gain: -100, u: x}\n  v: {block: Integrator, u: force}\n"
+        "  x: {block: Integrator, u: v, initial: 1}\nrecord: x\nsolver: " +
+        solver + "\nstep: " + step + "\nstop: " + stop + "\n");
+  };
+  CHECK_THAT(oscillator("dormand_prince", "0.2 s", "30 s"), Catch::Contains("lets this state grow by 3.2 %"));
+  CHECK(oscillator("dormand_prince", "0.2 s", "4 s") == "");  // 1.0318^20 = 1.87
+  CHECK_THAT(oscillator("euler", "10 ms", "1.5 s"), Catch::Contains("lets this state grow by 0.5 %"));
+  CHECK(oscillator("euler", "10 ms", "1.3 s") == "");  // 1.01^65 = 1.91
+}
+
+TEST_CASE("dry friction that changes its sign at each step ends no run") {
+  // The body stops after 1 s and 0.5 m, to a step of its speed.
+  for (const char* solver : {"euler", "heun", "bogacki_shampine"})
+    for (const char* step : {"10 ms", "7.5 ms", "4 ms"}) {
+      INFO(solver << " " << step);
+      CHECK(message_of("blocks:\n  c: {block: Coulomb, u: m.velocity, coulomb: 1 N}\n  n: {block: Gain, u: "
+                       "c, gain: -1}\n"
+                       "  m: {block: Mass, mass: 1 kg, force: n, initial_velocity: 1 m/s}\nstop: 3 s\n"
+                       "record: m.position\nsolver: " +
+                       std::string(solver) + "\nstep: " + step + "\n") == "");
+    }
+}
+
+TEST_CASE("runs of a sweep are judged alike in lanes and alone, at the same tick") {
   const DiagramFolder folder;
   folder.write(
       "sweep.yaml",
@@ -112,6 +163,7 @@ TEST_CASE("runs of a sweep are judged alike in lanes and alone") {
   diagram::Loader loader(library());
   const Job job = make_job(loader, folder.path("sweep.yaml"));
   codegen::GeneratedCode code{code_trial()};
+  std::vector<std::size_t> rows;
   for (const LaneUse lanes : {LaneUse::never, LaneUse::at_once}) {
     RunOptions options;
     options.engine = ExecutionMode::compiled;
@@ -120,7 +172,9 @@ TEST_CASE("runs of a sweep are judged alike in lanes and alone") {
     const RunResult result = run_job(job, options);
     REQUIRE(result.faults.size() == 1);
     CHECK_THAT(result.faults.front().fault.text(), Catch::Contains("A step of at most 0.0027 s"));
+    rows.push_back(result.recordings.front().table.columns.front().values.size());
   }
+  CHECK(rows[0] == rows[1]);
 }
 
 }  // namespace stepwire::run
