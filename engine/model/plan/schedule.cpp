@@ -192,12 +192,18 @@ void append_derivatives(Draft& draft, std::size_t block) {
     append(draft.plan.derivatives, draft, block, type.run_derivatives);
 }
 
+/// Appends the update just before each instant. A block with periods of its own needs it before its own
+/// ticks, which are not yet due there: the call is made before each tick.
+void append_left_update(Draft& draft, std::size_t block) {
+  append(draft.plan.left_updates, draft, block, draft.type(block).run_update_before_instant);
+  draft.plan.left_updates.back().period = 0;
+}
+
 void append_updates(Draft& draft, std::size_t block) {
   if (!draft.blocks[block].updates) return;
   const BlockType& type = draft.type(block);
   append(draft.plan.updates, draft, block, type.run_update, 0, false, true);
-  if (type.run_update_before_instant)
-    append(draft.plan.left_updates, draft, block, type.run_update_before_instant);
+  if (type.run_update_before_instant) append_left_update(draft, block);
   if (draft.blocks[block].updates_at_events)
     append(draft.plan.event_updates, draft, block,
            type.run_update_at_event ? type.run_update_at_event : type.run_update, 0, false, true);

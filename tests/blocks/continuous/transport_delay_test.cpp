@@ -124,6 +124,22 @@ record: [y]
   CHECK(last(run, "y") == Approx(2.0 - 0.6).epsilon(1e-12));
 }
 
+TEST_CASE("a delay with ticks of its own keeps the left side of these ticks, also beside a guard") {
+  // A ramp has no jump at any tick. The delay of 0.1 s is between two and three samples.
+  const std::string guard = "  beside: {block: Gain, u: t, enable: {when: \"t > 0.05\", states: held}}\n";
+  for (const std::string& more : {std::string(), guard})
+    for (const std::string events : {"tick", "locate"}) {
+      INFO(more << events);
+      const table::Table run = run_text("step: 10 ms\nstop: 0.4 s\nevents: " + events + R"(
+blocks:
+  t: {block: Clock}
+  u: {block: Gain, u: t, gain: 3}
+  y: {block: TransportDelay, u: u, delay: 0.1 s, every: 40 ms}
+)" + more + "record: [y, all]\n");
+      CHECK(last(run, "y") == Approx(3.0 * (0.4 - 0.1)).epsilon(1e-12));
+    }
+}
+
 TEST_CASE("a delay that cannot be kept is refused, or ends the run") {
   const auto of = [](const std::string& delay) {
     return error_of(
