@@ -145,14 +145,24 @@ class OutputTables {
   /// Makes a loop of the calls since its begin.
   void end_loop(std::size_t loop) {
     for (OutputTable& table : tables_) {
-      LoopCall call{table.closed, table.calls.size(), loop, {}};
+      LoopCall call{table.closed, table.calls.size(), loop, {}, {}};
       table.close();
       if (call.first == call.end) continue;
-      for (const diagram::SignalRef& tear : draft_.plan.loops[loop].tears)
-        if (&table == &once_ || &table == &timed_ ||
-            table.has(draft_.blocks[static_cast<std::size_t>(tear.block)]))
-          call.tears.push_back(draft_.plan.slot(tear));
+      add_tears(table, call);
       if (!call.tears.empty()) table.loops.push_back(std::move(call));
+    }
+  }
+  void add_tears(const OutputTable& table, LoopCall& call) const {
+    const SolvedLoop& loop = draft_.plan.loops[call.loop];
+    std::size_t residual = loop.residuals;
+    for (const diagram::SignalRef& tear : loop.tears) {
+      const SignalSlot& slot = draft_.plan.slot(tear);
+      if (&table == &once_ || &table == &timed_ ||
+          table.has(draft_.blocks[static_cast<std::size_t>(tear.block)])) {
+        call.tears.push_back(slot);
+        call.residuals.push_back(residual);
+      }
+      residual += static_cast<std::size_t>(slot.size);
     }
   }
 
