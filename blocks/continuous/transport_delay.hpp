@@ -137,25 +137,50 @@ struct TransportDelay {
   struct Nodes {
     double x[2 * degree]{}, f[2 * degree]{};
     Index begin = degree - 1, end = degree + 1;  ///< The interval is from node degree - 1 to the next.
+
+    void put(Index node, double time, double value) {
+      x[node] = time;
+      f[node] = value;
+    }
   };
 
-  /// Returns the rows around an interval, at most `order` - 1 more on each side. They end at jumps. A
-  /// row beside another one but for rounding is left out.
+  /// Returns the rows around an interval, at most `order` - 1 more on each side. They end at jumps. They also
+  /// end at instants, where the curve may bend, if enough rows for the highest degree are between two.
   Nodes nodes(Index i, Index row, Index order) const {
     Nodes made;
-    const auto put = [&](Index node, Index of, double value) {
-      made.x[node] = times[place(of)];
-      made.f[node] = value;
-    };
-    put(degree - 1, row, sample(row, i));
-    put(degree, row + 1, left_sample(row + 1, i));
-    const double close = 1e-6 * (made.x[degree] - made.x[degree - 1]);
-    for (Index at = row; at > 0 && !jumps(at, i) && made.begin > degree - order; --at)
-      if (made.x[made.begin] - times[place(at - 1)] > close) put(--made.begin, at - 1, sample(at - 1, i));
-    for (Index at = row + 1; at + 1 < known() && !jumps(at, i) && made.end < degree + order; ++at)
-      if (times[place(at + 1)] - made.x[made.end - 1] > close)
-        put(made.end++, at + 1, left_sample(at + 1, i));
+    made.put(degree - 1, times[place(row)], sample(row, i));
+    made.put(degree, times[place(row + 1)], left_sample(row + 1, i));
+    const Index begin = extend_back(made, i, row, order), end = extend_forward(made, i, row + 1, order);
+    if (end - begin > degree) {
+      made.begin = begin;
+      made.end = end;
+    }
     return made;
+  }
+
+  /// Adds the rows before a row, but for those within rounding of the next one. Returns the node of the last
+  /// instant.
+  Index extend_back(Nodes& made, Index i, Index row, Index order) const {
+    const double close = 1e-6 * (made.x[degree] - made.x[degree - 1]);
+    Index instant = -1;
+    for (; row > 0 && !jumps(row, i) && made.begin > degree - order; --row) {
+      if (instant < 0 && edges[place(row)] > 0.0) instant = made.begin;
+      const double time = times[place(row - 1)];
+      if (made.x[made.begin] - time > close) made.put(--made.begin, time, sample(row - 1, i));
+    }
+    return instant < 0 ? made.begin : instant;
+  }
+
+  /// Adds the rows after a row likewise. Returns the node after the next instant.
+  Index extend_forward(Nodes& made, Index i, Index row, Index order) const {
+    const double close = 1e-6 * (made.x[degree] - made.x[degree - 1]);
+    Index instant = -1;
+    for (; row + 1 < known() && !jumps(row, i) && made.end < degree + order; ++row) {
+      if (instant < 0 && edges[place(row)] > 0.0) instant = made.end;
+      const double time = times[place(row + 1)];
+      if (time - made.x[made.end - 1] > close) made.put(made.end++, time, left_sample(row + 1, i));
+    }
+    return instant < 0 ? made.end : instant;
   }
 
   struct Newton {
@@ -231,26 +256,32 @@ struct TransportDelay {
     return false;
   }
 
-  /// True if the newest row shows that the input bends at the row before it: its second difference is far
-  /// larger than the two before it.
+  /// True if the newest row shows that the slope or the curvature of the input jumps at the row before it:
+  /// its second or third difference is far larger than the two before it. A polynomial of degree 4 across
+  /// such an instant, and a step of a solver across its arrival, would have an error of the third order or a
+  /// lower one.
   bool has_bent() const {
-    constexpr Index fewest = 5;
-    if (known() < fewest) return false;
-    for (Index i = 0; i < u.size(); ++i) {
-      if (jumps(known() - 2, i) || jumps(known() - 3, i)) continue;
-      const double here = bend(known() - 2, i);
-      const double before = std::max(bend(known() - 3, i), bend(known() - 4, i));
-      const double h = t - times[place(known() - 2)];
-      if (here > 5.0 * before && here * h * h > 1e-9 * std::abs(sample(known() - 2, i))) return true;
-    }
+    for (Index i = 0; i < u.size(); ++i)
+      if (grows(i, 2) || grows(i, 3)) return true;
     return false;
   }
-  /// Returns the size of the second difference about a row.
-  double bend(Index row, Index i) const {
-    const double at[3] = {times[place(row - 1)], times[place(row)], times[place(row + 1)]};
-    const double up = (left_sample(row + 1, i) - sample(row, i)) / (at[2] - at[1]);
-    const double down = (left_sample(row, i) - sample(row - 1, i)) / (at[1] - at[0]);
-    return std::abs(up - down) / (at[2] - at[0]);
+  bool grows(Index i, Index order) const {
+    if (known() < order + 3) return false;
+    for (Index row = known() - 2; row > known() - order - 2; --row)
+      if (jumps(row, i) || times[place(row + 1)] - times[place(row)] < 1e-6 * period) return false;
+    const double here = difference(known() - 1, i, order);
+    const double before = std::max(difference(known() - 2, i, order), difference(known() - 3, i, order));
+    const double h = t - times[place(known() - 2)], size = here * h * h * (order > 2 ? h : 1.0);
+    return here > 5.0 * before && size > 1e-9 * std::abs(sample(known() - 2, i));
+  }
+  /// Returns the size of the divided difference of the rows up to this one.
+  double difference(Index last, Index i, Index order) const {
+    double d[4]{};
+    for (Index k = 0; k <= order; ++k) d[k] = k < order ? sample(last - order + k, i) : left_sample(last, i);
+    for (Index k = 1; k <= order; ++k)
+      for (Index j = order; j >= k; --j)
+        d[j] = (d[j] - d[j - 1]) / (times[place(last - order + j)] - times[place(last - order + j - k)]);
+    return std::abs(d[order]);
   }
 };
 

@@ -210,16 +210,20 @@ class LayoutMaker {
   std::size_t end_ = Layout::first;
 };
 
-/// Places the reports of loops at the end of the workspace, with memory for diagnostics of their blocks.
+/// Places the reports of loops at the end of the workspace, with memory for diagnostics of their blocks and
+/// for residuals.
 void place_loops(Plan& plan, const CallOrder& order) {
   for (const CallOrder::Loop& from : order.loops) {
-    SolvedLoop loop{from.path, from.tears, {}, plan.layout.size};
+    SolvedLoop loop{from.path, from.tears, {}, plan.layout.size, 0};
     std::set<int> blocks(order.blocks.begin() + static_cast<std::ptrdiff_t>(from.first),
                          order.blocks.begin() + static_cast<std::ptrdiff_t>(from.end));
     for (const int block : blocks)
       for (const SignalSlot& slot : plan.blocks[static_cast<std::size_t>(block)].diagnostics)
         loop.diagnostics.push_back(slot.offset);
     plan.layout.size += Layout::loop_count + loop.diagnostics.size();
+    loop.residuals = plan.layout.size;
+    for (const diagram::SignalRef& tear : loop.tears)
+      plan.layout.size += static_cast<std::size_t>(plan.slot(tear).size);
     plan.loops.push_back(std::move(loop));
   }
   plan.layout.events = plan.layout.size;

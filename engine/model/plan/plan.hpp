@@ -83,6 +83,7 @@ struct SolvedLoop {
   std::vector<diagram::SignalRef> tears;
   std::vector<std::size_t> diagnostics;  ///< offsets in the workspace of its blocks' diagnostics
   std::size_t report = 0;                ///< offset of its solve::LoopReport in the workspace
+  std::size_t residuals = 0;             ///< offset of the residuals of all tears
 };
 
 /// Calls of a table that are iterated until their loop is solved.
@@ -91,6 +92,7 @@ struct LoopCall {
   std::size_t loop;        ///< index in Plan::loops
   /// Torn signals that these calls compute; their slots hold the guesses.
   std::vector<SignalSlot> tears;
+  std::vector<std::size_t> residuals;  ///< offset of the residuals of each of them
 };
 
 /// Crossing functions of one block.

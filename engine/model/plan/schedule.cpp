@@ -145,14 +145,24 @@ class OutputTables {
   /// Makes a loop of the calls since its begin.
   void end_loop(std::size_t loop) {
     for (OutputTable& table : tables_) {
-      LoopCall call{table.closed, table.calls.size(), loop, {}};
+      LoopCall call{table.closed, table.calls.size(), loop, {}, {}};
       table.close();
       if (call.first == call.end) continue;
-      for (const diagram::SignalRef& tear : draft_.plan.loops[loop].tears)
-        if (&table == &once_ || &table == &timed_ ||
-            table.has(draft_.blocks[static_cast<std::size_t>(tear.block)]))
-          call.tears.push_back(draft_.plan.slot(tear));
+      add_tears(table, call);
       if (!call.tears.empty()) table.loops.push_back(std::move(call));
+    }
+  }
+  void add_tears(const OutputTable& table, LoopCall& call) const {
+    const SolvedLoop& loop = draft_.plan.loops[call.loop];
+    std::size_t residual = loop.residuals;
+    for (const diagram::SignalRef& tear : loop.tears) {
+      const SignalSlot& slot = draft_.plan.slot(tear);
+      if (&table == &once_ || &table == &timed_ ||
+          table.has(draft_.blocks[static_cast<std::size_t>(tear.block)])) {
+        call.tears.push_back(slot);
+        call.residuals.push_back(residual);
+      }
+      residual += static_cast<std::size_t>(slot.size);
     }
   }
 
@@ -192,12 +202,18 @@ void append_derivatives(Draft& draft, std::size_t block) {
     append(draft.plan.derivatives, draft, block, type.run_derivatives);
 }
 
+/// Appends the update just before each instant. A block with periods of its own needs it before its own
+/// ticks, which are not yet due there: the call is made before each tick.
+void append_left_update(Draft& draft, std::size_t block) {
+  append(draft.plan.left_updates, draft, block, draft.type(block).run_update_before_instant);
+  draft.plan.left_updates.back().period = 0;
+}
+
 void append_updates(Draft& draft, std::size_t block) {
   if (!draft.blocks[block].updates) return;
   const BlockType& type = draft.type(block);
   append(draft.plan.updates, draft, block, type.run_update, 0, false, true);
-  if (type.run_update_before_instant)
-    append(draft.plan.left_updates, draft, block, type.run_update_before_instant);
+  if (type.run_update_before_instant) append_left_update(draft, block);
   if (draft.blocks[block].updates_at_events)
     append(draft.plan.event_updates, draft, block,
            type.run_update_at_event ? type.run_update_at_event : type.run_update, 0, false, true);

@@ -230,8 +230,9 @@ Code loop_code(const plan::Plan& plan, const plan::LoopCall& call, const std::ve
   const diagram::AlgebraicLoops& options = plan.diagram.algebraic_loops;
   std::string tears, diagnostics;
   Eigen::Index unknowns = 0;
-  for (const plan::SignalSlot& tear : call.tears) {
-    tears += fmt::format("{{{}, {}}}, ", tear.offset, tear.size);
+  for (std::size_t t = 0; t < call.tears.size(); ++t) {
+    const plan::SignalSlot& tear = call.tears[t];
+    tears += fmt::format("{{{}, {}, {}}}, ", tear.offset, tear.size, call.residuals[t]);
     unknowns += tear.size;
   }
   for (const std::size_t place : loop.diagnostics) diagnostics += fmt::format("{}, ", place);

@@ -14,17 +14,40 @@ std::size_t unknowns_of(const plan::LoopCall& call) {
 
 }  // namespace
 
-CallTable::Loop::Loop(const plan::Plan& plan, const plan::LoopCall& call)
+CallTable::Loop::Loop(BoundBlocks& bound, const plan::LoopCall& call)
     : first(call.first),
       end(call.end),
       unknowns(unknowns_of(call)),
+      blocks(bound),
       solver(static_cast<Eigen::Index>(unknowns)) {
-  for (const plan::SignalSlot& tear : call.tears)
-    tears.push_back({tear.offset, static_cast<std::size_t>(tear.size)});
+  const plan::Plan& plan = bound.plan();
+  for (std::size_t t = 0; t < call.tears.size(); ++t)
+    tears.push_back({call.tears[t].offset, static_cast<std::size_t>(call.tears[t].size), call.residuals[t]});
   const plan::SolvedLoop& loop = plan.loops[call.loop];
   const diagram::AlgebraicLoops& options = plan.diagram.algebraic_loops;
   task = {tears.data(), tears.size(),       loop.diagnostics.data(), loop.diagnostics.size(),
           loop.report,  plan::Layout::time, options.tolerance,       options.max_iterations};
+}
+
+void CallTable::Loop::find_starts(const std::vector<plan::KernelCall>& batches) {
+  const plan::Plan& plan = blocks.plan();
+  const auto is_called = [&](std::size_t memory) {
+    return std::any_of(batches.begin() + static_cast<std::ptrdiff_t>(first),
+                       batches.begin() + static_cast<std::ptrdiff_t>(end), [&](const plan::KernelCall& call) {
+                         return call.first <= memory && memory < call.end;
+                       });
+  };
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b)
+    if (plan.diagram.blocks[b].type().start && is_called(plan.blocks[b].memory)) starts.push_back(b);
+}
+
+void CallTable::Loop::forget(double* values) const {
+  for (const solve::Tear& tear : tears) {
+    std::fill_n(values + tear.offset, tear.size, 0.0);
+    std::fill_n(values + tear.residual, tear.size, 0.0);
+  }
+  std::fill_n(values + task.report, solve::LoopReport::count, 0.0);
+  for (const std::size_t block : starts) blocks.start(block);
 }
 
 CallTable::CallTable(const std::vector<plan::KernelCall>& batches, BoundBlocks& blocks, Participants& who)
@@ -33,7 +56,8 @@ CallTable::CallTable(const std::vector<plan::KernelCall>& batches, BoundBlocks& 
   for (const plan::KernelCall& batch : batches)
     calls_.push_back({batch.run, blocks.memory() + batch.first, blocks.memory() + batch.end});
   loops_.reserve(plan.loops_of(batches).size());  // tasks point into it: no reallocation
-  for (const plan::LoopCall& loop : plan.loops_of(batches)) loops_.emplace_back(plan, loop);
+  for (const plan::LoopCall& loop : plan.loops_of(batches))
+    loops_.emplace_back(blocks, loop).find_starts(batches);
   if (who.guards) add_gates();
   for (const plan::KernelCall& batch : batches)
     if (batch.late >= 0) late_.push_back(plan.late[static_cast<std::size_t>(batch.late)]);
@@ -71,10 +95,7 @@ void CallTable::run_due() {
 }
 
 void CallTable::forget_loops() {
-  for (const Loop& loop : loops_) {
-    for (const solve::Tear& tear : loop.tears) std::fill_n(values_ + tear.offset, tear.size, 0.0);
-    std::fill_n(values_ + loop.task.report, solve::LoopReport::count, 0.0);
-  }
+  for (const Loop& loop : loops_) loop.forget(values_);
 }
 
 void CallTable::run_slowly() {

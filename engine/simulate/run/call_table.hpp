@@ -22,8 +22,8 @@ class CallTable {
   void run();
   /// Runs the calls that are due.
   void run_due();
-  /// Sets the unknowns of all loops to 0, their initial guess in a new run. A warm start from the last
-  /// solution would change the last bits.
+  /// Sets the unknowns of all loops to their initial guess in a new run: 0, or what a block of the loop
+  /// gives. A warm start from the last solution would change the last bits.
   void forget_loops();
 
  private:
@@ -38,9 +38,15 @@ class CallTable {
   };
   /// Calls of one algebraic loop, with its solver.
   struct Loop {
-    Loop(const plan::Plan& plan, const plan::LoopCall& call);
+    Loop(BoundBlocks& blocks, const plan::LoopCall& call);
+    /// Finds the blocks of the loop that give the first guess.
+    void find_starts(const std::vector<plan::KernelCall>& batches);
+    /// Sets the guess to that of a new run.
+    void forget(double* values) const;
 
     std::size_t first, end, unknowns = 0;
+    BoundBlocks& blocks;
+    std::vector<std::size_t> starts;  ///< blocks with a function start()
     std::vector<solve::Tear> tears;
     solve::LoopTask task{};
     solve::LoopSolver<> solver;

@@ -19,6 +19,10 @@ namespace stepwire::solve {
 /// reused while corrections shrink tenfold, so a linear loop needs it once. If Newton's method fails, a loop
 /// of one number is solved by bracketing, and then all is tried again from 0, or from 1. With `max_unknowns`
 /// no memory is allocated, and the results are the same to the last bit.
+///
+/// The residual of the last solution is stored. A loop that has it at its guess has the same inputs as then,
+/// so the guess is the solution. Without this test a loop that is computed twice at one instant would lose
+/// its last bits, where rounding is left in the residual.
 template <int max_unknowns = Eigen::Dynamic>
 class LoopSolver {
  public:
@@ -43,9 +47,10 @@ class LoopSolver {
     save_diagnostics(loop, values);
     read(loop, values);
     scale_ = guess_.cwiseAbs().cwiseMax(small_size);
-    const bool solved = search(loop, evaluate);
+    const bool solved = search(loop, values, evaluate);
     if (take_back_diagnostics(loop, values) || !is_at_guess_) evaluate();
     put(loop, values);
+    store_residual(loop, values, solved);
     report(loop, values, solved);
   }
 
@@ -76,6 +81,24 @@ class LoopSolver {
     each_number(loop, values, [&](Eigen::Index i, const double& place) { residual_[i] = place - guess_[i]; });
   }
 
+  template <class Visit>
+  static void each_residual(const LoopTask& loop, double* values, const Visit& visit) {
+    Eigen::Index i = 0;
+    for (std::size_t t = 0; t < loop.tear_count; ++t)
+      for (std::size_t k = 0; k < loop.tears[t].size; ++k) visit(i++, values[loop.tears[t].residual + k]);
+  }
+  void store_residual(const LoopTask& loop, double* values, bool solved) {
+    each_residual(loop, values, [&](Eigen::Index i, double& place) {
+      place = solved ? residual_[i] : std::numeric_limits<double>::quiet_NaN();
+    });
+  }
+  bool is_stored_residual(const LoopTask& loop, double* values) const {
+    bool same = true;
+    each_residual(loop, values,
+                  [&](Eigen::Index i, const double& place) { same = same && residual_[i] == place; });
+    return same;
+  }
+
   static void save_diagnostics(const LoopTask& loop, double* values) {
     for (std::size_t d = 0; d < loop.diagnostic_count; ++d)
       values[loop.report + LoopReport::count + d] = values[loop.diagnostics[d]];
@@ -94,18 +117,21 @@ class LoopSolver {
   }
 
   template <class Evaluate>
-  bool search(const LoopTask& loop, const Evaluate& evaluate) {
+  bool search(const LoopTask& loop, double* values, const Evaluate& evaluate) {
     const bool from_zero = guess_.isZero(0.0);
+    evaluate();
+    if (is_stored_residual(loop, values)) return true;
     if (search_from_here(loop, evaluate)) return true;
     if (!may_close_in(loop)) return false;
     guess_.setConstant(from_zero ? 1.0 : 0.0);
+    evaluate();
     return search_from_here(loop, evaluate);
   }
 
+  /// Searches from the guess, whose residual is known.
   template <class Evaluate>
   bool search_from_here(const LoopTask& loop, const Evaluate& evaluate) {
     point_ = guess_;
-    evaluate();
     if (is_rounding()) return true;
     if (!residual_.allFinite()) return false;
     const double start = guess_[0];

@@ -5,9 +5,10 @@
 
 namespace stepwire::solve {
 
-/// Signal at which a loop is torn, with the place of its numbers in the workspace.
+/// Signal at which a loop is torn, with the places in the workspace of its numbers and of the residuals that
+/// the last solution has left in them.
 struct Tear {
-  std::size_t offset, size;
+  std::size_t offset, size, residual;
 };
 
 /// Statistics of a loop in a run, as indices into numbers of the workspace.

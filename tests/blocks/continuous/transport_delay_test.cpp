@@ -124,6 +124,22 @@ record: [y]
   CHECK(last(run, "y") == Approx(2.0 - 0.6).epsilon(1e-12));
 }
 
+TEST_CASE("a delay with ticks of its own keeps the left side of these ticks, also beside a guard") {
+  // A ramp has no jump at any tick. The delay of 0.1 s is between two and three samples.
+  const std::string guard = "  beside: {block: Gain, u: t, enable: {when: \"t > 0.05\", states: held}}\n";
+  for (const std::string& more : {std::string(), guard})
+    for (const std::string events : {"tick", "locate"}) {
+      INFO(more << events);
+      const table::Table run = run_text("step: 10 ms\nstop: 0.4 s\nevents: " + events + R"(
+blocks:
+  t: {block: Clock}
+  u: {block: Gain, u: t, gain: 3}
+  y: {block: TransportDelay, u: u, delay: 0.1 s, every: 40 ms}
+)" + more + "record: [y, all]\n");
+      CHECK(last(run, "y") == Approx(3.0 * (0.4 - 0.1)).epsilon(1e-12));
+    }
+}
+
 TEST_CASE("a delay that cannot be kept is refused, or ends the run") {
   const auto of = [](const std::string& delay) {
     return error_of(
@@ -154,6 +170,72 @@ record: [x]
     INFO(solver);
     CHECK(error(solver, 0.1) < (solver == "heun" ? 3e-3 : 1e-9));
     CHECK(error(solver, 0.05) < (solver == "heun" ? 8e-4 : 1e-9));
+  }
+}
+
+TEST_CASE("a fresh edge is carried, though an echo of an earlier one arrives at its instant") {
+  // The steps of the second derivative follow each other by the delay. x is (t - k T)^2/2 for each, delayed
+  // by T, and z its integral.
+  constexpr double delay = 10.3e-3;
+  for (int edges = 1; edges <= 7; ++edges) {
+    std::string text = "events: locate\nstep: 1 ms\nstop: 0.1 s\nsolver: rk4\nblocks:\n", all;
+    for (int k = 1; k <= edges; ++k) {
+      const std::string name = "s" + std::to_string(k);
+      text += "  " + name + ": {block: Step, time: " + std::to_string(k * 10.3) + " ms}\n";
+      all += (k > 1 ? ", " : "") + name;
+    }
+    const table::Table run = run_text(text + "  a: {block: Sum, u: [" + all + R"(]}
+  v: {block: Integrator, u: a}
+  x: {block: Integrator, u: v}
+  y: {block: TransportDelay, u: x, delay: 10.3 ms}
+  z: {block: Integrator, u: y}
+record: [z]
+)");
+    double right = 0.0;
+    for (int k = 1; k <= edges; ++k) right += std::pow(0.1 - (k + 1) * delay, 3) / 6.0;
+    INFO(edges);
+    CHECK(last(run, "z") == Approx(right).margin(1e-17).epsilon(1e-11));
+  }
+}
+
+TEST_CASE(
+    "the past of a loop ends at its known bends, so a jump that returns off the ticks keeps the order") {
+  // x' = -63.94 x(t - 6.502 ms) with -0.345 before 0 and -0.2586 at 0, by the method of steps.
+  constexpr double delay = 6.502e-3, gain = -63.94;
+  const auto exact = [&](double t) {
+    std::vector<double> piece{-0.345};
+    double begin = -0.2586, value = 0.0;
+    for (int k = 0; k * delay <= t; ++k) {
+      std::vector<double> next{begin};
+      for (std::size_t n = 0; n < piece.size(); ++n)
+        next.push_back(gain * piece[n] / static_cast<double>(n + 1));
+      piece = next;
+      const auto at = [&](double s) {
+        double sum = 0.0;
+        for (std::size_t n = piece.size(); n-- > 0;) sum = sum * s + piece[n];
+        return sum;
+      };
+      begin = at(delay);
+      value = at(t - k * delay);
+    }
+    return value;
+  };
+  const table::Table run = run_text(R"(events: locate
+step: 0.25 ms
+stop: 32 ms
+solver: rk4
+blocks:
+  x: {block: Integrator, u: slope, initial: -0.2586}
+  slope: {block: Gain, u: y, gain: -63.94 Hz}
+  y: {block: TransportDelay, u: x, delay: 6.502 ms, initial: -0.345}
+record: [y]
+)");
+  for (std::size_t k = 0; k < column(run, "time").size(); ++k) {
+    const double t = column(run, "time")[k];
+    INFO(t);
+    // Up to four delays x is a polynomial of degree 4 between the bends.
+    if (t > delay && t < 4.0 * delay)
+      CHECK(column(run, "y")[k] == Approx(exact(t - delay)).margin(1e-13).epsilon(0.0));
   }
 }
 
