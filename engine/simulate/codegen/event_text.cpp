@@ -18,11 +18,11 @@ namespace {
 /// Placeholders in order. Task: states, crossings, first signal, count of numbers, report, jumps of sources,
 /// limits of events and iterations. Then: step of the solver, update of time signals, report of the solver
 /// and its size, derivatives, calls before guards. At last: numbers that guards keep, stop condition, inner
-/// points of the task, and updates before an instant.
+/// points of the task, updates before an instant, and whether loops are solved.
 constexpr char locate_form[] =
     "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, {4}, {5}, {17}, "
     "{6}, "
-    "{7}, {16}, {19}, scratch}};\n"
+    "{7}, {16}, {19}, {21}, scratch}};\n"
     "  struct Between {{\n    double* w;\n    [[maybe_unused]] const double* numbers;\n    std::int64_t "
     "tick;\n"
     "    void advance([[maybe_unused]] double now, [[maybe_unused]] double end, "
@@ -115,7 +115,8 @@ std::string between_text(const plan::Plan& plan, const PlaceNames& names) {
       watches(plan) ? fmt::format(watched_form, solver_text(plan, {false, false, in_place, {}, "stops"}))
                     : "",
       events.looks_always(),
-      plan.left_updates.empty() ? "" : "    before_instant(w, numbers, tick, w[at::time]);\n");
+      plan.left_updates.empty() ? "" : "    before_instant(w, numbers, tick, w[at::time]);\n",
+      !plan.loops.empty());
 }
 
 }  // namespace

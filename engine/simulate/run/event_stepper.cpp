@@ -193,6 +193,7 @@ solve::EventTask EventStepper::task() {
           events.rounds,
           events.looks,
           events.looks_always(),
+          !plan_.loops.empty(),
           scratch};
 }
 

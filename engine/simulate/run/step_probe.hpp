@@ -22,18 +22,18 @@ struct StepProbeMemory {
   void prepare(const plan::Plan& plan);
 };
 
-/// Returns the next tick after `tick` at which the steps of a run are checked before its end: at each quarter
-/// of it. Parts that are switched and states that are reset can hide what has grown until then, so a plan
-/// with these is also checked at each eighth and at ticks 4, 8, 16, 32, ... The last int64 if there is none.
+/// Returns the next tick after `tick` at which the steps of a run are checked before its end; the last int64
+/// if there is none. These are the quarters of the run. Parts that are switched and states that are reset can
+/// hide what has grown. A plan with these is also checked at each eighth and at ticks 4, 8, 16, 32, ...
 std::int64_t next_step_check(const plan::Plan& plan, std::int64_t tick);
 
 /// Detects at the present tick that an explicit solver with fixed steps is unstable: states grow that the
 /// equations damp. Writes the result into the report of steps and leaves the run unchanged.
 ///
-/// A mode is unstable if it is a tenth of a state or more, the method doubles it or more within the
-/// length of the run, the equations damp it, and further steps confirm the growth. With more than 64 states
-/// only growth by a tenth a step is looked for. Sizes are relative to each state, down to 1e-9 of its SI
-/// unit. Growth that the equations themselves or a sampled controller cause is accepted.
+/// A mode is unstable if it is a tenth of a state or more, the method would double it within the length of
+/// the run, and the equations damp it. Further steps must confirm the growth. With more than 64 states only
+/// growth by a tenth a step is looked for. Sizes are relative to each state, down to 1e-9 of its SI unit.
+/// Growth that the equations themselves or a sampled controller cause is accepted.
 ///
 /// Cheap tests go before: the derivatives of an unstable mode are large for the step, and one step differs
 /// from two half steps. Only then the eigenvalues of the Jacobian are inserted into the stability function of

@@ -132,23 +132,38 @@ class EventLocator {
     return false;
   }
 
-  /// Continues a little later after an event whose reversed number is on the wrong side by rounding, such as
-  /// a bouncing ball. Returns false if the run ends there.
+  /// Continues a little later after an event at which a number is on the wrong side by rounding. That is one
+  /// beyond its crossing and reversed, such as of a bouncing ball, or one that a loop has brought back before
+  /// its crossing, since it is solved again to its tolerance. Each repetition of the latter is four times as
+  /// long. Returns false if the run ends there.
   bool turn_back(double& at, double end) {
-    const auto is_beyond = [&](std::size_t i) {
-      return sign_of(low_[i]) != sign_of(high_[i]) && sign_of(start_[i]) == sign_of(high_[i]);
-    };
-    bool beyond = false, turned = false;
-    for (std::size_t i = 0; i < task_.crossing_count; ++i) beyond = beyond || is_beyond(i);
-    const double little = std::min(1e-9 * length_, 0.5 * (end - at));
-    if (!beyond || at + little == at) return true;
-    go(at, at + little, little, trial_);
-    for (std::size_t i = 0; i < task_.crossing_count; ++i)
-      turned = turned || (is_beyond(i) && sign_of(trial_[i]) == sign_of(low_[i]));
-    if (!turned) return true;
+    const bool beyond = crossed_on(high_), back = task_.loops && crossed_on(low_);
+    const double little =
+        std::min(back ? std::ldexp(1e-9 * length_, 2 * turns_) : 1e-9 * length_, 0.5 * (end - at));
+    const bool may = (beyond || back) && at + little != at;
+    if (may) go(at, at + little, little, trial_);
+    if (!may || !(crosses_from(high_, low_) || (back && crosses_from(low_, high_)))) {
+      turns_ = 0;
+      return true;
+    }
+    turns_ = back ? std::min(turns_ + 1, most_turns) : 0;
     at += little;
     values_[task_.time] = at;
     return act();
+  }
+  /// True if a number that has crossed has the sign of `side` after the event.
+  bool crossed_on(const double* side) const {
+    for (std::size_t i = 0; i < task_.crossing_count; ++i)
+      if (sign_of(low_[i]) != sign_of(high_[i]) && sign_of(start_[i]) == sign_of(side[i])) return true;
+    return false;
+  }
+  /// True if it has this sign, and that of `other` a little later.
+  bool crosses_from(const double* side, const double* other) const {
+    for (std::size_t i = 0; i < task_.crossing_count; ++i)
+      if (sign_of(low_[i]) != sign_of(high_[i]) && sign_of(start_[i]) == sign_of(side[i]) &&
+          sign_of(trial_[i]) == sign_of(other[i]))
+        return true;
+    return false;
   }
 
   void keep() {
@@ -315,6 +330,8 @@ class EventLocator {
   double* end_;                            ///< states at the end of the interval
   double* kept_;                           ///< signals and states before an iteration
   double length_ = 0.0, length_of_ = 0.0;  ///< length of the step, and of the interval up to the next event
+  static constexpr int most_turns = 10;
+  int turns_ = 0;  ///< Repetitions of turn_back() at one crossing.
 };
 
 }  // namespace stepwire::solve

@@ -32,6 +32,7 @@ struct EventTask {
   std::int64_t rounds;         ///< Limit of iterations at an instant.
   std::int64_t looks;          ///< Inner points that are checked for double crossings.
   bool looks_always;           ///< True if they are always checked.
+  bool loops;                  ///< True if algebraic loops are solved, so crossing functions have noise.
   double* scratch;             ///< Memory for scratch_size() numbers.
 
   static constexpr std::size_t scratch_size(std::size_t states, std::size_t crossings, std::size_t numbers) {

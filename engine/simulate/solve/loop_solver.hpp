@@ -64,6 +64,7 @@ class LoopSolver {
   static constexpr double small_size = 1e-3;     // Size below which rounding dominates.
   static constexpr double shortest = 1e-12;      // Smallest damping factor.
   static constexpr double keeps_matrix = 0.1;    // Largest ratio of corrections for reuse of the matrix.
+  static constexpr int most_polishes = 4;        // Matrices by close differences.
 
   template <class Visit>
   static void each_number(const LoopTask& loop, double* values, const Visit& visit) {
@@ -154,8 +155,9 @@ class LoopSolver {
   /// Runs Newton's method from the guess, whose residual is known.
   template <class Evaluate>
   bool newton(const LoopTask& loop, const Evaluate& evaluate) {
+    int polishes = 0;
     while (passes_ + guess_.size() < loop.max_passes) {
-      renew(evaluate);
+      renew(evaluate, polishes > 0);
       bool fresh = true, keeps = true;
       while (keeps) {
         if (is_negligible()) return true;
@@ -163,10 +165,11 @@ class LoopSolver {
         if (!std::isfinite(size)) return false;
         const double part = go(loop, evaluate, size, fresh ? shortest : 0.75);
         const double next = measure(next_);
-        if (part == 1.0 && !(next <= 0.75 * size) && is_at_rest(loop)) return true;
+        const bool rests = part == 1.0 && !(next <= 0.75 * size) && is_at_rest(loop);
+        if (rests && (is_rounding_step() || polishes++ == most_polishes)) return true;
         if (part == 0.0 && fresh) return false;
         fresh = false;
-        keeps = part == 1.0 && next <= keeps_matrix * size;
+        keeps = part == 1.0 && next <= keeps_matrix * size && !rests;
         point_ = guess_;
         base_ = residual_;
         step_ = next_;
@@ -175,12 +178,12 @@ class LoopSolver {
     return is_negligible();
   }
 
-  /// Computes a new matrix at the guess, and the correction with it.
+  /// Computes a new matrix at the guess, and the correction with it. `closely` is set beside a kink.
   template <class Evaluate>
-  void renew(const Evaluate& evaluate) {
+  void renew(const Evaluate& evaluate, bool closely) {
     point_ = guess_;
     base_ = residual_;
-    differentiate(evaluate);
+    differentiate(evaluate, closely);
     residual_ = base_;
     // A number that is not computed at this instant keeps its value.
     for (Eigen::Index i = 0; i < guess_.size(); ++i)
@@ -192,13 +195,16 @@ class LoopSolver {
   }
 
   /// Computes the Jacobian by forward differences. Where a signal is 0, its residual is the scale of the
-  /// difference.
+  /// difference. Close differences are a hundredth of the last correction. So they stay on one side of a
+  /// kink, such as a limit, near which a correction is within the tolerance.
   template <class Evaluate>
-  void differentiate(const Evaluate& evaluate) {
+  void differentiate(const Evaluate& evaluate, bool closely) {
     const double part = std::sqrt(epsilon);
     for (Eigen::Index j = 0; j < guess_.size(); ++j) {
       const double size = std::max({std::abs(point_[j]), std::min(std::abs(base_[j]), 1.0), smallest_size});
-      guess_[j] = point_[j] + part * size;
+      const double change =
+          closely ? std::max(0.01 * std::abs(step_[j]), 64.0 * epsilon * size) : part * size;
+      guess_[j] = point_[j] + change;
       evaluate();
       jacobian_.col(j) = (residual_ - base_) / (guess_[j] - point_[j]);
       guess_[j] = point_[j];
@@ -239,6 +245,13 @@ class LoopSolver {
     for (Eigen::Index i = 0; i < step_.size(); ++i)
       if (!(std::abs(step_[i]) <= 0.5 * epsilon * std::max(std::abs(point_[i]), smallest * scale_[i])))
         return false;
+    return true;
+  }
+
+  /// True if the correction is at rounding level.
+  bool is_rounding_step() const {
+    for (Eigen::Index i = 0; i < step_.size(); ++i)
+      if (!(std::abs(step_[i]) <= 64.0 * epsilon * std::max(std::abs(point_[i]), scale_[i]))) return false;
     return true;
   }
 

@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
+#include <tuple>
 
 #include "engine/simulate/run/executor.hpp"
 #include "tests/support/plan_text.hpp"
@@ -261,6 +263,37 @@ blocks:
 record: [y]
 )");
   CHECK(column(run, "y").back() == Approx(std::sqrt(5.0)).epsilon(1e-14));
+}
+
+TEST_CASE("a loop with a limit crosses it once, and has the solution of both sides") {
+  // y = f(s - R y) for f = min, a saturation or a dead zone: each is a closed form of s.
+  const double R = 1.944, limit = 0.236;
+  const auto dead = [&](double s) {
+    return std::copysign(std::max(std::abs(s) - limit, 0.0), s) / (1.0 + R);
+  };
+  const std::tuple<std::string, std::function<double(double)>> laws[] = {
+      {"{block: Saturation, u: g, lower: -0.236, upper: 0.236}",
+       [&](double s) { return std::clamp(s / (1.0 + R), -limit, limit); }},
+      {"{block: MinMax, function: min, u: [g, 0.236]}",
+       [&](double s) { return std::min(s / (1.0 + R), limit); }},
+      {"{block: DeadZone, u: g, lower: -0.236, upper: 0.236}", dead}};
+  for (const auto& [block, law] : laws)
+    for (const char* solver :
+         {"{name: dormand_prince, relative: 1e-8, absolute: 1e-10}", "auto", "radau", "sdirk", "rk4"})
+      for (const char* frequency : {"1.561 Hz", "0.93 Hz"}) {
+        INFO(block << " " << solver << " " << frequency);
+        const RunResult result = result_of(
+            "algebraic_loops: solve\nevents: locate\nstep: 10 ms\nstop: 2 s\nsolver: " + std::string(solver) +
+            "\nblocks:\n  s: {block: Sine, frequency: " + frequency +
+            "}\n  g: {block: Expression, u: [s, y], expression: u1 - 1.944*u2}\n  y: " + block +
+            "\n  i: {block: Integrator, u: y}\nrecord: [s, y, i]\n");
+        REQUIRE(result.faults.empty());
+        const auto& columns = result.recordings.front().table.columns;
+        double worst = 0.0;
+        for (std::size_t row = 0; row < columns[1].values.size(); ++row)
+          worst = std::max(worst, std::abs(columns[2].values[row] - law(columns[1].values[row])));
+        CHECK(worst < 1e-14);
+      }
 }
 
 }  // namespace stepwire::run
