@@ -45,11 +45,15 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
                                            .settable = false});
   is.state<&TransportDelay::left>(
       {.unit = "'u", .doc = "input just before the present instant", .settable = false});
+  is.state<&TransportDelay::left_time>(
+      {.unit = "s", .doc = "present instant, or the last one before the block was off", .settable = false});
   is.state<&TransportDelay::edges>({.shape = "k",
                                     .doc = "1 at samples of instants, more at their echoes in a loop, else 0",
                                     .settable = false});
   is.state<&TransportDelay::newest>({.doc = "where the newest sample stands", .settable = false});
   is.state<&TransportDelay::count>({.doc = "how many samples there are", .settable = false});
+  is.state<&TransportDelay::newest_edge>(
+      {.unit = "s", .doc = "newest sample of an instant", .settable = false});
   is.state<&TransportDelay::passed>(
       {.unit = "s", .doc = "last instant that has arrived, where the delay is a signal", .settable = false});
   is.crossing<&TransportDelay::delay>("an instant arrives, where the delay is a signal", "1");
@@ -57,7 +61,8 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
   is.diagnostic<&TransportDelay::out_of_range>(
       {.doc = "the delay is below a step or above `longest`", .ends_run = true});
   is.diagnostic<&TransportDelay::full>(
-      {.doc = "more than 500 events are on their way; take a shorter step or `events: tick`",
+      {.doc =
+           "more than 500 events that bend the input are on their way; take a shorter step or `events: tick`",
        .ends_run = true});
   is.clock<&TransportDelay::t>();
   is.clock<&TransportDelay::period>();

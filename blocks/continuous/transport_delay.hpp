@@ -24,9 +24,11 @@ struct TransportDelay {
   DiscreteState<> samples{};       // Samples, one for each row.
   DiscreteState<> left_samples{};  // The same just before the instant of the row.
   DiscreteState<> left{};          // Input just before the present instant.
-  DiscreteState<> edges{};         // 1 at rows of instants, 2 and more at their echoes, else 0.
+  DiscreteState<1> left_time{};    // Present instant, or the last one before the block was off [s].
+  DiscreteState<> edges{};         // 1 at rows of instants, 2 and more at their echoes, else 0; or resumed.
   DiscreteState<1> newest{};       // Index of the last written row.
   DiscreteState<1> count{};        // Number of written rows.
+  DiscreteState<1> newest_edge{};  // Time of the newest row of an instant [s]; -1 without one.
   DiscreteState<1> passed{};       // Time of the last row of an instant that has arrived [s]; -1 without one.
   Diagnostic out_of_range{}, full{};
 
@@ -44,6 +46,7 @@ struct TransportDelay {
 
   void update_before_instant() {
     for (Index i = 0; i < u.size(); ++i) left[i] = u[i];
+    left_time = t;
   }
   void update() {
     if (!(delay >= shortest() && delay <= most)) out_of_range.raise(t);
@@ -66,14 +69,18 @@ struct TransportDelay {
   /// Adds the times since the next instant and the last one that has arrived. A delay that grows by more than
   /// the time goes back behind the last one.
   void crossings(Crossings& zero) const {
-    Index row = 0;
-    while (row < known() && !(edges[place(row)] > 0.0 && times[place(row)] > passed)) ++row;
+    Index row = newest_edge > passed ? first_after(passed) : known();
+    while (row < known() && !(edges[place(row)] > 0.0)) ++row;
     const double from = t - length();
     zero.add(row < known() ? from - times[place(row)] : -1.0);
     zero.add(passed >= 0.0 ? from - passed + 1e-9 * period : 1.0);
   }
 
-  void start() { passed = -1.0; }
+  void start() {
+    left_time = -1.0;
+    newest_edge = -1.0;
+    passed = -1.0;
+  }
 
   void configure(Configure& is);
   static void declare(Declare<TransportDelay>& is);
@@ -103,6 +110,16 @@ struct TransportDelay {
     return low;
   }
 
+  /// Returns the first row after a time; the number of rows without one.
+  Index first_after(double time) const {
+    Index low = -1, high = known();
+    while (high - low > 1) {
+      const Index middle = low + (high - low) / 2;
+      (times[place(middle)] > time ? high : low) = middle;
+    }
+    return high;
+  }
+
   /// Stores the last instant that has arrived.
   void pass() {
     Index row = last_reached(length());
@@ -112,8 +129,9 @@ struct TransportDelay {
       if (edges[place(row)] > 0.0) passed = times[place(row)];
   }
 
-  /// True if the block was off before a row other than the oldest one.
-  bool follows_gap(Index row) const { return times[place(row)] - times[place(row - 1)] > 1.5 * period; }
+  /// Value of `edges` at the first row after the block was off.
+  static constexpr double resumed = 0.5;
+  bool follows_gap(Index row) const { return edges[place(row)] == resumed; }
 
   /// True if an element differs by more than rounding before and after the instant of a row, other than the
   /// oldest one, or if the block was off before it.
@@ -218,24 +236,84 @@ struct TransportDelay {
     return {value, std::abs(last * next) + 0.01 * std::abs(before)};
   }
 
-  /// Writes a row; overwrites the last one if it has the same time.
+  /// Writes the row of the present instant. After the block was off, a row of what it saw last precedes it.
   void store(bool at_event) {
-    const bool again = known() > 0 && times[static_cast<Index>(newest)] == t;
-    if (!again) {
-      const Index next = known() == 0 ? 0 : (static_cast<Index>(newest) + 1) % rows;
-      if (known() == rows && !reached(t, times[(next + 1) % rows] + most)) full.raise(t);
-      newest = static_cast<double>(next);
-      count = std::min(count + 1.0, static_cast<double>(rows));
-      times[next] = t;
-      edges[next] = 0.0;
-    }
+    const double close = 1e-6 * period;  // The left side is seen a little before an instant.
+    const bool was_off = known() > 0 && t - left_time > close && newest_time() < t;
+    if (was_off && left_time - newest_time() > close) write(left_time, left, left);
+    was_off ? write(t, u, u) : write(t, u, left);
     const Index at = static_cast<Index>(newest);
-    for (Index i = 0; i < u.size(); ++i) {
-      samples[at * u.size() + i] = u[i];
-      left_samples[at * u.size() + i] = left[i];
+    if (was_off)
+      edges[at] = resumed;
+    else if (!follows_gap(known() - 1))
+      edges[at] = at_event                       ? static_cast<double>(order_of_instant())
+                  : known() == 1 || has_jumped() ? 1.0
+                                                 : 0.0;
+    if (edges[at] > 0.0) newest_edge = t;
+    if (known() > 1 && edges[place(known() - 2)] == 0.0 && has_bent()) {
+      edges[place(known() - 2)] = 1.0;
+      newest_edge = std::max<double>(newest_edge, times[place(known() - 2)]);
     }
-    edges[at] = at_event ? static_cast<double>(order_of_instant()) : known() == 1 || has_jumped() ? 1.0 : 0.0;
-    if (known() > 1 && edges[place(known() - 2)] == 0.0 && has_bent()) edges[place(known() - 2)] = 1.0;
+  }
+  double newest_time() const { return times[static_cast<Index>(newest)]; }
+
+  /// Writes a row; overwrites the last one if it has the same time.
+  template <class Values, class LeftValues>
+  void write(double time, const Values& values, const LeftValues& left_values) {
+    if (known() == 0 || newest_time() != time) {
+      if (known() == rows && !reached(t, times[place(1)] + most) && !thin()) full.raise(t);
+      newest = known() == 0 ? 0.0 : static_cast<double>((static_cast<Index>(newest) + 1) % rows);
+      count = std::min(count + 1.0, static_cast<double>(rows));
+      times[static_cast<Index>(newest)] = time;
+      edges[static_cast<Index>(newest)] = 0.0;
+    }
+    const Index at = static_cast<Index>(newest) * u.size();
+    for (Index i = 0; i < u.size(); ++i) {
+      samples[at + i] = values[i];
+      left_samples[at + i] = left_values[i];
+    }
+  }
+
+  /// Removes rows of instants that the rows around reproduce, such as those of other blocks' events. Returns
+  /// false if fewer than 50 rows are left free by it.
+  bool thin() {
+    Index kept = 1;
+    for (Index row = 1; row < known(); ++row)
+      if (!is_redundant(row, kept)) copy(row, kept++);
+    const bool enough = known() - kept >= 50;
+    newest = static_cast<double>(place(kept - 1));
+    count = static_cast<double>(kept);
+    return enough;
+  }
+  /// True if the row is that of an instant, and a polynomial through two rows on each side has its samples.
+  /// The rows before it have been moved to the first `kept` ones.
+  bool is_redundant(Index row, Index kept) const {
+    if (!(edges[place(row)] > 0.0) || kept < 2 || row + 2 >= known()) return false;
+    const Index around[] = {kept - 2, kept - 1, row + 1, row + 2};
+    for (Index i = 0; i < u.size(); ++i) {
+      for (const Index other : {kept - 1, row, row + 1, row + 2})
+        if (jumps(other, i)) return false;
+      double value = 0.0, size = 0.0;
+      for (const Index k : around) {
+        double weight = 1.0;
+        for (const Index j : around)
+          if (j != k) weight *= (times[place(row)] - times[place(j)]) / (times[place(k)] - times[place(j)]);
+        value += weight * sample(k, i);
+        size = std::max(size, std::abs(sample(k, i)));
+      }
+      if (!(std::abs(value - sample(row, i)) <= 1e-9 * size)) return false;
+    }
+    return true;
+  }
+  void copy(Index from, Index to) {
+    const Index source = place(from), target = place(to);
+    if (source == target) return;
+    times[target] = static_cast<double>(times[source]);
+    edges[target] = static_cast<double>(edges[source]);
+    for (Index i = 0; i < u.size(); ++i) {
+      samples[target * u.size() + i] = static_cast<double>(samples[source * u.size() + i]);
+      left_samples[target * u.size() + i] = static_cast<double>(left_samples[source * u.size() + i]);
+    }
   }
 
   /// Returns 1 for an instant of another block. In a loop, an instant that this block has delayed returns to

@@ -239,6 +239,44 @@ record: [y]
   }
 }
 
+TEST_CASE("a delay that is switched off and on keeps what it saw up to the instant") {
+  // On from 0.123 to 0.323 s and from 0.623 to 0.823 s. Its input of 0.31 s before: nothing in the first time,
+  // 0.313 to 0.323 from 0.623 to 0.633 s, and 0.323 up to 0.933 s.
+  const double integral = 0.01 * 0.318 + 0.19 * 0.323;
+  for (const std::string solver : {"rk4", "dormand_prince", "{name: dormand_prince, relative: 1e-8}"}) {
+    INFO(solver);
+    const table::Table run = run_text("step: 50 ms\nstop: 1 s\nevents: locate\nsolver: " + solver + R"(
+blocks:
+  on: {block: Pulse, period: 0.5 s, width: 0.4, delay: 0.123 s}
+  ramp: {block: Ramp}
+  late: {block: TransportDelay, u: ramp, delay: 310 ms, enable: {when: on, states: held}}
+  x: {block: Integrator, u: late, enable: {when: on, states: held}}
+record: [late, x]
+)");
+    CHECK(last(run, "late") == Approx(0.323).epsilon(1e-12));
+    CHECK(last(run, "x") == Approx(integral).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("events of other blocks take no room of a delay for ever") {
+  // Some 570 edges in 9 s, none of which bends the sine.
+  const std::string text = R"(step: 100 ms
+stop: 30 s
+solver: rk4
+events: locate
+blocks:
+  sine: {block: Sine, frequency: 0.1 Hz}
+  late: {block: TransportDelay, u: sine, delay: 9 s}
+  pulse: {block: Pulse, period: 31.7 ms, width: 0.4}
+  count: {block: Integrator, u: pulse}
+record: [late, count]
+)";
+  const table::Table run = run_text(text);
+  const auto &t = column(run, "time"), &late = column(run, "late");
+  for (std::size_t k = 0; k < t.size(); ++k)
+    CHECK(late[k] == Approx(t[k] < 9.0 ? 0.0 : std::sin(0.2 * M_PI * (t[k] - 9.0))).margin(1e-7));
+}
+
 TEST_CASE("each run of a sweep over the delay keeps as much of the past as its own delay needs") {
   static const Registry registry = blocks();
   diagram::Loader loader(registry);
