@@ -28,12 +28,15 @@ double now() {
 class EngineSystem : public solve::System {
  public:
   explicit EngineSystem(const ivp::Problem& problem)
-      : problem_(problem), states_(problem.start), derivatives_(problem.start.size()) {
+      : numbers(solve::ControlReport::count(problem.start.size())),
+        problem_(problem),
+        states_(problem.start),
+        derivatives_(problem.start.size()) {
     time = &time_;
     x = states_.data();
     dot = derivatives_.data();
     count = states_.size();
-    report = {numbers};
+    report = {numbers.data()};
   }
   void evaluate() override {
     ++calls;
@@ -41,7 +44,7 @@ class EngineSystem : public solve::System {
   }
 
   long calls = 0;
-  double numbers[solve::ControlReport::count] = {};
+  std::vector<double> numbers;
 
  private:
   const ivp::Problem& problem_;

@@ -63,7 +63,8 @@ class LayoutMaker {
     each([&](std::size_t b) { place_inputs(b); });
     each([&](std::size_t b) { place_initial(b); });
     layout.report = end_;
-    layout.size = layout.events = layout.loops = layout.report + Layout::report_count;
+    const std::size_t sizes = plan_.diagram.error_control ? layout.state_count : 0;
+    layout.size = layout.events = layout.loops = layout.report + Layout::report_count + sizes;
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/model/plan/plan.hpp"
 #include "engine/simulate/run/run_fault.hpp"
@@ -23,5 +24,10 @@ std::optional<RunFault> fault_of_loops(const plan::Plan& plan, const double* val
 bool runs_away_in_loop(const plan::Plan& plan, const double* values);
 /// Returns the fault of a step that the solver rejects.
 std::optional<RunFault> fault_of_step(const plan::Plan& plan, const double* values, double tick_time);
+
+/// Returns a note for each state of a run with error control that has never reached a hundred times the
+/// absolute tolerance, so that this allows an error of more than 1 % of it. A state that is 0 throughout has
+/// none.
+std::vector<RaisedDiagnostic> notes_on_small_states(const plan::Plan& plan, const double* values);
 
 }  // namespace stepwire::run

@@ -170,6 +170,7 @@ std::vector<RaisedDiagnostic> Health::diagnostics() const {
         raised.push_back({block.name, diagnostic_text(b, n), first});
     }
   }
+  std::ranges::move(notes_on_small_states(plan_, values_), std::back_inserter(raised));
   return raised;
 }
 

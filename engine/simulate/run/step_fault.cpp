@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/simulate/run/faults.hpp"
+#include "engine/simulate/solve/error_control.hpp"
 #include "engine/simulate/solve/step_report.hpp"
 
 namespace stepwire::run {
@@ -64,6 +66,30 @@ std::optional<RunFault> fault_of_step(const plan::Plan& plan, const double* valu
         return fault_of(plan, b, plan.diagram.blocks[b].type().states[s].name, tick_time, message);
   }
   return std::nullopt;
+}
+
+std::vector<RaisedDiagnostic> notes_on_small_states(const plan::Plan& plan, const double* values) {
+  std::vector<RaisedDiagnostic> notes;
+  if (!plan.diagram.error_control) return notes;
+  const double absolute = plan.diagram.error_control->absolute;
+  const double* const sizes = values + plan.layout.report + solve::ControlReport::sizes;
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b) {
+    const diagram::DiagramBlock& block = plan.diagram.blocks[b];
+    for (std::size_t s = 0; s < plan.blocks[b].states.size(); ++s) {
+      const StateSpec& state = block.type().states[s];
+      const plan::SignalSlot& slot = plan.blocks[b].states[s];
+      if (!state.continuous || slot.size == 0) continue;
+      const double* const first = sizes + (slot.offset - plan.layout.states);
+      const double most = *std::max_element(first, first + slot.size);
+      if (!(most > 0.0) || most >= 100.0 * absolute) continue;
+      notes.push_back(
+          {block.name,
+           fmt::format("state {} is never above {:.2g} in its SI unit, and the solver may err by {:g}; "
+                       "set 'absolute' in 'solver' to a small part of the state",
+                       state.name, most, absolute)});
+    }
+  }
+  return notes;
 }
 
 }  // namespace stepwire::run

@@ -29,7 +29,9 @@ struct ControlReport {
   static constexpr std::size_t largest = 7;   ///< Largest error of an accepted step.
   static constexpr std::size_t stiff = 8;  ///< 1 once an automatic solver has switched to the stiff method.
   static constexpr std::size_t signs = 9;  ///< Accumulated evidence for stiffness.
-  static constexpr std::size_t count = 10;
+  static constexpr std::size_t sizes =
+      10;  ///< From here: largest modulus of each state at the ends of steps.
+  static constexpr std::size_t count(std::size_t states) { return sizes + states; }
 };
 
 /// Predicate that decides after each step of a solver with error control whether the integration ends at that
@@ -76,6 +78,7 @@ class Controlled {
                const ErrorControl& control, double* numbers, const Evaluate& evaluate) {
     Eigen::Map<Vector> x(x_place, origin_.size()), dot(dot_place, origin_.size());
     origin_ = x;
+    keep_sizes(x, numbers);
     double at = time, wished = numbers[ControlReport::next];
     if (!(wished > 0.0)) wished = first_step(x, dot, now, at, length, control, evaluate);
     if constexpr (requires { method_.begin(control, numbers, wished, length); })
@@ -93,7 +96,10 @@ class Controlled {
       const bool accepted = error <= 1.0;
       const double next = step * (accepted ? accept(error, numbers) : reject(error, numbers));
       wished = last && accepted ? std::max(wished, next) : next;
-      if (accepted) at = last ? time + length : at + step;
+      if (accepted) {
+        at = last ? time + length : at + step;
+        keep_sizes(x, numbers);
+      }
       if (!accepted || !last) go_on(x, dot, now, at, accepted, evaluate);
       if constexpr (requires { evaluate.stops(at); })
         if (accepted && !last && evaluate.stops(at)) break;
@@ -111,6 +117,12 @@ class Controlled {
   double part(const X& x, double error, Eigen::Index i, const ErrorControl& control) const {
     return std::abs(error) /
            (control.absolute + control.relative * std::max(std::abs(start_[i]), std::abs(x[i])));
+  }
+
+  template <class X>
+  static void keep_sizes(const X& x, double* numbers) {
+    double* const sizes = numbers + ControlReport::sizes;
+    for (Eigen::Index i = 0; i < x.size(); ++i) sizes[i] = std::max(sizes[i], std::abs(x[i]));
   }
 
   /// Returns the root mean square of the errors, relative to the tolerances.

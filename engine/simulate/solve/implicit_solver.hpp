@@ -27,7 +27,7 @@ template <template <int> class Method>
 class ControlledSolver : public Solver {
  public:
   ControlledSolver(std::size_t states, const ErrorControl& control)
-      : method_(static_cast<Eigen::Index>(states)), control_(control), own_(ControlReport::count) {}
+      : method_(static_cast<Eigen::Index>(states)), control_(control), own_(ControlReport::count(states)) {}
   void advance(System& system, const TimeStep& step) override {
     double* const numbers = system.report.numbers ? system.report.numbers : own_.data();
     method_.advance(system.x, system.dot, system.time, step.start, step.end, step.length, control_, numbers,

@@ -17,14 +17,18 @@ namespace stepwire::solve {
 template <int max_states>
 class StepCheck {
  public:
-  explicit StepCheck(Eigen::Index states) : solver_(states) { kept_.setZero(states); }
+  explicit StepCheck(Eigen::Index states) : solver_(states) {
+    kept_.setZero(states);
+    report_.setZero(static_cast<Eigen::Index>(ControlReport::count(static_cast<std::size_t>(states))));
+  }
 
   /// Returns the error relative to the sizes of the states. `x` is restored.
   template <class X, class Start, class Evaluate>
   WorstError error(X& x, double* dot_place, const Start& start, double* now, double time, double end,
                    double step, const Evaluate& evaluate) {
     constexpr ErrorControl control{1e-3, 1e-2 * WorstError::smallest_size, 100000};
-    double numbers[ControlReport::count] = {};
+    report_.setZero();
+    double* const numbers = report_.data();
     kept_ = x;
     x = start;
     *now = time;
@@ -61,6 +65,11 @@ class StepCheck {
 
   Controlled<Rodas, max_states> solver_;
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_states, 1> kept_;
+  static constexpr int most_numbers =
+      max_states == Eigen::Dynamic
+          ? Eigen::Dynamic
+          : static_cast<int>(ControlReport::count(static_cast<std::size_t>(max_states)));
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_numbers, 1> report_;
 };
 
 }  // namespace stepwire::solve

@@ -7,6 +7,7 @@
 #include "engine/simulate/solve/solver.hpp"
 #include "tests/support/ivp/bari.hpp"
 #include "tests/support/ivp/detest.hpp"
+#include "tests/support/plan_text.hpp"
 #include "tests/support/run_text.hpp"
 
 namespace stepwire::solve {
@@ -17,12 +18,15 @@ namespace {
 class ProblemSystem : public System {
  public:
   explicit ProblemSystem(const ivp::Problem& problem)
-      : problem_(problem), states_(problem.start), derivatives_(states_.size()) {
+      : numbers(ControlReport::count(problem.start.size())),
+        problem_(problem),
+        states_(problem.start),
+        derivatives_(states_.size()) {
     time = &time_;
     x = states_.data();
     dot = derivatives_.data();
     count = states_.size();
-    report = {numbers};
+    report = {numbers.data()};
   }
   void evaluate() override {
     ++calls;
@@ -30,7 +34,7 @@ class ProblemSystem : public System {
   }
 
   long calls = 0;
-  double numbers[ControlReport::count] = {};
+  std::vector<double> numbers;
 
  private:
   const ivp::Problem& problem_;
@@ -244,6 +248,25 @@ TEST_CASE("Robertson's problem with a step of 10,000 s is right or ends with a s
     // Radau of SciPy 1.10.1 with rtol 1e-10, atol 1e-16 gives 2.03148e-3.
     CHECK(column(run, "y1").back() == Approx(2.03148e-3).epsilon(1e-3));
   }
+}
+
+TEST_CASE("a state below the absolute tolerance is noted") {
+  // x'' = -10,000 x, whose solution is x(0) cos(100 t). From 1 pm it is lost: the tolerance is 1e-9.
+  const auto notes = [](const std::string& from, const std::string& solver) {
+    return result_of(
+        "step: 50 ms\nstop: 1 s\nsolver: " + solver +
+        "\nblocks:\n  force: {block: Gain, gain: -1e4, u: x}\n  v: {block: Integrator, u: force}\n"
+        "  x: {block: Integrator, u: v, initial: " +
+        from + "}\n  rest: {block: Integrator, u: 0}\nrecord: [x, rest]\n");
+  };
+  const run::RunResult small = notes("1e-12", "auto");
+  REQUIRE(small.diagnostics.size() == 2);  // none for the state that is 0
+  CHECK_THAT(small.diagnostics[1].block, Contains("x"));
+  CHECK_THAT(small.diagnostics[1].text, Contains("may err by 1e-09; set 'absolute'"));
+  CHECK(notes("1", "auto").diagnostics.empty());
+  const run::RunResult set = notes("1e-12", "{name: dormand_prince, relative: 1e-8, absolute: 1e-20}");
+  CHECK(set.diagnostics.empty());
+  CHECK(column(set.recordings.front().table, "x").back() == Approx(1e-12 * std::cos(100.0)).epsilon(1e-4));
 }
 
 TEST_CASE("a solver that cannot control its error says which can") {
