@@ -65,7 +65,8 @@ run::ExecutionMode engine_of(const LoadedModel& model, const StudyCall& call, st
 
 study::TrialSource trial_source(diagram::Loader& loader, const LoadedModel& model, run::ExecutionMode engine,
                                 plan::CodeSource& code, const Monitor& monitor) {
-  study::TrialSource source{loader, model.file, call_settings(model.options), engine, &code, 0, monitor.interrupt};
+  study::TrialSource source{loader, model.file,       call_settings(model.options), engine, &code,
+                            0,      monitor.interrupt};
   source.observers = monitor.observers;
   return source;
 }

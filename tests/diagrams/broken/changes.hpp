@@ -10,7 +10,7 @@ namespace stepwire::broken {
 
 using Texts = std::vector<std::pair<std::string, std::string>>;
 
-/// What makes a diagram shorter, so that a change takes less time: texts and settings.
+/// Texts and settings that make a diagram shorter, so that a change takes less time.
 struct Cut {
   Texts replaced;
   std::vector<diagram::Setting> settings;
