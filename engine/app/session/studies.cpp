@@ -65,7 +65,8 @@ run::ExecutionMode engine_of(const LoadedModel& model, const StudyCall& call, st
 
 study::TrialSource trial_source(diagram::Loader& loader, const LoadedModel& model, run::ExecutionMode engine,
                                 plan::CodeSource& code, const Monitor& monitor) {
-  study::TrialSource source{loader, model.file, call_settings(model.options), engine, &code, 0, monitor.interrupt};
+  study::TrialSource source{loader, model.file,       call_settings(model.options), engine, &code,
+                            0,      monitor.interrupt};
   source.observers = monitor.observers;
   return source;
 }
@@ -81,6 +82,8 @@ std::string study_key(const LoadedModel& model, bool with_seed) {
     for (const diagram::Setting& setting : condition.settings)
       key += fmt::format(",{}={}", setting.name, setting.value);
   }
+  // The hash has the first point of a sweep; a setting that is without effect there may change others.
+  key += fmt::format(" set ({})", run::settings_text(call_settings(model.options)));
   for (std::size_t point = 0; point < model.job.points.size(); ++point)
     key += fmt::format(" ({})", run::settings_text(model.job.settings_of(point)));
   for (const std::size_t condition : request.first) key += fmt::format(" first {}", condition);

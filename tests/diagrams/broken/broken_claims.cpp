@@ -1,10 +1,12 @@
-// Applies the changes that the files of this folder list, and checks that the named claims then fail.
+// Applies the changes that the files of this folder list, and checks that the named claims then fail, and
+// hold without the change.
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -38,10 +40,9 @@ class Copy {
   /// `name` begins with a folder, as "thesis/".
   std::string file(const std::string& name) const { return folder_ / name; }
 
-  /// Replaces texts, each of which occurs once, and returns what the file had before.
-  std::string replace(const std::string& file, const broken::Texts& replaced) const {
-    const std::string before = io::read_file(file);
-    std::string text = before;
+  /// Replaces texts, each of which occurs once.
+  void replace(const std::string& file, const broken::Texts& replaced) const {
+    std::string text = io::read_file(file);
     for (const auto& [old, other] : replaced) {
       const std::size_t at = text.find(old);
       if (at == std::string::npos) throw std::runtime_error(fmt::format("'{}' is not in {}", old, file));
@@ -50,7 +51,6 @@ class Copy {
       text.replace(at, old.size(), other);
     }
     io::write_file(file, text);
-    return before;
   }
 
  private:
@@ -69,6 +69,14 @@ std::string doubled(const diagram::DiagramParameter& parameter) {
   const bool formula =
       text.find_first_of("+-*/(") != std::string::npos && text.find('[') == std::string::npos;
   return formula && !parameter.text.starts_with("\"") ? fmt::format("2*({})", text) : "";
+}
+
+using Verdicts = std::vector<claim::Verdict>;
+
+template <class T>
+std::vector<T> joined(std::vector<T> first, const std::vector<T>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
 }
 
 /// One diagram with its changes; prints what is not as it should be.
@@ -120,7 +128,8 @@ class Check {
   }
 
   void as_it_is() {
-    for (const claim::Verdict& verdict : runner_.verdicts(copy_.file(name_), {})) {
+    cuts_[{}] = runner_.verdicts(copy_.file(name_), {});
+    for (const claim::Verdict& verdict : cuts_[{}]) {
       if (verdict.fails()) fault(fmt::format("fails as it is: {} ({})", verdict.that, verdict.shown));
       if (!is_statement(verdict)) continue;
       ++claims_;
@@ -185,34 +194,66 @@ class Check {
   }
 
   void try_change(const broken::Change& change) {
-    const std::string changed =
-        change.in.empty()
-            ? copy_.file(name_)
-            : (fs::path(copy_.file(name_)).parent_path() / change.in).lexically_normal().string();
-    const std::string before = copy_.replace(changed, change.replaced);
-    std::vector<claim::Verdict> verdicts;
-    try {
-      verdicts = runner_.verdicts(copy_.file(name_), change.settings);
-    } catch (...) {
-      io::write_file(changed, before);
-      throw;
-    }
-    io::write_file(changed, before);
-    for (const std::string& words : change.fails) expect_failure(change, words, verdicts);
+    const Verdicts& without = verdicts_without(change);
+    const Verdicts with = verdicts_of(change.in, joined(change.cut.replaced, change.replaced),
+                                      joined(change.cut.settings, change.settings));
+    for (const std::string& words : change.fails) expect_failure(change, words, without, with);
   }
 
-  void expect_failure(const broken::Change& change, const std::string& words,
-                      const std::vector<claim::Verdict>& verdicts) {
-    const auto named = [&](const claim::Verdict& verdict) {
+  /// The verdicts with the cut of a change alone; made once for each cut.
+  const Verdicts& verdicts_without(const broken::Change& change) {
+    std::string key;
+    for (const auto& [old, other] : change.cut.replaced)
+      key += fmt::format("{}: {} -> {}\n", change.in, old, other);
+    for (const diagram::Setting& setting : change.cut.settings)
+      key += fmt::format("{} = {}\n", setting.name, setting.value);
+    if (const auto known = cuts_.find(key); known != cuts_.end()) return known->second;
+    return cuts_[key] = verdicts_of(change.in, change.cut.replaced, change.cut.settings);
+  }
+
+  /// The verdicts after texts are replaced in the file `in` beside the diagram (empty: in the diagram
+  /// itself).
+  Verdicts verdicts_of(const std::string& in, const broken::Texts& replaced,
+                       const std::vector<diagram::Setting>& settings) {
+    const std::string changed =
+        in.empty() ? copy_.file(name_)
+                   : (fs::path(copy_.file(name_)).parent_path() / in).lexically_normal().string();
+    const std::string original = io::read_file(changed);
+    try {
+      copy_.replace(changed, replaced);
+      Verdicts verdicts = runner_.verdicts(copy_.file(name_), settings);
+      io::write_file(changed, original);
+      return verdicts;
+    } catch (...) {
+      io::write_file(changed, original);
+      throw;
+    }
+  }
+
+  void expect_failure(const broken::Change& change, const std::string& words, const Verdicts& without,
+                      const Verdicts& with) {
+    const claim::Verdict* before = named(change, words, without);
+    const claim::Verdict* after = named(change, words, with);
+    if (!before || !after) return;
+    if (!before->holds)
+      return fault(fmt::format("{}: fails without the change, too: {}: {} ({})", change.what, before->that,
+                               before->shown, before->check));
+    if (after->holds)
+      fault(fmt::format("{}: holds all the same: {}: {} ({})", change.what, after->that, after->shown,
+                        after->check));
+    unbroken_.erase(after->that);
+  }
+
+  /// Returns the one claim that begins with these words; nullptr, and a fault, if there is another number.
+  const claim::Verdict* named(const broken::Change& change, const std::string& words,
+                              const Verdicts& verdicts) {
+    const auto begins = [&](const claim::Verdict& verdict) {
       return is_statement(verdict) && verdict.that.starts_with(words);
     };
-    const auto count = std::ranges::count_if(verdicts, named);
-    if (count != 1) return fault(fmt::format("{}: {} claims begin with '{}'", change.what, count, words));
-    const claim::Verdict& verdict = *std::ranges::find_if(verdicts, named);
-    if (verdict.holds)
-      fault(fmt::format("{}: holds all the same: {}: {} ({})", change.what, verdict.that, verdict.shown,
-                        verdict.check));
-    unbroken_.erase(verdict.that);
+    const auto count = std::ranges::count_if(verdicts, begins);
+    if (count == 1) return &*std::ranges::find_if(verdicts, begins);
+    fault(fmt::format("{}: {} claims begin with '{}'", change.what, count, words));
+    return nullptr;
   }
 
   void double_parameters() {
@@ -248,6 +289,7 @@ class Check {
   std::string name_;  // with its folder
   std::vector<diagram::DiagramParameter> parameters_;
   std::set<std::string> unbroken_;
+  std::map<std::string, Verdicts> cuts_;  // by the texts and settings of a cut; empty: the diagram as it is
   std::size_t claims_ = 0, doubled_ = 0, pictures_ = 0, seen_ = 0;
   int faults_ = 0;
 };

@@ -20,16 +20,31 @@ Texts pairs_of(const yaml::Node* node) {
   return pairs;
 }
 
+std::vector<diagram::Setting> settings_of(const yaml::Node* node) {
+  std::vector<diagram::Setting> settings;
+  for (const auto& [name, value] : pairs_of(node)) settings.push_back({name, value});
+  return settings;
+}
+
+void check_keys(const yaml::Node& node, const std::set<std::string>& known, const std::string& of) {
+  for (const yaml::Entry& entry : node.entries)
+    if (!known.contains(entry.key))
+      throw std::runtime_error(fmt::format("line {}: '{}' is no key of {}", entry.mark.line, entry.key, of));
+}
+
+Cut read_cut(const yaml::Node& node) {
+  check_keys(node, {"replace", "set"}, "a cut");
+  return {pairs_of(node.find("replace")), settings_of(node.find("set"))};
+}
+
 Change read_change(const yaml::Node& node) {
   Change change;
-  for (const yaml::Entry& entry : node.entries)
-    if (!std::set<std::string>{"change", "in", "replace", "set", "fails"}.contains(entry.key))
-      throw std::runtime_error(
-          fmt::format("line {}: '{}' is no key of a change", entry.mark.line, entry.key));
+  check_keys(node, {"change", "in", "cut", "replace", "set", "fails"}, "a change");
   change.what = node.find("change") ? node.find("change")->text : "";
   if (const yaml::Node* in = node.find("in")) change.in = in->text;
+  if (const yaml::Node* cut = node.find("cut")) change.cut = read_cut(*cut);
   change.replaced = pairs_of(node.find("replace"));
-  for (const auto& [name, value] : pairs_of(node.find("set"))) change.settings.push_back({name, value});
+  change.settings = settings_of(node.find("set"));
   if (const yaml::Node* fails = node.find("fails"))
     for (const yaml::Node& item : fails->items) change.fails.push_back(item.text);
   if (change.what.empty() || change.fails.empty() || (change.replaced.empty() && change.settings.empty()))

@@ -10,10 +10,17 @@ namespace stepwire::broken {
 
 using Texts = std::vector<std::pair<std::string, std::string>>;
 
-/// One thing that is done to a diagram, and the claims that must fail after it.
+/// Texts and settings that make a diagram shorter, so that a change takes less time.
+struct Cut {
+  Texts replaced;
+  std::vector<diagram::Setting> settings;
+};
+
+/// One thing that is done to a diagram, and the claims that must fail after it and hold without it.
 struct Change {
   std::string what;
   std::string in;  ///< beside the figure's file; empty: that file itself
+  Cut cut;         ///< made before the change, and alone
   Texts replaced;
   std::vector<diagram::Setting> settings;
   std::vector<std::string> fails;  ///< first words of claims

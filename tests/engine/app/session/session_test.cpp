@@ -81,6 +81,25 @@ TEST_CASE("a session watches a run, a sweep and a study by the same observer") {
   }
 }
 
+TEST_CASE("a setting that is without effect at the first point of a sweep makes another study") {
+  const Scratch folder;
+  std::string text = replaced(small_study(), "(1 + 2*haptic + 4*visual)", "(1 + 2*felt*haptic + 4*visual)");
+  text = replaced(text, "  sway: ",
+                  "  learnt: {value: 1, doc: how well it is felt}\n"
+                  "  felt: {value: = learnt, doc: what the sway has of it}\n  sway: ");
+  folder.file("study.yaml", replaced(text, "study:\n", "sweep: {learnt: [1, 3]}\nstudy:\n"));
+  Session session(library());
+  const auto errors = [&](const std::vector<diagram::Setting>& settings, std::size_t point) {
+    const LoadedModel model = session.load(folder.path("study.yaml"), {.settings = settings});
+    std::vector<double> errors;
+    for (const study::PathError& row : session.study(model)->at(point).errors.rows)
+      errors.push_back(row.error);
+    return errors;
+  };
+  CHECK(errors({}, 0) != errors({}, 1));
+  CHECK(errors({{"felt", "1"}}, 1) == errors({}, 0));
+}
+
 TEST_CASE("a session watches a real-time loop, and ends it by an observer") {
   struct Stops : Counting {
     run::Flow before_tick(const run::ObservedRun& run) override {
@@ -119,7 +138,9 @@ TEST_CASE("a session tunes a model, shows how far it is, and loads it with what 
                               "  minimise: abs(final(lag) - 0.5)\n  method: subplex\n  tolerance: 1e-6\n"));
   Session session(library());
   double shown = 0.0;
-  session.monitor().progress = [&](double fraction, const std::string&) { shown = std::max(shown, fraction); };
+  session.monitor().progress = [&](double fraction, const std::string&) {
+    shown = std::max(shown, fraction);
+  };
   const LoadedModel model = session.load(folder.path("lag.yaml"));
   const tuning::TuneResult result = session.tune(model, {.evaluations = 300});
   CHECK(result.numbers.at(0).value == Approx(0.05 / std::log(2.0)).epsilon(1e-4));
