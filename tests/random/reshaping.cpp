@@ -140,6 +140,11 @@ bool reads_whole(const Entry& entry, const std::string& bus) {
   return found;
 }
 
+/// True for the name of a block, "n12".
+bool is_block(const std::string& word) {
+  return word.size() > 1 && word[0] == 'n' && std::isdigit(static_cast<unsigned char>(word[1])) != 0;
+}
+
 /// True for a solver whose states share a matrix, or the length of its steps.
 bool shares_steps(const std::string& solver) {
   return solver == "rosenbrock" || solver == "sdirk" || solver == "auto" || solver.front() == '{';
@@ -180,20 +185,23 @@ Sketch shuffled(const Sketch& sketch, Dice& dice) {
 }
 
 std::string renamed_word(const std::string& word) {
-  if (word.size() < 2 || word[0] != 'n' || !std::isdigit(static_cast<unsigned char>(word[1]))) return word;
-  return fmt::format("z{}_{}", 1000 - std::stoi(word.substr(1)), word);
+  return is_block(word) ? fmt::format("z{}_{}", 1000 - std::stoi(word.substr(1)), word) : word;
 }
 
-Sketch renamed(const Sketch& sketch) {
+std::string word_of_same_order(const std::string& word) {
+  return is_block(word) ? "n_" + word : word;
+}
+
+Sketch renamed(const Sketch& sketch, OtherWord other_word) {
   Sketch made = sketch;
   for (auto* keys : {&made.head, &made.outputs})
-    for (Key& key : *keys) key.value = with_words(key.value, renamed_word);
-  for (Key& unit : made.units) unit.name = with_words(unit.name, renamed_word);
+    for (Key& key : *keys) key.value = with_words(key.value, other_word);
+  for (Key& unit : made.units) unit.name = with_words(unit.name, other_word);
   for (Entry& entry : made.blocks) {
-    entry.name = renamed_word(entry.name);
-    change_words(entry, renamed_word);
+    entry.name = other_word(entry.name);
+    change_words(entry, other_word);
   }
-  for (auto& [file, part] : made.parts) part = renamed(part);
+  for (auto& [file, part] : made.parts) part = renamed(part, other_word);
   return made;
 }
 

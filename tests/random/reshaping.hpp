@@ -17,9 +17,13 @@ Sketch with_part(const Sketch& sketch, std::set<std::string>& moved, const std::
                  const std::string& file);
 /// The blocks in another order of lines.
 Sketch shuffled(const Sketch& sketch, Dice& dice);
-/// Every block "n3" as "renamed_n3", in the order of names turned around.
-Sketch renamed(const Sketch& sketch);
+/// New name of a block "n3": "z997_n3", with the order of the names turned around.
 std::string renamed_word(const std::string& word);
+/// New name of a block "n3": "n_n3", with the names in their order.
+std::string word_of_same_order(const std::string& word);
+/// Every block under another name.
+using OtherWord = std::string (*)(const std::string& word);
+Sketch renamed(const Sketch& sketch, OtherWord other_word);
 /// Further blocks that nothing else reads.
 Sketch with_unrelated(const Sketch& sketch);
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "engine/simulate/solve/bracket.hpp"
 #include "engine/simulate/solve/crossing_signs.hpp"
 #include "engine/simulate/solve/event_task.hpp"
 #include "engine/simulate/solve/ever_faster.hpp"
@@ -47,7 +48,10 @@ class EventLocator {
         trial_(low_ + task.crossing_count),
         ever_faster_(trial_ + task.crossing_count, task.crossing_count),
         end_(trial_ + 7 * task.crossing_count),
-        kept_(end_ + task.state_count) {}
+        kept_(end_ + task.state_count),
+        ends_(kept_ + task.numbers),
+        nearest_(ends_ + task.crossing_count),
+        looks_(nearest_ + task.crossing_count) {}
 
   /// Integrates from `start` to `end` over `length`, event by event.
   void advance(double start, double end, double length) {
@@ -104,32 +108,126 @@ class EventLocator {
   }
 
   /// Searches for crossings before `at` that the signs at both ends do not show: interpolates each state by a
-  /// parabola, and confirms a sign change by a step of the solver.
+  /// parabola, and confirms a sign change by a step of the solver. A number that turns back between two looks
+  /// is followed to its turn.
   bool crosses_inside(double from, double& at) {
-    double* const states = values_ + task_.states;
-    std::copy_n(states, task_.state_count, end_);
+    std::copy_n(values_ + task_.states, task_.state_count, end_);
     const bool failed = run_.failed();
     const double length = at - from;
+    begin_looks();
     for (std::int64_t look = 1; look <= task_.looks; ++look) {
-      const double part = static_cast<double>(look) / static_cast<double>(task_.looks + 1);
-      for (std::size_t i = 0; i < task_.state_count; ++i) {
-        const double straight = length * slopes_[i];
-        states[i] = x_[i] + part * (straight + part * (end_[i] - x_[i] - straight));
-      }
-      values_[task_.time] = from + part * length;
-      run_.follow();
-      run_.crossings(trial_);
-      if (!sign_changes(start_, trial_, task_.crossing_count)) continue;
-      go_back();
-      go(from, from + part * length, part * length, high_);
-      if (!sign_changes(start_, high_, task_.crossing_count)) continue;
-      at = from + part * length;
+      const double part = part_of(look) * length;
+      interpolate(from, length, part_of(look));
+      add_look(look);
+      if (!sign_changes(start_, trial_, task_.crossing_count) || !crosses_at(from, part)) continue;
+      at = from + part;
       return true;
     }
+    if (crosses_at_turn(from, length, at)) return true;
     if (!failed) run_.forget_fault();
-    std::copy_n(end_, task_.state_count, states);
+    std::copy_n(end_, task_.state_count, values_ + task_.states);
     arrive(at, length_of_, high_);
     return false;
+  }
+
+  double part_of(std::int64_t look) const {
+    return static_cast<double>(look) / static_cast<double>(task_.looks + 1);
+  }
+
+  /// Computes the crossing functions at a part of the interval, with each state on a parabola.
+  void interpolate(double from, double length, double part) {
+    for (std::size_t i = 0; i < task_.state_count; ++i) {
+      const double straight = length * slopes_[i];
+      values_[task_.states + i] = x_[i] + part * (straight + part * (end_[i] - x_[i] - straight));
+    }
+    values_[task_.time] = from + part * length;
+    run_.follow();
+    run_.crossings(trial_);
+  }
+
+  /// True if a step of the solver over a part of the interval crosses.
+  bool crosses_at(double from, double part) {
+    go_back();
+    go(from, from + part, part, high_);
+    return sign_changes(start_, high_, task_.crossing_count);
+  }
+
+  void begin_looks() {
+    std::copy_n(high_, task_.crossing_count, ends_);
+    std::copy_n(start_, task_.crossing_count, nearest_);
+    std::fill_n(looks_, task_.crossing_count, 0.0);
+  }
+  /// Notes the look at which each number is nearest to 0.
+  void add_look(std::int64_t look) {
+    for (std::size_t i = 0; i < task_.crossing_count; ++i)
+      if (std::abs(trial_[i]) < std::abs(nearest_[i])) {
+        nearest_[i] = trial_[i];
+        looks_[i] = static_cast<double>(look);
+      }
+  }
+
+  /// Follows the numbers that are nearest to 0 between the ends of the interval. Returns true with the first
+  /// time at which one has crossed.
+  bool crosses_at_turn(double from, double length, double& at) {
+    double first = length;
+    for (std::size_t i = 0; i < task_.crossing_count; ++i)
+      if (looks_[i] > 0.0 && std::abs(nearest_[i]) < std::abs(ends_[i]) &&
+          sign_of(ends_[i]) == sign_of(start_[i]))
+        first = std::min(first, turn(i, from, length));
+    if (first == length || !crosses_at(from, first)) return false;
+    at = from + first;
+    return true;
+  }
+
+  /// Returns how long after the start a number has crossed near its turn; `length` if it does not. The turn
+  /// is approached by parabolas through steps of the solver, while these predict a crossing within a part of
+  /// their rise.
+  double turn(std::size_t i, double from, double length) {
+    constexpr int most = 4;
+    const double side = start_[i] > 0.0 ? 1.0 : -1.0;
+    bool crosses = false;
+    const auto sample = [&](double part) {
+      crosses = crosses || (part < length && crosses_at(from, part));
+      return Sample{part, side * (part < length ? high_[i] : ends_[i])};
+    };
+    const auto look = static_cast<std::int64_t>(looks_[i]);
+    Sample middle = sample(part_of(look) * length);
+    if (crosses) return middle.at;
+    Sample low = look > 1 ? sample(part_of(look - 1) * length) : Sample{0.0, side * start_[i]};
+    if (crosses) return low.at;
+    Sample high = sample(look < task_.looks ? part_of(look + 1) * length : length);
+    if (crosses) return high.at;
+    for (int k = 0; k < most; ++k) {
+      const Sample vertex = lowest_of(low, middle, high);
+      const double rise = std::max(low.value, high.value) - vertex.value;
+      if (!(vertex.value <= 0.5 * rise) || vertex.at == middle.at) return length;
+      const Sample found = sample(vertex.at);
+      if (crosses) return found.at;
+      if (found.value - vertex.value <= 0.1 * found.value) return length;
+      take(found, low, middle, high);
+    }
+    return length;
+  }
+
+  /// Returns the lowest point of the parabola through three samples; the middle one if it is not the lowest
+  /// of them.
+  static Sample lowest_of(const Sample& low, const Sample& middle, const Sample& high) {
+    const double before = middle.at - low.at, after = high.at - middle.at;
+    const double down = (middle.value - low.value) / before, up = (high.value - middle.value) / after;
+    const double bend = (up - down) / (before + after), tilt = down + bend * before;
+    if (!(down < 0.0 && up > 0.0)) return {middle.at, std::numeric_limits<double>::infinity()};
+    const double by = -0.5 * tilt / bend;
+    return {middle.at + by, middle.value + 0.5 * tilt * by};
+  }
+  /// Replaces one of three samples by a new one, so that the lowest one stays in the middle.
+  static void take(const Sample& found, Sample& low, Sample& middle, Sample& high) {
+    const bool before = found.at < middle.at;
+    if (found.value < middle.value) {
+      (before ? high : low) = middle;
+      middle = found;
+    } else {
+      (before ? low : high) = found;
+    }
   }
 
   /// Continues a little later after an event at which a number is on the wrong side by rounding. That is one
@@ -329,6 +427,8 @@ class EventLocator {
   EverFaster ever_faster_;
   double* end_;                            ///< states at the end of the interval
   double* kept_;                           ///< signals and states before an iteration
+  double* ends_;                           ///< crossing functions at the end of the interval
+  double *nearest_, *looks_;               ///< numbers nearest to 0, and the looks that have found them
   double length_ = 0.0, length_of_ = 0.0;  ///< length of the step, and of the interval up to the next event
   static constexpr int most_turns = 10;
   int turns_ = 0;  ///< Repetitions of turn_back() at one crossing.

@@ -36,7 +36,7 @@ struct EventTask {
   double* scratch;             ///< Memory for scratch_size() numbers.
 
   static constexpr std::size_t scratch_size(std::size_t states, std::size_t crossings, std::size_t numbers) {
-    return 3 * states + 10 * crossings + numbers;  // layout of EventLocator
+    return 3 * states + 13 * crossings + numbers;  // layout of EventLocator
   }
   static constexpr std::size_t before(std::size_t states) { return 2 * states; }
 };

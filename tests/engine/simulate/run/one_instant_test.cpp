@@ -142,6 +142,43 @@ TEST_CASE("three crossings in one step are all found") {
   }
 }
 
+TEST_CASE("two crossings within less than a fifth of a step are found, with every solver") {
+  // (t - 45.2 ms)^2 is below (0.4 ms)^2 for 0.8 ms of a step of 10 ms.
+  for (const char* solver : {"heun", "rk4", "dormand_prince", "dop853", "rosenbrock", "sdirk", "radau"}) {
+    INFO(solver);
+    const table::Table run =
+        run_text(with(std::string("events: locate\nstep: 10 ms\nstop: 0.1 s\nsolver: ") + solver + "\n",
+                      "  v: {block: Integrator, u: 2, initial: -0.0904 s}\n"
+                      "  x: {block: Integrator, u: v, initial: 0.00204304 s^2}\n"
+                      "  c: {block: Compare, u: x, operator: '<', to: 1.6e-7 s^2}\n"
+                      "  n: {block: Counter, u: c, count_at: either}\n"
+                      "  i: {block: Integrator, u: c}\n",
+                      "[n, i]"));
+    CHECK(last(run, "n") == 2.0);
+    CHECK(last(run, "i") == Approx(8e-4).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("short turns of an oscillation and of a signal of time alone are found") {
+  // sin(2 pi t) exceeds cos(2 pi 0.3 ms) for 0.6 ms about its maximum at 0.25 s, and at each second after.
+  const std::string of_time = "  x: {block: Sine, frequency: 1 Hz}\n";
+  const std::string of_states =
+      "  v: {block: Integrator, u: a, initial: 6.283185307179586 1/s}\n"
+      "  a: {block: Gain, u: x, gain: -39.47841760435743 1/s^2}\n"
+      "  x: {block: Integrator, u: v}\n";
+  for (const std::string& signal : {of_time, of_states}) {
+    INFO(signal);
+    const table::Table run =
+        run_text(with("events: locate\nstep: 7 ms\nstop: 4.9 s\nsolver: dop853\n",
+                      signal + "  c: {block: Compare, u: x, operator: '>', to: 0.9999982234720354}\n"
+                               "  n: {block: Counter, u: c}\n"
+                               "  i: {block: Integrator, u: c}\n",
+                      "[n, i]"));
+    CHECK(last(run, "n") == 5.0);
+    CHECK(last(run, "i") == Approx(3e-3).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("more looks than usual are taken in every step") {
   // 20 short times above 0.99, two in each step of 0.4 s.
   const table::Table run = run_text(with("step: 0.4 s\nstop: 4 s\nevents: {looks: 60}\n",
