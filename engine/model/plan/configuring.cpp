@@ -10,7 +10,7 @@ namespace stepwire::plan {
 namespace {
 
 double period_of(const Plan& plan, std::size_t index) {
-  return static_cast<double>(plan.blocks[index].rate.ticks) * plan.diagram.step;
+  return plan.time_of(plan.blocks[index].rate.ticks);
 }
 
 /// Collects the information that a block can query in configure().

@@ -10,6 +10,7 @@
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/names.hpp"
 #include "engine/simulate/codegen/tuning_text.hpp"
+#include "engine/simulate/codegen/workspace_text.hpp"
 #include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/loop_task.hpp"
 #include "engine/simulate/solve/solver.hpp"
@@ -47,8 +48,8 @@ const char* const unsolved_member =
     "  /// Which algebraic loop has had no solution; null while all have.\n"
     "  const char* unsolved() const;\n";
 
-/// Placeholders: constructor, step, count of numbers, members of a program with parameters, name, member of
-/// one with algebraic loops, time of a stop between ticks.
+/// Placeholders: constructor, time of the tick, count of numbers, members of a program with parameters, name,
+/// member of one with algebraic loops, time of a stop between ticks.
 constexpr char struct_members[] =
     "  /// All that moves in a run: plain numbers, to be kept anywhere.\n  struct State {{\n"
     "    std::uint64_t layout = 0;  ///< of the diagram that it belongs to\n"
@@ -63,7 +64,7 @@ constexpr char struct_members[] =
     "  /// Puts everything at time 0.\n  void reset();\n"
     "  void evaluate();\n  void advance();\n"
     "  void step() {{\n    evaluate();\n    advance();\n  }}\n"
-    "  /// Of this tick [s].\n  double time() const {{ return {6}static_cast<double>(tick) * {1}; }}\n"
+    "  /// Of this tick [s].\n  double time() const {{ return {6}{1}; }}\n"
     "  /// Is every signal and state a finite number?\n  bool finite() const;\n"
     "  /// Why a block has ended the run; null while none has.\n  const char* fault() const;\n"
     "{5}"
@@ -248,9 +249,9 @@ std::string struct_text(const plan::Plan& plan, const Tuning& tuning, const Grou
          group_text(groups.inputs) + group_text(groups.outputs) + group_text(groups.recorded) +
          group_text(groups.parameters) + fixed_text(tuning) + (tunes ? parameter_members : "") +
          states_text(groups.states) + (between_ticks ? between_ticks_members(plan) : "") +
-         fmt::format(struct_members, tunes ? ";" : " { reset(); }", number_text(plan.diagram.step),
-                     plan.layout.size, tuned(plan, tuning).members, name,
-                     plan.loops.empty() ? "" : unsolved_member, stopped_time(plan));
+         fmt::format(struct_members, tunes ? ";" : " { reset(); }", time_text(plan, "tick"), plan.layout.size,
+                     tuned(plan, tuning).members, name, plan.loops.empty() ? "" : unsolved_member,
+                     stopped_time(plan));
 }
 
 std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,

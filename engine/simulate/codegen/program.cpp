@@ -128,7 +128,7 @@ class Maker {
   }
 
   void add_outputs() {
-    std::vector<Code> code{{stop_guard() + "  w[at::time] = static_cast<double>(tick) * step;\n"}};
+    std::vector<Code> code{{stop_guard() + "  w[at::time] = " + time_text(plan_, "tick") + ";\n"}};
     if (!plan_.timed.empty()) code.front().text += "  follow_time(w, numbers);\n";
     if (plan_.rest.empty()) {
       append(code, outputs_of(plan_.outputs));
