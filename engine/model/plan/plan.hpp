@@ -160,8 +160,9 @@ struct Plan {
       stage;  ///< outputs that derivatives depend on, for the solver's stages between ticks
   std::vector<KernelCall> derivatives;
   std::vector<KernelCall> updates;
-  std::vector<PlannedGuard> guards;  ///< each after the one that encloses it
-  bool updates_continuous = false;   ///< an update may change a continuous state
+  std::vector<KernelCall> end_updates;  ///< those of them that are called at the last row, too
+  std::vector<PlannedGuard> guards;     ///< each after the one that encloses it
+  bool updates_continuous = false;      ///< an update may change a continuous state
   std::vector<LateStates> late;
 
   std::vector<SolvedLoop> loops;

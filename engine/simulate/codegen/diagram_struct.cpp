@@ -66,6 +66,8 @@ constexpr char struct_members[] =
     "  void step() {{\n    evaluate();\n    advance();\n  }}\n"
     "  /// Of this tick [s].\n  double time() const {{ return {6}{1}; }}\n"
     "  /// Is every signal and state a finite number?\n  bool finite() const;\n"
+    "  /// Judges the last tick of a run, after its evaluate(). No advance() follows.\n"
+    "  void look_at_end();\n"
     "  /// Why a block has ended the run; null while none has.\n  const char* fault() const;\n"
     "{5}"
     "  /// Is the diagram's `stop_when` true?\n  bool stops() const;\n\n"
@@ -262,9 +264,12 @@ std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, con
          fmt::format(
              "void Diagram::reset() {{\n{0}  tick = 0;\n  ::reset(w_, {1});\n{2}}}\n\n"
              "[[gnu::flatten]] void Diagram::evaluate() {{\n{0}{3}  ::evaluate(w_, {1}, tick);\n{4}{5}}}\n\n"
-             "[[gnu::flatten]] void Diagram::advance() {{\n  ::advance(w_, {1}, tick);\n  ++tick;\n}}\n\n",
+             "[[gnu::flatten]] void Diagram::advance() {{\n  ::advance(w_, {1}, tick);\n  ++tick;\n}}\n\n"
+             "void Diagram::look_at_end() {{\n{6}}}\n\n",
              tuned.check, tuned.numbers, copies(groups.inputs, true), copies(groups.inputs, false),
-             copies(groups.outputs, true), copies(groups.recorded, true)) +
+             copies(groups.outputs, true), copies(groups.recorded, true),
+             plan.end_updates.empty() ? ""
+                                      : fmt::format("  ::updates_at_end(w_, {}, tick);\n", tuned.numbers)) +
          save_definitions(plan, tuned) + states_definitions(plan, groups.states) + unsolved_text(plan) +
          (between_ticks
               ? between_ticks_definitions(plan, tuned.numbers, tuned.check + copies(groups.inputs, false),

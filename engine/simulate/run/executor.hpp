@@ -78,7 +78,8 @@ class Executor {
   void evaluate();
   /// Steps the run to the next tick: updates, then the solver. Call evaluate() before.
   void advance();
-  /// Checks at the end of a run whether its steps were unstable. Call it after evaluate() of the last tick.
+  /// Checks at the end of a run whether its steps were unstable, and what blocks assert at its last row. Call
+  /// it after evaluate() of the last tick.
   void look_at_end();
   /// Reserves the memory of look_at_end(), which then allocates only for steps in doubt.
   void prepare_end() { probe_memory_.prepare(plan_); }
@@ -152,6 +153,7 @@ class Executor {
   std::optional<BothSides> sides_;      ///< present if both sides of instants are recorded
   ValueSetter setter_;
   Health health_;
+  CallTable end_updates_;
   std::optional<CallTable> last_outputs_;     ///< Outputs after a block has ended the run.
   const plan::CompiledPlan* code_ = nullptr;  ///< nullptr while interpreted
   std::optional<plan::NumberTable> numbers_;  ///< Numbers that the code reads.
