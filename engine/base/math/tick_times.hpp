@@ -7,8 +7,8 @@
 namespace stepwire {
 
 /// Times of the ticks of a step. The step is a fraction: tick k is at k * numerator / denominator [s],
-/// rounded once. So a tick at a whole multiple of a decimal step is the same number as that decimal in a
-/// file: tick 3 of a step of 0.3 s is 0.9 s, where 3 * 0.3 is below it.
+/// rounded once. So a tick has the same number as its decimal in a file. Tick 3 of a step of 0.3 s is 0.9 s;
+/// the product 3 * 0.3 is below it.
 struct TickTimes {
   double numerator = 0.0, denominator = 1.0;
 
