@@ -63,8 +63,16 @@ void PID::declare(Declare<PID>& is) {
   is.state<&PID::filter>({.unit = "'u", .doc = "what the derivative part sees, filtered", .settable = false});
   is.state<&PID::hand>({.shape = "1", .doc = "1 while the command is given by hand", .settable = false});
   is.state<&PID::begun>({.doc = "0 before the first step, then 1", .settable = false, .marks_start = true});
+  is.state<&PID::at_limit>(
+      {.doc = "limit that the output would exceed at the last instant: 2 or 1 the upper, -2 or "
+              "-1 the lower, 0 none",
+       .settable = false});
   declare_reset(is, "'k 'u", "the integral part");
   is.crossing<&PID::automatic>("the controller takes over, or the hand", "1");
+  is.crossing<&PID::u, &PID::reference, &PID::manual>("the output meets or leaves its lower limit");
+  is.crossing<&PID::u, &PID::reference, &PID::manual>("it meets or leaves its upper limit");
+  is.crossing("the integral part meets or leaves its lower limit");
+  is.crossing("it meets or leaves its upper limit");
   is.derived<&PID::plain, From::no_number>();
 }
 
@@ -77,9 +85,10 @@ void PID::configure(Configure& is) {
   if (by_hand) is.require<&PID::automatic>("a command by hand is wired");
   if (is.connected<&PID::automatic>()) is.require<&PID::manual>("it says when the command is given by hand");
   plain = !configure_reset(*this, is) && !by_hand;
-  if (plain) is.skip_crossings();
-  if (!plain || limits(integral_lower, integral_upper)) return;
-  if (settled)
+  const bool has_limits = limits(lower, upper), of_integral = limits(integral_lower, integral_upper);
+  if (plain && !has_limits && !of_integral) is.skip_crossings();
+  if (!plain || of_integral) return;
+  if (settled || has_limits)
     is.update_keeps_outputs();
   else
     is.skip_update();

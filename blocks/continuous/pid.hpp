@@ -22,6 +22,9 @@ struct PID : Resettable {
   State<> integral{}, filter{};
   DiscreteState<1> hand{};   // 1 in manual mode, as of the last instant
   DiscreteState<1> begun{};  // 1 after the first instant
+  // Limit that the output wants to exceed, as of the last instant: 2 the upper and -2 the lower one, if so
+  // since a tick; 1 and -1 after an event between two ticks; else 0.
+  DiscreteState<> at_limit{};
 
   bool plain = true;  // true if only u and reference are used
 
@@ -44,21 +47,26 @@ struct PID : Resettable {
     }
   }
 
-  /// Runs only if the filter is settled, the integral has limits of its own, or `plain` is false.
+  /// Runs only if the filter is settled, a limit is set, or `plain` is false.
   void update() {
-    if (!plain) {
-      take_over();
-    } else if (settled && begun == 0.0) {
-      for (Index i = 0; i < filter.size(); ++i) filter[i] = at_instant(i).filter;
-    }
-    begun = 1.0;
-    for (Index i = 0; i < integral.size(); ++i)
-      integral[i] = std::clamp(integral[i], integral_lower[i], integral_upper[i]);
+    follow();
+    for (Index i = 0; i < at_limit.size(); ++i) at_limit[i] = 2.0 * beyond(i);
+  }
+  void update_at_event() {
+    follow();
+    for (Index i = 0; i < at_limit.size(); ++i)
+      if (at_limit[i] != 2.0 * beyond(i)) at_limit[i] = beyond(i);
   }
 
+  /// An output that has met its limit between two ticks may leave it at the next tick. Where clamping makes
+  /// the integral part slide along the limit, it would else meet and leave it without end.
   void crossings(Crossings& zero) const {
     Resettable::crossings(zero);
     zero.add(automatic.connected() ? automatic : 0.0);
+    for (Index i = 0; i < y.size(); ++i) zero.add(at_limit[i] == -1.0 ? 1.0 : command(i) - lower[i]);
+    for (Index i = 0; i < y.size(); ++i) zero.add(at_limit[i] == 1.0 ? 1.0 : upper[i] - command(i));
+    for (Index i = 0; i < y.size(); ++i) zero.add(integral[i] - integral_lower[i]);
+    for (Index i = 0; i < y.size(); ++i) zero.add(integral_upper[i] - integral[i]);
   }
 
   void configure(Configure& is);
@@ -71,6 +79,23 @@ struct PID : Resettable {
     double integral, filter;
   };
 
+  void follow() {
+    if (!plain) {
+      take_over();
+    } else if (settled && begun == 0.0) {
+      for (Index i = 0; i < filter.size(); ++i) filter[i] = at_instant(i).filter;
+    }
+    begun = 1.0;
+    for (Index i = 0; i < integral.size(); ++i)
+      integral[i] = std::clamp(integral[i], integral_lower[i], integral_upper[i]);
+  }
+
+  /// Returns the output without its limits.
+  double command(Index i) const { return hand > 0.0 ? manual[i] : wanted(i, here(i)); }
+  double beyond(Index i) const {
+    const double now = command(i);
+    return now > upper[i] ? 1.0 : now < lower[i] ? -1.0 : 0.0;
+  }
   bool by_hand() const { return !plain && manual.connected() && !(automatic > 0.0); }
   Parts here(Index i) const { return {integral[i], filter[i]}; }
   /// Returns the states after the first instant or a reset: the derivative part is 0, unless its filter

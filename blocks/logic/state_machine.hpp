@@ -58,7 +58,7 @@ struct StateMachine {
     const bool was_off = left_between();
     for (Index l = 0; l < ticks.size(); ++l) {
       const bool stays = !now.entered[l];
-      if (was_off && stays) late[l] = ticks[l] * period - now.after[l];
+      if (was_off && stays) late[l] = period.times(ticks[l]) - now.after[l];
       ticks[l] = l > depth(now.leaf) ? 0.0 : stays ? ticks[l] + 1.0 : 1.0;
       late[l] = stays && l <= depth(now.leaf) ? double(late[l]) : 0.0;
     }
@@ -71,7 +71,7 @@ struct StateMachine {
     if (begun == 0.0 || was_off) last_tick = std::floor(time / period) * period;  // begins between ticks
     for (Index l = 0; l < ticks.size(); ++l) {
       const bool stays = begun != 0.0 && l <= depth(now.leaf) && !now.entered[l];
-      if (stays && was_off) late[l] = (ticks[l] - 1.0) * period + (time - last_tick) - now.after[l];
+      if (stays && was_off) late[l] = period.times(ticks[l] - 1.0) + (time - last_tick) - now.after[l];
       if (stays) continue;
       ticks[l] = l > depth(now.leaf) ? 0.0 : 1.0;
       late[l] = l > depth(now.leaf) ? 0.0 : time - last_tick;
@@ -147,9 +147,9 @@ struct StateMachine {
   /// before.
   double hair() const { return 1e-12 * period + 2.0 * rounding(); }
   double time_in(Index level) const {
-    if (left_between()) return (ticks[level] - 1.0) * period + (seen_at - last_tick) - late[level];
-    if (reaches_tick()) return ticks[level] * period - late[level];
-    return (ticks[level] - 1.0) * period + (time - last_tick) - late[level];
+    if (left_between()) return period.times(ticks[level] - 1.0) + (seen_at - last_tick) - late[level];
+    if (reaches_tick()) return period.times(ticks[level]) - late[level];
+    return period.times(ticks[level] - 1.0) + (time - last_tick) - late[level];
   }
 
   Now present() const {

@@ -67,15 +67,17 @@ struct HardStop {
     rest[i] = now ? 0.0 : velocity[i];
     struck[i] = now ? 1.0 : -1.0;
   }
-  /// Returns the stop that it hits: 1 the upper, -1 the lower, 0 none.
+  /// Returns the stop that it is at and moves into, or is pressed into while it does not move: 1 the upper,
+  /// -1 the lower, 0 none.
   double meets(Index i) const {
     if (side[i] != 0.0) return 0.0;
-    if (position[i] >= upper[i] && velocity[i] > 0.0) return 1.0;
-    return position[i] <= lower[i] && velocity[i] < 0.0 ? -1.0 : 0.0;
+    const double into = velocity[i] != 0.0 ? velocity[i] : force[i];
+    if (position[i] >= upper[i] && into > 0.0) return 1.0;
+    return position[i] <= lower[i] && into < 0.0 ? -1.0 : 0.0;
   }
   /// True for a new hit. Resets react to the edge of `hit`, so there is none at the first instant and none
   /// directly after another. A mass that does not leave the stop by its rebound rests there.
-  bool is_hit(Index i) const { return meets(i) != 0.0 && struck[i] < 0.0; }
+  bool is_hit(Index i) const { return meets(i) != 0.0 && velocity[i] != 0.0 && struck[i] < 0.0; }
   bool is_slow(Index i) const { return restitution[i] * std::abs(velocity[i]) <= slow[i]; }
 
   double next_side(Index i) const {

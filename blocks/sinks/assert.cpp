@@ -11,7 +11,8 @@ void Assert::declare(Declare<Assert>& is) {
               "step and at each located event, or at every tick of its period; feed it from Compare, Logic "
               "or Expression, and give "
               "it a name that says what must hold.",
-       .at_events = true});
+       .at_events = true,
+       .at_end = true});
   is.input<&Assert::u>({.doc = "condition: 0 is false, anything else true", .feedthrough = false});
   is.diagnostic<&Assert::failed>({.doc = "what is asserted does not hold", .ends_run = true});
   is.clock<&Assert::t>();

@@ -57,7 +57,7 @@ struct Simulation::State {
     require_health();
     ended = run.finished() || run.has_stopped() || stopper.stops(run.values());
     if (!ended && run.tick() < next_check) return;
-    run.check_steps();
+    ended ? run.look_at_end() : run.check_steps();
     find_next_check();
     require_health();
   }

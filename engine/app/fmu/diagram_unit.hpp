@@ -56,6 +56,7 @@ class DiagramUnit final : public ExportedUnit {
   }
   Status terminate() override {
     if (!allows(Phase::at_event | Phase::continuous | Phase::stepping, "Terminate")) return Status::error;
+    if (moving_.phase == Phase::stepping && look_at_end() != Status::ok) return Status::error;
     moving_.phase = Phase::ended;
     return Status::ok;
   }
@@ -225,6 +226,13 @@ class DiagramUnit final : public ExportedUnit {
     }
     moving_.begins |= phase() == Phase::made || phase() == Phase::initializing;
     return Status::ok;
+  }
+
+  /// Fails if a block refuses the last instant, after which no step follows.
+  Status look_at_end() {
+    moving_.evaluate();
+    if (!moving_.diagram.stops()) moving_.diagram.look_at_end();
+    return sound(true);
   }
 
   /// Fails if a signal or state is not finite or, after a step, if a block has reported a fault.

@@ -72,6 +72,13 @@ Expression::Expression(std::string_view text) : Expression(text, nullptr) {}
 Expression::Expression(std::string_view text, const std::function<bool(std::string_view)>& known)
     : program_(std::make_shared<Program>(translate(text, known))) {}
 
+Expression Expression::hiding_constants(std::string_view text,
+                                        const std::function<bool(std::string_view)>& hides) {
+  Expression result("0");
+  result.program_ = std::make_shared<Program>(translate(text, nullptr, Values::numbers, hides));
+  return result;
+}
+
 const std::string& Expression::text() const {
   return program_->text;
 }

@@ -55,6 +55,11 @@ class Expression {
   /// A known "pi" or "e" hides the constant, and "4 A/m" is 4 amperes over m where m is known.
   Expression(std::string_view text, const std::function<bool(std::string_view)>& known);
 
+  /// Parses a text in which all names become variables, as also does a constant ("pi", "e") with hides(name).
+  /// Throws ExpressionError for an invalid text.
+  static Expression hiding_constants(std::string_view text,
+                                     const std::function<bool(std::string_view)>& hides);
+
   const std::string& text() const;
   /// Returns the names used, in order of first appearance.
   const std::vector<std::string>& variables() const;

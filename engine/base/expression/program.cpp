@@ -38,8 +38,8 @@ Instruction::Kind kind_of(const Operation& operation) {
 /// that deep nesting cannot exhaust the call stack.
 class Translator {
  public:
-  Translator(std::string_view text, const Known& known, Values values)
-      : tokens_(tokens(text, known)), known_(known), values_(values) {
+  Translator(std::string_view text, const Known& known, Values values, const Known& hides)
+      : tokens_(tokens(text, known)), known_(known), hides_(hides), values_(values) {
     program_.text = text;
   }
 
@@ -89,7 +89,7 @@ class Translator {
 
   void name(const Token& token) {
     const bool called = tokens_[at_ + 1].is("(");
-    const bool exists = known_ && known_(token.text);
+    const bool exists = (known_ && known_(token.text)) || (hides_ && hides_(token.text));
     if (called) return call(token, exists);
     if (!exists && token.text == "pi") return number({std::numbers::pi, {}});
     if (!exists && token.text == "e") return number({std::numbers::e, {}});
@@ -264,7 +264,7 @@ class Translator {
   }
 
   const std::vector<Token> tokens_;
-  const Known& known_;
+  const Known &known_, &hides_;
   const Values values_;
   Program program_;
   std::vector<Waiting> waiting_;
@@ -278,11 +278,11 @@ class Translator {
 
 }  // namespace
 
-Program translate(std::string_view text, const Known& known, Values values) {
+Program translate(std::string_view text, const Known& known, Values values, const Known& hides) {
   if (text.size() > longest_text) {
     throw ExpressionError(fmt::format("an expression has at most {} characters", longest_text), longest_text);
   }
-  Program program = Translator(text, known, values).run();
+  Program program = Translator(text, known, values, hides).run();
   check_draws(program, std::vector<std::optional<double>>(program.variables.size()));
   return program;
 }

@@ -48,8 +48,9 @@ struct Program {
 /// Kind of values of the language; `matrices` allows brackets and matrix functions.
 enum class Values { numbers, matrices };
 
-/// Parses and compiles a text. Throws ExpressionError.
+/// Parses and compiles a text. A constant with hides(name) is a variable. Throws ExpressionError.
 Program translate(std::string_view text, const std::function<bool(std::string_view)>& known,
-                  Values values = Values::numbers);
+                  Values values = Values::numbers,
+                  const std::function<bool(std::string_view)>& hides = nullptr);
 
 }  // namespace stepwire::expression

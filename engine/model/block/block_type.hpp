@@ -48,6 +48,7 @@ struct BlockType {
   std::vector<CrossingSpec> crossings;
   bool steady = false;     ///< its outputs are constant between crossings
   bool at_events = false;  ///< acts at located events although it has no crossings
+  bool at_end = false;     ///< its update() is called at the last row, too
   bool smooth = false;     ///< outputs jump only where inputs do
   bool torn = false;       ///< algebraic loops through it are solved for its outputs
   std::vector<PresetSpec> presets;

@@ -74,6 +74,7 @@ class Declare {
     type_.symbol = std::move(options.symbol);
     type_.steady = options.steady;
     type_.at_events = options.at_events;
+    type_.at_end = options.at_end;
     type_.smooth = options.smooth;
     type_.torn = options.torn;
     if (options.timing != Timing::inherited) type_.timing = options.timing;

@@ -26,6 +26,9 @@ struct BlockOptions {
   /// Lets a block with memory act at located events as well, if it has no `every`. It must not rely on its
   /// period.
   bool at_events = false;
+  /// Calls update() at the last row of a run, too, where no step follows. It must change nothing but
+  /// diagnostics.
+  bool at_end = false;
   /// Promises that outputs jump only where an input or a reset does, never by time alone.
   bool smooth = false;
   /// Algebraic loops through the block are solved for its outputs. The iteration begins at the values that

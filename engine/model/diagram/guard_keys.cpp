@@ -103,7 +103,8 @@ std::vector<std::string> signals_of_condition(const yaml::Node& condition) {
   if (!is_formula(condition))
     return names_signal(condition) ? std::vector{condition.text} : std::vector<std::string>{};
   try {
-    return expression::Expression(plain_formula(condition.text)).variables();
+    const auto always = [](std::string_view) { return true; };
+    return expression::Expression::hiding_constants(plain_formula(condition.text), always).variables();
   } catch (const expression::ExpressionError&) {
     return {};
   }

@@ -52,7 +52,8 @@ void Condition::configure(Configure& is) {
                     "are the most",
                     variables.size(), inputs, max_inputs));
   try {
-    expression::Expression read(expression.view());
+    const auto is_variable = [&](std::string_view name) { return std::ranges::count(variables, name) > 0; };
+    auto read = expression::Expression::hiding_constants(expression.view(), is_variable);
     std::vector<std::size_t> places;
     for (const std::string& name : read.variables()) {
       const auto found = std::ranges::find(variables, name);

@@ -218,7 +218,8 @@ void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& r
   const auto text = reader.fill_in(written, "stop_when");
   if (!text) return;
   try {
-    StopCondition condition{expression::Expression(*text), {}, scope.at(node->mark)};
+    const auto hides = [&](std::string_view name) { return is_signal(std::string(name)); };
+    StopCondition condition{expression::Expression::hiding_constants(*text, hides), {}, scope.at(node->mark)};
     for (const std::string& name : condition.expression.variables()) {
       if (name == "time") {
         condition.variables.push_back({});
@@ -268,8 +269,10 @@ void check_conditions(Report& report) {
   for (const DiagramBlock& block : report.diagram().blocks) {
     if (&block.type() != &condition_type()) continue;
     try {
-      const expression::Expression formula(
-          static_cast<const Condition*>(block.block.get())->expression.view());
+      const auto& condition = *static_cast<const Condition*>(block.block.get());
+      const auto formula = expression::Expression::hiding_constants(
+          condition.expression.view(),
+          [&](std::string_view name) { return std::ranges::count(condition.variables, name) > 0; });
       std::vector<expression::Measure> measures;
       for (const std::string& name : formula.variables()) {
         const auto dimension = dimension_of_name(name, block, report.diagram());

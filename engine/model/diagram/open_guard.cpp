@@ -79,7 +79,10 @@ void Opener::feed_guard(Scope& scope, const std::string& owner, const char* key,
 
 int Opener::add_condition(Scope& scope, const std::string& name, const yaml::Node& node) {
   const std::string text = plain_formula(node.text);
-  const expression::Expression formula(text);
+  const yaml::Node* const blocks = scope.document->root.find("blocks");
+  const auto formula = expression::Expression::hiding_constants(text, [&](std::string_view name) {
+    return (blocks && blocks->find(name)) || scope.inputs.contains(std::string(name));
+  });
   const int index = add_hidden(scope, name, condition_type(), node.mark);
   yaml::Node& sources = made_.emplace_back();
   sources.kind = yaml::Node::Kind::list;

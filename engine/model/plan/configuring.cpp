@@ -10,7 +10,7 @@ namespace stepwire::plan {
 namespace {
 
 double period_of(const Plan& plan, std::size_t index) {
-  return static_cast<double>(plan.blocks[index].rate.ticks) * plan.diagram.step;
+  return plan.time_of(plan.blocks[index].rate.ticks);
 }
 
 /// Collects the information that a block can query in configure().
@@ -40,6 +40,8 @@ yaml::Fault fault_of(const Plan& plan, std::size_t index, const ParameterRefused
   const ParameterSpec* spec = type.parameter(refused.parameter);
   yaml::Mark mark =
       spec ? block.parameter_marks[static_cast<std::size_t>(spec - type.parameters.data())] : yaml::Mark{};
+  if (const int input = type.input(refused.parameter); !spec && input >= 0)
+    mark = block.input_marks[static_cast<std::size_t>(input)];
   if (refused.line > 0) mark = {refused.line, refused.column};
   if (mark.line == 0) mark = block.origin.mark;
   return plan.diagram.fault({block.origin.scope, mark}, block.name + "." + refused.parameter, refused.what());

@@ -48,6 +48,7 @@ const std::vector<LoopCall>& Plan::loops_of(const std::vector<KernelCall>& table
 Plan make_plan(diagram::Diagram diagram) {
   Plan plan;
   plan.diagram = std::move(diagram);
+  plan.tick_times = tick_times(plan.diagram.step);
   plan.blocks.resize(plan.diagram.blocks.size());
   Draft draft(plan);
   plan_rates(draft);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/math/tick_times.hpp"
 #include "engine/model/diagram/diagram.hpp"
 
 namespace stepwire::plan {
@@ -146,6 +147,7 @@ struct PlannedBlock {
 struct Plan {
   diagram::Diagram diagram;
   std::int64_t steps = 0;  ///< number of ticks from 0 to stop
+  TickTimes tick_times;    ///< of Diagram::step
   std::vector<PlannedBlock> blocks;
   std::vector<int> memory_order;  ///< indices of blocks in the order of their memory
   std::size_t block_bytes = 0;
@@ -160,8 +162,9 @@ struct Plan {
       stage;  ///< outputs that derivatives depend on, for the solver's stages between ticks
   std::vector<KernelCall> derivatives;
   std::vector<KernelCall> updates;
-  std::vector<PlannedGuard> guards;  ///< each after the one that encloses it
-  bool updates_continuous = false;   ///< an update may change a continuous state
+  std::vector<KernelCall> end_updates;  ///< those of them that are called at the last row, too
+  std::vector<PlannedGuard> guards;     ///< each after the one that encloses it
+  bool updates_continuous = false;      ///< an update may change a continuous state
   std::vector<LateStates> late;
 
   std::vector<SolvedLoop> loops;
@@ -211,7 +214,8 @@ struct Plan {
   bool records_instants() const {
     return std::ranges::any_of(diagram.records, &diagram::RecordRequest::instants);
   }
-  double time_of(std::int64_t tick) const { return static_cast<double>(tick) * diagram.step; }
+  /// Returns the time of a tick [s].
+  double time_of(std::int64_t tick) const { return tick_times(tick); }
 };
 
 /// Returns the number of steps in a time; std::nullopt if it is not whole. Decimal times are inexact in

@@ -58,7 +58,7 @@ std::string why_ticks_only(const plan::Plan& plan) {
     const plan::Rate& rate = plan.blocks[b].rate;
     if (rate.kind == plan::Rate::Kind::discrete && !has_ticks_of_inputs(plan, b))
       return fmt::format("{} works every {} s", plan.diagram.blocks[b].name,
-                         number_text(static_cast<double>(rate.ticks) * plan.diagram.step));
+                         number_text(plan.time_of(rate.ticks)));
   }
   if (!plan.guards.empty())
     return fmt::format("{} works on condition", plan.diagram.blocks[plan.guards.front().block].name);

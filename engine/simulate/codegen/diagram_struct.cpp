@@ -10,6 +10,7 @@
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/names.hpp"
 #include "engine/simulate/codegen/tuning_text.hpp"
+#include "engine/simulate/codegen/workspace_text.hpp"
 #include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/loop_task.hpp"
 #include "engine/simulate/solve/solver.hpp"
@@ -47,8 +48,8 @@ const char* const unsolved_member =
     "  /// Which algebraic loop has had no solution; null while all have.\n"
     "  const char* unsolved() const;\n";
 
-/// Placeholders: constructor, step, count of numbers, members of a program with parameters, name, member of
-/// one with algebraic loops, time of a stop between ticks.
+/// Placeholders: constructor, time of the tick, count of numbers, members of a program with parameters, name,
+/// member of one with algebraic loops, time of a stop between ticks.
 constexpr char struct_members[] =
     "  /// All that moves in a run: plain numbers, to be kept anywhere.\n  struct State {{\n"
     "    std::uint64_t layout = 0;  ///< of the diagram that it belongs to\n"
@@ -63,8 +64,10 @@ constexpr char struct_members[] =
     "  /// Puts everything at time 0.\n  void reset();\n"
     "  void evaluate();\n  void advance();\n"
     "  void step() {{\n    evaluate();\n    advance();\n  }}\n"
-    "  /// Of this tick [s].\n  double time() const {{ return {6}static_cast<double>(tick) * {1}; }}\n"
+    "  /// Of this tick [s].\n  double time() const {{ return {6}{1}; }}\n"
     "  /// Is every signal and state a finite number?\n  bool finite() const;\n"
+    "  /// Judges the last tick of a run, after its evaluate(). No advance() follows.\n"
+    "  void look_at_end();\n"
     "  /// Why a block has ended the run; null while none has.\n  const char* fault() const;\n"
     "{5}"
     "  /// Is the diagram's `stop_when` true?\n  bool stops() const;\n\n"
@@ -248,9 +251,9 @@ std::string struct_text(const plan::Plan& plan, const Tuning& tuning, const Grou
          group_text(groups.inputs) + group_text(groups.outputs) + group_text(groups.recorded) +
          group_text(groups.parameters) + fixed_text(tuning) + (tunes ? parameter_members : "") +
          states_text(groups.states) + (between_ticks ? between_ticks_members(plan) : "") +
-         fmt::format(struct_members, tunes ? ";" : " { reset(); }", number_text(plan.diagram.step),
-                     plan.layout.size, tuned(plan, tuning).members, name,
-                     plan.loops.empty() ? "" : unsolved_member, stopped_time(plan));
+         fmt::format(struct_members, tunes ? ";" : " { reset(); }", time_text(plan, "tick"), plan.layout.size,
+                     tuned(plan, tuning).members, name, plan.loops.empty() ? "" : unsolved_member,
+                     stopped_time(plan));
 }
 
 std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
@@ -261,9 +264,12 @@ std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, con
          fmt::format(
              "void Diagram::reset() {{\n{0}  tick = 0;\n  ::reset(w_, {1});\n{2}}}\n\n"
              "[[gnu::flatten]] void Diagram::evaluate() {{\n{0}{3}  ::evaluate(w_, {1}, tick);\n{4}{5}}}\n\n"
-             "[[gnu::flatten]] void Diagram::advance() {{\n  ::advance(w_, {1}, tick);\n  ++tick;\n}}\n\n",
+             "[[gnu::flatten]] void Diagram::advance() {{\n  ::advance(w_, {1}, tick);\n  ++tick;\n}}\n\n"
+             "void Diagram::look_at_end() {{\n{6}}}\n\n",
              tuned.check, tuned.numbers, copies(groups.inputs, true), copies(groups.inputs, false),
-             copies(groups.outputs, true), copies(groups.recorded, true)) +
+             copies(groups.outputs, true), copies(groups.recorded, true),
+             plan.end_updates.empty() ? ""
+                                      : fmt::format("  ::updates_at_end(w_, {}, tick);\n", tuned.numbers)) +
          save_definitions(plan, tuned) + states_definitions(plan, groups.states) + unsolved_text(plan) +
          (between_ticks
               ? between_ticks_definitions(plan, tuned.numbers, tuned.check + copies(groups.inputs, false),

@@ -8,6 +8,7 @@
 #include "engine/model/plan/active.hpp"
 #include "engine/simulate/codegen/guard_text.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
+#include "engine/simulate/codegen/workspace_text.hpp"
 #include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/step_report.hpp"
 
@@ -37,8 +38,8 @@ constexpr char locate_form[] =
     "    double edge() const {{ return next_edge(w, numbers, tick); }}\n"
     "    void before() const {{\n{20}{9}    }}\n"
     "    void begin_event() const {{\n{13}{14}    }}\n"
-    "    void round() const {{\n    event_outputs(w, numbers, tick);\n    event_updates(w, numbers, "
-    "tick);\n{14}    }}\n"
+    "    bool round() const {{\n    event_outputs(w, numbers, tick);\n    const bool stops = {15};\n"
+    "    event_updates(w, numbers, tick);\n{14}    return stops;\n    }}\n"
     "    bool after() const {{\n    settle();\n    return {15};\n    }}\n"
     "    void settle() const {{\n{12}    follow_crossings(w, numbers, tick);\n    }}\n"
     "  }};\n"
@@ -123,10 +124,9 @@ std::string between_text(const plan::Plan& plan, const PlaceNames& names) {
 
 std::string locate_text(const plan::Plan& plan, const PlaceNames& names) {
   return between_text(plan, names) +
-         fmt::format(
-             "  solve::{}(task, w, between)\n      .advance(static_cast<double>(tick) * step, "
-             "static_cast<double>(tick + 1) * step, step);\n",
-             watches(plan) ? "WatchedStep" : "EventLocator");
+         fmt::format("  solve::{}(task, w, between)\n      .advance({}, {}, step);\n",
+                     watches(plan) ? "WatchedStep" : "EventLocator", time_text(plan, "tick"),
+                     time_text(plan, "tick + 1"));
 }
 
 std::string settle_text(const plan::Plan& plan, const PlaceNames& names) {
@@ -147,7 +147,7 @@ std::string update_text(const plan::Plan& plan) {
 std::string end_of_left_text(const plan::Plan& plan) {
   return plan.left_updates.empty()
              ? ""
-             : "  before_instant(w, numbers, tick, static_cast<double>(tick + 1) * step);\n";
+             : fmt::format("  before_instant(w, numbers, tick, {});\n", time_text(plan, "tick + 1"));
 }
 
 bool watches(const plan::Plan& plan) {
@@ -165,9 +165,8 @@ std::string before_step_text(const plan::Plan& plan) {
   if (plan.updates_continuous) text += "  crossing_starts(w, numbers, tick);\n";
   text += "  look(w, numbers, tick, before);\n";
   if (!plan.edges.empty())
-    text +=
-        "  const bool has_edge = next_edge(w, numbers, tick) < solve::left_of(static_cast<double>(tick + 1) "
-        "* step, step);\n";
+    text += fmt::format("  const bool has_edge = next_edge(w, numbers, tick) < solve::left_of({}, step);\n",
+                        time_text(plan, "tick + 1"));
   return text + fmt::format("  for (int i = 0; i < {}; ++i) origin[i] = w[states + i];\n", states);
 }
 
@@ -195,14 +194,13 @@ std::string after_step_text(const plan::Plan& plan) {
 }
 
 std::string end_of_step_text(const plan::Plan& plan) {
-  constexpr char next[] = "static_cast<double>(tick + 1) * step";
+  const std::string next = time_text(plan, "tick + 1");
   return plan.jumps ? fmt::format("solve::left_of({}, step)", next) : next;
 }
 
 std::string times_of_step_text(const plan::Plan& plan) {
-  return fmt::format(
-      "  [[maybe_unused]] const double length = step, now = static_cast<double>(tick) * step, end = {};\n",
-      end_of_step_text(plan));
+  return fmt::format("  [[maybe_unused]] const double length = step, now = {}, end = {};\n",
+                     time_text(plan, "tick"), end_of_step_text(plan));
 }
 
 }  // namespace stepwire::codegen

@@ -7,6 +7,7 @@
 #include "engine/simulate/codegen/names.hpp"
 #include "engine/simulate/codegen/statements.hpp"
 #include "engine/simulate/codegen/value_text.hpp"
+#include "engine/simulate/codegen/workspace_text.hpp"
 
 namespace stepwire::codegen {
 
@@ -36,9 +37,9 @@ std::string PreparedText::set_up(std::size_t block, std::size_t k) {
   for (std::size_t m = 0; m < type.members.size(); ++m)
     if (!type.members[m].prepared.put)
       text += fmt::format("    b.{} = {};\n", type.members[m].member, member_text(block, m, k));
-  const double period = static_cast<double>(plan_.blocks[block].rate.ticks) * plan_.diagram.step;
   for (const ClockSpec& clock : type.clocks)
-    if (clock.bind_period) text += fmt::format("    b.{}.bind({});\n", clock.member, number_text(period));
+    if (clock.bind_period)
+      text += fmt::format("    b.{}.bind({});\n", clock.member, period_text(plan_, block));
   return text;
 }
 

@@ -48,6 +48,7 @@ class Maker {
     add_outputs();
     add_updates();
     if (plan_.layout.state_count > 0) add_slopes();
+    if (!plan_.end_updates.empty()) add_end();
     if (!plan_.left_updates.empty()) add_left();
     if (plan_.splits_steps()) add_events();
     add_advance();
@@ -128,7 +129,7 @@ class Maker {
   }
 
   void add_outputs() {
-    std::vector<Code> code{{stop_guard() + "  w[at::time] = static_cast<double>(tick) * step;\n"}};
+    std::vector<Code> code{{stop_guard() + "  w[at::time] = " + time_text(plan_, "tick") + ";\n"}};
     if (!plan_.timed.empty()) code.front().text += "  follow_time(w, numbers);\n";
     if (plan_.rest.empty()) {
       append(code, outputs_of(plan_.outputs));
@@ -155,6 +156,11 @@ class Maker {
   void add_updates() {
     functions_.add("update", state_parameters(), state_arguments,
                    calls_of(plan_, statements_, plan_.updates, Phase::update, at_tick()));
+  }
+
+  void add_end() {
+    functions_.add("updates_at_end", state_parameters(), state_arguments,
+                   calls_of(plan_, statements_, plan_.end_updates, Phase::update, at_tick()));
   }
 
   /// Adds the updates of blocks that read their inputs just before each instant.

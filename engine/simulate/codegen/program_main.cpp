@@ -77,8 +77,8 @@ constexpr char main_form[] =
     "  while (true) {{\n    d.evaluate();\n"
     "    if (!d.finite()) fault = \"a signal is no longer a finite number\";\n{3}    if (fault) "
     "break;\n    const bool last = d.tick >= {2} || d.stops();\n{1}"
-    "    if (last) break;\n    d.advance();\n"
-    "    fault = d.fault();\n    if (fault) break;\n  }}\n  finish();\n"
+    "    last ? d.look_at_end() : d.advance();\n"
+    "    fault = d.fault();\n    if (last || fault) break;\n  }}\n  finish();\n"
     "  if (!fault) return 0;\n"
     "  std::fprintf(stderr, \"%s (at %g s); the run ends here\\n\", fault, d.time());\n  "
     "return 2;\n}}\n";

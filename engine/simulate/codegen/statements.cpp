@@ -1,4 +1,5 @@
 #include "engine/simulate/codegen/statements.hpp"
+#include "engine/simulate/codegen/workspace_text.hpp"
 
 #include <fmt/format.h>
 
@@ -157,11 +158,10 @@ void Statements::bind_rest(std::size_t block, const Places& places, Pieces& piec
   for (std::size_t n = 0; n < type.diagnostics.size(); ++n)
     pieces.push_back(place(fmt::format("    b.{}.bind(", type.diagnostics[n].member),
                            planned.diagnostics[n].offset, ");\n", places));
-  const double period = static_cast<double>(planned.rate.ticks) * plan_.diagram.step;
   for (const ClockSpec& clock : type.clocks) {
     const std::string before = fmt::format("    b.{}.bind(", clock.member);
     pieces.push_back(clock.bind_time ? place(before, plan::Layout::time, ");\n", places)
-                                     : Piece{before, number_text(period), ");\n"});
+                                     : Piece{before, period_text(plan_, block), ");\n"});
   }
 }
 

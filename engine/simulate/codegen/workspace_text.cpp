@@ -24,6 +24,19 @@ std::string tables_text(const Literals& literals) {
   return "/// Lists of numbers that blocks read.\nnamespace table {\n" + tables + "}  // namespace table\n\n";
 }
 
+std::string time_text(const plan::Plan& plan, const std::string& tick) {
+  const TickTimes& times = plan.tick_times;
+  const std::string product = fmt::format("static_cast<double>({}) * {}", tick, number_text(times.numerator));
+  return times.denominator == 1.0 ? product : product + " / " + number_text(times.denominator);
+}
+
+std::string period_text(const plan::Plan& plan, std::size_t block) {
+  const double period = plan.time_of(plan.blocks[block].rate.ticks);
+  const TickTimes times = tick_times(period);
+  return fmt::format("{}, {{{}, {}}}", number_text(period), number_text(times.numerator),
+                     number_text(times.denominator));
+}
+
 std::string numbers_parameter(const LanePlaces& lanes, const std::string& name) {
   return (lanes.lanes > 1 ? "[[maybe_unused]] Lanes " : "[[maybe_unused]] double* ") + name;
 }

@@ -13,6 +13,11 @@ std::string places_text(const plan::Plan& plan, const PlaceNames& names);
 /// Returns the lists that were written as tables; an empty text without any.
 std::string tables_text(const Literals& literals);
 
+/// Returns the time of a tick, with `tick` as the text of its number.
+std::string time_text(const plan::Plan& plan, const std::string& tick);
+/// Returns the arguments for Period::bind().
+std::string period_text(const plan::Plan& plan, std::size_t block);
+
 /// Returns "double* w", in lanes "Lanes w".
 std::string numbers_parameter(const LanePlaces& lanes, const std::string& name);
 /// Returns the parameters of a function on the workspace and the numbers of a run.

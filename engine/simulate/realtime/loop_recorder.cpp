@@ -74,7 +74,7 @@ std::vector<LoopFile> loop_files(const plan::Plan& plan) {
   return files;
 }
 
-LoopRecorder::LoopRecorder(const plan::Plan& plan, RowRing& ring) : ring_(ring), step_(plan.diagram.step) {
+LoopRecorder::LoopRecorder(const plan::Plan& plan, RowRing& ring) : ring_(ring), time_of_(plan.tick_times) {
   for (const diagram::RecordRequest& request : plan.diagram.records) {
     Signals& signals = signals_.emplace_back();
     signals.every = record::ticks_between_rows(plan, request);
@@ -91,7 +91,7 @@ void LoopRecorder::record_signals(std::int64_t tick, double wall, const double* 
   for (Signals& signals : signals_) {
     if (tick != signals.next_tick) continue;
     signals.next_tick += signals.every;
-    signals.row[1] = static_cast<double>(tick) * step_;
+    signals.row[1] = time_of_(tick);
     signals.row[2] = static_cast<double>(tick);
     signals.row[3] = wall;
     for (std::size_t i = 0; i < signals.offsets.size(); ++i)
@@ -102,7 +102,7 @@ void LoopRecorder::record_signals(std::int64_t tick, double wall, const double* 
 
 void LoopRecorder::record_inputs(std::int64_t tick, const double* inputs) {
   if (inputs_row_.size() == before_inputs) return;
-  inputs_row_[1] = static_cast<double>(tick) * step_;
+  inputs_row_[1] = time_of_(tick);
   inputs_row_[2] = static_cast<double>(tick);
   std::copy_n(inputs, inputs_row_.size() - before_inputs, inputs_row_.begin() + before_inputs);
   push(inputs_row_);

@@ -49,7 +49,7 @@ class LoopRecorder {
   void push(const std::vector<double>& row);
 
   RowRing& ring_;
-  double step_;
+  TickTimes time_of_;
   std::vector<Signals> signals_;
   std::vector<double> inputs_row_;
   std::int64_t rows_ = 0, lost_ = 0;

@@ -40,7 +40,7 @@ std::vector<table::Column> empty_columns(const plan::Plan& plan, const diagram::
 
 Recorder::Recorder(const plan::Plan& plan, const diagram::RecordRequest& request,
                    std::vector<double*> columns)
-    : step_(plan.diagram.step),
+    : time_of_(plan.tick_times),
       every_(ticks_between_rows(plan, request)),
       ready_(std::numeric_limits<std::size_t>::max()),
       instants_(request.instants),
@@ -77,7 +77,7 @@ void Recorder::record_side(const double* values, Side side) {
 /// Returns to the row just before the tick, which is kept.
 void Recorder::go_back_to_side(std::int64_t tick) {
   const std::vector<double>& times = *grown_.front();
-  const auto at = std::ranges::lower_bound(times, static_cast<double>(tick) * step_);
+  const auto at = std::ranges::lower_bound(times, time_of_(tick));
   filled_ = std::min(times.size(), static_cast<std::size_t>(at - times.begin()) + (tick > 0 ? 1 : 0));
   side_ = Side::before;
   for (std::vector<double>* column : grown_) column->resize(filled_);

@@ -104,7 +104,7 @@ class Recorder {
 
   bool last_only_ = false;
   Side side_ = Side::before;  ///< side of the last row
-  double step_;               ///< [s]
+  TickTimes time_of_;
   std::int64_t every_, next_tick_ = 0;
   std::size_t filled_ = 0, ready_ = 0;
   bool instants_;                     ///< true if both sides of instants are recorded

@@ -21,8 +21,7 @@ void DiscretePhase::begin_event() {
   keep();
 }
 
-void DiscretePhase::round() {
-  event_outputs_.run();
+void DiscretePhase::update_at_event() {
   event_updates_.run();
   keep();
 }

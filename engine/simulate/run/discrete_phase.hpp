@@ -19,10 +19,11 @@ class DiscretePhase {
   /// True if the plan has outputs that can be computed ahead.
   bool goes_ahead() const { return !rest_.empty(); }
 
-  /// Begins an event: computes the outputs that guards read and keeps their values. round() then runs one
-  /// iteration of the event.
+  /// Begins an event: computes the outputs that guards read and keeps their values. An iteration of the event
+  /// is then find_event_outputs() and update_at_event().
   void begin_event();
-  void round();
+  void find_event_outputs() { event_outputs_.run(); }
+  void update_at_event();
 
  private:
   void keep();

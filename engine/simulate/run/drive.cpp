@@ -53,7 +53,7 @@ void Drive::prepare_checks() {
 
 void Drive::check_steps(bool last) {
   if (simulation_.tick() < next_check_ && !(last && judges_steps)) return;
-  simulation_.check_steps();
+  last ? simulation_.look_at_end() : simulation_.check_steps();
   next_check_ = next_step_check(simulation_.plan(), simulation_.tick());
 }
 

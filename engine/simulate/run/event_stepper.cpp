@@ -40,7 +40,12 @@ struct EventStepper::BetweenTicks {
     of.stepper_.follow_time();
   }
   void begin_event() const { of.phase_.begin_event(); }
-  void round() const { of.phase_.round(); }
+  bool round() const {
+    of.phase_.find_event_outputs();
+    const bool stops = of.looks_.stops();
+    of.phase_.update_at_event();
+    return stops;
+  }
   bool after() const {
     settle();
     if (of.sides_) of.sides_->after_event();

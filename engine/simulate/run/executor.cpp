@@ -16,7 +16,8 @@ Executor::Executor(const plan::Plan& plan)
       stepper_(blocks_, who_),
       left_(blocks_, who_, stepper_),
       setter_(blocks_),
-      health_(blocks_) {
+      health_(blocks_),
+      end_updates_(plan.end_updates, blocks_, who_) {
   if (plan.records_instants()) sides_.emplace(blocks_, who_, stepper_);
   if (plan.splits_steps())
     events_.emplace(blocks_, who_, stepper_, left_, phase_, sides_ ? &*sides_ : nullptr);
@@ -112,6 +113,15 @@ void Executor::check_steps() {
   if (!healthy()) return;
   find_unstable_steps(blocks_, stepper_, probe_memory_);
   health_.look_at_step();
+}
+
+void Executor::look_at_end() {
+  if (!healthy()) return;
+  if (!end_updates_.empty() && !has_stopped()) {
+    who_.find_due(workspace_.tick);
+    end_updates_.run_due();
+  }
+  check_steps();
 }
 
 void Executor::find_outputs() {

@@ -78,9 +78,11 @@ class Executor {
   void evaluate();
   /// Steps the run to the next tick: updates, then the solver. Call evaluate() before.
   void advance();
-  /// Checks whether the steps of the solver are unstable. Call it after evaluate() of the last tick, and of
-  /// those of next_step_check().
+  /// Checks whether the steps of the solver are unstable. Call it after evaluate() of the ticks of
+  /// next_step_check().
   void check_steps();
+  /// Checks the steps, and what blocks assert at the last row. Call it after evaluate() of the last tick.
+  void look_at_end();
   /// Reserves the memory of check_steps(), which then allocates only for steps in doubt.
   void prepare_checks() { probe_memory_.prepare(plan_); }
   /// False after a non-finite value, a failed step or a diagnostic that ends the run.
@@ -153,6 +155,7 @@ class Executor {
   std::optional<BothSides> sides_;      ///< present if both sides of instants are recorded
   ValueSetter setter_;
   Health health_;
+  CallTable end_updates_;
   std::optional<CallTable> last_outputs_;     ///< Outputs after a block has ended the run.
   const plan::CompiledPlan* code_ = nullptr;  ///< nullptr while interpreted
   std::optional<plan::NumberTable> numbers_;  ///< Numbers that the code reads.

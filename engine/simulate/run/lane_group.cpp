@@ -168,7 +168,7 @@ void LaneGroup::take_out(std::size_t lane, int how) {
   if (how != plan::LaneTask::last) return;
   for (record::Recorder& recorder : *runs_[lane].recorders)
     recorder.record(task_.tick, simulation.values(), true);
-  simulation.check_steps();
+  simulation.look_at_end();
 }
 
 std::vector<double> LaneGroup::values_of(std::size_t lane) const {

@@ -31,8 +31,8 @@ inline bool have_changed(const double* numbers, const double* copy, std::size_t 
 /// functions. Function edge() returns the time of the next edge, and begin() computes stage outputs and
 /// derivatives and calls follow(). Function failed() is true after a failed step; forget_fault() resets it.
 /// At an event, before() takes the values just before it, begin_event() computes what guards
-/// read, and round() outputs and updates. Function after() does
-/// the same as begin() and returns true if the run ends there.
+/// read. Function round() computes outputs and updates, and returns true if the run ends there by these
+/// outputs. Function after() does the same as begin() and returns true if the run ends there.
 template <class Run>
 class EventLocator {
  public:
@@ -277,9 +277,10 @@ class EventLocator {
   }
   bool settle() {
     const double* const place = values_ + task_.first;
+    bool stops = false;  // a reset of this instant may take the condition of the end away in a later round
     for (std::int64_t round = 0; true; ++round) {
       std::copy_n(place, task_.numbers, kept_);
-      run_.round();
+      stops = run_.round() || stops;
       const std::size_t same =
           static_cast<std::size_t>(std::mismatch(place, place + task_.numbers, kept_, is_same).first - place);
       if (same == task_.numbers) break;
@@ -288,7 +289,7 @@ class EventLocator {
         return false;
       }
     }
-    if (run_.after()) {
+    if (run_.after() || stops) {
       values_[task_.report + EventReport::stopped] = 1.0;
       return false;
     }

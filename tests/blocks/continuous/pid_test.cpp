@@ -85,6 +85,34 @@ TEST_CASE("Clamping stops the integral part at the limit and lets it leave at on
   CHECK(integral[2500] == Approx(integral[2000] - 1.0));
 }
 
+TEST_CASE("Limits of a PID are located") {
+  // The integral part is clamped at 0.2, from t = 0.25 s on, and leaves at 1.03 s with the slope -1.
+  const std::string located =
+      "events: locate\nstep: 100 ms\nstop: 1.5 s\nblocks:\n"
+      "  s: {block: Step, time: 1.03 s, before: 0.8, after: -1}\n";
+  for (const char* solver : {"euler", "rk4", "dormand_prince"}) {
+    INFO(solver);
+    const table::Table run = run_text(std::string("solver: ") + solver + "\n" + located +
+                                      "  p: {block: PID, u: s, kp: 0.125, ki: 1, upper: 0.3}\n"
+                                      "  q: {block: PID, u: s, kp: 0, ki: 1, integral_upper: 0.2}\n"
+                                      "record: [p, p.integral, q]\n");
+    CHECK(column(run, "p").back() == Approx(-0.125 + 0.2 - 0.47).margin(1e-9));
+    CHECK(column(run, "q").back() == Approx(0.2 - 0.47).margin(1e-9));
+  }
+}
+
+TEST_CASE("A located PID slides along its limit where its parts pull in opposite directions") {
+  // u falls by 0.1/s. Above the limit the command falls with kp u, below it rises with ki u: it stays there.
+  const table::Table run = run_text(
+      "events: locate\nstep: 10 ms\nstop: 2 s\nsolver: rk4\nblocks:\n  u: {block: Ramp, slope: -0.1, "
+      "initial: 1}\n"
+      "  p: {block: PID, u: u, kp: 1, ki: 1, upper: 1.25}\nrecord: [p, p.integral, u]\n");
+  for (std::size_t k = 40; k < run.rows(); ++k) {
+    CHECK(column(run, "p")[k] == Approx(1.25).margin(0.01));
+    CHECK(column(run, "p.integral")[k] + column(run, "u")[k] == Approx(1.25).margin(0.01));
+  }
+}
+
 TEST_CASE("Back calculation settles where what comes in is what is taken away") {
   // di/dt = 2 + (2 - 1 - i) / 0.25 from i = 1 at 0.5 s on: i = 1.5 - 0.5 exp(-(t - 0.5) / 0.25)
   const auto integral = integral_of("back_calculation, tracking: 250 ms");

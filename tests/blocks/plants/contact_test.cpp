@@ -39,6 +39,31 @@ double height(double time) {
 
 }  // namespace
 
+TEST_CASE("a body that is pressed on a stop rests there from the first instant") {
+  for (const char* events : {"tick", "locate"})
+    for (const char* solver : {"euler", "rk4"})
+      for (const char* side : {"lower", "upper"}) {
+        INFO(events << ' ' << solver << ' ' << side);
+        const double into = side == std::string("lower") ? -10.0 : 10.0;
+        const table::Table run =
+            run_text(std::string("step: 10 ms\nstop: 1 s\nsolver: ") + solver + "\nevents: " + events +
+                     "\nblocks:\n  f: {block: Constant, value: " + std::to_string(into) +
+                     " N}\n  h: {block: HardStop, mass: 1 kg, " + side +
+                     R"(: 0 m, restitution: 0.9, force: f, position: m.position, velocity: m.velocity}
+  t: {block: Sum, u: [f, h.y]}
+  m: {block: Mass, mass: 1 kg, force: t, reset: h.hit, value: h.rebound}
+record: [m.position, m.velocity, h.rests, h.y, h.hit]
+)");
+        for (std::size_t k = 0; k < run.rows(); ++k) {
+          CHECK(column(run, "h.y")[k] == -into);
+          CHECK(column(run, "h.rests")[k] == (into < 0.0 ? -1.0 : 1.0));
+          CHECK(column(run, "h.hit")[k] == 0.0);
+          CHECK(column(run, "m.position")[k] == 0.0);
+          CHECK(column(run, "m.velocity")[k] == 0.0);
+        }
+      }
+}
+
 TEST_CASE(
     "a ball bounces on a stop where its closed form has it, and then rests with the force of its weight") {
   const table::Table run = ball("locate", "restitution: 0.8, slow: 1e-4 m/s");

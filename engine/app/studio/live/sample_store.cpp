@@ -75,7 +75,7 @@ class Sums {
 }  // namespace
 
 SampleStore::SampleStore(double step, const StoreOptions& options)
-    : step_(step),
+    : times_(tick_times(step)),
       options_(options),
       in_memory_(options.chunks_in_memory),
       file_(folder_of(options), static_cast<std::size_t>(SampleColumn::chunk)) {}

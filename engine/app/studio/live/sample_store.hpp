@@ -49,7 +49,7 @@ class SampleStore {
   /// `step`: seconds per tick. Throws EnvironmentError.
   explicit SampleStore(double step, const StoreOptions& options = {});
 
-  double time_of(std::int64_t tick) const { return static_cast<double>(tick) * step_; }
+  double time_of(std::int64_t tick) const { return times_(tick); }
 
   /// Adds a column whose samples start at a tick; returns its index.
   std::size_t add(std::int64_t tick);
@@ -80,7 +80,7 @@ class SampleStore {
   void append_locked(std::span<const double> rows);
 
   mutable std::mutex mutex_;
-  double step_;
+  TickTimes times_;
   StoreOptions options_;
   std::size_t in_memory_;  ///< chunks of each column
   SpillFile file_;

@@ -69,6 +69,58 @@ record: t
   CHECK(column(result.recordings[0].table, "t") == std::vector<double>{0, 1, 2, 3});
 }
 
+TEST_CASE("an assertion that fails at the last row ends the run with its fault") {
+  // x = t is below 0.95 until the last row at 1 s; the Step falls there; `stop_when` ends a run at 1 s, too.
+  const std::string sinks = R"(  x: {block: Integrator, u: 1}
+  low: {block: Compare, u: x, operator: "<", to: 0.95}
+  fall: {block: Step, time: 1 s, before: 1, after: 0}
+)";
+  for (const char* head : {"stop: 1 s\n", "stop: 1 s\nevents: locate\n", "stop: 2 s\nstop_when: x > 0.95\n"})
+    for (const char* condition : {"low", "fall"}) {
+      INFO(head << condition);
+      const RunResult result = result_of("step: 100 ms\nsolver: rk4\n" + std::string(head) + "blocks:\n" +
+                                         sinks + "  a: {block: Assert, u: " + condition + "}\nrecord: [x]\n");
+      REQUIRE(result.faults.size() == 1);
+      CHECK(result.faults[0].block == "a");
+      CHECK(result.faults[0].time ==
+            Approx(std::string(head).find("locate") != std::string::npos && std::string(condition) == "low"
+                       ? 0.95
+                       : 1.0));
+    }
+}
+
+TEST_CASE("an assertion with a period is not judged at a last row between its ticks") {
+  const RunResult result = result_of(R"(blocks:
+  x: {block: Integrator, u: 1}
+  low: {block: Compare, u: x, operator: "<", to: 0.95}
+  a: {block: Assert, u: low, every: 300 ms}
+step: 100 ms
+stop: 1 s
+solver: rk4
+record: [x]
+)");
+  CHECK(result.faults.empty());
+}
+
+TEST_CASE("stop_when ends a run where a reset of the same instant takes its condition away") {
+  // x = t is reset where its value before the reset exceeds 0.55: within the step with `locate`, else at 0.6
+  // s.
+  for (const char* condition : {"h > 0", "x.before > 0.55"})
+    for (const char* events : {"locate", "tick"}) {
+      INFO(condition << ' ' << events);
+      const RunResult result = result_of(std::string("step: 100 ms\nstop: 2 s\nsolver: rk4\nevents: ") +
+                                         events + "\nstop_when: " + condition + R"(
+blocks:
+  h: {block: Compare, u: x.before, operator: ">", to: 0.55}
+  x: {block: Integrator, u: 1, reset: h}
+record: [x.before]
+)");
+      CHECK(result.faults.empty());
+      const double end = std::string(events) == "tick" ? 0.6 : 0.55;
+      CHECK(column(result.recordings[0].table, "time").back() == Approx(end).epsilon(1e-11));
+    }
+}
+
 TEST_CASE("what a block has to say is told once, with the time at which it happened first") {
   const RunResult result = result_of(R"(blocks:
   current: {block: Ramp, slope: 0.1 A/s}

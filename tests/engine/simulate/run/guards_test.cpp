@@ -15,6 +15,27 @@ bool is_on(std::size_t tick) {
 
 }  // namespace
 
+TEST_CASE("a signal that is called as a constant hides it in conditions") {
+  // Each condition becomes true at 0.3 s. Of a run of 1 s 0.7 s are left.
+  const auto text = [](const std::string& name, const std::string& head, const std::string& of_x) {
+    return "step: 100 ms\nstop: 1 s\nsolver: rk4\n" + head + "blocks:\n  " + name +
+           ": {block: Step, time: 0.3 s}\n  x: {block: Integrator, u: 1" + of_x + "}\nrecord: [x]\n";
+  };
+  for (const std::string name : {"e", "pi"})
+    for (const std::string events : {"", "events: locate\n"})
+      for (const std::string condition :
+           {name, name + " > 0.5", "2*" + name + " >= 2", "time > 0 s && !(0.5 > " + name + ")"}) {
+        INFO(events << condition);
+        const table::Table on = run_text(text(name, events, ", enable: \"" + condition + "\""));
+        CHECK(column(on, "x").back() == Approx(0.7));
+        const table::Table ended = run_text(text(name, events + "stop_when: \"" + condition + "\"\n", ""));
+        CHECK(column(ended, "time").back() == 0.3);
+      }
+  // The other constant is one.
+  CHECK(column(run_text(text("e", "", ", enable: e > pi - 3")), "x").back() == Approx(0.7));
+  CHECK(column(run_text(text("pi", "", ", enable: pi > e - 2.5")), "x").back() == Approx(0.7));
+}
+
 TEST_CASE("a counter counts while it is enabled, and holds its count meanwhile") {
   const Rig rig;
   const table::Table run = rig.run("  c: {diagram: counter.yaml, enable: on}\n", "[c.count, c.active]");
