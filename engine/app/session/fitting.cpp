@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/analyse/estimation/search_items.hpp"
+#include "engine/analyse/estimation/searches.hpp"
 #include "engine/app/session/build_note.hpp"
 #include "engine/app/session/search_parts.hpp"
 #include "engine/base/io/file.hpp"

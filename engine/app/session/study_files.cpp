@@ -3,8 +3,8 @@
 
 #include "engine/analyse/study/comparison_tables.hpp"
 #include "engine/analyse/study/distribution.hpp"
-#include "engine/analyse/study/sequence_columns.hpp"
 #include "engine/analyse/study/side_by_side.hpp"
+#include "engine/analyse/study/study_columns.hpp"
 #include "engine/analyse/study/study_tables.hpp"
 #include "engine/app/session/recorded_study.hpp"
 #include "engine/app/session/repetition_figure.hpp"

@@ -5,7 +5,6 @@
 #include <cstdlib>
 
 #include "engine/analyse/query/names_reading.hpp"
-#include "engine/analyse/query/place_reading.hpp"
 #include "engine/view/drawing/draw.hpp"
 #include "engine/view/plot/rig.hpp"
 

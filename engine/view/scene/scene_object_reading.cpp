@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "engine/analyse/query/place_reading.hpp"
+#include "engine/analyse/query/names_reading.hpp"
 
 namespace stepwire::scene {
 

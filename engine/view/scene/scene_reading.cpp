@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "engine/analyse/query/names_reading.hpp"
 #include "engine/analyse/query/number.hpp"
-#include "engine/analyse/query/place_reading.hpp"
 #include "engine/view/drawing/draw.hpp"
 #include "engine/view/scene/scene.hpp"
 #include "engine/view/scene/scene_object_reading.hpp"
