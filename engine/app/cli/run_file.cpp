@@ -26,7 +26,7 @@
 #include "engine/base/io/file.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
-#include "engine/view/render/figure_file.hpp"
+#include "engine/view/render/render.hpp"
 
 namespace stepwire::cli {
 

@@ -6,7 +6,7 @@
 #include "engine/app/session/build_note.hpp"
 #include "engine/app/session/search_parts.hpp"
 #include "engine/base/io/file.hpp"
-#include "engine/view/render/figure_file.hpp"
+#include "engine/view/render/render.hpp"
 
 namespace stepwire::session {
 

@@ -15,7 +15,7 @@
 #include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/simulate/run/code_trial.hpp"
 #include "engine/simulate/run/memory.hpp"
-#include "engine/view/render/figure_file.hpp"
+#include "engine/view/render/render.hpp"
 
 namespace stepwire::session {
 

@@ -10,8 +10,8 @@
 #include "engine/base/io/file.hpp"
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/view/plot/figure_spec.hpp"
-#include "engine/view/render/figure_file.hpp"
-#include "engine/view/render/scene_animation.hpp"
+#include "engine/view/render/render.hpp"
+#include "engine/view/render/scene_drawing.hpp"
 
 namespace stepwire::session {
 

@@ -13,7 +13,7 @@
 #include "engine/base/text/characters.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/simulate/run/pooling.hpp"
-#include "engine/view/render/figure_file.hpp"
+#include "engine/view/render/render.hpp"
 
 namespace stepwire::session {
 

@@ -14,7 +14,7 @@
 #include "engine/app/session/search_parts.hpp"
 #include "engine/app/session/study_parts.hpp"
 #include "engine/base/io/file.hpp"
-#include "engine/view/render/figure_file.hpp"
+#include "engine/view/render/render.hpp"
 #include "engine/view/scene/scene_states.hpp"
 
 namespace stepwire::session {

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "engine/analyse/query/formula.hpp"
 #include "engine/analyse/query/run_rows.hpp"
 #include "engine/view/plot/drawn.hpp"

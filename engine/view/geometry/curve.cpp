@@ -1,4 +1,4 @@
-#include "engine/view/geometry/extent.hpp"
+#include "engine/view/geometry/curve.hpp"
 
 #include <algorithm>
 #include <cmath>

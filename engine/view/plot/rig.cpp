@@ -1,18 +1,38 @@
+#include "engine/view/plot/rig.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "engine/analyse/query/names_reading.hpp"
 #include "engine/view/drawing/draw.hpp"
-#include "engine/view/plot/rig.hpp"
 
 namespace stepwire::plot {
 
 using yaml::form;
 
 namespace {
+
+constexpr std::size_t any_number = 1000;
+
+std::size_t dimensions_of(const Rig& rig) {
+  std::size_t most = 2;
+  for (const RigElement& element : rig.elements)
+    for (const RigPoint& point : element.points) most = std::max(most, point.size());
+  return most;
+}
+
+json::Json element_json(const RigElement& element, json::Json points) {
+  json::Json json = json::Json::object().set("kind", element.kind).set("points", std::move(points));
+  if (!element.name.empty()) json.set("name", element.name);
+  if (element.body) json.set("body", *element.body);
+  if (element.offset != 0.0) json.set("offset", element.offset);
+  if (!element.direction.empty()) json.set("direction", json::Json::list_of(element.direction));
+  return json;
+}
 
 /// Returns a row of a block's parameter, by the text "anchors.1".
 std::optional<RigPoint> row_of(const diagram::DiagramBlock& block, const std::string& rest) {
@@ -90,6 +110,42 @@ void read_direction(RigElement& element, const yaml::Node& node, const RigReadin
   const bool any = std::ranges::any_of(element.direction, [](double one) { return one != 0.0; });
   if (!any || element.direction.size() < 2 || element.direction.size() > query::max_coordinates)
     read.fault(node.mark, "a direction is an angle such as 60 deg, or shares along the axes: [0, 0, 1]");
+}
+
+/// Returns all kinds of elements; mechanism.mjs draws them.
+const std::vector<RigKind>& rig_kinds() {
+  static const std::vector<RigKind> kinds{
+      {"damper", "it takes two: where its housing is held, and the end of its rod"},
+      {"motor", "a linear motor takes two: where its housing is held, and the end of its rod"},
+      {"spring", "it takes two ends"},
+      {"rod", "it takes two ends"},
+      {"potentiometer",
+       "a string potentiometer beside a link takes two: where it is held, and the end of its string"},
+      {"lvdt", "beside a link, it takes two: where it is held, and the end of its core"},
+      {"dashpot", "it takes two ends"},
+      {"bouc_wen", "it takes two ends"},
+      {"load_cell", "it takes the two ends of the link at whose second end it is"},
+      {"arrow", "it takes two: its beginning and its tip"},
+      {"force", "it takes the point at which it acts", 1, 1, true},
+      {"motion", "it takes the point that goes to and fro", 1, 1, true},
+      {"torque", "it takes the point about which it turns", 1, 1},
+      {"axis", "it takes two ends"},
+      {"dimension", "it takes the two points whose distance it shows"},
+      {"ground", "it takes the joints that are at the ground", 1, any_number},
+      {"universal", "it takes the universal joints that are at the ground", 1, any_number},
+      {"pin", "it takes the joints that are drawn", 1, any_number},
+      {"end_effector", "it takes one point", 1, 1},
+      {"carriage", "it takes the point at which its damper ends", 1, 1},
+      {"shaker", "it takes the point that it moves, along x or in its direction", 1, 1, true},
+      {"rotary_damper", "it takes its centre", 1, 1},
+      {"slide", "it takes the point that slides", 1, 1, true},
+      {"box", "a body takes two opposite corners"},
+      {"wall", "it takes two ends; what stands on it lies to the right of the way"},
+      {"base", "it takes the corners of a plate, or two opposite ones", 2, any_number},
+      {"workspace", "it takes two opposite corners, or the corners of a polygon", 2, any_number},
+      {"path", "it takes one point, whose way is drawn", 1, 1},
+  };
+  return kinds;
 }
 
 std::vector<ElementTable::Row> element_rows() {
@@ -172,6 +228,20 @@ std::vector<const query::Formula*> formulas_of(const Rig& rig) {
 }
 
 }  // namespace
+
+json::Json rig_json(
+    const Rig& rig,
+    const std::function<json::Json(const RigElement& element, std::size_t dimensions)>& points) {
+  const std::size_t dimensions = dimensions_of(rig);
+  json::Json elements = json::Json::list();
+  for (const RigElement& element : rig.elements)
+    elements.push(element_json(element, points(element, dimensions)));
+  json::Json json = json::Json::object().set("title", rig.title).set("dimensions", dimensions);
+  json.set("axes", json::Json::list_of(rig.axes));
+  if (rig.z_up) json.set("up", "z");
+  if (rig.schematic) json.set("schematic", true);
+  return json.set("elements", std::move(elements));
+}
 
 const yaml::Key& rig_form() {
   return rig_table().form;
