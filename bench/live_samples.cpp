@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/app/studio/live/frame.hpp"
+#include "engine/app/studio/live/frame_views.hpp"
 
 namespace {
 
@@ -50,7 +50,8 @@ void measure_store(std::size_t signals) {
     });
     rates.push_back(static_cast<double>(count * rows.size()) / seconds);
   }
-  row(fmt::format("samples of {} signals into store, extremes and disk", signals).c_str(), median(rates), "per s");
+  row(fmt::format("samples of {} signals into store, extremes and disk", signals).c_str(), median(rates),
+      "per s");
 }
 
 void measure_views() {

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "engine/app/cluster/group_size.hpp"
+#include "engine/app/cluster/item_server.hpp"
 
 namespace schedule {
 
@@ -44,7 +44,8 @@ class Call {
       const Message message = coming_.top();
       coming_.pop();
       now_ = std::max(now_, message.time);
-      work((message.requests ? costs_.answer : one_way()) + costs_.item * static_cast<double>(message.results));
+      work((message.requests ? costs_.answer : one_way()) +
+           costs_.item * static_cast<double>(message.results));
       if (message.requests) answer(message);
     }
     return now_;

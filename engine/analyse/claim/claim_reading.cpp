@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
 
 #include "engine/analyse/claim/claim.hpp"
-#include "engine/analyse/claim/claim_comparison.hpp"
-#include "engine/analyse/claim/claim_range.hpp"
-#include "engine/analyse/claim/claim_words.hpp"
+#include "engine/analyse/claim/reduce.hpp"
 #include "engine/analyse/claim/run_formula.hpp"
-#include "engine/analyse/claim/step_reductions.hpp"
 #include "engine/analyse/query/number.hpp"
 #include "engine/analyse/query/series.hpp"
 
@@ -17,6 +17,186 @@ namespace stepwire::claim {
 using yaml::form;
 
 namespace {
+
+/// Range of the numbers that a reduction can return for any input; infinite where unbounded.
+struct ReducedRange {
+  double least, most;
+};
+
+/// True if a comparison accepts every number of a range.
+bool accepts(const Comparison& comparison, const ReducedRange& range) {
+  const double low = comparison.low, within = comparison.within;
+  switch (comparison.kind) {
+    case Comparison::Kind::at_most:
+      return low >= range.most;
+    case Comparison::Kind::at_least:
+      return low <= range.least;
+    case Comparison::Kind::between:
+      return low <= range.least && comparison.high >= range.most;
+    case Comparison::Kind::equals:
+      break;
+  }
+  return std::isfinite(range.most) && low - within <= range.least && low + within >= range.most;
+}
+
+ReducedRange reduced_range(Reduction reduction) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  switch (reduction) {
+    case Reduction::fraction:
+    case Reduction::fraction_of_runs:
+      return {0.0, 1.0};
+    case Reduction::rising:
+      return {-1.0, 1.0};
+    case Reduction::count:
+    case Reduction::rms:
+    case Reduction::spread:
+    case Reduction::overshoot:
+    case Reduction::rise_time:
+    case Reduction::settling_time:
+    case Reduction::peak_time:
+    case Reduction::iae:
+    case Reduction::steady_error:
+      return {0.0, infinity};
+    case Reduction::fit:
+      return {-infinity, 100.0};
+    default:
+      return {-infinity, infinity};
+  }
+}
+
+/// True for a formula that reads nothing of the run. Parameters count as part of the run, since they may be
+/// fitted. So do the values of figures, scenes and blocks: a claim about them can fail.
+bool names_nothing(const query::Formula& formula, const query::SymbolTable& names) {
+  return formula.columns.empty() && formula.text.find('$') == std::string::npos &&
+         std::ranges::none_of(names.drawn, [&](const query::NamedFormula& one) {
+           return formula.text.find(one.name) != std::string::npos;
+         });
+}
+
+std::string range_text(const ReducedRange& range) {
+  if (!std::isfinite(range.most)) return fmt::format("is {:g} or more", range.least);
+  if (!std::isfinite(range.least)) return fmt::format("is {:g} or less", range.most);
+  return fmt::format("lies between {:g} and {:g}", range.least, range.most);
+}
+
+/// Returns advice on a bound with which the claim can fail.
+std::string failing_limit(Comparison::Kind kind, const ReducedRange& range) {
+  switch (kind) {
+    case Comparison::Kind::at_least:
+      return fmt::format("give a number above {:g}", range.least);
+    case Comparison::Kind::at_most:
+      return fmt::format("give a number below {:g}", range.most);
+    default:
+      return "leave out a part of that range";
+  }
+}
+
+/// Adds a fault for a claim whose verdict does not depend on the run. Either no formula reads anything of the
+/// run, or the comparison accepts every number that the reduction can return ('fraction' at least 0).
+void check_can_fail(const yaml::Node& node, const Claim& claim, const query::NamesReading& read) {
+  static const std::vector<std::string> keys{"equals", "at_most", "at_least", "between"};
+  const std::string &reduced = reduction_names()[static_cast<std::size_t>(claim.reduction)],
+                    &compared = keys[static_cast<std::size_t>(claim.comparison.kind)];
+  const auto is_fixed = [&](const query::Formula& formula) { return names_nothing(formula, read.names); };
+  if (std::ranges::all_of(claim.values, is_fixed) && (!claim.where || is_fixed(*claim.where)))
+    return yaml::below(read, reduced)
+        .fault(node.find(reduced)->mark,
+               fmt::format("'{}' names nothing that the run gives, so that nothing is judged of it; name a "
+                           "recorded signal",
+                           claim.values.front().text));
+  const ReducedRange range = reduced_range(claim.reduction);
+  if (accepts(claim.comparison, range))
+    yaml::below(read, compared)
+        .fault(node.find(compared)->mark,
+               fmt::format("'{}' {}, so that this cannot fail; {}", reduced, range_text(range),
+                           failing_limit(claim.comparison.kind, range)));
+}
+
+/// Adds a fault unless a number has the unit of the claim's value, or both are in SI.
+void check_unit(const query::WantedNumber& number, const yaml::Node& node, const Claim& claim,
+                const std::optional<unit::Dimension>& dimension, const query::NamesReading& read) {
+  query::check_dimension(number, dimension, "the claim's value", node, read.names, read.subject, read.faults);
+  const bool has_unit =
+      number.dimension && (*number.dimension != unit::Dimension{} || number.dimension->angle != 0.0);
+  if (!has_unit || dimension || claim.values.empty()) return;
+  const bool is_integral = claim.reduction == Reduction::iae;
+  const unit::Dimension of_value =
+      is_integral ? *number.dimension / unit::parse_unit("s")->dimension : *number.dimension;
+  read.fault(node.mark,
+             fmt::format("{} has a unit, but that of '{}' is not known; {}", number.text,
+                         claim.values.front().text, query::unit_cure(claim.values.front(), of_value)));
+}
+
+bool has_offset(const std::string& unit) {
+  const auto parsed = unit::parse_unit(unit);
+  return parsed && parsed->offset != 0.0L;
+}
+
+/// Adds a fault for a bare number if the value is shown in a unit other than SI.
+void refuse_bare(const query::WantedNumber& number, const yaml::Node& node, const Claim& claim,
+                 const query::NamesReading& read) {
+  const auto shown = unit::parse_unit(claim.comparison.unit);
+  const bool is_bare = !number.dimension && number.value != 0.0 && unit::parse_quantity(node.text);
+  if (is_bare && shown && claim.comparison.unit != "%" && (shown->scale != 1.0L || shown->offset != 0.0L))
+    read.fault(node.mark, fmt::format("{0} has no unit, but the value is in {1}; write {0} {1}", node.text,
+                                      claim.comparison.unit));
+}
+
+/// Reads the number on the right of a comparison, in SI. Adds a fault and returns std::nullopt if its unit
+/// does not fit the value.
+std::optional<double> read_compared(const yaml::Node& node, Claim& claim, const query::NamesReading& read) {
+  auto number = query::read_number(node, read.names, read.subject, read.faults);
+  if (!number) return std::nullopt;
+  if (claim.reduction == Reduction::fit && number->unit == "%") return 100.0 * number->value;
+  check_unit(*number, node, claim, reduced_dimension(claim), read);
+  if (claim.comparison.unit.empty())
+    claim.comparison.unit = number->unit;
+  else
+    refuse_bare(*number, node, claim, read);
+  return number->value;
+}
+
+/// Returns a number as written in the file; the SI unit is appended to one without a unit.
+std::string written_number(const yaml::Node& node, const Claim& claim) {
+  const auto number = unit::parse_quantity(node.text);
+  const auto dimension = reduced_dimension(claim);
+  if (!number || number->dimension || !dimension || *dimension == unit::Dimension{}) return node.text;
+  return node.text + " " + unit::si_name(*dimension);
+}
+
+/// Reads both ends of `between`.
+void read_between(const yaml::Node& node, Claim& claim, const query::NamesReading& read) {
+  const auto* ends = read.pair(node, yaml::like("[3.1 N, 3.3 N]", {}));
+  if (!ends) return;
+  const yaml::Node &first = ends->front(), &second = ends->back();
+  const auto low = read_compared(first, claim, read), high = read_compared(second, claim, read);
+  if (low && high && *low > *high)
+    read.fault(node.mark,
+               fmt::format("{} is above {}; the smaller number comes first", first.text, second.text));
+  claim.comparison.low = low.value_or(0.0);
+  claim.comparison.high = high.value_or(0.0);
+  claim.comparison.text =
+      fmt::format("between {} and {}", written_number(first, claim), written_number(second, claim));
+}
+
+/// Reads the tolerance of `equals`.
+void read_within(Claim& claim, const yaml::Node& node, const query::NamesReading& read) {
+  Comparison& comparison = claim.comparison;
+  const auto number = query::read_number(node, read.names, read.subject, read.faults);
+  if (!number || comparison.kind != Comparison::Kind::equals) return;
+  const bool relative = number->unit == "%";
+  if (!relative) check_unit(*number, node, claim, difference_dimension(claim), read);
+  if (relative && has_offset(comparison.unit))
+    read.fault(node.mark,
+               fmt::format("{} of a temperature in {} is a share of its kelvins; give a tolerance in K",
+                           node.text, comparison.unit));
+  comparison.within = relative ? number->value * std::abs(comparison.low) : number->value;
+  comparison.text += " within " + written_number(node, claim);
+  if (relative && comparison.low == 0.0)
+    read.fault(node.mark,
+               fmt::format("{} of 0 is 0; give a tolerance with the unit of the value", node.text));
+  if (comparison.within < 0.0) read.fault(node.mark, "a tolerance is not negative");
+}
 
 using ClaimRow = yaml::KeyRow<Claim, query::NamesReading>;
 

@@ -4,14 +4,185 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
-#include "engine/analyse/claim/claim_rows.hpp"
-#include "engine/analyse/claim/claim_words.hpp"
-#include "engine/analyse/claim/judge_runs.hpp"
+#include "engine/analyse/claim/run_formula.hpp"
+#include "engine/analyse/statistics/descriptive.hpp"
+#include "engine/analyse/statistics/proportion.hpp"
 
 namespace stepwire::claim {
 namespace {
+
+constexpr double shown_confidence = 0.95;  // default of claims without a confidence level
+
+/// Estimate over several runs with its confidence interval.
+struct Found {
+  double value = query::nothing;
+  statistics::ConfidenceInterval interval{query::nothing, query::nothing};
+  bool low_is_open = false, high_is_open = false;  ///< True: more runs are needed to bound that end.
+};
+
+/// True if `where` selects a row of the run.
+bool is_selected(const std::vector<double>& where, const record::Recording& recording, std::size_t run) {
+  const std::size_t end =
+      run + 1 < recording.starts.size() ? recording.starts[run + 1] : recording.table.rows();
+  for (std::size_t row = recording.starts[run]; row < end; ++row)
+    if (where[row] != 0.0 && !std::isnan(where[row])) return true;
+  return false;
+}
+
+Found fraction_of(const std::vector<double>& numbers, double confidence) {
+  const auto count =
+      static_cast<std::size_t>(std::ranges::count_if(numbers, [](double number) { return number != 0.0; }));
+  return {static_cast<double>(count) / static_cast<double>(numbers.size()),
+          statistics::proportion_interval(count, numbers.size(), confidence)};
+}
+
+Found quantile_of(std::vector<double> numbers, double share, double confidence) {
+  std::ranges::sort(numbers);
+  const statistics::RankInterval ranks = statistics::quantile_ranks(numbers.size(), share, confidence);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {statistics::hazen_quantile(numbers, share),
+          {ranks.low ? numbers[*ranks.low] : -infinity, ranks.high ? numbers[*ranks.high] : infinity},
+          !ranks.low,
+          !ranks.high};
+}
+
+/// Returns the reason why the runs are too few for a verdict: the deciding end of the interval is open. Empty
+/// if they suffice.
+std::string undecided(const Claim& claim, const Found& found, double confidence, std::size_t runs) {
+  const Comparison& comparison = claim.comparison;
+  const bool low = found.low_is_open && comparison.margin(found.interval.low) < 0.0;
+  const bool high = found.high_is_open && comparison.margin(found.interval.high) < 0.0;
+  if (!low && !high) return "";
+  const std::string side = low && high ? "" : low ? " from below" : " from above";
+  if (claim.share <= 0.0 || claim.share >= 1.0)
+    return fmt::format(
+        "undecided: no number of runs bounds the {:g} % quantile{}; take a share between 0 and 1",
+        100.0 * claim.share, side);
+  return fmt::format("undecided: {} runs do not bound the {:g} % quantile{} at {:g} % confidence; {} runs do",
+                     runs, 100.0 * claim.share, side, 100.0 * confidence,
+                     statistics::values_for_both_ranks(claim.share, confidence));
+}
+
+std::string shown_text(const Claim& claim, const Found& found, double confidence, std::size_t runs) {
+  const auto text = [&](double value) { return value_text(claim, value, std::abs(found.value)); };
+  return fmt::format("{} in {} runs ({} to {} at {:g} % confidence)", text(found.value), runs,
+                     text(found.interval.low), text(found.interval.high), 100.0 * confidence);
+}
+
+/// Adds the numbers of the selected runs, for a claim about a fraction or a quantile of runs. Throws
+/// std::invalid_argument for a missing column.
+void add_numbers(const Claim& claim, std::span<const record::Recording> runs, std::vector<double>& numbers) {
+  const auto values = values_of(*claim.of_run, runs);
+  const record::Recording& recording = runs[claim.recording];
+  const std::vector<double> where =
+      claim.where ? query::evaluate(*claim.where, recording) : std::vector<double>{};
+  for (std::size_t run = 0; run < values.size(); ++run)
+    if (values[run] && (!claim.where || is_selected(where, recording, run))) numbers.push_back(*values[run]);
+}
+
+/// Judges such a claim on the numbers of all selected runs.
+void judge_runs(const Claim& claim, const std::vector<double>& numbers, Verdict& verdict) {
+  const auto undefined = std::ranges::count_if(numbers, [](double number) { return std::isnan(number); });
+  if (numbers.empty()) {
+    verdict.note = "no run counts";
+    return;
+  }
+  if (undefined > 0) {
+    verdict.note = fmt::format("the value is not a number in {} of {} runs", undefined, numbers.size());
+    return;
+  }
+  const double confidence = claim.confidence.value_or(shown_confidence);
+  const Found found = claim.reduction == Reduction::fraction_of_runs
+                          ? fraction_of(numbers, confidence)
+                          : quantile_of(numbers, claim.share, confidence);
+  verdict.value = found.value;
+  verdict.interval = found.interval;
+  verdict.confidence = confidence;
+  verdict.shown = shown_text(claim, found, confidence, numbers.size());
+  verdict.note = undecided(claim, found, confidence, numbers.size());
+  if (!verdict.note.empty()) return;
+  const Comparison& comparison = claim.comparison;
+  verdict.holds = claim.confidence ? std::min(comparison.margin(found.interval.low),
+                                              comparison.margin(found.interval.high)) >= 0.0
+                                   : comparison.margin(found.value) >= 0.0;
+}
+
+/// Error: a claim has no value. The text holds the reason.
+struct Unjudged : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Sets the result to nan where a column of a comparison is nan; the comparison is neither true nor false
+/// there.
+void leave_undefined(const query::Formula& formula, const record::Recording& recording,
+                     std::vector<double>& values) {
+  for (const std::string& name : formula.columns) {
+    const table::Column& column = *recording.table.find(name);  // evaluate() has found it
+    for (std::size_t row = 0; row < values.size(); ++row)
+      if (std::isnan(column.values[row])) values[row] = query::nothing;
+  }
+}
+
+/// Returns the row that `final` or `at` reads in one run.
+std::size_t row_looked_at(const Claim& claim, const Rows& rows, std::size_t run) {
+  const std::size_t begin = rows.starts[run], end = rows.run_end(run);
+  if (claim.reduction == Reduction::final)
+    for (std::size_t row = end; row-- > begin;)
+      if (rows.selected[row]) return row;
+  const double last = rows.time[end - 1], slack = end - begin > 1 ? last - rows.time[end - 2] : 0.0;
+  if (claim.time < rows.time[begin] || claim.time > last + 0.5 * slack)
+    throw Unjudged(fmt::format("there is no row at {} s; the record goes from {} s to {} s", claim.time,
+                               rows.time[begin], last));
+  std::size_t nearest = begin;
+  for (std::size_t row = begin; row < end; ++row)
+    if (std::abs(rows.time[row] - claim.time) < std::abs(rows.time[nearest] - claim.time)) nearest = row;
+  if (!rows.selected[nearest])
+    throw Unjudged(
+        fmt::format("'{}' does not select the row at {} s", claim.where->text, rows.time[nearest]));
+  return nearest;
+}
+
+bool has_one_row(const Claim& claim) {
+  return claim.reduction == Reduction::final || claim.reduction == Reduction::at;
+}
+
+/// Evaluates a claim's formulas on a recording. Throws Unjudged, and std::invalid_argument for a missing
+/// column.
+Rows rows_of(const Claim& claim, const record::Recording& recording) {
+  Rows rows;
+  rows.value = query::evaluate(claim.values.at(0), recording);
+  if (claim.values.size() > 1) rows.other = query::evaluate(claim.values[1], recording);
+  if (const table::Column* time = recording.table.find("time"))
+    rows.time = time->values;
+  else
+    throw Unjudged("no time was recorded");
+  if (claim.reduction == Reduction::fraction || claim.reduction == Reduction::count)
+    leave_undefined(claim.values[0], recording, rows.value);
+  rows.selected.assign(rows.value.size(), true);
+  rows.starts = recording.starts;
+  rows.free_offset = claim.free_offset;
+  rows.share = claim.share;
+  if (!claim.where) return rows;
+  const auto where = query::evaluate(*claim.where, recording);
+  // A condition that is nan is not met.
+  for (std::size_t i = 0; i < where.size(); ++i) rows.selected[i] = where[i] != 0.0 && !std::isnan(where[i]);
+  return rows;
+}
+
+/// Returns the number of one run with at least one selected row. Throws Unjudged if it has none.
+double value_of_run(const Claim& claim, const Rows& rows, std::size_t run) {
+  return has_one_row(claim) ? rows.value[row_looked_at(claim, rows, run)]
+                            : reduce(claim.reduction, rows.of_run(run));
+}
+
+/// True if `where` selects at least one row of a run.
+bool selects_any(const Rows& rows, std::size_t run) {
+  const auto at = [&](std::size_t row) { return rows.selected.begin() + static_cast<std::ptrdiff_t>(row); };
+  return std::find(at(rows.starts[run]), at(rows.run_end(run)), true) != at(rows.run_end(run));
+}
 
 /// True if the claim judges a number of each run.
 bool looks_at_runs(const Claim& claim) {
@@ -142,6 +313,22 @@ Verdict judge(const Claim& claim, std::span<const record::Recording> recordings)
   Judge judge(claim);
   judge.add(recordings);
   return judge.verdict();
+}
+
+std::vector<std::optional<double>> values_of_runs(const Claim& claim,
+                                                  std::span<const record::Recording> recordings) {
+  if (claim.recording >= recordings.size()) return {};
+  const Rows rows = rows_of(claim, recordings[claim.recording]);
+  std::vector<std::optional<double>> values(rows.starts.size());
+  for (std::size_t run = 0; run < values.size(); ++run) {
+    if (!selects_any(rows, run)) continue;
+    try {
+      values[run] = value_of_run(claim, rows, run);
+    } catch (const Unjudged&) {
+      values[run] = query::nothing;
+    }
+  }
+  return values;
 }
 
 }  // namespace stepwire::claim

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "engine/analyse/claim/claim.hpp"
@@ -61,5 +60,15 @@ bool keeps_rows(Reduction reduction);
 /// Reduces all selected rows of all runs; at least one row must be selected. Not for `final` and `at`. Step
 /// reductions accept the rows of one run only.
 double reduce(Reduction reduction, const Rows& rows);
+
+/// True for overshoot, rise_time, settling_time, peak_time, iae and steady_error, which are defined for one
+/// run.
+bool is_of_step(Reduction reduction);
+
+/// Computes such a number from the selected rows of one run; at least one must be selected. Definitions are
+/// those of stepinfo in MATLAB. The first selected row is the initial value, the last one the final value.
+/// Times count from the first row and are interpolated linearly. Returns nan if the signal ends at its
+/// initial value, or if a value is nan.
+double reduce_step(Reduction reduction, const Rows& rows);
 
 }  // namespace stepwire::claim

@@ -2,15 +2,36 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "engine/analyse/estimation/resolution.hpp"
-#include "engine/analyse/statistics/student.hpp"
+#include "engine/analyse/statistics/distributions.hpp"
 
 namespace stepwire::estimation {
-
 namespace {
+
+// Differences of runs have an error of about 1e-8 of a column; determined directions are larger.
+constexpr double negligible = 1e-6;
+
+constexpr Eigen::Index longest = 2000;  // rows; a longer correlation means a wrong model
+
+/// Calls visit(first, count) for each segment.
+template <class Visit>
+void each_stretch(Eigen::Index rows, const std::vector<Eigen::Index>& starts, const Visit& visit) {
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    visit(starts[i], (i + 1 < starts.size() ? starts[i + 1] : rows) - starts[i]);
+}
+
+double autocovariance(const Eigen::VectorXd& r, const std::vector<Eigen::Index>& starts, Eigen::Index lag) {
+  double sum = 0.0;
+  each_stretch(r.size(), starts, [&](Eigen::Index first, Eigen::Index count) {
+    if (count > lag) sum += r.segment(first, count - lag).dot(r.segment(first + lag, count - lag));
+  });
+  return sum;
+}
 
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -77,7 +98,86 @@ Eigen::MatrixXd serial_covariance(const Resolution& resolved, const Eigen::Vecto
          serial.covariance_of_sum(terms, starts) * resolved.inverse;
 }
 
+/// Describes parameters whose joint change has no effect. Without `changes` all change by the same
+/// percentage.
+std::string combination_text(const std::vector<std::string>& up, const std::vector<std::string>& down,
+                             const std::vector<std::string>& all, const std::vector<std::string>& changes) {
+  const bool even = changes.empty();
+  if (even && all.size() == 2)
+    return fmt::format("only the {} of {} can be known; fix one of them",
+                       up.size() == 1 ? "product" : "ratio", listed(all));
+  if (even && (up.size() == 1 || down.size() == 1))
+    return fmt::format("only the products of {} with {} can be known; fix one of them",
+                       listed(up.size() == 1 ? up : down), listed(up.size() == 1 ? down : up));
+  if (even) return fmt::format("only combinations of {} can be known; fix one of them", listed(all));
+  return fmt::format(
+      "only combinations of {} can be known, since {} together change nothing; fix one of them", listed(all),
+      listed(changes));
+}
+
 }  // namespace
+
+Resolution Resolution::of(const RowMajor& jacobian) {
+  const Eigen::Index count = jacobian.cols();
+  Resolution result;
+  result.lengths = jacobian.colwise().norm().transpose().cwiseMax(1e-300);
+  result.scaled = jacobian * result.lengths.cwiseInverse().asDiagonal();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(result.scaled);
+  const Eigen::MatrixXd triangle = qr.matrixQR().topRows(count).triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullV);
+  result.inverse = Eigen::MatrixXd::Zero(count, count);
+  result.unknown = Eigen::VectorXd::Zero(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Eigen::VectorXd v = svd.matrixV().col(k);
+    const double value = svd.singularValues()[k];
+    if (value > negligible * svd.singularValues()[0]) {
+      result.inverse += v * v.transpose() / (value * value);
+      continue;
+    }
+    result.unknown = result.unknown.cwiseMax(v.cwiseAbs());
+    result.free.push_back(v);
+  }
+  return result;
+}
+
+SerialCorrelation SerialCorrelation::of(const Eigen::VectorXd& residuals,
+                                        const std::vector<Eigen::Index>& starts) {
+  SerialCorrelation result;
+  const double all = autocovariance(residuals, starts, 0);
+  if (!(all > 0.0)) return result;
+  const double chance = 2.0 * std::sqrt(2.0 / static_cast<double>(residuals.size()));
+  Eigen::Index shortest = residuals.size();
+  each_stretch(residuals.size(), starts,
+               [&](Eigen::Index, Eigen::Index count) { shortest = std::min(shortest, count); });
+  const Eigen::Index most = std::min(longest, shortest / 4);
+  for (Eigen::Index lag = 1; lag + 1 <= most; lag += 2) {
+    const double pair =
+        (autocovariance(residuals, starts, lag) + autocovariance(residuals, starts, lag + 1)) / all;
+    if (pair <= chance) break;
+    result.rows = lag + 1;
+    result.inflation += 2.0 * pair;
+  }
+  return result;
+}
+
+Eigen::MatrixXd SerialCorrelation::covariance_of_sum(const Eigen::MatrixXd& terms,
+                                                     const std::vector<Eigen::Index>& starts) const {
+  // Bartlett's weights 1 - lag/width result from summing all windows of that width, including those that
+  // extend beyond an end.
+  const Eigen::Index width = 3 * rows + 1;
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(terms.cols(), terms.cols());
+  each_stretch(terms.rows(), starts, [&](Eigen::Index first, Eigen::Index count) {
+    Eigen::RowVectorXd window = Eigen::RowVectorXd::Zero(terms.cols());
+    Eigen::MatrixXd windows(count + width - 1, terms.cols());
+    for (Eigen::Index k = 0; k < count + width - 1; ++k) {
+      if (k < count) window += terms.row(first + k);
+      if (k >= width) window -= terms.row(first + k - width);
+      windows.row(k) = window;
+    }
+    sum += windows.transpose() * windows;
+  });
+  return sum / static_cast<double>(width);
+}
 
 Certainty certainty_of(const Eigen::VectorXd& residuals, const RowMajorMatrix& jacobian,
                        const Eigen::VectorXd& sizes, double freedom, const RowOrder& order) {
@@ -97,27 +197,6 @@ Certainty certainty_of(const Eigen::VectorXd& residuals, const RowMajorMatrix& j
   choose(resolved, chosen ? serial : independent, result);
   return result;
 }
-
-namespace {
-
-/// Describes parameters whose joint change has no effect. Without `changes` all change by the same
-/// percentage.
-std::string combination_text(const std::vector<std::string>& up, const std::vector<std::string>& down,
-                             const std::vector<std::string>& all, const std::vector<std::string>& changes) {
-  const bool even = changes.empty();
-  if (even && all.size() == 2)
-    return fmt::format("only the {} of {} can be known; fix one of them",
-                       up.size() == 1 ? "product" : "ratio", listed(all));
-  if (even && (up.size() == 1 || down.size() == 1))
-    return fmt::format("only the products of {} with {} can be known; fix one of them",
-                       listed(up.size() == 1 ? up : down), listed(up.size() == 1 ? down : up));
-  if (even) return fmt::format("only combinations of {} can be known; fix one of them", listed(all));
-  return fmt::format(
-      "only combinations of {} can be known, since {} together change nothing; fix one of them", listed(all),
-      listed(changes));
-}
-
-}  // namespace
 
 std::string in_words(const Eigen::VectorXd& direction, const std::vector<std::string>& names,
                      bool known_before) {

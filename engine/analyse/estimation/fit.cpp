@@ -5,22 +5,55 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 
 #include "engine/analyse/estimation/certainty.hpp"
-#include "engine/analyse/estimation/doubts.hpp"
 #include "engine/analyse/estimation/fit_request.hpp"
 #include "engine/analyse/estimation/least_squares.hpp"
-#include "engine/analyse/estimation/loss.hpp"
-#include "engine/analyse/estimation/refine.hpp"
-#include "engine/analyse/estimation/resolution.hpp"
 #include "engine/analyse/estimation/searches.hpp"
-#include "engine/analyse/estimation/starts.hpp"
-#include "engine/analyse/estimation/still_falling.hpp"
 #include "engine/model/plan/plan.hpp"
 
 namespace stepwire::estimation {
-
 namespace {
+
+constexpr int intervals = 120;
+constexpr double difference = 1e-6;  // as a share of a parameter's size
+
+class Evaluation {
+ public:
+  Evaluation(const FitCurve& curve, const std::vector<std::string>& names)
+      : curve_(curve), formula_(curve.y.formula), names_(names) {}
+
+  double at(double variable, const Eigen::VectorXd& x) const {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < formula_.columns.size(); ++i) values.push_back(value_of(i, variable, x));
+    return formula_.expression(values);
+  }
+
+  Eigen::VectorXd slopes(double variable, const Eigen::VectorXd& x) const {
+    Eigen::VectorXd slopes(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const double step = difference * (x[i] == 0.0 ? 1.0 : std::abs(x[i]));
+      Eigen::VectorXd above = x, below = x;
+      above[i] += step;
+      below[i] -= step;
+      slopes[i] = (at(variable, above) - at(variable, below)) / (2.0 * step);
+    }
+    return slopes;
+  }
+
+ private:
+  double value_of(std::size_t i, double variable, const Eigen::VectorXd& x) const {
+    const std::string& column = formula_.columns[i];
+    if (column == curve_.variable) return variable;
+    const auto found = std::find(names_.begin(), names_.end(), column);
+    return found == names_.end() ? curve_.otherwise[i] : x[static_cast<Eigen::Index>(found - names_.begin())];
+  }
+
+  const FitCurve& curve_;
+  const query::Formula& formula_;
+  const std::vector<std::string>& names_;
+};
 
 /// True for a block with a state and an input. A source may have a state, too, e.g. that of a random number.
 bool has_memory(const plan::PlannedBlock& block) {
@@ -40,6 +73,35 @@ bool in_time(const plan::Plan& plan, const FitRequest& request) {
 StandardErrors used_errors(const FitRequest& request, bool in_time) {
   if (request.standard_errors != StandardErrors::automatic) return request.standard_errors;
   return in_time ? StandardErrors::serial : StandardErrors::classical;
+}
+
+/// Evaluates a curve at the unknowns x of these names. The interval is that of the linearised function (delta
+/// method); `quantile` is that of Student's t.
+FittedCurve fitted_curve(const FitCurve& curve, const std::vector<std::string>& names,
+                         const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance, double quantile) {
+  FittedCurve fitted{curve.y.label, curve.y.unit_text, curve.label, curve.y.formula.dimension};
+  const Evaluation evaluation(curve, names);
+  for (int k = 0; k <= intervals; ++k) {
+    const double at = curve.from + (curve.to - curve.from) * k / intervals;
+    const double value = evaluation.at(at, x);
+    const Eigen::VectorXd slopes = evaluation.slopes(at, x);
+    const double half = quantile * std::sqrt(std::max(0.0, slopes.dot(covariance * slopes)));
+    fitted.at.push_back(at);
+    fitted.value.push_back(value);
+    fitted.low.push_back(value - half);
+    fitted.high.push_back(value + half);
+  }
+  return fitted;
+}
+
+/// Extends the range of the data by that of a run's recordings.
+void add_data(const FitCurve& curve, std::span<const record::Recording> recordings, FittedCurve& fitted) {
+  if (!curve.data) return;
+  for (const double value : query::evaluate(*curve.data, recordings[curve.recording])) {
+    if (!std::isfinite(value)) continue;
+    if (fitted.data_range.empty()) fitted.data_range = {value, value};
+    fitted.data_range = {std::min(fitted.data_range[0], value), std::max(fitted.data_range[1], value)};
+  }
 }
 
 /// The steps of a fit. Parameters without effect at the start are faults. Differential evolution, if
@@ -310,6 +372,37 @@ class Fit {
   FitResult result_;
 };
 
+constexpr double most_errors = 100.0;      // standard errors of a value
+constexpr double least_agreement = 0.005;  // percent: printed as 0.00
+
+void doubt_number(const FittedNumber& one, std::vector<std::string>& doubts) {
+  if (one.at_bound || !(one.standard_error > most_errors * std::abs(one.value))) return;
+  doubts.push_back(
+      fmt::format("the standard error of {}, {:.2g}, is more than a hundred times its value, {:.2g}, so that "
+                  "the records do "
+                  "not decide it there; {}",
+                  one.title(), one.standard_error, one.value, elsewhere));
+}
+
+void doubt_record(const FittedRecord& record, bool sought, std::vector<std::string>& doubts) {
+  for (const ComparedRows& rows : record.comparisons) {
+    if (!(rows.agreement < least_agreement)) continue;
+    const std::string name = record.label.empty() ? "the record" : "the record " + record.label;
+    doubts.push_back(fmt::format("{} is {} no better than by its mean (agreement {:.3g} %){}", name,
+                                 record.held_out || !sought ? "predicted" : "described", rows.agreement,
+                                 record.held_out || !sought ? "" : fmt::format("; {}", elsewhere)));
+  }
+}
+
+void doubt_rows(const FitResult& result, std::vector<std::string>& doubts) {
+  if (result.together == 0 || result.standard_errors == StandardErrors::serial) return;
+  doubts.push_back(
+      fmt::format("residuals go together over {} rows, and the standard errors count each row; where rows "
+                  "follow each other "
+                  "in time, 'standard_errors: serial' allows for it",
+                  result.together));
+}
+
 }  // namespace
 
 std::string FittedNumber::title() const {
@@ -326,6 +419,14 @@ FitResult fit(const ModelSource& source, const run::Job& job, const FitRequest& 
     nothing.interrupted = true;
     return nothing;
   }
+}
+
+std::vector<std::string> doubts_of(const FitResult& result) {
+  std::vector<std::string> doubts;
+  for (const FittedNumber& one : result.numbers) doubt_number(one, doubts);
+  for (const FittedRecord& record : result.records) doubt_record(record, !result.numbers.empty(), doubts);
+  doubt_rows(result, doubts);
+  return doubts;
 }
 
 }  // namespace stepwire::estimation

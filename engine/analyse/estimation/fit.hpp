@@ -6,12 +6,23 @@
 #include <vector>
 
 #include "engine/analyse/estimation/fit_request.hpp"
-#include "engine/analyse/estimation/fitted_curve.hpp"
 #include "engine/analyse/estimation/model_runs.hpp"
 #include "engine/analyse/estimation/residuals.hpp"
 #include "engine/base/messages/items.hpp"
+#include "engine/simulate/record/recording.hpp"
 
 namespace stepwire::estimation {
+
+/// A function of the fitted parameters with its 95 % interval, in SI.
+struct FittedCurve {
+  std::string name;     ///< Label of the function.
+  std::string unit{};   ///< Unit of its drawing; empty if unknown.
+  std::string label{};  ///< Label of the variable's axis.
+  std::optional<unit::Dimension> dimension{};
+  std::vector<double> at{}, value{}, low{}, high{};
+  /// Range of the variable in the records. Empty if the file has no expression of it, or nothing is recorded.
+  std::vector<double> data_range{};
+};
 
 /// Options of a call that are not part of the file.
 struct FitOptions {
@@ -82,5 +93,10 @@ struct FitResult {
 /// start. Without a finished run (interrupted) the result has no records.
 FitResult fit(const ModelSource& source, const run::Job& job, const FitRequest& request,
               const FitOptions& options = {});
+
+/// Returns sentences on doubtful results. A standard error is more than a hundred times its value. A record
+/// is described no better than by its mean. Residuals are correlated, but the standard errors assume
+/// independent rows.
+std::vector<std::string> doubts_of(const FitResult& result);
 
 }  // namespace stepwire::estimation

@@ -95,11 +95,6 @@ struct FitRequest {
   yaml::Place place;
 };
 
-/// Reads one entry of `fit.curves` for a section with these parameters. Adds faults to `faults` and returns
-/// std::nullopt.
-std::optional<FitCurve> read_fit_curve(const yaml::Node& node, const query::SymbolTable& names,
-                                       const std::vector<FitParameter>& parameters, yaml::Faults& faults);
-
 /// Returns the schema of the section `fit`.
 const yaml::Key& fit_form();
 

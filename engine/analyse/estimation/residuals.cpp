@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-
-#include "engine/analyse/estimation/row_values.hpp"
+#include <limits>
+#include <numeric>
 
 namespace stepwire::estimation {
-
 namespace {
 
 // Shares of a parameter's size. The error of a derivative is of this order for forward differences, of its
@@ -30,6 +29,13 @@ double value_of(const query::Formula& formula, const std::vector<table::Column>&
   return formula.expression(values);
 }
 
+/// Returns the value of a formula in each row of a recording; a formula that is a column is not evaluated.
+std::vector<double> values_of(const query::Formula& formula, const record::Recording& recording) {
+  if (formula.columns.size() == 1 && formula.text == formula.expression.variables().front())
+    if (const table::Column* column = recording.table.find(formula.columns.front())) return column->values;
+  return query::evaluate(formula, recording);
+}
+
 std::vector<double> values_or_one(const std::optional<query::Formula>& formula,
                                   const record::Recording& recording, std::size_t rows) {
   return formula ? values_of(*formula, recording) : std::vector<double>(rows, 1.0);
@@ -37,6 +43,20 @@ std::vector<double> values_or_one(const std::optional<query::Formula>& formula,
 
 std::string no_number(const std::string& text, double value, double time) {
   return fmt::format("'{}' is {} at {} s; leave such rows out by 'where'", text, value, time);
+}
+
+constexpr double rounding = 1e-13;  // relative rounding error of a mean
+
+double norm(const std::vector<double>& values) {
+  return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0));
+}
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+void subtract(double offset, std::vector<double>& values) {
+  for (double& value : values) value -= offset;
 }
 
 }  // namespace
@@ -273,6 +293,84 @@ bool Residuals::differentiate(const Eigen::VectorXd& x, const Eigen::VectorXd& r
     jacobian.col(static_cast<Eigen::Index>(*unknown_of_[record][parameter])).segment(first, rows) = slope;
   });
   return good;
+}
+
+Prediction Residuals::predict(std::size_t record, const Eigen::VectorXd& x) const {
+  std::string why;
+  Prediction prediction;
+  prediction.recordings = runs_.run_anew(record, values(record, x), &why);
+  if (prediction.recordings.empty())
+    throw yaml::Error(fault(request_.place, "the run ended early: " + why, record));
+  std::vector<double> weighted(rows(record));
+  if (!differences(record, prediction.recordings, weighted.data()))
+    throw yaml::Error(fault(request_.place, "the model gives what is no number", record));
+  for (double one : weighted) prediction.squares += one * one;
+  for (std::size_t c = 0; c < request_.comparisons.size(); ++c) {
+    const FitComparison& comparison = request_.comparisons[c];
+    prediction.comparisons.push_back(
+        compare(comparison, selections_[record][c], prediction.recordings[comparison.recording]));
+  }
+  return prediction;
+}
+
+ComparedRows Residuals::compare(const FitComparison& comparison, const Selection& selection,
+                                const record::Recording& recording) const {
+  const auto rows_of_formula = [&](const query::Formula& formula) {
+    const std::vector<double> all = values_of(formula, recording);
+    std::vector<double> chosen;
+    for (std::size_t row : selection.rows) chosen.push_back(all[row]);
+    return chosen;
+  };
+  ComparedRows rows;
+  for (std::size_t row : selection.rows) rows.time.push_back(recording.table.columns.front().values[row]);
+  rows.model = rows_of_formula(comparison.model.formula);
+  rows.measured = rows_of_formula(comparison.measured);
+  for (const query::Series& series : comparison.against)
+    rows.against.push_back(rows_of_formula(series.formula));
+  std::vector<double> error = rows.model, spread = rows.measured;
+  for (std::size_t i = 0; i < error.size(); ++i) error[i] -= rows.measured[i];
+  if (comparison.free_offset) {
+    const double offset = mean_of(error);
+    for (std::size_t i = 0; i < error.size(); ++i) rows.model[i] -= offset;
+    subtract(offset, error);
+  }
+  const double size = norm(spread);
+  subtract(mean_of(spread), spread);
+  const bool constant = norm(spread) <= rounding * size;
+  rows.agreement =
+      constant ? std::numeric_limits<double>::quiet_NaN() : 100.0 * (1.0 - norm(error) / norm(spread));
+  return rows;
+}
+
+Counted counted(double r, const FitRequest& request) {
+  const double width = request.width, size = std::abs(r);
+  if (request.loss == FitLoss::huber && size > width) {
+    const double value = std::sqrt(width * (2.0 * size - width));
+    return {std::copysign(value, r), width / value};
+  }
+  if (request.loss == FitLoss::cauchy && size > 1e-6 * width) {
+    const double share = r * r / (width * width), value = width * std::sqrt(std::log1p(share));
+    return {std::copysign(value, r), size / (1.0 + share) / value};
+  }
+  return {r, 1.0};
+}
+
+void count(const FitRequest& request, Eigen::VectorXd& residuals, Jacobian& jacobian) {
+  if (request.loss == FitLoss::none) return;
+  for (Eigen::Index i = 0; i < residuals.size(); ++i) {
+    const Counted one = counted(residuals[i], request);
+    residuals[i] = one.value;
+    if (jacobian.rows() == residuals.size()) jacobian.row(i) *= one.slope;
+  }
+}
+
+double cost_of(const Eigen::VectorXd& residuals, const FitRequest& request) {
+  double sum = 0.0;
+  for (const double r : residuals) {
+    const double value = counted(r, request).value;
+    sum += value * value;
+  }
+  return 0.5 * sum;
 }
 
 }  // namespace stepwire::estimation

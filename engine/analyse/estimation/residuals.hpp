@@ -7,6 +7,7 @@
 
 #include "engine/analyse/estimation/fit_request.hpp"
 #include "engine/analyse/estimation/model_runs.hpp"
+#include "engine/analyse/query/formula.hpp"
 
 namespace stepwire::estimation {
 
@@ -110,5 +111,18 @@ class Residuals {
   Eigen::Index count_ = 0;
   std::size_t free_offsets_ = 0;
 };
+
+/// A residual r after the loss: the signed root of 2 rho(r), with rho of Huber or Cauchy, and its derivative
+/// by r. Without a loss it is r itself.
+struct Counted {
+  double value, slope;
+};
+Counted counted(double r, const FitRequest& request);
+
+/// Replaces the residuals and their derivatives by those after the loss.
+void count(const FitRequest& request, Eigen::VectorXd& residuals, Jacobian& jacobian);
+
+/// Returns half of the sum of squares of the residuals after the loss.
+double cost_of(const Eigen::VectorXd& residuals, const FitRequest& request);
 
 }  // namespace stepwire::estimation

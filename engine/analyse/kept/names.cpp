@@ -10,15 +10,14 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "engine/analyse/query/formula.hpp"
 #include "engine/analyse/query/number.hpp"
-#include "engine/analyse/query/substituted.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/signal_words.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
 namespace stepwire::kept {
-
 namespace {
 
 /// Returns the numbers of an axis, ascending; an empty list for many numbers or for a formula.

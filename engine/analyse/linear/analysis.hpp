@@ -5,7 +5,7 @@
 
 #include "engine/analyse/linear/linearize.hpp"
 #include "engine/analyse/linear/margins.hpp"
-#include "engine/analyse/linear/ranks.hpp"
+#include "engine/analyse/linear/state_space.hpp"
 
 namespace stepwire::linear {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/analyse/linear/analysis.hpp"
-#include "engine/analyse/linear/section.hpp"
+#include "engine/analyse/linear/request.hpp"
 #include "engine/simulate/record/recording.hpp"
 
 namespace stepwire::linear {

@@ -1,14 +1,12 @@
 #include "engine/analyse/linear/frequency_response.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "engine/analyse/linear/search.hpp"
-
 namespace stepwire::linear {
-
 namespace {
 
 constexpr std::size_t rows_per_decade = 200;
@@ -19,6 +17,23 @@ Mode corner_of_zero(const Complex& zero, double sample_time) {
 }
 
 }  // namespace
+
+double find_zero(const std::function<double(double)>& function, double low, double high) {
+  const bool rises = function(low) < 0.0;
+  for (int k = 0; k < 200 && high - low > 4e-16 * high; ++k) {
+    const double middle = 0.5 * (low + high);
+    (((function(middle) < 0.0) == rises) ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+CurvePoint find_minimum(const std::function<double(double)>& function, double low, double high) {
+  // Shares of the interval: the accuracy of the method is absolute below 1.
+  const auto at = [&](double share) { return low + share * (high - low); };
+  const auto [share, least] = boost::math::tools::brent_find_minima(
+      [&](double s) { return function(at(s)); }, 0.0, 1.0, std::numeric_limits<double>::digits / 2);
+  return {at(share), least};
+}
 
 FrequencyResponse::FrequencyResponse(const StateSpace& system)
     : chain_(delay_chain(system)),

@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-
-#include "engine/analyse/linear/search.hpp"
 
 namespace stepwire::linear {
-
 namespace {
 
 constexpr double rounding_of_gain = 1e-8;  // also the error of derivatives by differences

@@ -11,10 +11,8 @@
 #include "engine/analyse/linear/delay_system.hpp"
 #include "engine/analyse/linear/gain_at_rest.hpp"
 #include "engine/analyse/linear/loop_gain.hpp"
-#include "engine/analyse/linear/search.hpp"
 
 namespace stepwire::linear {
-
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -147,40 +145,6 @@ double margin_at(const std::optional<Crossing>& crossing, bool stable, bool know
   return stable ? infinite : not_known;
 }
 
-}  // namespace
-
-std::optional<Crossing> Margins::worst_gain() const {
-  return nearest(gain, stable, [](double margin) { return std::log(margin); });
-}
-
-std::optional<Crossing> Margins::worst_phase() const {
-  return nearest(phase, stable, [](double margin) { return margin; });
-}
-
-double Margins::gain_margin() const {
-  return margin_at(worst_gain(), stable, knows_gain && knows_stability);
-}
-
-double Margins::phase_margin() const {
-  return margin_at(worst_phase(), stable, knows_phase && knows_stability);
-}
-
-double Margins::delay() const {
-  if (!stable || !knows_phase) return not_known;
-  double least = std::abs(direct) >= 1.0 - 1e-9 ? 0.0 : infinite;
-  for (const Crossing& crossing : phase) {
-    const double angle = crossing.margin < 0.0 ? crossing.margin + 2.0 * std::numbers::pi : crossing.margin;
-    least = std::min(least, angle / crossing.frequency);
-  }
-  return least;
-}
-
-double Margins::modulus_margin() const {
-  return stable && knows_modulus ? modulus : not_known;
-}
-
-namespace {
-
 /// Returns the fastest growing mode of all states, beyond rounding; std::nullopt if no mode grows.
 std::optional<Complex> growing(const StateSpace& closed) {
   constexpr double rounding = 1e-8;
@@ -213,7 +177,45 @@ void judge_stability(const StateSpace& closed, Margins& margins) {
         "loop of delays has a gain of 1 or more, or the delays turn too often below the highest crossover");
 }
 
+/// Returns the first frequency beyond a grid at which a monotone function is negative; nan if `falls` but
+/// none is found.
+double first_below(const std::function<double(double)>& above, double from) {
+  for (double w = from; w < 1e12 * from; w *= 10.0)
+    if (above(10.0 * w) < 0.0) return find_zero(above, w, 10.0 * w);
+  return infinite;
+}
+
 }  // namespace
+
+std::optional<Crossing> Margins::worst_gain() const {
+  return nearest(gain, stable, [](double margin) { return std::log(margin); });
+}
+
+std::optional<Crossing> Margins::worst_phase() const {
+  return nearest(phase, stable, [](double margin) { return margin; });
+}
+
+double Margins::gain_margin() const {
+  return margin_at(worst_gain(), stable, knows_gain && knows_stability);
+}
+
+double Margins::phase_margin() const {
+  return margin_at(worst_phase(), stable, knows_phase && knows_stability);
+}
+
+double Margins::delay() const {
+  if (!stable || !knows_phase) return not_known;
+  double least = std::abs(direct) >= 1.0 - 1e-9 ? 0.0 : infinite;
+  for (const Crossing& crossing : phase) {
+    const double angle = crossing.margin < 0.0 ? crossing.margin + 2.0 * std::numbers::pi : crossing.margin;
+    least = std::min(least, angle / crossing.frequency);
+  }
+  return least;
+}
+
+double Margins::modulus_margin() const {
+  return stable && knows_modulus ? modulus : not_known;
+}
 
 Margins margins_of(const StateSpace& all, double feedback) {
   const StateSpace system = all.connected(), closed = system.closed(feedback);
@@ -241,18 +243,6 @@ Margins margins_of(const StateSpace& all, double feedback) {
   if (margins.modulus < rounding) margins.stable = false;
   return margins;
 }
-
-namespace {
-
-/// Returns the first frequency beyond a grid at which a monotone function is negative; nan if `falls` but
-/// none is found.
-double first_below(const std::function<double(double)>& above, double from) {
-  for (double w = from; w < 1e12 * from; w *= 10.0)
-    if (above(10.0 * w) < 0.0) return find_zero(above, w, 10.0 * w);
-  return infinite;
-}
-
-}  // namespace
 
 double bandwidth(const StateSpace& system) {
   const FrequencyResponse response(system);

@@ -3,13 +3,53 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include "engine/analyse/linear/junction.hpp"
-#include "engine/analyse/linear/paths.hpp"
+#include <numeric>
 
 namespace stepwire::linear {
-
 namespace {
+
+using Neighbours = std::vector<std::vector<std::size_t>>;
+
+std::vector<char> reached(const Neighbours& neighbours, const std::vector<int>& starts) {
+  std::vector<char> found(neighbours.size(), 0);
+  std::vector<std::size_t> queue(starts.begin(), starts.end());
+  while (!queue.empty()) {
+    const std::size_t block = queue.back();
+    queue.pop_back();
+    if (std::exchange(found[block], 1)) continue;
+    queue.insert(queue.end(), neighbours[block].begin(), neighbours[block].end());
+  }
+  return found;
+}
+
+/// True for a block with a rate of its own. A block that follows its inputs' rate does not sample by itself.
+bool samples(const diagram::DiagramBlock& block) {
+  return !block.inputs.empty() && (block.every || block.type().timing == Timing::discrete);
+}
+
+/// Inserts a junction between an output of a block and all its readers. Returns the index of the new block. A
+/// run with idle junctions has the same bits as one without.
+int add_junction(diagram::Diagram& diagram, const diagram::SignalRef& output) {
+  const int index = static_cast<int>(diagram.blocks.size());
+  for (diagram::DiagramBlock& block : diagram.blocks)
+    for (auto& sources : block.inputs)
+      for (diagram::Source& source : sources)
+        if (source.block == output.block && source.output == output.output) {
+          source.block = index;
+          source.output = 0;
+        }
+  const diagram::Origin origin = diagram.blocks[static_cast<std::size_t>(output.block)].origin;
+  diagram::DiagramBlock junction(fmt::format("junction {}", index), junction_type());
+  junction.origin = origin;
+  diagram::Source source;
+  source.block = output.block;
+  source.output = output.output;
+  source.origin = origin;
+  junction.inputs = {{source}};
+  junction.input_marks.resize(1);
+  diagram.blocks.push_back(std::move(junction));
+  return index;
+}
 
 /// Inserts junctions into wires, at most one into each.
 class Junctions {
@@ -125,15 +165,6 @@ void add_output(const Met& met, const WrittenName& name, PreparedDiagram& prepar
   prepared.output_blocks.push_back(met.block);
 }
 
-}  // namespace
-
-std::string unit_of(const plan::Plan& plan, const diagram::SignalRef& signal) {
-  const auto dimension = plan.dimension(signal);
-  return !dimension || *dimension == unit::Dimension{} ? std::string{} : unit::si_name(*dimension);
-}
-
-namespace {
-
 bool delays_time(const diagram::DiagramBlock& block) {
   return !block.type().delayed_by.empty();
 }
@@ -184,6 +215,64 @@ void take_delay(int block, int junction, PreparedDiagram& prepared) {
 }
 
 }  // namespace
+
+void Junction::declare(Declare<Junction>& is) {
+  is.block("Junction", {.doc = "A place in a wire at which a signal is cut, or something is added to it."});
+  is.input<&Junction::u>({.unit = "'u", .doc = "the signal"});
+  is.output<&Junction::y>({.unit = "'u", .doc = "the signal as all read it"});
+  is.state<&Junction::added>({.unit = "'u", .doc = "what is added", .settable = false});
+  is.state<&Junction::held>({.unit = "'u", .doc = "what stands there once it is cut", .settable = false});
+  is.state<&Junction::cut>({.doc = "1 once it is cut", .settable = false});
+}
+
+const BlockType& junction_type() {
+  static const BlockType type = [] {
+    Declare<Junction> is;
+    Junction::declare(is);
+    BlockType made = is.take();
+    made.timing = Timing::inherited;  // also evaluated between ticks, with its signal
+    return made;
+  }();
+  return type;
+}
+
+bool Paths::sampled() const {
+  for (std::size_t b = 0; b < samples.size(); ++b)
+    if (samples[b] && on_way(b)) return true;
+  return false;
+}
+
+Paths find_paths(const plan::Plan& plan, const std::vector<int>& inputs, const std::vector<int>& outputs,
+                 const std::vector<int>& cut) {
+  const auto& blocks = plan.diagram.blocks;
+  Neighbours readers(blocks.size()), sources(blocks.size());
+  Paths paths;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    paths.samples.push_back(samples(blocks[b]));
+    if (std::ranges::count(cut, static_cast<int>(b)) > 0) continue;
+    for (const auto& list : blocks[b].inputs)
+      for (const diagram::Source& source : list) {
+        if (source.block < 0) continue;
+        readers[static_cast<std::size_t>(source.block)].push_back(b);
+        sources[b].push_back(static_cast<std::size_t>(source.block));
+      }
+  }
+  paths.from_inputs = reached(readers, inputs);
+  paths.to_outputs = reached(sources, outputs);
+  return paths;
+}
+
+std::int64_t base_period(const plan::Plan& plan, const Paths& paths) {
+  std::int64_t period = 1;
+  for (std::size_t b = 0; b < plan.blocks.size(); ++b)
+    if (paths.samples[b] && paths.on_way(b)) period = std::lcm(period, plan.blocks[b].rate.ticks);
+  return period;
+}
+
+std::string unit_of(const plan::Plan& plan, const diagram::SignalRef& signal) {
+  const auto dimension = plan.dimension(signal);
+  return !dimension || *dimension == unit::Dimension{} ? std::string{} : unit::si_name(*dimension);
+}
 
 PreparedDiagram prepare(diagram::Diagram diagram, const Request& request) {
   Touched touched = find_touched(diagram, request);

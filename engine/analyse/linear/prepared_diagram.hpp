@@ -4,9 +4,51 @@
 
 #include "engine/analyse/linear/request.hpp"
 #include "engine/analyse/linear/state_space.hpp"
+#include "engine/model/block/declare.hpp"
+#include "engine/model/diagram/diagram.hpp"
 #include "engine/model/plan/plan.hpp"
 
 namespace stepwire::linear {
+
+/// Block in a wire that adds a number to the signal, or cuts the wire and holds a value.
+struct Junction {
+  Input<> u{};
+  Output<> y{};
+  DiscreteState<> added{};
+  DiscreteState<> held{};  ///< Output instead of the signal, once the wire is cut.
+  DiscreteState<1> cut{};  ///< 1: cut, 0: the signal passes.
+
+  void outputs() {
+    const bool is_cut = cut > 0.0;
+    for (Index i = 0; i < y.size(); ++i) y[i] = (is_cut ? held[i] : u[i]) + added[i];
+  }
+
+  static void declare(Declare<Junction>& is);
+
+  /// Indices of its states in the type.
+  static constexpr int added_state = 0, held_state = 1, cut_state = 2;
+};
+
+/// Returns the type of these blocks; no diagram file can name it.
+const BlockType& junction_type();
+
+/// Blocks between the inputs and the outputs of an analysis.
+struct Paths {
+  std::vector<char> from_inputs, to_outputs;  ///< Per block: reachable from an input, and reaching an output.
+  std::vector<char> samples;                  ///< Per block: acts at ticks only.
+
+  bool on_way(std::size_t block) const { return from_inputs[block] && to_outputs[block]; }
+  bool near_way(std::size_t block) const { return from_inputs[block] || to_outputs[block]; }
+  /// True if a block between inputs and outputs acts at ticks only.
+  bool sampled() const;
+};
+
+/// Finds the blocks on the paths from `inputs` to `outputs`. Blocks in `cut` interrupt a path.
+Paths find_paths(const plan::Plan& plan, const std::vector<int>& inputs, const std::vector<int>& outputs,
+                 const std::vector<int>& cut);
+
+/// Returns the least common multiple of the periods of the sampled blocks on the paths [ticks].
+std::int64_t base_period(const plan::Plan& plan, const Paths& paths);
 
 /// A number of the workspace that is a row or a column of the result.
 struct Place {

@@ -1,9 +1,10 @@
 #include "engine/analyse/linear/state_space.hpp"
 
+#include <Eigen/SVD>
+#include <cmath>
 #include <utility>
 
 namespace stepwire::linear {
-
 namespace {
 
 /// Returns the indices of one own channel and of all delays, which begin at `first`.
@@ -13,29 +14,63 @@ std::vector<Eigen::Index> places(std::size_t own, std::size_t first, std::size_t
   return all;
 }
 
-}  // namespace
-
-std::vector<Channel> StateSpace::all_inputs() const {
-  std::vector<Channel> all = inputs;
-  for (const InnerDelay& delay : delays) all.push_back(delay.in);
-  return all;
+/// Returns the power of two nearest to the root of row / column.
+double factor_of(double row, double column) {
+  return std::exp2(std::round(0.5 * std::log2(row / column)));
 }
 
-std::vector<Channel> StateSpace::all_outputs() const {
-  std::vector<Channel> all = outputs;
-  for (const InnerDelay& delay : delays) all.push_back(delay.out);
-  return all;
+/// Scales one state. Returns false, without scaling, if the norms would fall by less than 5 %.
+bool scale_one(Eigen::MatrixXd& A, Eigen::Index i, Eigen::VectorXd& scale) {
+  const double own = std::abs(A(i, i));
+  const double row = A.row(i).cwiseAbs().sum() - own, column = A.col(i).cwiseAbs().sum() - own;
+  if (!(row > 0.0 && column > 0.0)) return false;
+  const double factor = factor_of(row, column);
+  if (!(column * factor + row / factor < 0.95 * (column + row))) return false;
+  scale[i] *= factor;
+  A.row(i) /= factor;
+  A.col(i) *= factor;
+  return true;
 }
 
-StateSpace StateSpace::channel(std::size_t input, std::size_t output) const {
-  const auto columns = places(input, inputs.size(), delays.size());
-  const auto rows = places(output, outputs.size(), delays.size());
-  return {A,      B(Eigen::all, columns), C(rows, Eigen::all), D(rows, columns),
-          states, {inputs[input]},        {outputs[output]},   sample_time,
-          delays};
+constexpr double tolerance = 1e-10;  // for numbers with a largest of 1
+
+using Svd = Eigen::JacobiSVD<Eigen::MatrixXd>;
+
+/// Returns the dimension of the controllable subspace: the range of B, then step by step the states that it
+/// drives.
+Eigen::Index staircase(Eigen::MatrixXd A, Eigen::MatrixXd B) {
+  Eigen::Index reached = 0;
+  while (A.rows() > 0 && B.cols() > 0) {
+    const Svd svd(B, Eigen::ComputeFullU);
+    const Eigen::Index rank = (svd.singularValues().array() > tolerance).count();
+    reached += rank;
+    if (rank == 0 || rank == A.rows()) break;
+    const Eigen::MatrixXd turned = svd.matrixU().transpose() * A * svd.matrixU();
+    const Eigen::Index rest = A.rows() - rank;
+    B = turned.bottomLeftCorner(rest, rank);
+    A = turned.bottomRightCorner(rest, rest).eval();
+  }
+  return reached;
 }
 
-namespace {
+std::vector<double> singular_values(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  Eigen::MatrixXd all(A.rows(), A.rows() * B.cols()), next = B;
+  for (Eigen::Index k = 0; k < A.rows(); ++k, next = (A * next).eval())
+    all.middleCols(k * B.cols(), B.cols()) = next;
+  const Eigen::VectorXd values = Svd(all).singularValues();
+  return {values.begin(), values.end()};
+}
+
+Rank rank_of(const Eigen::MatrixXd& plain_A, const Eigen::MatrixXd& plain_B) {
+  if (plain_A.size() == 0 || plain_B.size() == 0) return {};
+  const Eigen::VectorXd scale = balancing(plain_A);
+  Eigen::MatrixXd A = scale.cwiseInverse().asDiagonal() * plain_A * scale.asDiagonal();
+  Eigen::MatrixXd B = scale.cwiseInverse().asDiagonal() * plain_B;
+  if (const double size = A.cwiseAbs().maxCoeff(); size > 0.0) A /= size;
+  for (Eigen::Index i = 0; i < B.cols(); ++i)
+    if (const double size = B.col(i).cwiseAbs().maxCoeff(); size > 0.0) B.col(i) /= size;
+  return {staircase(A, B), singular_values(A, B)};
+}
 
 /// Marks the states that depend on marked ones, by the non-zero elements of A.
 std::vector<char> spread(const Eigen::MatrixXd& A, std::vector<char> marked) {
@@ -85,6 +120,26 @@ std::vector<Eigen::Index> first_places(std::size_t count) {
 
 }  // namespace
 
+std::vector<Channel> StateSpace::all_inputs() const {
+  std::vector<Channel> all = inputs;
+  for (const InnerDelay& delay : delays) all.push_back(delay.in);
+  return all;
+}
+
+std::vector<Channel> StateSpace::all_outputs() const {
+  std::vector<Channel> all = outputs;
+  for (const InnerDelay& delay : delays) all.push_back(delay.out);
+  return all;
+}
+
+StateSpace StateSpace::channel(std::size_t input, std::size_t output) const {
+  const auto columns = places(input, inputs.size(), delays.size());
+  const auto rows = places(output, outputs.size(), delays.size());
+  return {A,      B(Eigen::all, columns), C(rows, Eigen::all), D(rows, columns),
+          states, {inputs[input]},        {outputs[output]},   sample_time,
+          delays};
+}
+
 StateSpace StateSpace::connected() const {
   const auto nodes = nodes_between(*this);
   StateSpace part = *this;
@@ -119,6 +174,24 @@ StateSpace StateSpace::closed(double feedback) const {
   loop.C += D_in * C_own;
   loop.D += D_in * D_own;
   return loop;
+}
+
+Eigen::VectorXd balancing(Eigen::MatrixXd A) {
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(A.rows());
+  bool again = true;
+  for (int sweep = 0; again && sweep < 100; ++sweep) {
+    again = false;
+    for (Eigen::Index i = 0; i < A.rows(); ++i) again = scale_one(A, i, scale) || again;
+  }
+  return scale;
+}
+
+Rank controllability(const StateSpace& system) {
+  return rank_of(system.A, system.B);
+}
+
+Rank observability(const StateSpace& system) {
+  return rank_of(system.A.transpose(), system.C.transpose());
 }
 
 }  // namespace stepwire::linear

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/analyse/linear/paths.hpp"
 #include "engine/analyse/linear/prepared_diagram.hpp"
 #include "engine/simulate/run/executor.hpp"
 

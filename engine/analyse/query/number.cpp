@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstdlib>
+#include <vector>
 
 #include "engine/base/unit/meaning.hpp"
 
@@ -34,6 +34,14 @@ std::string unit_of_temperature(const std::string& text, const SymbolTable& name
   const auto found = std::ranges::find(names.parameters, name, &KnownParameter::name);
   const auto unit = found == names.parameters.end() ? std::nullopt : unit::parse_unit(found->unit);
   return unit && unit->offset != 0.0L ? found->unit : "";
+}
+
+/// Adds a fault for an unknown key. The message differs if the key looks like the rest of a broken
+/// expression.
+void add_unknown_key(const yaml::Entry& entry, const std::vector<std::string>& known,
+                     const std::string& owner, const SymbolTable& names, const std::string& subject,
+                     yaml::Faults& faults) {
+  faults.add({{names.file, entry.mark}, subject, yaml::unknown_key(entry.key, known, owner), {}});
 }
 
 }  // namespace
@@ -89,12 +97,6 @@ void check_dimension(const WantedNumber& number, const std::optional<unit::Dimen
   if (!number.dimension || !dimension) return;
   const std::string fault = number_fault(number, *dimension, what);
   if (!fault.empty()) faults.add({{names.file, node.mark}, subject, fault, {}});
-}
-
-void add_unknown_key(const yaml::Entry& entry, const std::vector<std::string>& known,
-                     const std::string& owner, const SymbolTable& names, const std::string& subject,
-                     yaml::Faults& faults) {
-  faults.add({{names.file, entry.mark}, subject, yaml::unknown_key(entry.key, known, owner), {}});
 }
 
 std::string read_text(const yaml::Node& node, const SymbolTable& names, const std::string& subject,

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "engine/analyse/query/formula.hpp"
 #include "engine/analyse/query/symbol_table.hpp"
@@ -35,12 +34,6 @@ std::string compared_fault(const Formula& first, const Formula& second);
 void check_dimension(const WantedNumber& number, const std::optional<unit::Dimension>& dimension,
                      const std::string& what, const yaml::Node& node, const SymbolTable& names,
                      const std::string& subject, yaml::Faults& faults);
-
-/// Adds a fault for an unknown key. The message differs if the key looks like the rest of a broken
-/// expression.
-void add_unknown_key(const yaml::Entry& entry, const std::vector<std::string>& known,
-                     const std::string& owner, const SymbolTable& names, const std::string& subject,
-                     yaml::Faults& faults);
 
 /// Returns the text of a scalar; adds a fault for any other node.
 std::string read_text(const yaml::Node& node, const SymbolTable& names, const std::string& subject,

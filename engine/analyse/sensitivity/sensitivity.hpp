@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/analyse/claim/run_formula.hpp"
-#include "engine/analyse/statistics/bootstrap.hpp"
+#include "engine/analyse/statistics/sensitivity_indices.hpp"
 #include "engine/base/sampling/design.hpp"
 #include "engine/base/text/text_table.hpp"
 #include "engine/model/diagram/diagram.hpp"

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 
-#include "engine/analyse/statistics/anova_rows.hpp"
-#include "engine/analyse/statistics/grouped.hpp"
+#include "engine/analyse/statistics/assumptions.hpp"
+#include "engine/analyse/statistics/descriptive.hpp"
+#include "engine/analyse/statistics/distributions.hpp"
 #include "engine/analyse/statistics/linear_model.hpp"
 #include "engine/analyse/statistics/no_number.hpp"
+#include "engine/analyse/statistics/rounding.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
 
 namespace stepwire::statistics {
@@ -156,6 +160,60 @@ void warn_of_pooled_terms(Anova& result, const Grouped& observations, const Sums
     }
 }
 
+/// Returns the indices of the factors that occur in a term.
+std::vector<std::size_t> used_factors(const Observations& observations, const std::vector<Term>& terms) {
+  for (const Term& term : terms)
+    for (const std::string& name : term.factors) observations.factor(name);  // throws for an unknown one
+  std::vector<std::size_t> used;
+  for (std::size_t k = 0; k < observations.factors.size(); ++k)
+    if (std::ranges::any_of(terms, [&](const Term& term) {
+          return std::ranges::find(term.factors, observations.factors[k].name) != term.factors.end();
+        }))
+      used.push_back(k);
+  return used;
+}
+
+/// Returns the values of each group, and adds the levels of the groups to the factors.
+std::vector<std::vector<double>> values_by_group(const Observations& observations,
+                                                 const std::vector<std::size_t>& used,
+                                                 std::vector<Factor>& factors) {
+  std::map<std::vector<std::size_t>, std::size_t> known;
+  std::vector<std::vector<double>> values;
+  for (std::size_t row = 0; row < observations.values.size(); ++row) {
+    std::vector<std::size_t> levels;
+    for (const std::size_t k : used) levels.push_back(observations.factors[k].level[row]);
+    const auto [group, is_new] = known.emplace(levels, values.size());
+    if (is_new) {
+      values.emplace_back();
+      for (std::size_t i = 0; i < used.size(); ++i) factors[i].level.push_back(levels[i]);
+    }
+    values[group->second].push_back(observations.values[row]);
+  }
+  return values;
+}
+
+/// Groups observations by the factors of some terms. Throws StatisticsError for an unknown factor.
+Grouped grouped(const Observations& observations, const std::vector<Term>& terms) {
+  const std::vector<std::size_t> used = used_factors(observations, terms);
+  Grouped result;
+  result.groups.response = observations.response;
+  result.count = static_cast<double>(observations.values.size());
+  for (const std::size_t k : used) {
+    result.groups.factors.push_back(observations.factors[k]);
+    result.groups.factors.back().level.clear();
+  }
+  const auto values = values_by_group(observations, used, result.groups.factors);
+  result.roots.resize(static_cast<Eigen::Index>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Moments moments = moments_of(values[i], observations.values[0]);
+    result.groups.values.push_back(moments.above);
+    result.within += moments.squares;
+    result.roots[static_cast<Eigen::Index>(i)] = std::sqrt(static_cast<double>(values[i].size()));
+  }
+  result.total = moments_of(observations.values).squares;
+  return result;
+}
+
 }  // namespace
 
 std::string Term::name() const {
@@ -199,6 +257,81 @@ Anova anova(const Observations& observations, const std::vector<Term>& terms, Su
   describe_design(result, observations, names);
   warn_of_variances(result, observations, names);
   return result;
+}
+
+double beyond_rounding(double sum, double all) {
+  return is_rounding(std::sqrt(sum), std::sqrt(all)) ? 0.0 : sum;
+}
+
+AnovaRow anova_row(const std::string& name, double freedom, double sum) {
+  return {name, freedom, sum, freedom > 0.0 ? sum / freedom : no_number, no_number, no_number, no_number, ""};
+}
+
+void judge(AnovaRow& row, const AnovaRow& error) {
+  row.against = error.name;
+  if (row.freedom <= 0.0 || error.freedom <= 0.0) return;
+  if (error.sum_of_squares <= 0.0) return;  // no error variance: F is undefined
+  row.f = row.mean_square / error.mean_square;
+  row.p = fisher_tail(row.f, row.freedom, error.freedom);
+  row.partial_eta_squared = row.sum_of_squares / (row.sum_of_squares + error.sum_of_squares);
+}
+
+void warn_of_missing_f(Anova& result) {
+  std::vector<std::string> names;
+  for (const AnovaRow& row : result.terms) {
+    const AnovaRow* error = row.against == result.residual.name ? &result.residual : result.find(row.against);
+    if (error && row.freedom > 0.0 && error->freedom > 0.0 && std::isnan(row.f)) names.push_back(row.name);
+  }
+  if (!names.empty())
+    result.warnings.push_back(
+        fmt::format("F of {} has no value: what it is compared with varies by no more than rounding",
+                    fmt::join(names, ", ")));
+}
+
+void describe_design(Anova& result, const Observations& observations, const std::vector<std::string>& names) {
+  const auto all = cells(observations, names);
+  std::size_t least = observations.values.size(), most = 0, empty = 0;
+  for (const Cell& cell : all) {
+    if (cell.values.empty()) ++empty;
+    most = std::max(most, cell.values.size());
+    if (!cell.values.empty()) least = std::min(least, cell.values.size());
+  }
+  result.balanced = empty == 0 && least == most;
+  const std::string each = least == most ? fmt::format("{}", most) : fmt::format("{} to {}", least, most);
+  result.design =
+      fmt::format("{} values in {} cells of {}", observations.values.size(), all.size() - empty, each);
+  if (empty > 0) result.design += fmt::format("; {} of {} combinations were not observed", empty, all.size());
+}
+
+void warn_of_variances(Anova& result, const Observations& observations,
+                       const std::vector<std::string>& names) {
+  std::vector<std::vector<double>> groups;
+  for (Cell& cell : cells(observations, names)) groups.push_back(std::move(cell.values));
+  const auto test = variance_test(groups);
+  if (test && test->p < 0.05)
+    result.warnings.push_back(fmt::format(
+        "the variances of the cells differ (Brown-Forsythe F({:g}, {:g}) = {:.3g}, P = {:.2g}); an "
+        "analysis of variance takes them for equal",
+        test->above, test->below, test->f, test->p));
+}
+
+std::vector<Term> additive_terms(const std::vector<std::string>& factors) {
+  std::vector<Term> terms;
+  for (const std::string& factor : factors) terms.push_back({{factor}, {}});
+  return terms;
+}
+
+std::vector<Term> crossed_terms(const std::vector<std::string>& factors) {
+  std::vector<Term> terms;
+  for (std::uint64_t chosen = 1; chosen < std::uint64_t{1} << factors.size(); ++chosen) {
+    Term term;
+    for (std::size_t i = 0; i < factors.size(); ++i)
+      if ((chosen >> i & 1U) != 0) term.factors.push_back(factors[i]);
+    terms.push_back(std::move(term));
+  }
+  std::stable_sort(terms.begin(), terms.end(),
+                   [](const Term& a, const Term& b) { return a.factors.size() < b.factors.size(); });
+  return terms;
 }
 
 }  // namespace stepwire::statistics

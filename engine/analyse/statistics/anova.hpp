@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
@@ -78,5 +79,34 @@ Anova anova(const Observations& observations, const std::vector<Term>& terms,
 
 /// Returns "type III (beyond all other terms)".
 std::string words_of(SumsOfSquares sums);
+
+/// Observations in groups with the same levels of all factors of a model. The model sees one row per group,
+/// so its cost does not grow with the number of observations. The values are differences from the first one,
+/// which keep the digits that a large mean would cost.
+struct Grouped {
+  Observations groups;    ///< One row per observed combination of levels; the values are the means.
+  Eigen::VectorXd roots;  ///< Roots of the numbers of observations.
+  double within = 0.0;    ///< Sum of squares about the means.
+  double total = 0.0;     ///< Sum of squares about the mean of all.
+  double count = 0.0;     ///< Number of observations.
+};
+
+/// Returns a sum of squares, or 0 if it is only the rounding error of scores whose squares sum to `all`.
+double beyond_rounding(double sum, double all);
+
+/// Returns a line without F.
+AnovaRow anova_row(const std::string& name, double freedom, double sum);
+
+/// Sets F, P and partial eta squared of a line against an error term. They remain nan if either has no
+/// degrees of freedom or the error does not vary.
+void judge(AnovaRow& row, const AnovaRow& error);
+
+/// Adds a warning that names the terms without F because their error does not vary.
+void warn_of_missing_f(Anova& result);
+
+/// Set the description of the design, and add a warning if the variances of its cells differ.
+void describe_design(Anova& result, const Observations& observations, const std::vector<std::string>& names);
+void warn_of_variances(Anova& result, const Observations& observations,
+                       const std::vector<std::string>& names);
 
 }  // namespace stepwire::statistics

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/analyse/statistics/moments.hpp"
+#include "engine/analyse/statistics/descriptive.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
 
 namespace stepwire::statistics {

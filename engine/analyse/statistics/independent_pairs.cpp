@@ -5,13 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/analyse/statistics/holm.hpp"
-#include "engine/analyse/statistics/moments.hpp"
-#include "engine/analyse/statistics/student.hpp"
-#include "engine/analyse/statistics/tail.hpp"
+#include "engine/analyse/statistics/descriptive.hpp"
+#include "engine/analyse/statistics/distributions.hpp"
 
 namespace stepwire::statistics {
-
 namespace {
 
 struct Group {

@@ -6,13 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/analyse/statistics/anova_rows.hpp"
 #include "engine/analyse/statistics/contrasts.hpp"
+#include "engine/analyse/statistics/distributions.hpp"
 #include "engine/analyse/statistics/linear_model.hpp"
 #include "engine/analyse/statistics/no_number.hpp"
 #include "engine/analyse/statistics/rounding.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
-#include "engine/analyse/statistics/tail.hpp"
 
 namespace stepwire::statistics {
 namespace {

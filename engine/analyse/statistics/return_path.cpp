@@ -89,6 +89,19 @@ PlanePoints history(const PlanePoints& path, const WayBack& way_back) {
   throw StatisticsError("the path never gets into the region");
 }
 
+/// Returns the error of equation 25 for a path without resampling: e = sum of d_i theta_i over its steps.
+/// Length of a step: d_i = |p_(i+1) - p_i| (equations 19 to 21). Theta_i is the angle between the step and
+/// the way back at p_i (equation 24). Steps of no length and steps from points inside add 0. The unit is that
+/// of the points times rad.
+double angular_error(const PlanePoints& path, const WayBack& way_back) {
+  double error = 0.0;
+  for (Eigen::Index i = 0; i + 1 < path.cols(); ++i) {
+    const Eigen::Vector2d step = path.col(i + 1) - path.col(i), back = way_back(path.col(i));
+    if (!back.isZero(0.0)) error += step.norm() * angle_between(step, back);
+  }
+  return error;
+}
+
 }  // namespace
 
 double path_length(const PlanePoints& path) {
@@ -101,15 +114,6 @@ PlanePoints resampled(const PlanePoints& path, const Resampling& resampling) {
   check(path, resampling.spacing);
   return resampling.rule == Resampling::Rule::arc_length ? by_arc_length(path, resampling.spacing)
                                                          : by_chord(path, resampling.spacing);
-}
-
-double angular_error(const PlanePoints& path, const WayBack& way_back) {
-  double error = 0.0;
-  for (Eigen::Index i = 0; i + 1 < path.cols(); ++i) {
-    const Eigen::Vector2d step = path.col(i + 1) - path.col(i), back = way_back(path.col(i));
-    if (!back.isZero(0.0)) error += step.norm() * angle_between(step, back);
-  }
-  return error;
 }
 
 ReturnError return_error(const PlanePoints& path, const WayBack& way_back, const Resampling& resampling) {

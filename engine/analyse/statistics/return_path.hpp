@@ -34,12 +34,6 @@ double path_length(const PlanePoints& path);
 /// (F_max, toward the region), inside zero. Its length is not used.
 using WayBack = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
 
-/// Returns the error of equation 25 for a path without resampling: e = sum of d_i theta_i over its steps.
-/// Length of a step: d_i = |p_(i+1) - p_i| (equations 19 to 21). Theta_i is the angle between the step and
-/// the way back at p_i (equation 24). Steps of no length and steps from points inside add 0. The unit is that
-/// of the points times rad.
-double angular_error(const PlanePoints& path, const WayBack& way_back);
-
 /// The path error of one trial of task 2.
 struct ReturnError {
   double error = 0.0;       ///< Error of the resampled path [unit of the points times rad].

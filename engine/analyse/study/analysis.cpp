@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/analyse/statistics/quartiles.hpp"
+#include "engine/analyse/statistics/descriptive.hpp"
 #include "engine/analyse/statistics/repeated_measures.hpp"
 #include "engine/analyse/statistics/statistics_error.hpp"
 
@@ -85,6 +85,27 @@ Json row_json(const statistics::AnovaRow& row) {
   return json;
 }
 
+/// Adds the analyses within subjects, or the reason why there are none.
+void add_within_subjects(const statistics::Observations& all, const std::vector<std::string>& factors,
+                         const std::vector<std::string>& order, TaskAnalysis& result) {
+  try {
+    result.repeated = statistics::repeated_measures(all, factors, "subject");
+  } catch (const statistics::StatisticsError& error) {
+    result.not_repeated = error.what();
+  }
+  try {
+    result.within = statistics::within_subjects(all, factors, order, "condition", "subject");
+  } catch (const statistics::StatisticsError& error) {
+    result.not_within = error.what();
+  }
+}
+
+std::vector<std::string> names_of(const std::vector<FeedbackCondition>& conditions) {
+  std::vector<std::string> names;
+  for (const FeedbackCondition& condition : conditions) names.push_back(condition.name);
+  return names;
+}
+
 }  // namespace
 
 double value_of(const std::vector<NamedValue>& values, const std::string& name) {
@@ -123,31 +144,6 @@ std::vector<NamedValue> feedback_effects(const std::vector<NamedValue>& means,
   for (std::size_t i = 0; i < effects.size(); ++i) effects[i].value = found[static_cast<Eigen::Index>(i) + 1];
   return effects;
 }
-
-namespace {
-
-/// Adds the analyses within subjects, or the reason why there are none.
-void add_within_subjects(const statistics::Observations& all, const std::vector<std::string>& factors,
-                         const std::vector<std::string>& order, TaskAnalysis& result) {
-  try {
-    result.repeated = statistics::repeated_measures(all, factors, "subject");
-  } catch (const statistics::StatisticsError& error) {
-    result.not_repeated = error.what();
-  }
-  try {
-    result.within = statistics::within_subjects(all, factors, order, "condition", "subject");
-  } catch (const statistics::StatisticsError& error) {
-    result.not_within = error.what();
-  }
-}
-
-std::vector<std::string> names_of(const std::vector<FeedbackCondition>& conditions) {
-  std::vector<std::string> names;
-  for (const FeedbackCondition& condition : conditions) names.push_back(condition.name);
-  return names;
-}
-
-}  // namespace
 
 TaskAnalysis analyse(const PathErrors& errors, const std::vector<FeedbackCondition>& conditions) {
   const statistics::Observations all = observations(errors, conditions);

@@ -19,9 +19,6 @@ const std::vector<std::string>& comparison_table_names();
 text::TextTable comparison_table(const std::string& name, const statistics::WithinSubjects& within,
                                  const std::string& of, std::uint64_t seed);
 
-/// Returns the table of assumptions, with advice for each violated one.
-text::TextTable assumptions_table(const statistics::WithinSubjects& within, const std::string& title);
-
 /// Returns all tables as JSON; missing values are null. Without a seed there is no power.
 json::Json comparisons_json(const statistics::WithinSubjects& within, std::optional<std::uint64_t> seed);
 

@@ -6,12 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/analyse/statistics/quartiles.hpp"
+#include "engine/analyse/statistics/descriptive.hpp"
 #include "engine/analyse/study/published.hpp"
 #include "engine/analyse/study/side_by_side.hpp"
 
 namespace stepwire::study {
-
 namespace {
 
 using Outcomes = std::vector<ExperimentOutcome>;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/analyse/study/outcome_columns.hpp"
+#include "engine/analyse/study/study_columns.hpp"
 
 namespace stepwire::study {
 

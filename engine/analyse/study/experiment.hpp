@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/analyse/study/analysis.hpp"
-#include "engine/analyse/study/person_runs.hpp"
 #include "engine/analyse/study/study_request.hpp"
+#include "engine/analyse/study/trial_runs.hpp"
 
 namespace stepwire::study {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/analyse/study/outcome_columns.hpp"
+#include "engine/analyse/study/study_columns.hpp"
 
 namespace stepwire::study {
 

@@ -3,17 +3,88 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "engine/analyse/study/outcome_columns.hpp"
-#include "engine/analyse/study/sequence_columns.hpp"
+#include "engine/analyse/statistics/no_number.hpp"
+#include "engine/analyse/statistics/within_subjects.hpp"
 #include "engine/simulate/record/recorder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 
 namespace stepwire::study {
-
 namespace {
+
+constexpr const char* quantities[]{"difference", "low",         "high", "p_pair",
+                                   "holm",       "signed_rank", "d",    "needed"};
+
+/// Returns the values of one pair, in the order of the quantities.
+std::vector<double> values_of(const statistics::PairComparison& one, const statistics::PowerRow& power) {
+  return {one.test.mean,
+          one.test.interval.low,
+          one.test.interval.high,
+          one.test.p,
+          one.holm,
+          one.ranks.p,
+          one.effect.d_z,
+          power.needed_simulated ? static_cast<double>(*power.needed_simulated) : statistics::no_number};
+}
+
+const std::vector<std::pair<const char*, bool FeedbackCondition::*>> factors{
+    {"haptic", &FeedbackCondition::haptic},
+    {"visual", &FeedbackCondition::visual},
+    {"guiding path", &FeedbackCondition::guiding_path}};
+
+/// Returns "p.guiding_path" for "guiding path".
+std::string column_of(const std::string& start, std::string factor) {
+  std::replace(factor.begin(), factor.end(), ' ', '_');
+  return start + factor;
+}
+
+/// Returns the feedbacks in which the conditions differ.
+std::vector<std::string> factors_of(const StudyRequest& request) {
+  std::vector<std::string> result;
+  for (const auto& [name, member] : factors) {
+    const auto& all = request.conditions;
+    const auto on = std::count_if(all.begin(), all.end(),
+                                  [&, m = member](const StudyCondition& one) { return one.feedback.*m; });
+    if (on > 0 && on < static_cast<std::ptrdiff_t>(all.size())) result.emplace_back(name);
+  }
+  return result;
+}
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+/// Returns the mean deviations of the conditions, named "deviation.HV".
+std::vector<NamedValue> mean_deviations(const Experiment& experiment, const StudyRequest& request) {
+  std::vector<NamedValue> values;
+  for (const std::string& condition : request.condition_names()) {
+    double sum = 0.0, count = 0.0;
+    for (const PathError& row : experiment.errors.rows)
+      if (row.condition == condition) sum += row.deviation, ++count;
+    values.push_back({"deviation." + condition, count > 0.0 ? sum / count : not_known});
+  }
+  return values;
+}
+
+/// Returns the column of a carried parameter. A swept one already has a column for its value in the first
+/// trial.
+std::string column_of(const std::string& parameter, const diagram::Diagram& diagram) {
+  const bool swept =
+      diagram.sweep && std::ranges::find(diagram.sweep->axes, parameter, &diagram::Sweep::Axis::parameter) !=
+                           diagram.sweep->axes.end();
+  return swept ? "carried." + parameter : parameter;
+}
+
+/// Adds one column per element of a parameter: "memory", or "memory.1", "memory.2".
+void add_carried_columns(const std::string& name, const diagram::Diagram& diagram,
+                         std::vector<table::Column>& columns) {
+  const auto& parameter = *std::ranges::find(diagram.parameters, name, &diagram::DiagramParameter::name);
+  const std::string unit = parameter.dimension ? unit::si_name(*parameter.dimension) : "";
+  const auto* list = std::get_if<Eigen::VectorXd>(&parameter.value.content);
+  const std::string column = column_of(name, diagram);
+  if (!list) columns.push_back({column, unit, {}});
+  for (Eigen::Index i = 1; list && i <= list->size(); ++i)
+    columns.push_back({fmt::format("{}.{}", column, i), unit, {}});
+}
 
 double nan() {
   return std::numeric_limits<double>::quiet_NaN();
@@ -184,6 +255,88 @@ class StudyNames {
 };
 
 }  // namespace
+
+std::vector<std::string> comparison_columns(const StudyRequest& request) {
+  std::vector<std::string> pairs, columns;
+  const auto names = request.condition_names();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    for (std::size_t k = i + 1; k < names.size(); ++k) pairs.push_back(names[i] + "_" + names[k]);
+  for (const std::string& pair : pairs)
+    for (const char* quantity : quantities)
+      if (std::count(pairs.begin(), pairs.end(), pair) == 1)
+        columns.push_back(fmt::format("{}.{}", quantity, pair));
+  return columns;
+}
+
+std::vector<NamedValue> comparison_values(const Experiment& experiment, const StudyRequest& request) {
+  std::vector<NamedValue> found, values;
+  if (experiment.analysis && experiment.analysis->within) {
+    const statistics::WithinSubjects& within = *experiment.analysis->within;
+    statistics::PowerSimulation simulation;
+    simulation.seed = experiment.seed;
+    const auto power = statistics::power_rows(within, simulation);
+    for (std::size_t i = 0; i < within.comparisons.size(); ++i) {
+      const statistics::PairComparison& one = within.comparisons[i];
+      const auto numbers = values_of(one, power[i]);
+      for (std::size_t k = 0; k < numbers.size(); ++k)
+        found.push_back({fmt::format("{}.{}_{}", quantities[k], one.first, one.second), numbers[k]});
+    }
+  }
+  for (const std::string& name : comparison_columns(request)) values.push_back({name, value_of(found, name)});
+  return values;
+}
+
+std::vector<OutcomeColumn> outcome_columns(const StudyRequest& request) {
+  std::vector<OutcomeColumn> columns;
+  const std::string deviation = request.task == "1" ? "m" : "rad";
+  for (const std::string& condition : request.condition_names()) columns.push_back({"mean." + condition});
+  for (const char* start : {"p.", "p_subject.", "effect."})
+    for (const std::string& factor : factors_of(request)) columns.push_back({column_of(start, factor)});
+  for (const std::string& condition : request.condition_names())
+    columns.push_back({"deviation." + condition, deviation});
+  for (const std::string& column : comparison_columns(request)) columns.push_back({column});
+  return columns;
+}
+
+std::vector<NamedValue> outcome(const Experiment& experiment, const StudyRequest& request) {
+  std::vector<NamedValue> values;
+  for (const OutcomeColumn& column : outcome_columns(request)) values.push_back({column.name, not_known});
+  const auto set = [&](const std::string& name, double value) {
+    for (NamedValue& one : values)
+      if (one.name == name) one.value = value;
+  };
+  for (const NamedValue& mean : mean_deviations(experiment, request)) set(mean.name, mean.value);
+  if (!experiment.analysis) return values;
+  const TaskAnalysis& analysis = *experiment.analysis;
+  for (const NamedValue& mean : analysis.means) set("mean." + mean.name, mean.value);
+  for (const NamedValue& effect : analysis.effects) set(column_of("effect.", effect.name), effect.value);
+  for (const auto& [start, anova] :
+       {std::pair{"p.", &analysis.additive}, std::pair{"p_subject.", &analysis.with_subject}})
+    for (const statistics::AnovaRow& row : anova->terms) set(column_of(start, row.name), row.p);
+  for (const NamedValue& value : comparison_values(experiment, request)) set(value.name, value.value);
+  return values;
+}
+
+std::vector<ExperimentOutcome> outcomes(const Experiment& experiment, const StudyRequest& request) {
+  std::vector<ExperimentOutcome> all{{experiment.seed, outcome(experiment, request)}};
+  all.insert(all.end(), experiment.others.begin(), experiment.others.end());
+  return all;
+}
+
+std::vector<table::Column> sequence_columns(const Experiment& experiment, const StudyRequest& request,
+                                            const diagram::Diagram& diagram) {
+  std::vector<table::Column> columns{{"order", "", {}}};
+  for (const CarriedValue& carried : request.carry) add_carried_columns(carried.parameter, diagram, columns);
+  for (const TrialRun& run : experiment.runs) {
+    std::vector<double> numbers{static_cast<double>(run.order)};
+    for (const std::vector<double>& values : run.begun)
+      numbers.insert(numbers.end(), values.begin(), values.end());
+    for (std::size_t i = 0; i < columns.size(); ++i) columns[i].values.push_back(numbers[i]);
+  }
+  for (table::Column& column : columns)
+    column.values.resize(experiment.trials.size(), std::numeric_limits<double>::quiet_NaN());
+  return columns;
+}
 
 void add_study_names(const StudyRequest& request, const diagram::Diagram& diagram,
                      query::SymbolTable& names) {

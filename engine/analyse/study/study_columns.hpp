@@ -7,6 +7,33 @@
 
 namespace stepwire::study {
 
+/// Returns the column names of comparisons within subjects, for claims. Each pair A, B of the request's
+/// conditions, in order, has difference.A_B, low.A_B, high.A_B, p_pair.A_B, holm.A_B, signed_rank.A_B, d.A_B
+/// and needed.A_B. A name that two pairs would share is left out.
+std::vector<std::string> comparison_columns(const StudyRequest& request);
+
+/// Returns the values of these columns, in the same order; missing ones are nan.
+std::vector<NamedValue> comparison_values(const Experiment& experiment, const StudyRequest& request);
+
+/// A column of the results of an experiment.
+struct OutcomeColumn {
+  std::string name;
+  std::string unit{};
+};
+
+/// Returns the columns mean.CONDITION, p.FACTOR, p_subject.FACTOR, effect.FACTOR and deviation.CONDITION.
+std::vector<OutcomeColumn> outcome_columns(const StudyRequest& request);
+
+/// Returns the results of an experiment under these names.
+std::vector<NamedValue> outcome(const Experiment& experiment, const StudyRequest& request);
+/// Returns the results of an experiment and of its `others`.
+std::vector<ExperimentOutcome> outcomes(const Experiment& experiment, const StudyRequest& request);
+
+/// Returns, by trial, its number among the person's trials and the values that it received from the trial
+/// before. Nan for recorded trials.
+std::vector<table::Column> sequence_columns(const Experiment& experiment, const StudyRequest& request,
+                                            const diagram::Diagram& diagram);
+
 /// Adds the columns of a study besides the recorded signals, for figures and claims. All recordings have
 /// subject and condition, as words.
 /// The recording of errors follows those of the file and has a row per trial: error, normalised, raw,

@@ -1,12 +1,11 @@
 #include "engine/analyse/study/study_items.hpp"
 
-#include "engine/analyse/study/outcome_columns.hpp"
+#include "engine/analyse/study/study_columns.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/simulate/journal/run_bytes.hpp"
 #include "engine/simulate/run/row_per_run.hpp"
 
 namespace stepwire::study {
-
 namespace {
 
 using messages::all;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/analyse/claim/claim.hpp"
-#include "engine/analyse/linear/section.hpp"
+#include "engine/analyse/linear/request.hpp"
 
 namespace stepwire::tuning {
 

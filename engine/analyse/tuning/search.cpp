@@ -3,15 +3,62 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <nlopt.hpp>
 #include <random>
 
-#include "engine/analyse/tuning/search_log.hpp"
-#include "engine/analyse/tuning/target_search.hpp"
+#include "engine/analyse/estimation/bounded_squares.hpp"
+#include "engine/analyse/tuning/constraint.hpp"
 
 namespace stepwire::tuning {
-
 namespace {
+
+/// Evaluations of a search, and their numbers in the form that NLopt takes.
+class SearchLog {
+ public:
+  explicit SearchLog(const SearchProblem& problem) : problem_(problem) {}
+
+  std::size_t size() const { return evaluations_.size(); }
+  const Evaluation& operator[](std::size_t i) const { return evaluations_[i]; }
+  const Evaluation& add(const Shares& shares, Evaluation evaluation);
+  /// Returns the index of a point among the last 16. NLopt reads objective and claims of a point in separate
+  /// calls.
+  std::optional<std::size_t> find(const Shares& shares) const;
+
+  /// Returns the index of the least objective with all claims satisfied, the first of equal ones.
+  std::optional<std::size_t> best() const;
+  /// Returns the best point, or the one with the smallest violation.
+  std::optional<Shares> best_known() const;
+  /// Returns the best objective over the objective's scale; infinite if no point satisfies all claims.
+  double merit() const;
+
+  /// Returns the objective over its scale. A point that cannot be run is worse than all points so far.
+  double objective_of(const Evaluation& evaluation) const;
+  /// Returns the violation of each bound of each claim over its scale, plus a small reserve. The reserve
+  /// ensures that a solution on the bound passes the claim's own check.
+  std::vector<double> sides_of(const Evaluation& evaluation) const;
+
+  std::vector<Evaluation> take() { return std::move(evaluations_); }
+
+ private:
+  const SearchProblem& problem_;
+  std::vector<Shares> points_;
+  std::vector<Evaluation> evaluations_;
+  double least_ = std::numeric_limits<double>::infinity();
+  double most_ = -std::numeric_limits<double>::infinity();
+};
+
+constexpr double farthest = 2.0;  // violation of a claim without a value
+
+/// Limits a violation to the range from -2 to 2: identity below 1, then 2 - 1 / size. An infinite margin
+/// would break the linear models of COBYLA.
+double bounded(double violation) {
+  if (std::isnan(violation)) return farthest;
+  const double size = std::abs(violation);
+  return size <= 1.0 ? violation : std::copysign(farthest - 1.0 / size, violation);
+}
+
+constexpr double step = 0.1;  // share of the way between the bounds, on each side
 
 constexpr double first_step = 0.1;    // Share of the range of a parameter.
 constexpr double global_share = 0.8;  // Share of the evaluations for isres; the rest start at its best point.
@@ -29,6 +76,26 @@ std::vector<double> random_shares(std::uint64_t seed, std::size_t number, std::s
   std::vector<double> shares(count);
   for (double& share : shares) share = static_cast<double>(engine() >> 11u) * 0x1p-53;
   return shares;
+}
+
+/// Minimises the squared errors of the targets by the Levenberg-Marquardt method within the bounds. Its
+/// derivatives are those of target_jacobian(): wide differences average out the scatter of experiments.
+/// Returns true if converged.
+bool search_targets(const LookAt& look, const TuneRequest& request, const Shares& from) {
+  estimation::BoundedSquares squares{
+      .residuals = request.targets.size(), .iterations = request.evaluations, .tolerance = request.tolerance};
+  squares.evaluate = [&](const Shares& at, double* residuals, double* jacobian) {
+    const Evaluation& one = look(at);
+    if (one.is_bad()) return false;
+    std::ranges::copy(one.offs, residuals);
+    if (!jacobian) return true;
+    std::size_t without = 0;
+    const auto rows = target_jacobian(look, request, at, without);
+    if (!rows) return false;
+    for (const std::vector<double>& row : *rows) jacobian = std::ranges::copy(row, jacobian).out;
+    return true;
+  };
+  return estimation::minimise_squares(squares, from);
 }
 
 /// One search: its log of evaluations and the callbacks of NLopt.
@@ -216,7 +283,94 @@ class Search {
   std::exception_ptr thrown_;
 };
 
+const Evaluation& SearchLog::add(const Shares& shares, Evaluation evaluation) {
+  if (!evaluation.is_bad()) {
+    const double scaled = evaluation.objective / problem_.objective_scale;
+    least_ = std::min(least_, scaled);
+    most_ = std::max(most_, scaled);
+  }
+  points_.push_back(shares);
+  evaluations_.push_back(std::move(evaluation));
+  return evaluations_.back();
+}
+
+std::optional<std::size_t> SearchLog::find(const Shares& shares) const {
+  constexpr std::size_t looks = 16;
+  for (std::size_t i = size(); i-- > size() - std::min(looks, size());)
+    if (points_[i] == shares) return i;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> SearchLog::best() const {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < size(); ++i)
+    if (evaluations_[i].is_feasible() &&
+        (!found || evaluations_[i].objective < evaluations_[*found].objective))
+      found = i;
+  return found;
+}
+
+std::optional<Shares> SearchLog::best_known() const {
+  if (const auto found = best()) return points_[*found];
+  std::optional<std::size_t> found;
+  double nearest = farthest;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double away = violation_of(evaluations_[i], problem_);
+    if (evaluations_[i].is_bad() || (found && away >= nearest)) continue;
+    nearest = away;
+    found = i;
+  }
+  return found ? std::optional(points_[*found]) : std::nullopt;
+}
+
+double SearchLog::merit() const {
+  const auto found = best();
+  return found ? evaluations_[*found].objective / problem_.objective_scale
+               : std::numeric_limits<double>::infinity();
+}
+
+double SearchLog::objective_of(const Evaluation& evaluation) const {
+  if (!evaluation.is_bad()) return evaluation.objective / problem_.objective_scale;
+  return most_ < least_ ? 1.0 : most_ + std::max(1.0, most_ - least_);
+}
+
+std::vector<double> SearchLog::sides_of(const Evaluation& evaluation) const {
+  std::vector<double> all;
+  const auto& constraints = problem_.request.constraints;
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    const double scale = problem_.claim_scales[i];
+    const double spare =
+        std::min(problem_.request.tolerance, 0.05 * room_of(constraints[i].comparison) / scale);
+    for (const double margin : tuning::sides_of(constraints[i].comparison, evaluation.claims[i]))
+      all.push_back(bounded(-margin / scale + spare));
+  }
+  return all;
+}
+
 }  // namespace
+
+double violation_of(const Evaluation& evaluation, const SearchProblem& problem) {
+  double most = evaluation.is_bad() ? farthest : 0.0;
+  for (std::size_t i = 0; i < evaluation.margins.size(); ++i)
+    most = std::max(most, bounded(-evaluation.margins[i] / problem.claim_scales[i]));
+  return most;
+}
+
+std::optional<std::vector<std::vector<double>>> target_jacobian(const LookAt& look,
+                                                                const TuneRequest& request, const Shares& at,
+                                                                std::size_t& without) {
+  std::vector<std::vector<double>> rows(request.targets.size());
+  for (without = 0; without < at.size(); ++without) {
+    Shares low = at, high = at;
+    low[without] = std::max(0.0, at[without] - step);
+    high[without] = std::min(1.0, at[without] + step);
+    const Evaluation below = look(low), above = look(high);  // copies: look() may move the first one
+    if (below.is_bad() || above.is_bad()) return std::nullopt;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      rows[i].push_back((above.offs[i] - below.offs[i]) / (high[without] - low[without]));
+  }
+  return rows;
+}
 
 SearchResult search(const SearchProblem& problem, std::size_t number,
                     const std::optional<Evaluation>& known) {

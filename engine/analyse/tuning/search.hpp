@@ -8,6 +8,19 @@
 
 namespace stepwire::tuning {
 
+/// A point of a search: for each parameter its share of the way between its bounds.
+using Shares = std::vector<double>;
+
+/// Function that evaluates a point of a search. An exception ends the search.
+using LookAt = std::function<const Evaluation&(const Shares&)>;
+
+/// Computes the Jacobian of the targets by the share of each parameter, a row per target. It uses central
+/// differences over a tenth of the bounds on each side, or up to the bounds. Returns std::nullopt at a point
+/// without a value; `without` is the parameter that was moved.
+std::optional<std::vector<std::vector<double>>> target_jacobian(const LookAt& look,
+                                                                const TuneRequest& request, const Shares& at,
+                                                                std::size_t& without);
+
 /// Data that all searches of an optimisation share.
 struct SearchProblem {
   const TuneRuns& runs;

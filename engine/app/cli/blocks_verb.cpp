@@ -4,10 +4,9 @@
 #include <memory>
 
 #include "engine/app/cli/console.hpp"
-#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/exit_code.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/reference/block_json.hpp"
-#include "engine/app/reference/block_markdown.hpp"
 #include "engine/app/reference/block_page.hpp"
 #include "engine/app/reference/part_reference.hpp"
 #include "engine/base/io/file.hpp"
@@ -19,7 +18,6 @@
 #include "engine/model/diagram/simulink_names.hpp"
 
 namespace stepwire::cli {
-
 namespace {
 
 struct BlocksCall {

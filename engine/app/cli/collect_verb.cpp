@@ -3,17 +3,15 @@
 #include <memory>
 
 #include "engine/app/cli/console.hpp"
-#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/exit_code.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/run_file.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/session/kept_points.hpp"
-#include "engine/app/session/result_folder.hpp"
 #include "engine/app/session/run_files.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 
 namespace stepwire::cli {
-
 namespace {
 
 struct CollectCall {
@@ -33,8 +31,8 @@ class Shares {
       const std::string path = session::points_path(folder);
       const auto own = journal::Journal::head_of(path);
       if (own != head) refuse(path, own.has_value(), folders.front());
-      journals_.push_back(
-          std::make_unique<journal::Journal>(path, head, model_.job, model_.kept.get(), journal::Journal::Use::read));
+      journals_.push_back(std::make_unique<journal::Journal>(path, head, model_.job, model_.kept.get(),
+                                                             journal::Journal::Use::read));
     }
   }
 

@@ -4,19 +4,21 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <map>
+#include <set>
 #include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
-#include "engine/app/cli/choice.hpp"
+#include "engine/app/cli/call_options.hpp"
 #include "engine/app/cli/console.hpp"
-#include "engine/app/cli/console_style.hpp"
-#include "engine/app/cli/folder_options.hpp"
-#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/exit_code.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/session/version.hpp"
@@ -28,8 +30,62 @@
 #include "engine/simulate/blockset/blockset.hpp"
 
 namespace stepwire::cli {
-
 namespace {
+
+/// Option that names folders, for a program and all its verbs. Every verb that opens a diagram needs the
+/// folders of blocks and of parts, so they are declared in one place.
+class FolderOption {
+ public:
+  /// Adds the option to a program and to all its verbs.
+  void add_to(CLI::App& app, const std::string& name, const std::string& about);
+  /// Returns the named folders in order, without duplicates.
+  std::vector<std::string> folders() const;
+
+ private:
+  std::vector<std::string> of_program_, of_verb_;  ///< before and after the verb
+};
+
+void add_option(CLI::App& app, const std::string& name, const std::string& about,
+                std::vector<std::string>& folders) {
+  app.add_option(name, folders, about)->type_name("DIR")->allow_extra_args(false);
+}
+
+/// Throws Error for a path in which no parts can be looked for.
+void require_part_folder(const std::string& folder) {
+  const auto refuse = [&](const char* message) {
+    throw yaml::Error(yaml::Fault{{"--parts " + folder, {}}, "", message, {}});
+  };
+  std::error_code none;
+  if (!std::filesystem::is_directory(folder, none)) refuse("no such folder");
+  if (folder.find(':') != std::string::npos)
+    refuse("a folder of parts has no ':' in its path, which separates those of STEPWIRE_PARTS; rename it");
+}
+
+void FolderOption::add_to(CLI::App& app, const std::string& name, const std::string& about) {
+  add_option(app, name, about, of_program_);
+  for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    add_option(*verb, name, about, of_verb_);
+}
+
+std::vector<std::string> FolderOption::folders() const {
+  std::vector<std::string> result;
+  std::set<std::filesystem::path> known;
+  for (const auto* folders : {&of_program_, &of_verb_})
+    for (const std::string& folder : *folders)
+      if (known.insert(std::filesystem::weakly_canonical(folder)).second) result.push_back(folder);
+  return result;
+}
+
+/// Puts folders in front of those of STEPWIRE_PARTS, which child processes inherit. Throws Error for a
+/// path that is no folder or contains ':'.
+void look_for_parts(const std::vector<std::string>& folders) {
+  if (folders.empty()) return;
+  for (const std::string& folder : folders) require_part_folder(folder);
+  const char* known = std::getenv("STEPWIRE_PARTS");
+  std::string all = fmt::format("{}", fmt::join(folders, ":"));
+  if (known && *known) all += std::string(":") + known;
+  ::setenv("STEPWIRE_PARTS", all.c_str(), 1);
+}
 
 const std::map<std::string, Color> colors{
     {"auto", Color::automatic}, {"always", Color::always}, {"never", Color::never}};

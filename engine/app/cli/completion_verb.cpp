@@ -1,16 +1,16 @@
 #include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
+#include "engine/app/cli/call_options.hpp"
 #include "engine/app/cli/call_words.hpp"
-#include "engine/app/cli/choice.hpp"
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/base/text/characters.hpp"
 
 namespace stepwire::cli {
-
 namespace {
 
 using text::shell_word;

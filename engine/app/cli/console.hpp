@@ -9,6 +9,19 @@
 
 namespace stepwire::cli {
 
+/// Colour mode of the output. Automatic: colours on terminals, unless NO_COLOR is set or TERM is dumb.
+enum class Color { automatic, always, never };
+
+/// Output options of a call, the same for all verbs.
+struct ConsoleStyle {
+  bool quiet = false;  ///< only errors, failures and the requested data
+  Color color = Color::automatic;
+  bool data_only = false;  ///< the standard output is data; text goes to the standard error
+};
+
+/// Returns the style of this process.
+ConsoleStyle& console_style();
+
 /// Writes data to the standard output, byte for byte. None of these functions throws; finish_output() reports
 /// a full disk or a closed pipe.
 void put_data(std::string_view data);

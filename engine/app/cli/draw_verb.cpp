@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "engine/app/cli/console.hpp"
-#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/exit_code.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/kept_inputs.hpp"
 #include "engine/app/cli/verb.hpp"
@@ -13,7 +13,6 @@
 #include "engine/view/render/picture_kind.hpp"
 
 namespace stepwire::cli {
-
 namespace {
 
 struct DrawCall {

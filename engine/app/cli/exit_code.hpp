@@ -1,8 +1,11 @@
 #pragma once
 
+#include <functional>
+
 #include "engine/analyse/estimation/fit.hpp"
 #include "engine/analyse/tuning/tune.hpp"
 #include "engine/app/session/outcome.hpp"
+#include "engine/base/json/json.hpp"
 
 namespace stepwire::cli {
 
@@ -25,5 +28,12 @@ ExitCode code_of(const session::Outcome& outcome);
 ExitCode code_of(const estimation::FitResult& result);
 /// Returns interrupted, wrong if no point satisfies all claims, or done.
 ExitCode code_of(const tuning::TuneResult& result);
+
+/// Runs an action that may throw, prints exceptions on the standard error (one line per fault), and returns
+/// the exit code. Faults are also appended to `faults` as JSON unless it is nullptr.
+ExitCode guarded(const std::function<ExitCode()>& action, json::Json* faults = nullptr);
+
+/// Prints why runs ended early, on the standard error; at most the first few of many runs.
+void print_faults(const run::RunResult& result);
 
 }  // namespace stepwire::cli

@@ -1,18 +1,15 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
 
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/kept_inputs.hpp"
-#include "engine/app/cli/load_words.hpp"
+#include "engine/app/cli/model_call.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/model/diagram/flatten.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 
 namespace stepwire::cli {
-
 namespace {
 
 struct FlattenCall {

@@ -1,15 +1,15 @@
 #include <fmt/format.h>
-#include <string>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "engine/app/cli/call_options.hpp"
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/exit_code.hpp"
 #include "engine/app/cli/kept_inputs.hpp"
-#include "engine/app/cli/load_words.hpp"
+#include "engine/app/cli/model_call.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/fmu/unit_export.hpp"
 #include "engine/app/session/loaded_model.hpp"
@@ -28,7 +28,6 @@
 #include "engine/view/render/picture_kind.hpp"
 
 namespace stepwire::cli {
-
 namespace {
 
 /// Options for exporting a diagram file as an FMI unit.

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "engine/app/cli/console.hpp"
-#include "engine/app/cli/guarded.hpp"
-#include "engine/app/cli/load_words.hpp"
+#include "engine/app/cli/exit_code.hpp"
+#include "engine/app/cli/model_call.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/session/session.hpp"
 #include "engine/base/io/file.hpp"
@@ -14,7 +14,6 @@
 #include "engine/model/diagram/part_file.hpp"
 
 namespace stepwire::cli {
-
 namespace {
 
 struct JobCall {

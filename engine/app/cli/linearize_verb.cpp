@@ -1,10 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "engine/app/cli/choice.hpp"
+#include "engine/app/cli/call_options.hpp"
 #include "engine/app/cli/console.hpp"
-#include "engine/app/cli/guarded.hpp"
-#include "engine/app/cli/load_words.hpp"
+#include "engine/app/cli/exit_code.hpp"
+#include "engine/app/cli/model_call.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/report/linear_text.hpp"
 #include "engine/app/session/fault_json.hpp"

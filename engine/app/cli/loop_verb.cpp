@@ -4,15 +4,13 @@
 #include "engine/app/cli/call_options.hpp"
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/interrupt.hpp"
-#include "engine/app/cli/load_words.hpp"
-#include "engine/app/cli/loop_options.hpp"
+#include "engine/app/cli/model_call.hpp"
 #include "engine/app/cli/monitoring.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/report/loop_text.hpp"
 #include "engine/app/session/loop_run.hpp"
 
 namespace stepwire::cli {
-
 namespace {
 
 ExitCode code_of_loop(const session::LoopOutcome& outcome) {

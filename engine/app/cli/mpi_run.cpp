@@ -6,7 +6,6 @@
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cluster/job_worker.hpp"
-#include "engine/app/cluster/served_points.hpp"
 
 namespace stepwire::cli {
 

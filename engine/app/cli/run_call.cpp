@@ -1,22 +1,21 @@
 #include "engine/app/cli/run_call.hpp"
 
 #include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <map>
-#include <sstream>
-
 #include "engine/app/cli/call_options.hpp"
 #include "engine/app/cli/console.hpp"
-#include "engine/app/cli/console_style.hpp"
-#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/exit_code.hpp"
 #include "engine/app/cli/mpi_run.hpp"
 #include "engine/app/cli/run_file.hpp"
 #include "engine/app/cluster/relay.hpp"

@@ -1,6 +1,7 @@
 #include "engine/app/cli/run_file.hpp"
 
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -9,8 +10,7 @@
 #include <optional>
 
 #include "engine/app/cli/console.hpp"
-#include "engine/app/cli/console_style.hpp"
-#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/exit_code.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/kept_inputs.hpp"
 #include "engine/app/cli/monitoring.hpp"
@@ -21,12 +21,11 @@
 #include "engine/app/report/study_text.hpp"
 #include "engine/app/report/tune_text.hpp"
 #include "engine/app/session/partial_signals.hpp"
-#include "engine/app/session/result_folder.hpp"
 #include "engine/app/session/run_files.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
-#include "engine/view/render/figure_file.hpp"
+#include "engine/view/render/render.hpp"
 
 namespace stepwire::cli {
 

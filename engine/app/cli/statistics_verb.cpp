@@ -2,9 +2,9 @@
 #include <memory>
 
 #include "engine/analyse/study/scores.hpp"
-#include "engine/app/cli/choice.hpp"
+#include "engine/app/cli/call_options.hpp"
 #include "engine/app/cli/console.hpp"
-#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/exit_code.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/base/io/file.hpp"
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <thread>
 
+#include "engine/app/cli/call_options.hpp"
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/interrupt.hpp"
-#include "engine/app/cli/loop_options.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/studio/page_table.hpp"
 #include "engine/app/studio/studio.hpp"
@@ -15,7 +15,6 @@
 #include "engine/base/yaml/error.hpp"
 
 namespace stepwire::cli {
-
 namespace {
 
 struct StudioWords {

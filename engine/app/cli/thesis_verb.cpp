@@ -5,7 +5,7 @@
 
 #include "engine/app/cli/call_options.hpp"
 #include "engine/app/cli/console.hpp"
-#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/exit_code.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/monitoring.hpp"
 #include "engine/app/cli/verb.hpp"
@@ -14,7 +14,6 @@
 #include "engine/base/text/characters.hpp"
 
 namespace stepwire::cli {
-
 namespace {
 
 void summarise(const std::vector<gallery::GalleryEntry>& entries) {

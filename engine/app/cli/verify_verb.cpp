@@ -1,18 +1,17 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "engine/analyse/kept/kept_numbers.hpp"
 #include "engine/app/cli/console.hpp"
-#include "engine/app/cli/guarded.hpp"
+#include "engine/app/cli/exit_code.hpp"
 #include "engine/app/cli/interrupt.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/session/kept_experiments.hpp"
-#include "engine/analyse/kept/kept_numbers.hpp"
 #include "engine/app/session/recorded_study.hpp"
 #include "engine/app/studio/live/live_folder.hpp"
 #include "engine/simulate/replay/verify.hpp"
 
 namespace stepwire::cli {
-
 namespace {
 
 /// Verifies a folder of recorded trials by repeating their analysis, because trials of persons cannot be
@@ -27,9 +26,9 @@ ExitCode verify_analysis(const std::string& folder, const Registry& registry) {
 ExitCode verify_folder(const std::string& folder, const Registry& registry) {
   if (session::has_recorded(folder, registry)) return verify_analysis(folder, registry);
   const bool live = live::is_live_folder(folder);
-  const replay::Verification verification = live ? live::verify_live(folder, registry, &interrupted())
-                                                 : replay::verify(folder, registry, &interrupted(),
-                                                                   kept::numbers_of_folder);
+  const replay::Verification verification =
+      live ? live::verify_live(folder, registry, &interrupted())
+           : replay::verify(folder, registry, &interrupted(), kept::numbers_of_folder);
   if (verification.interrupted) return ExitCode::interrupted;
   if (verification.difference.empty()) {
     say("{}: {}\n", folder, replay::verification_text(verification));

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <unistd.h>
+
+#include <array>
+#include <string>
+
 namespace stepwire::cluster {
 
 /// First byte of a message between process 0 and a worker, its kind. The trailing comments give the content
@@ -23,5 +28,14 @@ inline constexpr char items = 'I';  ///< Next group; empty after the last item o
 inline constexpr char end = 'E';
 
 }  // namespace kind
+
+/// Returns the host name; an empty string if it is unavailable.
+inline const std::string& this_host() {
+  static const std::string name = [] {
+    std::array<char, 256> text{};
+    return std::string(::gethostname(text.data(), text.size() - 1) == 0 ? text.data() : "");
+  }();
+  return name;
+}
 
 }  // namespace stepwire::cluster

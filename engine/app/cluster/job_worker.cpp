@@ -1,7 +1,7 @@
 #include "engine/app/cluster/job_worker.hpp"
 
 #include "engine/app/cluster/kept_items.hpp"
-#include "engine/app/cluster/served_points.hpp"
+#include "engine/app/cluster/served_work.hpp"
 #include "engine/base/io/environment_error.hpp"
 
 namespace stepwire::cluster {

@@ -5,12 +5,10 @@
 #include <cstdint>
 
 #include "engine/app/cluster/item_messages.hpp"
-#include "engine/app/cluster/this_host.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/messages/bytes.hpp"
 
 namespace stepwire::cluster {
-
 namespace {
 
 constexpr std::chrono::seconds between_signs{10};

@@ -9,8 +9,19 @@
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/subprocess/process.hpp"
+#include "engine/simulate/journal/point_bytes.hpp"
 
 namespace stepwire::cluster {
+
+std::optional<std::size_t> ServedPoints::next() {
+  const auto item = client_.next();
+  return item ? std::optional(item->number) : std::nullopt;
+}
+
+void ServedPoints::take(run::PointResult result) {
+  if (result.end.interrupted) return;
+  client_.put(result.point, journal::Journal::record_of(journal::bytes_of(result)));
+}
 
 ServedWork::ServedWork(ItemServer& server, const session::Monitor& monitor, const SharedJob& job,
                        const std::string& folder, const std::string& follows_from, std::size_t most)

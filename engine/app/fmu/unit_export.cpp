@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "engine/app/fmu/description.hpp"
-#include "engine/app/fmu/element.hpp"
 #include "engine/app/fmu/units.hpp"
 #include "engine/app/fmu/variables.hpp"
 #include "engine/base/fmi/package.hpp"
@@ -25,7 +24,6 @@
 #include "engine/view/svg/svg.hpp"
 
 namespace stepwire::fmu {
-
 namespace {
 
 using Files = std::map<std::string, std::string>;

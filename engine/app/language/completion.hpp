@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "engine/app/language/analysis.hpp"
-#include "engine/app/language/writing_place.hpp"
 
 namespace stepwire::language {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/app/language/renaming.hpp"
+#include "engine/app/language/tree_edits.hpp"
 
 namespace stepwire::language {
 
@@ -81,5 +82,8 @@ std::vector<InputName> inputs_for(DiagramFiles& files, const Analysis& analysis,
                                   const std::string& from);
 /// Throws EditRefused for a wire between two known, different units.
 void check_units(DiagramFiles& files, const Analysis& analysis, const std::string& file, const Connect& edit);
+
+/// Adds an analysis to `linear` and its Bode plot to `figure`, and returns the name of the analysis.
+std::string cut_loop(TreeEdits& edits, const yaml::Document& document, const CutLoop& edit);
 
 }  // namespace stepwire::language

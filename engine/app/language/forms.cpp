@@ -4,16 +4,118 @@
 
 #include "engine/analyse/query/names_reading.hpp"
 #include "engine/app/reference/sections.hpp"
+#include "engine/app/reference/words.hpp"
+#include "engine/model/block/block_type.hpp"
+#include "engine/model/diagram/block_keys.hpp"
+#include "engine/model/diagram/every.hpp"
+#include "engine/model/diagram/guard_keys.hpp"
 #include "engine/view/plot/figure.hpp"
 
 namespace stepwire::language {
+
+using yaml::form;
 
 namespace {
 
 using Form = yaml::Key::Form;
 
+yaml::Key source_form(const InputSpec& input) {
+  const yaml::Key source = form::naming(yaml::Key::Names::signal, form::of(Form::source));
+  yaml::Key made = yaml::key(input.name, input.doc, input.list ? form::one_or_list(source) : source);
+  made.unit = input.unit == "*" ? "" : input.unit;
+  made.required = !input.optional;
+  return made;
+}
+
+yaml::Key words_form(const std::vector<std::string>& words) {
+  std::vector<yaml::Key::Word> all;
+  for (const std::string& word : words) all.push_back({word});
+  return form::words(std::move(all));
+}
+
+yaml::Key parameter_form_of(const BlockType& type, const ParameterSpec& parameter) {
+  const bool word = parameter.kind == ParameterKind::word;
+  const bool flag = parameter.kind == ParameterKind::flag;
+  const bool tree = parameter.kind == ParameterKind::tree;
+  yaml::Key made = yaml::key(parameter.name, parameter.doc,
+                             word   ? words_form(parameter.words)
+                             : flag ? form::truth()
+                             : tree ? form::tree()
+                                    : form::of(Form::value));
+  made.unit = reference::fixed_unit(parameter.unit);
+  made.required = parameter.required;
+  made.otherwise = parameter.required ? "" : reference::default_text(type, parameter);
+  made.refers = reference::allowed_text(parameter);
+  return made;
+}
+
+yaml::Key preset_form(const BlockType& type) {
+  std::vector<yaml::Key::Word> words;
+  for (const PresetSpec& preset : type.presets) words.push_back({preset.name, preset.doc});
+  return yaml::key("preset", "a named set of parameter values; keys beside it come on top",
+                   form::words(std::move(words)));
+}
+
+/// Adds the keys of guards, which all blocks and parts have, unless a key of that name exists.
+void add_guard_keys(std::vector<yaml::Key>& keys) {
+  for (const yaml::Key& guard : diagram::guard_keys())
+    if (guard.name != "guard" &&
+        std::ranges::none_of(keys, [&](const yaml::Key& key) { return key.name == guard.name; }))
+      keys.push_back(guard);
+}
+
+/// Returns the possible keys of a block of this type, from its declaration.
+std::vector<yaml::Key> keys_of_type(const BlockType& type) {
+  std::vector<yaml::Key> keys{yaml::needed(yaml::key("block", type.doc, words_form({type.name})))};
+  for (const InputSpec& input : type.inputs)
+    if (!diagram::has_value(type, input.name)) keys.push_back(source_form(input));
+  for (const ParameterSpec& parameter : type.parameters) keys.push_back(parameter_form_of(type, parameter));
+  for (const StateSpec& state : type.states)
+    if (state.settable)
+      keys.push_back(yaml::key(diagram::initial_key(type, state),
+                               "where the state " + state.name + " starts: " + state.doc,
+                               form::of(Form::value)));
+  if (!type.presets.empty()) keys.push_back(preset_form(type));
+  if (!type.has_continuous_state()) keys.push_back(diagram::every_key("time between two runs of this block"));
+  add_guard_keys(keys);
+  return keys;
+}
+
 bool is_map(const yaml::Key& form) {
   return form.form == Form::keys || form.form == Form::names;
+}
+
+std::string doc_of(const yaml::Node& declared) {
+  const yaml::Node* doc = declared.is_map() ? declared.find("doc") : nullptr;
+  return doc ? doc->text : "";
+}
+
+std::string text_under(const yaml::Node& declared, const char* name) {
+  const yaml::Node* value = declared.is_map() ? declared.find(name) : nullptr;
+  return value && value->is_scalar() ? value->text : "";
+}
+
+/// Returns the keys that a block entry of this part may have.
+yaml::Key part_form(const yaml::Node& part) {
+  std::vector<yaml::Key> keys{yaml::needed(yaml::key("diagram", text_under(part, "title"), form::string()))};
+  if (const yaml::Node* inputs = part.find("inputs"))
+    for (const yaml::Entry& input : inputs->entries) {
+      keys.push_back(yaml::key(input.key, doc_of(input.value),
+                               form::naming(yaml::Key::Names::signal, form::of(Form::source))));
+      keys.back().unit = text_under(input.value, "unit");
+      keys.back().required = !input.value.is_map() || !input.value.find("default");
+    }
+  if (const yaml::Node* parameters = part.find("parameters"))
+    for (const yaml::Entry& parameter : parameters->entries) {
+      keys.push_back(yaml::key(parameter.key, doc_of(parameter.value), form::of(Form::value)));
+      keys.back().otherwise =
+          parameter.value.is_scalar() ? parameter.value.text : text_under(parameter.value, "value");
+    }
+  const bool has_every = std::ranges::any_of(keys, [](const yaml::Key& key) { return key.name == "every"; });
+  if (!has_every)
+    keys.push_back(diagram::every_key("time between two runs of its blocks that have none of their own"));
+  add_guard_keys(keys);
+  return form::keys("a part", "", std::move(keys));
 }
 
 }  // namespace
@@ -115,6 +217,28 @@ void Forms::add_figure(const yaml::Node& map, bool panel, FormList& result) {
     result.push_back(made.get());
   else
     result.insert(result.end(), {&plot::figure_form(), &plot::picture_form()});
+}
+
+const yaml::Key& Forms::block_form(const BlockType& type) {
+  auto& made = made_["block " + type.name];
+  if (!made) made = std::make_unique<const yaml::Key>(form::keys(type.name, "", keys_of_type(type)));
+  return *made;
+}
+
+const yaml::Key& Forms::any_block() {
+  auto& made = made_["block"];
+  if (made) return *made;
+  std::vector<yaml::Key::Word> types;
+  for (const BlockType* type : registry_.types()) types.push_back({type->name, type->doc});
+  yaml::Key keys = form::keys(
+      "a block", "",
+      {yaml::key("block", "kind of block", form::words(std::move(types))),
+       yaml::key("diagram", "file of a part", form::string()),
+       yaml::key("fields", "of a bus, signals under names: {force: f, torque: t}", form::of(Form::tree))});
+  // Without a type, any key can be an input.
+  keys.rest = {form::naming(yaml::Key::Names::signal, form::of(Form::source))};
+  made = std::make_unique<const yaml::Key>(std::move(keys));
+  return *made;
 }
 
 }  // namespace stepwire::language

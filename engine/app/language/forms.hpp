@@ -53,9 +53,6 @@ class Forms {
   std::map<std::shared_ptr<const yaml::Document>, std::unique_ptr<const yaml::Key>> of_parts_;
 };
 
-/// Returns the keys that a block entry of this part may have.
-yaml::Key part_form(const yaml::Node& part);
-
 /// True for the form of a block, whose keys depend on its type.
 bool is_block_form(const yaml::Key& form);
 

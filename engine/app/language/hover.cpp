@@ -6,14 +6,13 @@
 
 #include "engine/app/language/signal_list.hpp"
 #include "engine/app/language/tree_place.hpp"
-#include "engine/app/reference/block_markdown.hpp"
+#include "engine/app/reference/block_page.hpp"
 #include "engine/app/reference/key_words.hpp"
 #include "engine/app/reference/sheet_text.hpp"
 #include "engine/app/reference/words.hpp"
 #include "engine/base/text/characters.hpp"
 
 namespace stepwire::language {
-
 namespace {
 
 using Sense = WrittenName::Sense;
@@ -38,7 +37,8 @@ std::string fact(const char* name, const std::string& text) {
 std::string key_markdown(const std::string& name, const yaml::Key& key) {
   const bool section = key.form == yaml::Key::Form::section, any = key.form == yaml::Key::Form::value;
   std::string text = fmt::format("{}: {}", code(name), reference::escaped(key.doc));
-  if (!any) text += fact("value", section ? "see `stepwire format " + key.refers + "`" : reference::form_text(key));
+  if (!any)
+    text += fact("value", section ? "see `stepwire format " + key.refers + "`" : reference::form_text(key));
   text += fact("unit", key.unit);
   text +=
       fact("range", reference::range_text(key).empty() && !section ? key.refers : reference::range_text(key));

@@ -2,7 +2,97 @@
 
 #include <algorithm>
 
+#include "engine/app/language/diagram_files.hpp"
+
 namespace stepwire::language {
+namespace {
+
+constexpr int deepest_part = 32;
+constexpr std::size_t most_shapes = 20'000;
+
+class Shapes {
+ public:
+  explicit Shapes(DiagramFiles& files) : files_(files) {}
+
+  void add_file(const std::string& file, const std::string& prefix, int depth) {
+    const auto document = files_.tree(file);
+    if (!document || depth > deepest_part) return;
+    const auto text = files_.texts().text(file);
+    const TextPlaces places(*text);
+    for (const char* section : {"inputs", "outputs"})
+      if (const yaml::Node* ports = document->root.find(section); ports && depth == 0)
+        for (const yaml::Entry& port : ports->entries) add(port.key, file, range_of(places, port));
+    const yaml::Node* blocks = document->root.find("blocks");
+    for (std::size_t i = 0; blocks && i < blocks->entries.size() && found_.size() < most_shapes; ++i)
+      add_block(file, places, blocks->entries[i], prefix, depth);
+  }
+
+  std::map<std::string, FilePlace> take() { return std::move(found_); }
+
+ private:
+  static TextRange range_of(const TextPlaces& places, const yaml::Entry& entry) {
+    const TextRange key = places.key_range(entry);
+    return {key.from, std::max(key.to, places.offset(entry.value.end))};
+  }
+
+  void add(const std::string& name, const std::string& file, const TextRange& range) {
+    found_.try_emplace(name, FilePlace{file, range});
+  }
+
+  void add_block(const std::string& file, const TextPlaces& places, const yaml::Entry& block,
+                 const std::string& prefix, int depth) {
+    const std::string name = prefix + block.key;
+    add(name, file, range_of(places, block));
+    for (const std::string& output : files_.outputs(file, block))
+      add(name + "." + output, file, places.key_range(block));
+    for (const yaml::Entry& key : block.value.entries) {
+      add(name + "." + key.key, file, range_of(places, key));
+      for (std::size_t i = 0; i < key.value.items.size(); ++i)
+        add(name + "." + key.key + "." + std::to_string(i + 1), file, places.range(key.value.items[i]));
+    }
+    if (const std::string part = DiagramFiles::part_file(file, block); !part.empty())
+      add_file(part, name + ".", depth + 1);
+  }
+
+  DiagramFiles& files_;
+  std::map<std::string, FilePlace> found_;
+};
+
+/// Returns the text range of each item in the drawing of a file. Items are blocks with their keys, inputs
+/// with their sources, and outputs, at the name of their block.
+/// Names are those of the drawn graph: "cart", "cart.force", "sum.u.2" for lists, "rig.mount.x" within parts
+/// (in their own files), "x" for ports of the file.
+/// While the text is invalid YAML, the last valid one counts.
+std::map<std::string, FilePlace> shape_places(DiagramFiles& files, const std::string& file) {
+  Shapes shapes(files);
+  shapes.add_file(file, "", 0);
+  return shapes.take();
+}
+
+/// Conversion of ranges in several files to UTF-16.
+class Utf16Files {
+ public:
+  explicit Utf16Files(DiagramFiles& files) : files_(files) {}
+
+  Utf16Range range(const std::string& file, const TextRange& bytes) {
+    const auto [known, is_new] = known_.try_emplace(file);
+    if (is_new) {
+      known->second.text = files_.texts().text(file);
+      known->second.places.emplace(*known->second.text);
+    }
+    return {file, known->second.places->units(bytes.from), known->second.places->units(bytes.to)};
+  }
+
+ private:
+  struct Known {
+    std::shared_ptr<const std::string> text{};
+    std::optional<Utf16Places> places{};
+  };
+  DiagramFiles& files_;
+  std::map<std::string, Known> known_;
+};
+
+}  // namespace
 
 void LanguageService::open(const std::string& file, std::string text) {
   files_.texts().open(file, std::move(text));
@@ -177,6 +267,30 @@ std::vector<Mending> LanguageService::mendings(const std::string& file, const Ed
     found.push_back({"change to '" + one.meant + "'", one, where, one.mending->text});
   }
   return found;
+}
+
+EditChanges LanguageService::edited(const std::string& file, Edit edit) {
+  if (auto* set = std::get_if<SetValueAt>(&edit))
+    set->offset = Utf16Places(*files_.texts().text(file)).offset(set->offset);
+  Edited made = language::edited(files_, file, edit);
+  EditChanges result{{}, std::move(made.name), std::move(made.faults)};
+  Utf16Files places(files_);
+  for (const auto& [path, splices] : made.changes)
+    for (const Splice& splice : splices)
+      result.changes.push_back({places.range(path, splice.range), splice.text});
+  return result;
+}
+
+std::vector<InputName> LanguageService::inputs_for(const std::string& file, const std::string& from) {
+  return language::inputs_for(files_, with_draft(file), file, from);
+}
+
+std::map<std::string, Utf16Range> LanguageService::shapes(const std::string& file) {
+  std::map<std::string, Utf16Range> all;
+  Utf16Files places(files_);
+  for (const auto& [name, place] : shape_places(files_, file))
+    all.emplace(name, places.range(place.file, place.range));
+  return all;
 }
 
 }  // namespace stepwire::language

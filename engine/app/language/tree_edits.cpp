@@ -1,14 +1,68 @@
 #include "engine/app/language/tree_edits.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
-#include "engine/app/language/written_value.hpp"
+#include "engine/base/text/characters.hpp"
 #include "engine/base/yaml/text_extent.hpp"
 
 namespace stepwire::language {
-
 namespace {
+
+/// Text of a value at a place, and its parsed node.
+struct WrittenValue {
+  std::string text;
+  yaml::Node node;
+};
+
+std::string in_quotes(const std::string& text, char quote) {
+  std::string result(1, quote);
+  for (const char c : text) {
+    if (c == quote || (quote == '"' && c == '\\')) result += quote == '"' ? '\\' : quote;
+    result += c;
+  }
+  return result + quote;
+}
+
+/// Parses a text as a value of a map, with or without brackets; std::nullopt if it is none.
+std::optional<yaml::Node> value_of(const std::string& text, bool flow) {
+  try {
+    const yaml::Document read = yaml::parse_document(flow ? "{v: " + text + "}" : "v: " + text, "");
+    if (!read.root.is_map() || read.root.entries.size() != 1 || read.root.entries[0].key != "v")
+      return std::nullopt;
+    return read.root.entries[0].value;
+  } catch (const yaml::Error&) {
+    return std::nullopt;
+  }
+}
+
+/// True if the value contains the whole text, that is, no part of it is an anchor, a tag or a comment.
+bool is_whole(const yaml::Node& value, const std::string& text) {
+  if (value.is_scalar()) return value.text == text || text[0] == '"' || text[0] == '\'';
+  return (value.is_list() || value.is_map()) && text.find('#') == std::string::npos && text[0] != '&' &&
+         text[0] != '!';
+}
+
+/// Returns the notation of a value at a place: unchanged, such as "8 kg" or "[1, 2]", or quoted if it would
+/// otherwise be parsed differently.
+/// Examples of the latter are "max(a, b)" within brackets (`flow`) and a text with '#'. `quote` is the quote
+/// of the old value, which is kept; 0 if it had none. Throws EditRefused for text that is no single-line
+/// value.
+WrittenValue written_value(const std::string& text, bool flow, char quote = 0) {
+  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  if (first == std::string::npos) throw EditRefused("a value is missing");
+  if (text.find_first_of("\r\n") != std::string::npos) throw EditRefused("a value stands in one line here");
+  const std::string value = text.substr(first, last - first + 1);
+  const auto plain = value_of(value, flow);
+  const bool keeps_quotes = quote != 0 && plain && plain->is_scalar() && !plain->quoted;
+  if (plain && is_whole(*plain, value) && !keeps_quotes) return {value, *plain};
+  const std::string quoted = in_quotes(value, quote ? quote : '"');
+  if (const auto read = value_of(quoted, flow); read && read->text == value) return {quoted, *read};
+  throw EditRefused(fmt::format("'{}' is no value", text::visible(value)));
+}
 
 bool same(const yaml::Node& a, const yaml::Node& b) {
   const auto same_entry = [](const yaml::Entry& one, const yaml::Entry& other) {
@@ -20,6 +74,23 @@ bool same(const yaml::Node& a, const yaml::Node& b) {
 
 yaml::Entry entry_of(const std::string& key, yaml::Node value) {
   return {.key = key, .mark = {}, .value = std::move(value)};
+}
+
+constexpr std::size_t deeper = 2;  // indentation of a section [columns]
+
+std::string line_of(const std::string& name, const std::string& value) {
+  return name.empty() ? "- " + value : name + ": " + value;
+}
+
+/// Returns a list or a map with one value.
+yaml::Node node_of(const std::string& name, yaml::Node value) {
+  yaml::Node node;
+  node.kind = name.empty() ? yaml::Node::Kind::list : yaml::Node::Kind::map;
+  if (name.empty())
+    node.items.push_back(std::move(value));
+  else
+    node.entries.push_back({.key = name, .mark = {}, .value = std::move(value)});
+  return node;
 }
 
 }  // namespace
@@ -228,6 +299,79 @@ std::vector<Splice> TreeEdits::checked() const {
     throw EditRefused(std::string("the file could not be read any more: ") + error.what());
   }
   throw EditRefused("this would change more of the file than it should; change it in the text");
+}
+
+/// Returns the end of a line, after following comment lines that are indented like the parent's content.
+std::size_t TreeEdits::end_of_lines(const yaml::Node& parent, std::size_t end) const {
+  const std::size_t wanted = indent(parent).size();
+  std::size_t at = line_end(end);
+  for (std::size_t next = text_.find('\n', at); wanted > 0 && next < text_.size() - 1;
+       next = text_.find('\n', at)) {
+    const std::size_t first = text_.find_first_not_of(" \t", next + 1);
+    if (first == std::string_view::npos || text_[first] != '#' || first - next - 1 < wanted) break;
+    at = line_end(first);
+  }
+  return at;
+}
+
+void TreeEdits::begin(const yaml::Node& map, const yaml::Entry* entry, const std::string& key,
+                      const std::string& name, const std::string& text) {
+  const bool is_left_out = entry && places_.offset(entry->value.end) <= places_.key_range(*entry).to;
+  if (is_flow(map) || (entry && !is_left_out)) {
+    const std::string value = name.empty() ? "[" + text + "]" : "{" + name + ": " + text + "}";
+    return entry ? replace(entry->value, value) : add(map, key, value);
+  }
+  WrittenValue put = written_value(text, false);
+  const std::string line = line_break_ + indent(map) + std::string(deeper, ' ') + line_of(name, put.text);
+  yaml::Node value = node_of(name, std::move(put.node));
+  if (entry) {
+    const std::size_t at = line_end(places_.key_range(*entry).to);
+    splices_.push_back({{at, at}, line});
+    replaced_[&entry->value] = std::move(value);
+    return;
+  }
+  append(map, key + ":" + line);
+  added_[&map].push_back({.key = key, .mark = {}, .value = std::move(value)});
+}
+
+/// Converts a map to a list item: by a dash before a block map, or brackets around a flow map.
+void TreeEdits::put_in_list(const yaml::Entry& entry) {
+  const TextRange range{places_.offset(entry.value.mark),
+                        value_end(entry.value, places_.key_range(entry).to)};
+  if (is_flow(entry.value)) return splices_.push_back({{range.from, range.from}, "["});
+  splices_.push_back({{range.from, range.from}, "- "});
+  for (std::size_t line = text_.find('\n', range.from); line < range.to; line = text_.find('\n', line + 1)) {
+    const bool is_empty = text_.find_first_not_of(" \t\r", line + 1) == text_.find('\n', line + 1);
+    if (!is_empty && line + 1 < range.to) splices_.push_back({{line + 1, line + 1}, "  "});
+  }
+}
+
+void TreeEdits::make_list(const yaml::Entry& entry, const std::string& text) {
+  const bool flows = is_flow(entry.value);
+  WrittenValue put = written_value(text, flows);
+  put_in_list(entry);
+  const std::size_t end = value_end(entry.value, places_.key_range(entry).to);
+  const std::size_t at = flows ? end : end_of_lines(entry.value, end);
+  const std::string line =
+      flows ? ", " + put.text + "]" : line_break_ + indent(entry.value) + "- " + put.text;
+  splices_.push_back({{at, at}, line});
+  yaml::Node list = node_of("", entry.value);
+  list.items.push_back(std::move(put.node));
+  replaced_[&entry.value] = std::move(list);
+}
+
+void TreeEdits::add_below(const yaml::Node& map, const std::string& key, const std::string& name,
+                          const std::string& text) {
+  const auto found = std::ranges::find(map.entries, key, &yaml::Entry::key);
+  const yaml::Entry* entry = found == map.entries.end() ? nullptr : &*found;
+  if (!entry || entry->value.kind == yaml::Node::Kind::empty) return begin(map, entry, key, name, text);
+  const yaml::Node& value = entry->value;
+  const bool is_empty = value.entries.empty() && value.items.empty() && !value.is_scalar();
+  if (is_empty) return begin(map, entry, key, name, text);
+  if (!name.empty() && value.is_map()) return add(value, name, text);
+  if (name.empty() && value.is_list()) return add_item(value, text);
+  if (name.empty() && value.is_map()) return make_list(*entry, text);
+  throw EditRefused("'" + key + "' has another form here; the line would be: " + line_of(name, text));
 }
 
 }  // namespace stepwire::language

@@ -1,17 +1,29 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "engine/app/python/kept_documents.hpp"
 #include "engine/app/python/raised.hpp"
 #include "engine/app/session/session.hpp"
+#include "engine/model/diagram/load.hpp"
 #include "engine/stepwire/model.hpp"
 
 namespace stepwire::python {
+
+/// Cache of a model's documents as they were at the first read. So a reload with other values uses the same
+/// diagram even if the files have changed. Thread-safe.
+class KeptDocuments {
+ public:
+  std::shared_ptr<const yaml::Document> read(const std::string& path, const yaml::DocumentLimits& limits);
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::shared_ptr<const yaml::Document>> documents_;
+};
 
 /// Block types that a model may use, and the store of exceptions from Python blocks.
 struct Kinds {

@@ -6,7 +6,6 @@
 
 #include "engine/app/python/faults.hpp"
 #include "engine/app/python/watched_call.hpp"
-#include "engine/app/session/result_folder.hpp"
 #include "engine/app/session/run_files.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/simulate/run/pooling.hpp"

@@ -8,6 +8,12 @@
 
 namespace stepwire::reference {
 
+/// Returns the reference page of a block in Markdown, with a heading of the given level.
+std::string block_markdown(const BlockType& type, int level = 1);
+
+/// Returns one document with an index by family and the pages of all blocks.
+std::string blocks_markdown(const Registry& registry);
+
 /// Returns the reference page of a block for the terminal.
 std::string block_page(const BlockType& type);
 

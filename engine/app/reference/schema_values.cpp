@@ -49,6 +49,11 @@ Json list_with(const Range& range, Rows rows) {
                  lists_of(element_with(range), rows)});
 }
 
+/// Returns the schema of an enumeration.
+Json one_word_of(const std::vector<std::string>& words) {
+  return Json::object().set("enum", Json::list_of(words));
+}
+
 Json kind_schema(const BlockType& type, const ParameterSpec& spec) {
   switch (spec.kind) {
     case ParameterKind::number:
@@ -115,10 +120,6 @@ Json typed(const std::string& type) {
 
 Json any_of(std::vector<Json> schemas) {
   return Json::object().set("anyOf", Json::list(std::move(schemas)));
-}
-
-Json one_word_of(const std::vector<std::string>& words) {
-  return Json::object().set("enum", Json::list_of(words));
 }
 
 Json list_of(Json items) {

@@ -17,9 +17,6 @@ json::Json typed(const std::string& type);
 /// Returns a schema that accepts values of any of the given ones.
 json::Json any_of(std::vector<json::Json> schemas);
 
-/// Returns the schema of an enumeration.
-json::Json one_word_of(const std::vector<std::string>& words);
-
 /// Returns the schema of a list with elements of the schema `items`.
 json::Json list_of(json::Json items);
 /// Returns the schema of an element or a list of such elements.

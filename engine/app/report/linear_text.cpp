@@ -10,7 +10,6 @@
 #include "engine/base/text/text_table.hpp"
 
 namespace stepwire::report {
-
 namespace {
 
 using linear::Complex;
@@ -158,6 +157,15 @@ std::string rank_text(const char* what, const linear::Rank& rank, std::size_t st
                      fmt::join(values, ", "), others == 0 ? "" : fmt::format(" and {} others", others));
 }
 
+void add_rows(const char* kind, const std::vector<linear::TrimmedValue>& values, text::TextTable& table) {
+  for (const linear::TrimmedValue& value : values) {
+    const std::string unit = value.channel.unit.empty() ? "" : " " + value.channel.unit;
+    const char* how = value.at_bound ? "at its bound" : value.free ? "found" : "given";
+    table.rows.push_back({kind, value.channel.name, query::short_number(value.value, 8) + unit, how,
+                          value.setting.empty() ? "-" : value.setting});
+  }
+}
+
 }  // namespace
 
 std::string linear_text(const std::string& file, const linear::Analysis& analysis) {
@@ -182,6 +190,21 @@ std::string linear_text(const std::string& file, const linear::Analysis& analysi
     text += "\n" + rank_text("controllable", analysis.controllable, system.states.size()) +
             rank_text("observable", analysis.observable, system.states.size());
   for (const std::string& note : analysis.notes) text += fmt::format("note: {}\n", note);
+  return text;
+}
+
+std::string trim_text(const std::string& file, const linear::TrimResult& result) {
+  text::TextTable table;
+  table.columns = {"", "name", "value", "", "set by"};
+  add_rows("state", result.states, table);
+  add_rows("input", result.inputs, table);
+  add_rows("output", result.outputs, table);
+  std::string text = fmt::format("{}: {} after {} steps, largest residual {}\n\n{}", file,
+                                 result.converged ? "found" : "NOT found", result.iterations,
+                                 query::short_number(result.largest, 3), text::text(table));
+  if (result.converged) return text;
+  for (const auto& [channel, value] : result.residuals)
+    text += fmt::format("  {} is off by {}\n", channel.name, query::short_number(value, 4));
   return text;
 }
 

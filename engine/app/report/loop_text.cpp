@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "engine/app/session/loop_files.hpp"
 #include "engine/app/session/version.hpp"
 #include "engine/base/text/characters.hpp"
 #include "engine/simulate/realtime/machine.hpp"
 
 namespace stepwire::report {
-
 namespace {
 
 constexpr std::size_t max_groups_shown = 8;
@@ -89,7 +87,8 @@ std::string notes_text(const session::LoopOutcome& outcome) {
   for (const run::LoopCost& loop : outcome.loop.simulation().loop_costs())
     if (loop.unsolved > 0)
       text += fmt::format(
-          "  note the algebraic loop {} is not solved within {} iterations at {} of {} instants (first at {:.6g} "
+          "  note the algebraic loop {} is not solved within {} iterations at {} of {} instants (first at "
+          "{:.6g} "
           "s)\n",
           text::visible(loop.path), diagram_of(outcome).algebraic_loops.max_iterations, loop.unsolved,
           loop.instants, loop.first_unsolved);

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/app/session/loop_outcome.hpp"
+#include "engine/app/session/loop_run.hpp"
 
 namespace stepwire::report {
 

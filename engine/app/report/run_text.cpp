@@ -4,13 +4,11 @@
 
 #include <algorithm>
 
-#include "engine/app/session/findings.hpp"
 #include "engine/base/text/characters.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/plan/element_slot.hpp"
 
 namespace stepwire::report {
-
 namespace {
 
 std::string verdict_line(const claim::Verdict& verdict) {

@@ -5,12 +5,11 @@
 #include <filesystem>
 #include <set>
 
-#include "engine/app/session/build_note.hpp"
 #include "engine/app/session/studies.hpp"
+#include "engine/app/session/version.hpp"
 #include "engine/base/io/file.hpp"
 
 namespace stepwire::session {
-
 namespace {
 
 /// Refuses a link, whose target is outside this folder.

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "engine/app/session/build_note.hpp"
 #include "engine/app/session/ordered_points.hpp"
+#include "engine/app/session/version.hpp"
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/owned_folder.hpp"
 #include "engine/base/yaml/yaml_text.hpp"
@@ -93,6 +93,13 @@ bool is_missing(const std::vector<journal::Journal*>& journals, std::size_t poin
   return std::ranges::none_of(journals, [&](const journal::Journal* journal) { return journal->has(point); });
 }
 
+std::optional<run::PointResult> point_of(const std::vector<journal::Journal*>& journals, KeptPoints* halves,
+                                         std::size_t point) {
+  for (journal::Journal* journal : journals)
+    if (auto result = journal->point(point)) return result;
+  return halves ? halves->half(point) : std::nullopt;
+}
+
 }  // namespace
 
 std::string points_path(const std::string& folder) {
@@ -168,17 +175,6 @@ std::size_t KeptPoints::kept() const {
   for (std::size_t point = first_; point < end_; ++point) count += journal_.has(point);
   return count;
 }
-
-namespace {
-
-std::optional<run::PointResult> point_of(const std::vector<journal::Journal*>& journals, KeptPoints* halves,
-                                         std::size_t point) {
-  for (journal::Journal* journal : journals)
-    if (auto result = journal->point(point)) return result;
-  return halves ? halves->half(point) : std::nullopt;
-}
-
-}  // namespace
 
 Outcome joined_points(const LoadedModel& model, const std::vector<journal::Journal*>& journals,
                       const RowUse& use, KeptPoints* halves) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/app/session/ordered_points.hpp"
 #include "engine/app/session/outcome.hpp"
-#include "engine/app/session/row_use.hpp"
 #include "engine/simulate/journal/journal.hpp"
 
 namespace stepwire::session {

@@ -8,7 +8,7 @@
 #include "engine/analyse/claim/claim.hpp"
 #include "engine/analyse/estimation/fit_request.hpp"
 #include "engine/analyse/kept/names.hpp"
-#include "engine/analyse/linear/section.hpp"
+#include "engine/analyse/linear/request.hpp"
 #include "engine/analyse/linear/trim.hpp"
 #include "engine/analyse/sensitivity/sensitivity.hpp"
 #include "engine/analyse/study/study_request.hpp"

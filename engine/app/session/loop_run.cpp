@@ -1,23 +1,33 @@
 #include "engine/app/session/loop_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "engine/app/session/loop_files.hpp"
+#include "engine/app/session/run_files.hpp"
+#include "engine/app/session/version.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/io/owned_folder.hpp"
 #include "engine/base/subprocess/process.hpp"
+#include "engine/model/diagram/flatten.hpp"
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/realtime/machine.hpp"
 #include "engine/simulate/realtime/row_writer.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/simulate/run/code_trial.hpp"
 #include "engine/simulate/run/memory.hpp"
-#include "engine/view/render/figure_file.hpp"
+#include "engine/view/plot/figure_spec.hpp"
+#include "engine/view/plot/plot_tools.hpp"
+#include "engine/view/render/render.hpp"
 
 namespace stepwire::session {
+
+using json::Json;
 
 namespace {
 
@@ -54,6 +64,290 @@ std::unique_ptr<io::OwnedFolder> folder_with_replay(const std::string& path, con
   auto folder = std::make_unique<io::OwnedFolder>(path, [&] { return replay::files_read(plan); });
   replay::write_replay(path, plan);
   return folder;
+}
+
+/// Returns the nonempty bins as [[begin, count], ...].
+Json bins_json(const realtime::Histogram& times) {
+  Json bins = Json::list();
+  for (std::size_t bin = 0; bin < realtime::Histogram::bins(); ++bin)
+    if (times.count_in(bin) > 0)
+      bins.push(Json::list({Json(realtime::Histogram::begin_of(bin)), Json(times.count_in(bin))}));
+  return bins;
+}
+
+Json times_json(const realtime::Histogram& times) {
+  return Json::object()
+      .set("count", times.count())
+      .set("min", times.min())
+      .set("mean", times.mean())
+      .set("p50", times.quantile(0.5))
+      .set("p99", times.quantile(0.99))
+      .set("p99.9", times.quantile(0.999))
+      .set("max", times.max())
+      .set("histogram", bins_json(times));
+}
+
+Json worst_json(const LoopOutcome& outcome) {
+  Json wake_up = Json::list(), response = Json::list(), step = Json::list();
+  for (const realtime::Measurements::Worst& worst : outcome.loop.measurements().worst()) {
+    wake_up.push(worst.wake_up);
+    response.push(worst.response);
+    step.push(worst.step);
+  }
+  const double stretch = outcome.settings.duration / static_cast<double>(realtime::Measurements::worst_count);
+  return Json::object()
+      .set("stretch_s", stretch)
+      .set("wake_up", std::move(wake_up))
+      .set("response", std::move(response))
+      .set("step", std::move(step));
+}
+
+Json groups_json(const LoopOutcome& outcome) {
+  Json groups = Json::list();
+  for (const realtime::GroupCost& cost : outcome.loop.group_costs())
+    groups.push(Json::object()
+                    .set("type", cost.type)
+                    .set("blocks", cost.blocks)
+                    .set("mean", cost.samples > 0 ? Json(cost.mean) : Json())
+                    .set("samples", cost.samples));
+  return Json::object()
+      .set("how", "one stretch of calls of a tick at each wake-up, chosen pseudo-randomly")
+      .set("types", std::move(groups));
+}
+
+Json thread_json(const LoopOutcome& outcome) {
+  const realtime::ThreadCounts& counts = outcome.loop.counts();
+  return Json::object()
+      .set("policy", outcome.served.policy)
+      .set("cpu", outcome.settings.cpu ? Json(*outcome.settings.cpu) : Json())
+      .set("spin", outcome.settings.spin)
+      .set("refused", Json::list_of(outcome.served.refused))
+      .set("minor_faults", counts.minor_faults)
+      .set("major_faults", counts.major_faults)
+      .set("allocations", counts.allocations ? Json(*counts.allocations) : Json())
+      .set("voluntary_switches", counts.voluntary)
+      .set("involuntary_switches", counts.involuntary);
+}
+
+Json rows_json(const std::optional<LoopRows>& rows) {
+  if (!rows) return {};
+  return Json::object()
+      .set("written", rows->written)
+      .set("lost_to_ring", rows->lost_to_ring)
+      .set("lost_to_disk", rows->lost_to_disk);
+}
+
+Json baseline_json(const std::optional<realtime::Cyclictest>& baseline) {
+  if (!baseline) return {};
+  const realtime::CyclictestHistogram& times = baseline->histogram();
+  return Json::object()
+      .set("command", baseline->command())
+      .set("count", times.count())
+      .set("p50_us", times.quantile(0.5))
+      .set("p99_us", times.quantile(0.99))
+      .set("p99.9_us", times.quantile(0.999))
+      .set("max_us", times.max());
+}
+
+Json or_null(const std::string& text) {
+  return text.empty() ? Json() : Json(text);
+}
+
+Json machine_json() {
+  const realtime::Machine machine = realtime::Machine::here();
+  return Json::object()
+      .set("processor", machine.processor)
+      .set("processors", machine.processors)
+      .set("virtual", machine.virtual_machine)
+      .set("kernel", machine.kernel)
+      .set("kernel_command_line", machine.kernel_line)
+      .set("governor", or_null(machine.governor))
+      .set("clock_source", or_null(machine.clock_source))
+      .set("isolated", or_null(machine.isolated));
+}
+
+Json deadlines_json(const LoopOutcome& outcome) {
+  const realtime::Deadlines& deadlines = outcome.loop.deadlines();
+  return Json::object()
+      .set("planned", outcome.settings.deadlines)
+      .set("passed", deadlines.index())
+      .set("missed", deadlines.missed())
+      .set("late", deadlines.late())
+      .set("dropped", deadlines.dropped())
+      .set("longest_row", deadlines.longest_row());
+}
+
+Json diagram_json(const run::Executor& simulation) {
+  const plan::Plan& plan = simulation.plan();
+  return Json::object()
+      .set("file", plan.diagram.file)
+      .set("title", plan.diagram.title)
+      .set("hash", diagram::diagram_hash(plan.diagram))
+      .set("blocks", plan.diagram.blocks.size())
+      .set("states", plan.layout.state_count + plan.layout.discrete_count)
+      .set("step_s", plan.diagram.step)
+      .set("engine", simulation.compiled() ? "compiled" : "interpreted");
+}
+
+/// Returns all results and histograms of a loop as JSON. Times are in ns unless the key names another unit.
+Json loop_json(const LoopOutcome& outcome) {
+  const realtime::Loop& loop = outcome.loop;
+  Json faults = Json::list();
+  if (const auto fault = loop.simulation().fault()) faults.push(fault->fault.text());
+  return Json::object()
+      .set("diagram", diagram_json(loop.simulation()))
+      .set("end", end_word(loop.end()))
+      .set("faults", std::move(faults))
+      .set("rate_hz", outcome.settings.rate)
+      .set("duration_s", outcome.settings.duration)
+      .set("steps", loop.steps())
+      .set("ticks", loop.simulation().tick())
+      .set("deadlines", deadlines_json(outcome))
+      .set("algebraic_loops", algebraic_loops_json(loop.simulation().loop_costs()))
+      .set("resolution", realtime::Histogram::resolution)
+      .set("wake_up", times_json(loop.measurements().wake_up()))
+      .set("response", times_json(loop.measurements().response()))
+      .set("step", times_json(loop.measurements().step()))
+      .set("worst", worst_json(outcome))
+      .set("block_types", groups_json(outcome))
+      .set("thread", thread_json(outcome))
+      .set("rows", rows_json(outcome.rows))
+      .set("cyclictest", baseline_json(outcome.baseline))
+      .set("machine", machine_json())
+      .set("version", program_version())
+      .set("compiler", compiler_version());
+}
+
+constexpr double bins_per_decade = 20.0;
+
+double edge(std::size_t index) {
+  return std::pow(10.0, static_cast<double>(index) / bins_per_decade);
+}
+
+/// Histogram with 20 logarithmic bins per decade. The bins of the measured histograms are too narrow for a
+/// picture.
+class Coarse {
+ public:
+  Coarse(std::string name, const realtime::Histogram& times) : name(std::move(name)) {
+    for (std::size_t bin = 0; bin + 1 < realtime::Histogram::bins(); ++bin)
+      add(0.5 * static_cast<double>(realtime::Histogram::begin_of(bin) +
+                                    realtime::Histogram::begin_of(bin + 1)),
+          times.count_in(bin));
+  }
+  Coarse(std::string name, const realtime::CyclictestHistogram& times) : name(std::move(name)) {
+    for (std::size_t us = 0; us < times.counts().size(); ++us)
+      add(1e3 * (static_cast<double>(us) + 0.5), times.counts()[us]);
+  }
+
+  double operator[](std::size_t index) const { return index < counts_.size() ? counts_[index] : 0.0; }
+  std::size_t begin() const {
+    std::size_t index = 0;
+    while (index < counts_.size() && counts_[index] == 0.0) ++index;
+    return index;
+  }
+  std::size_t end() const { return counts_.size(); }
+  double most() const { return counts_.empty() ? 0.0 : *std::max_element(counts_.begin(), counts_.end()); }
+
+  std::string name;
+
+ private:
+  void add(double time, std::int64_t count) {
+    if (count == 0) return;
+    const auto index = static_cast<std::size_t>(bins_per_decade * std::log10(std::max(1.0, time)));
+    counts_.resize(std::max(counts_.size(), index + 1));
+    counts_[index] += static_cast<double>(count);
+  }
+
+  std::vector<double> counts_;
+};
+
+/// Histograms, with the bounds of the axes.
+struct Counted {
+  std::vector<Coarse> all;
+  std::size_t first = std::numeric_limits<std::size_t>::max(), end = 0;
+  double most = 1.0;
+};
+
+Counted counted(const LoopOutcome& outcome) {
+  const realtime::Measurements& measured = outcome.loop.measurements();
+  Counted counted{{{"wake-up latency", measured.wake_up()},
+                   {"response", measured.response()},
+                   {"cost of a step", measured.step()}}};
+  if (outcome.baseline) counted.all.emplace_back("cyclictest", outcome.baseline->histogram());
+  for (const Coarse& coarse : counted.all) {
+    counted.first = std::min(counted.first, coarse.begin());
+    counted.end = std::max(counted.end, coarse.end());
+    counted.most = std::max(counted.most, coarse.most());
+  }
+  counted.first -= std::min<std::size_t>(counted.first, 1);
+  return counted;
+}
+constexpr double below_axis = 0.1, axis = 0.7;
+
+/// Returns a histogram as a step curve. Empty bins are below the axis.
+plot::NumberCurve staircase(const Counted& counted, const Coarse& coarse) {
+  plot::NumberCurve curve{{}, {}, coarse.name};
+  for (std::size_t bin = counted.first; bin <= counted.end; ++bin)
+    for (const std::size_t at : {bin, bin + 1}) {
+      curve.x.push_back(1e-3 * edge(at));
+      curve.y.push_back(std::max(below_axis, coarse[bin]));
+    }
+  return curve;
+}
+
+void draw_counts(const Counted& counted, plot::PlotBuilder& plot) {
+  plot::name_axis(plot.spec.x, "time", "µs");
+  plot::name_axis(plot.spec.y, "deadlines", "");
+  std::vector<plot::NumberCurve> curves;
+  for (const Coarse& coarse : counted.all) curves.push_back(staircase(counted, coarse));
+  plot::draw_curves(curves, plot);
+  plot.plane(0.05);
+}
+
+double stretch_of(const LoopOutcome& outcome) {
+  return outcome.settings.duration / static_cast<double>(realtime::Measurements::worst_count);
+}
+
+/// Returns the longest times in each interval of the run.
+std::vector<plot::NumberCurve> worst_over_time(const LoopOutcome& outcome) {
+  std::vector<plot::NumberCurve> curves{
+      {{}, {}, "wake-up latency"}, {{}, {}, "response"}, {{}, {}, "cost of a step"}};
+  const auto& all = outcome.loop.measurements().worst();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].wake_up == 0 && all[i].response == 0) continue;  // no deadline, or not reached
+    const auto add = [&](plot::NumberCurve& curve, std::int64_t longest) {
+      curve.x.push_back(stretch_of(outcome) * (static_cast<double>(i) + 0.5));
+      curve.y.push_back(1e-3 * static_cast<double>(longest));
+    };
+    add(curves[0], all[i].wake_up);
+    add(curves[1], all[i].response);
+    add(curves[2], all[i].step);
+  }
+  return curves;
+}
+
+void draw_worst(const LoopOutcome& outcome, plot::PlotBuilder& plot) {
+  plot::name_axis(plot.spec.x, "time", "s");
+  plot::name_axis(plot.spec.y, fmt::format("longest in {:.4g} s", stretch_of(outcome)), "µs");
+  plot::draw_curves(worst_over_time(outcome), plot);
+  plot::set_line_ranges(plot);
+}
+
+/// Returns a figure with two panels: the histograms of wake-up latency, response and step cost, and their
+/// longest times over the run.
+plot::FigureSpec loop_figure(const LoopOutcome& outcome) {
+  const Counted all = counted(outcome);
+  const diagram::Diagram& diagram = outcome.loop.simulation().plan().diagram;
+  plot::FigureBuilder figure(
+      {.title = fmt::format("{}: {:.6g} Hz, {}", diagram.title.empty() ? diagram.file : diagram.title,
+                            outcome.settings.rate, outcome.served.policy),
+       .columns = 2},
+      2);
+  draw_counts(all,
+              figure.add({.x = {.range = {{1e-3 * edge(all.first), 1e-3 * edge(all.end + 1)}}, .log = true},
+                          .y = {.range = {{axis, 2.0 * all.most}}, .log = true}}));
+  draw_worst(outcome, figure.add({.x = {.range = {{0.0, outcome.settings.duration}}}, .y = {.log = true}}));
+  return figure.finished();
 }
 
 /// Output folder of a loop: its rows during the run, and its results at the end.
@@ -134,6 +428,20 @@ void run_loop(const LoopCall& call, const Registry& registry, const Monitor& mon
   subprocess::processes_stop() = false;  // allows the picture of an interrupted loop to be drawn
   report(outcome);
   if (folder) folder->describe(outcome);
+}
+
+std::string end_word(realtime::Loop::End end) {
+  switch (end) {
+    case realtime::Loop::End::stopped:
+      return "stopped after too many misses in a row";
+    case realtime::Loop::End::interrupted:
+      return "interrupted";
+    case realtime::Loop::End::fault:
+      return "ended by the diagram";
+    case realtime::Loop::End::done:
+      break;
+  }
+  return "done";
 }
 
 }  // namespace stepwire::session

@@ -9,14 +9,13 @@
 #include <limits>
 
 #include "engine/analyse/query/number.hpp"
-#include "engine/app/session/cases_table.hpp"
 #include "engine/app/session/linearizing.hpp"
 #include "engine/app/session/sweep_sections.hpp"
 #include "engine/simulate/run/pooling.hpp"
+#include "engine/view/plot/empty_selection.hpp"
 #include "engine/view/scene/scene_states.hpp"
 
 namespace stepwire::session {
-
 namespace {
 
 claim::Verdict not_judged(const claim::Claim& claim, const std::string& why) {
@@ -108,6 +107,28 @@ void show_rows(const LoadedModel& model, Outcome& outcome) {
   if (model.scene && !outcome.rows_passed) scene::add_scene_states(*model.scene, outcome.shown);
 }
 
+run::RunOptions options_of(run::ExecutionMode engine, plan::CodeSource& code, const Monitor& monitor,
+                           unsigned threads) {
+  run::RunOptions options;
+  options.engine = engine;
+  options.code = &code;
+  options.interrupt = monitor.interrupt;
+  options.progress = [&](double fraction) { monitor.show(fraction); };
+  options.observers = monitor.observers;
+  options.threads = threads;
+  return options;
+}
+
+class Seconds {
+ public:
+  double passed() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace
 
 void add_shown(const LoadedModel& model, Outcome& outcome) {
@@ -155,32 +176,6 @@ void judge_again(const LoadedModel& model, Outcome& outcome) {
   judge_claims(model, outcome);
 }
 
-namespace {
-
-run::RunOptions options_of(run::ExecutionMode engine, plan::CodeSource& code, const Monitor& monitor,
-                           unsigned threads) {
-  run::RunOptions options;
-  options.engine = engine;
-  options.code = &code;
-  options.interrupt = monitor.interrupt;
-  options.progress = [&](double fraction) { monitor.show(fraction); };
-  options.observers = monitor.observers;
-  options.threads = threads;
-  return options;
-}
-
-class Seconds {
- public:
-  double passed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-}  // namespace
-
 Outcome run_model(const LoadedModel& model, const run::RunOptions& options) {
   Outcome outcome;
   const Seconds seconds;
@@ -206,6 +201,11 @@ PointsReport run_points(const LoadedModel& model, run::ExecutionMode engine, pla
   report.lanes = run::run_points(model.job, options, exchange);
   report.seconds = seconds.passed();
   return report;
+}
+
+std::vector<std::string> findings_of(const LoadedModel& model, const Outcome& outcome) {
+  if (outcome.early()) return {};
+  return plot::empty_selections(model.figures, outcome.recordings());
 }
 
 }  // namespace stepwire::session

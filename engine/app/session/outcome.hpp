@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "engine/analyse/claim/judge.hpp"
@@ -71,5 +72,9 @@ struct PointsReport {
 /// results, which the caller joins.
 PointsReport run_points(const LoadedModel& model, run::ExecutionMode engine, plan::CodeSource& code,
                         const Monitor& monitor, run::PointExchange& exchange, unsigned threads = 0);
+
+/// Returns sentences on the pictures of an outcome: one for each panel whose `where` selects no row. The list
+/// is empty after an early end, of which no pictures are drawn.
+std::vector<std::string> findings_of(const LoadedModel& model, const Outcome& outcome);
 
 }  // namespace stepwire::session

@@ -1,17 +1,17 @@
 #include "engine/app/session/run_files.hpp"
 
-#include <fmt/format.h>
+#include <set>
+#include <utility>
 
-#include <cmath>
-
-#include "engine/app/session/findings.hpp"
+#include "engine/app/session/kept_points.hpp"
 #include "engine/app/session/sweep_sections.hpp"
 #include "engine/app/session/version.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/view/plot/figure_spec.hpp"
-#include "engine/view/render/figure_file.hpp"
-#include "engine/view/render/scene_animation.hpp"
+#include "engine/view/render/render.hpp"
+#include "engine/view/render/scene_drawing.hpp"
 
 namespace stepwire::session {
 
@@ -218,6 +218,22 @@ std::vector<std::string> write_outputs(const std::string& folder, const LoadedMo
   }
   if (model.scene) write_scene(folder, model, outcome, pictures);
   return pictures;
+}
+
+std::unique_ptr<io::OwnedFolder> own_results(const std::string& folder, const LoadedModel& model,
+                                             const FileKinds& kinds) {
+  if (folder.empty()) return nullptr;
+  auto owned = std::make_unique<io::OwnedFolder>(folder, [&] {
+    std::set<std::string> files = replay::files_read(model.job);
+    files.insert({folder + "/experiments.csv", folder + "/experiments.json", points_path(folder)});
+    for (const char* of : {"study", "fit", "tune"}) files.insert(items_path(folder, of));
+    if (model.study && !model.study->trials.empty()) files.insert(model.study->trials);
+    return files;
+  });
+  std::vector<std::string> names = signal_file_names(kinds);
+  names.insert(names.end(), {"claims.json", "run.json"});
+  owned->reserve(names);
+  return owned;
 }
 
 }  // namespace stepwire::session

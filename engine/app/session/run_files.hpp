@@ -1,10 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "engine/app/session/loaded_model.hpp"
 #include "engine/app/session/outcome.hpp"
 #include "engine/app/session/signal_files.hpp"
+#include "engine/base/io/owned_folder.hpp"
 #include "engine/base/json/json.hpp"
 #include "engine/view/render/picture_kind.hpp"
 
@@ -25,5 +28,12 @@ json::Json algebraic_loops_json(const std::vector<run::LoopCost>& loops);
 /// Returns the description of a run: hash of the flattened diagram, parameters, step, solver, version,
 /// compiler, duration.
 json::Json run_json(const LoadedModel& model, const Outcome& outcome);
+
+/// Takes ownership of the folder of a model's results, and removes results of earlier runs. Inputs of the
+/// model in the folder stay, and so do journals of experiments, which the next call continues.
+/// Throws EnvironmentError, before the run, if another run owns the folder or if a foreign file has the name
+/// of a result. Returns nullptr for an empty name.
+std::unique_ptr<io::OwnedFolder> own_results(const std::string& folder, const LoadedModel& model,
+                                             const FileKinds& kinds = usual_files);
 
 }  // namespace stepwire::session

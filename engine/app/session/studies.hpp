@@ -1,16 +1,17 @@
 #pragma once
 
-#include <cstdint>
 #include <future>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 
+#include "engine/analyse/study/distribution.hpp"
 #include "engine/analyse/study/experiment.hpp"
 #include "engine/app/session/outcome.hpp"
 #include "engine/base/json/json.hpp"
 #include "engine/base/messages/items.hpp"
+#include "engine/view/plot/plot_spec.hpp"
 
 namespace stepwire::session {
 
@@ -75,5 +76,10 @@ run::ExecutionMode engine_of(const LoadedModel& model, const StudyCall& call, st
 /// Returns the runs of a model as trials; `code` compiles them.
 study::TrialSource trial_source(diagram::Loader& loader, const LoadedModel& model, run::ExecutionMode engine,
                                 plan::CodeSource& code, const Monitor& monitor);
+
+/// Returns histograms over all experiments of the values that the thesis prints, with a line at the printed
+/// value. P values are drawn by their logarithm.
+plot::FigureSpec repetition_figure(const std::vector<study::ExperimentOutcome>& experiments,
+                                   const study::StudyRequest& request);
 
 }  // namespace stepwire::session

@@ -4,7 +4,6 @@
 #include <iterator>
 
 #include "engine/analyse/kept/kept_numbers.hpp"
-#include "engine/app/session/cases_table.hpp"
 
 namespace stepwire::session {
 
@@ -34,6 +33,25 @@ query::SymbolTable names_of_figures(const LoadedModel& model, const query::Symbo
 
 namespace {
 
+/// True if the column is set by the cases of the sweep, so that it has one value in each case.
+bool is_of_cases(const diagram::Sweep& sweep, const std::string& column) {
+  return std::ranges::any_of(sweep.axes, [&](const diagram::Sweep::Axis& axis) {
+    return axis.of_cases() && axis.parameter == column;
+  });
+}
+
+bool is_kept(const run::RunNumbers& kept, const std::string& column) {
+  return std::ranges::find(kept.columns, column, &table::Column::name) != kept.columns.end();
+}
+
+/// Returns `count` numbers: every `step`-th one from index `first` on.
+std::vector<double> every(const std::vector<double>& all, std::size_t step, std::size_t first,
+                          std::size_t count) {
+  std::vector<double> some(count);
+  for (std::size_t i = 0; i < count; ++i) some[i] = all[first + i * step];
+  return some;
+}
+
 /// Refuses numbers with the name of a recorded signal, because figures can name both.
 void refuse_names_of_signals(const LoadedModel& model, yaml::Faults& faults) {
   const query::SymbolTable rows = kept::names_of(model.job);
@@ -45,7 +63,47 @@ void refuse_names_of_signals(const LoadedModel& model, yaml::Faults& faults) {
                   {}});
 }
 
+/// Renames the kept numbers of a sweep by its cases, as in the table of by_cases(): error becomes HV.error.
+/// Without cases it changes nothing.
+void name_cases(const diagram::Sweep& sweep, const run::RunNumbers& kept, query::SymbolTable& names) {
+  const std::vector<std::string> cases = sweep.cases();
+  if (cases.empty()) return;
+  std::vector<query::RecordedName> all;
+  for (const query::RecordedName& column : names.columns) {
+    if (is_of_cases(sweep, column.name)) continue;
+    if (!is_kept(kept, column.name)) {
+      all.push_back(column);
+      continue;
+    }
+    for (const std::string& one : cases) {
+      all.push_back(column);
+      all.back().name = one + "." + column.name;
+    }
+  }
+  names.columns = std::move(all);
+}
+
 }  // namespace
+
+record::Recording by_cases(const diagram::Sweep& sweep, const run::RunNumbers& kept,
+                           const record::Recording& runs) {
+  const std::vector<std::string> cases = sweep.cases();
+  const bool whole = static_cast<double>(runs.table.rows()) == sweep.count();
+  const std::size_t rows = whole ? runs.table.rows() / cases.size() : 0;
+  record::Recording all{{}, {}, runs.categories};
+  const auto add = [&](const table::Column& column, const std::string& name, std::size_t first) {
+    all.table.columns.push_back({name, column.unit, every(column.values, cases.size(), first, rows)});
+  };
+  for (const table::Column& column : runs.table.columns) {
+    if (!is_kept(kept, column.name)) {
+      if (!is_of_cases(sweep, column.name)) add(column, column.name, 0);
+      continue;
+    }
+    for (std::size_t i = 0; i < cases.size(); ++i) add(column, cases[i] + "." + column.name, i);
+  }
+  for (std::size_t row = 0; row < rows; ++row) all.starts.push_back(row);
+  return all;
+}
 
 void add_kept(LoadedModel& model, query::SymbolTable& names, yaml::Faults& faults) {
   const auto& sweep = model.job.plan.diagram.sweep;

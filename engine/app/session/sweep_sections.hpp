@@ -1,8 +1,17 @@
 #pragma once
 
+#include "engine/analyse/query/symbol_table.hpp"
 #include "engine/app/session/loaded_model.hpp"
+#include "engine/model/diagram/sweep.hpp"
+#include "engine/simulate/record/recording.hpp"
+#include "engine/simulate/run/run_numbers.hpp"
 
 namespace stepwire::session {
+
+/// Converts the kept rows of runs to a table with one row for all cases of a point. It has the other swept
+/// values, and the numbers of each case. After an interruption, with missing runs, the table is empty.
+record::Recording by_cases(const diagram::Sweep& sweep, const run::RunNumbers& kept,
+                           const record::Recording& runs);
 
 /// Returns the number of recordings of a model's runs.
 std::size_t recordings_of(const LoadedModel& model);

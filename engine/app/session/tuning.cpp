@@ -1,23 +1,29 @@
 #include "engine/app/session/tuning.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
-#include <algorithm>
-
 #include "engine/analyse/study/study_columns.hpp"
 #include "engine/analyse/tuning/search_items.hpp"
-#include "engine/app/session/build_note.hpp"
 #include "engine/app/session/search_parts.hpp"
 #include "engine/app/session/study_parts.hpp"
+#include "engine/app/session/version.hpp"
 #include "engine/base/io/file.hpp"
-#include "engine/view/render/figure_file.hpp"
+#include "engine/base/table/table_file.hpp"
+#include "engine/base/text/characters.hpp"
+#include "engine/view/plot/figure_spec.hpp"
+#include "engine/view/plot/plot_tools.hpp"
+#include "engine/view/render/render.hpp"
 #include "engine/view/scene/scene_states.hpp"
 
 namespace stepwire::session {
+
+using json::Json;
 
 namespace {
 
@@ -156,6 +162,142 @@ struct TuneParts : SearchParts {
   std::string take_problem() { return study ? study->take_problem() : code.take_problem(); }
 };
 
+Json dimension_json(const std::optional<unit::Dimension>& dimension) {
+  return dimension ? Json(unit::si_name(*dimension)) : Json();
+}
+
+Json tuned_json(const tuning::TunedNumber& number) {
+  return Json::object()
+      .set("name", number.name)
+      .set("value", number.value)
+      .set("unit", dimension_json(number.dimension))
+      .set("start", number.start)
+      .set("bounds", Json::list({number.lower, number.upper}))
+      .set("interval", number.interval ? Json::list({(*number.interval)[0], (*number.interval)[1]}) : Json())
+      .set("at_bound", number.at_bound);
+}
+
+/// Returns the targets with their derivatives by the parameters, in deviations per range from bound to bound.
+Json tuned_targets_json(const tuning::TuneResult& result) {
+  Json list = Json::list();
+  const auto& jacobian = result.resolution.jacobian;
+  for (std::size_t i = 0; i < result.targets.size(); ++i) {
+    const tuning::TunedTarget& target = result.targets[i];
+    list.push(Json::object()
+                  .set("that", target.verdict.that)
+                  .set("check", target.verdict.check)
+                  .set("value", target.verdict.value)
+                  .set("off", target.off)
+                  .set("start", target.start)
+                  .set("derivatives", i < jacobian.size() ? Json::list_of(jacobian[i]) : Json::list()));
+  }
+  return list;
+}
+
+Json tuned_claims_json(const tuning::TuneResult& result) {
+  Json list = Json::list();
+  for (const tuning::TunedClaim& claim : result.claims)
+    list.push(Json::object()
+                  .set("that", claim.verdict.that)
+                  .set("check", claim.verdict.check)
+                  .set("value", claim.verdict.value)
+                  .set("shown", claim.verdict.shown)
+                  .set("start", claim.start)
+                  .set("margin", claim.margin)
+                  .set("holds", claim.verdict.holds)
+                  .set("active", claim.active));
+  return list;
+}
+
+Json tuned_starts_json(const tuning::TuneResult& result) {
+  Json list = Json::list();
+  for (const tuning::TunedStart& start : result.starts)
+    list.push(Json::object()
+                  .set("objective", start.objective ? Json(*start.objective) : Json())
+                  .set("converged", start.converged)
+                  .set("evaluations", start.evaluations));
+  return list;
+}
+
+std::string unit_text(const std::optional<unit::Dimension>& dimension) {
+  return dimension && *dimension != unit::Dimension{} ? unit::si_name(*dimension) : "";
+}
+
+constexpr std::size_t most_panels = 12;
+
+/// Returns the indices of the evaluations that are feasible and the best so far.
+std::vector<std::size_t> improvements(const tuning::TuneResult& result) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < result.history.size(); ++i) {
+    const tuning::Evaluation& one = result.history[i];
+    if (one.is_feasible() && (found.empty() || one.objective < result.history[found.back()].objective))
+      found.push_back(i);
+  }
+  return found;
+}
+
+/// Returns a step curve: each value holds until the next improvement, the last one to the end.
+template <class Value>
+plot::NumberCurve steps_of(const tuning::TuneResult& result, const std::vector<std::size_t>& at, Value value,
+                           const std::string& legend) {
+  plot::NumberCurve curve{{}, {}, legend};
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const std::size_t end = k + 1 < at.size() ? at[k + 1] : result.history.size() - 1;
+    for (const std::size_t x : {at[k], std::max(at[k], end)}) {
+      curve.x.push_back(static_cast<double>(x + 1));
+      curve.y.push_back(value(result.history[at[k]]));
+    }
+  }
+  return curve;
+}
+
+/// True if all values are positive and the largest exceeds ten times the smallest.
+bool spans_decades(const std::vector<double>& values) {
+  if (values.empty()) return false;
+  const auto [low, high] = std::ranges::minmax_element(values);
+  return *low > 0.0 && *high > 10.0 * *low;
+}
+
+void finish_panel(plot::PlotBuilder& plot, const tuning::TuneResult& result) {
+  plot::name_axis(plot.spec.x, "evaluation", "");
+  plot::set_line_ranges(plot);
+  plot.spec.x.range = {{1.0, std::max(2.0, static_cast<double>(result.history.size()))}};
+}
+
+void add_objective(const LoadedModel& model, const tuning::TuneResult& result,
+                   const std::vector<std::size_t>& better, plot::FigureBuilder& panels) {
+  plot::NumberCurve all{{}, {}, "each evaluation"};
+  for (std::size_t i = 0; i < result.history.size(); ++i) {
+    if (result.history[i].is_bad()) continue;
+    all.x.push_back(static_cast<double>(i + 1));
+    all.y.push_back(result.history[i].objective);
+  }
+  plot::PlotBuilder& plot = panels.add({.y = {.log = spans_decades(all.y)}});
+  const auto& dimension = result.dimension;
+  plot::name_axis(plot.spec.y,
+                  model.tune->objective_text().size() <= 40 ? model.tune->objective_text() : "objective",
+                  dimension && *dimension != unit::Dimension{} ? unit::si_name(*dimension) : "");
+  std::vector<plot::NumberCurve> curves{std::move(all)};
+  if (!better.empty())
+    curves.push_back(steps_of(
+        result, better, [](const tuning::Evaluation& one) { return one.objective; }, "best with all claims"));
+  plot::draw_curves(curves, plot);
+  finish_panel(plot, result);
+}
+
+void add_number(const tuning::TuneResult& result, std::size_t number, const std::vector<std::size_t>& better,
+                plot::FigureBuilder& panels) {
+  const tuning::TunedNumber& of = result.numbers[number];
+  const unit::Unit unit = unit::parse_unit(of.unit).value_or(unit::Unit{});
+  plot::NumberCurve curve = steps_of(
+      result, better, [&](const tuning::Evaluation& one) { return unit.from_si(one.values[number]); }, "");
+  plot::PlotBuilder& plot = panels.add({.y = {.log = spans_decades(curve.y)}});
+  const bool si = of.unit.empty() && of.dimension && *of.dimension != unit::Dimension{};
+  plot::name_axis(plot.spec.y, of.name, si ? unit::si_name(*of.dimension) : of.unit);
+  plot::draw_curves({std::move(curve)}, plot);
+  finish_panel(plot, result);
+}
+
 }  // namespace
 
 tuning::TuneResult tune_model(const Registry& registry, const LoadedModel& model, const TuneCall& call,
@@ -197,6 +339,74 @@ void write_tune(const std::string& folder, const LoadedModel& model, const tunin
   // An interruption would also end the renderer.
   if (!result.numbers.empty() && !result.interrupted)
     render::write_figure(folder, "tune-history", tune_figure(model, result));
+}
+
+json::Json tune_json(const LoadedModel& model, const tuning::TuneResult& result) {
+  Json numbers = Json::list();
+  for (const tuning::TunedNumber& number : result.numbers) numbers.push(tuned_json(number));
+  return Json::object()
+      .set("file", model.file)
+      .set("minimise", model.tune->objective_text())
+      .set("parameters", std::move(numbers))
+      .set("objective", result.objective)
+      .set("unit", dimension_json(result.dimension))
+      .set("start_objective", result.start_objective)
+      .set("worst", result.worst.empty() ? Json() : Json(result.worst))
+      .set("targets", tuned_targets_json(result))
+      .set("singular_values", Json::list_of(result.resolution.singular_values))
+      .set("claims", tuned_claims_json(result))
+      .set("starts", tuned_starts_json(result))
+      .set("findings", Json::list_of(result.findings))
+      .set("method", result.method)
+      .set("evaluations", result.history.size())
+      .set("failed_evaluations", result.bad)
+      .set("runs", result.runs)
+      .set("feasible", result.feasible)
+      .set("converged", result.converged)
+      .set("interrupted", result.interrupted)
+      .set("compiled", result.compiled)
+      .set("duration", result.seconds);
+}
+
+std::string history_csv(const LoadedModel& model, const tuning::TuneResult& result) {
+  enum State { holds, fails, failed };
+  table::Table table{{{"evaluation", "", {}}, {"start", "", {}}, {"state", "", {}}}};
+  for (const tuning::TunedNumber& number : result.numbers)
+    table.columns.push_back({number.name, unit_text(number.dimension), {}});
+  table.columns.push_back({"objective", unit_text(result.dimension), {}});
+  const std::size_t claims = model.tune->constraints.size();
+  for (std::size_t i = 0; i < claims; ++i) table.columns.push_back({fmt::format("margin.{}", i + 1), "", {}});
+  for (std::size_t row = 0; row < result.history.size(); ++row) {
+    const tuning::Evaluation& one = result.history[row];
+    std::vector<double> cells{static_cast<double>(row + 1), static_cast<double>(one.start + 1),
+                              static_cast<double>(one.is_bad()        ? failed
+                                                  : one.is_feasible() ? holds
+                                                                      : fails)};
+    cells.insert(cells.end(), one.values.begin(), one.values.end());
+    cells.push_back(one.objective);
+    cells.insert(cells.end(), one.margins.begin(), one.margins.end());
+    for (std::size_t i = 0; i < table.columns.size() && i < cells.size(); ++i)
+      table.columns[i].values.push_back(cells[i]);
+  }
+  return table::csv_text(table, {{"state", {"holds", "fails", "no objective"}}});
+}
+
+std::string parameters_text(const LoadedModel& model, const tuning::TuneResult& result) {
+  std::string text = fmt::format("# Tuned by {}; stepwire run FILE --set-from takes this file.\n",
+                                 text::visible(model.file));
+  for (const diagram::Setting& setting : result.settings)
+    text += fmt::format("{}: {}\n", setting.name, setting.value);
+  return text;
+}
+
+plot::FigureSpec tune_figure(const LoadedModel& model, const tuning::TuneResult& result) {
+  const std::vector<std::size_t> better = improvements(result);
+  const std::size_t numbers = better.empty() ? 0 : std::min(result.numbers.size(), most_panels - 1);
+  plot::FigureBuilder panels({.title = "Tuning, evaluation by evaluation", .columns = numbers > 3 ? 2 : 1},
+                             numbers + 1);
+  add_objective(model, result, better, panels);
+  for (std::size_t i = 0; i < numbers; ++i) add_number(result, i, better, panels);
+  return panels.finished();
 }
 
 }  // namespace stepwire::session

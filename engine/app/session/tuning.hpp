@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "engine/analyse/tuning/tune.hpp"
 #include "engine/app/session/loaded_model.hpp"

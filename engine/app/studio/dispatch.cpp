@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
+#include <optional>
 #include <utility>
 
 #include "engine/base/text/characters.hpp"
 
 namespace stepwire::studio {
+
+using Clock = std::chrono::steady_clock;
 
 using json::Json;
 
@@ -20,8 +24,8 @@ const CallRow& row_of(const Calls& calls, const Json& request) {
   return row->second;
 }
 
-}  // namespace
-
+/// Runs a call and returns the answer, with the `id` of the request. Without an `id` only faults are
+/// answered; success returns std::nullopt.
 std::optional<std::string> answer_to(const Json& request, const std::function<Json()>& call) {
   Json answer = Json::object();
   const Json* id = request.find("id");
@@ -33,6 +37,57 @@ std::optional<std::string> answer_to(const Json& request, const std::function<Js
     answer.set("fault", fault_in_flight());
   }
   return answer.text(-1);
+}
+
+}  // namespace
+
+Lane::Lane(Work tick, std::chrono::milliseconds period)
+    : tick_(std::move(tick)), period_(period), thread_([this] { run(); }) {}
+
+void Lane::post(Work work, int sender) {
+  const std::lock_guard lock(mutex_);
+  if (ends_) return;
+  auto found = std::ranges::find(waiting_, sender, &Sender::number);
+  if (found == waiting_.end()) found = waiting_.insert(found, {sender, {}});
+  found->works.push_back(std::move(work));
+  changed_.notify_one();
+}
+
+void Lane::stop() {
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+    waiting_.clear();
+    changed_.notify_one();
+  }
+  if (thread_.joinable()) thread_.join();
+}
+
+/// Waits for the next work; returns an empty function at the end of the period or of the lane.
+Lane::Work Lane::next() {
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, period_, [this] { return ends_ || !waiting_.empty(); });
+  if (waiting_.empty()) return {};
+  Sender sender = std::move(waiting_.front());
+  waiting_.pop_front();
+  Work work = std::move(sender.works.front());
+  sender.works.pop_front();
+  if (!sender.works.empty()) waiting_.push_back(std::move(sender));
+  return work;
+}
+
+void Lane::run() {
+  Clock::time_point ticked = Clock::now();
+  for (bool ends = false; !ends;) {
+    if (const Work work = next()) work();
+    {
+      const std::lock_guard lock(mutex_);
+      ends = ends_;
+    }
+    if (!ends && Clock::now() - ticked < period_) continue;
+    if (tick_) tick_();
+    ticked = Clock::now();
+  }
 }
 
 Dispatch::Dispatch(const Calls& calls, Send send, Acknowledge acknowledge)

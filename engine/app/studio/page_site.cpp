@@ -1,13 +1,12 @@
 #include "engine/app/studio/page_site.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "engine/app/studio/http/gate.hpp"
-#include "engine/app/studio/http/security_headers.hpp"
 #include "engine/base/text/characters.hpp"
 
 namespace stepwire::studio {
-
 namespace {
 
 constexpr const char* no_page =
@@ -42,6 +41,23 @@ http::Answer page_answer(std::span<const PageFile> table, const http::Request& r
     answer.fixed = file->bytes;
   }
   return answer;
+}
+
+std::string content_type(std::string_view path) {
+  static const std::map<std::string_view, const char*> types{
+      {"html", "text/html; charset=utf-8"},
+      {"js", "text/javascript; charset=utf-8"},
+      {"mjs", "text/javascript; charset=utf-8"},
+      {"css", "text/css; charset=utf-8"},
+      {"svg", "image/svg+xml"},
+      {"png", "image/png"},
+      {"json", "application/json"},
+      {"txt", "text/plain; charset=utf-8"},
+      {"woff2", "font/woff2"},
+      {"wasm", "application/wasm"},
+  };
+  const auto found = types.find(path.substr(path.rfind('.') + 1));
+  return found == types.end() ? "application/octet-stream" : found->second;
 }
 
 }  // namespace stepwire::studio

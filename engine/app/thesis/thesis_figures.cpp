@@ -4,31 +4,231 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <filesystem>
+#include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
 #include "engine/app/session/fitting.hpp"
 #include "engine/app/session/kept_experiments.hpp"
+#include "engine/app/session/loaded_model.hpp"
 #include "engine/app/session/run_files.hpp"
 #include "engine/app/session/studies.hpp"
 #include "engine/app/thesis/thesis_contents.hpp"
 #include "engine/app/thesis/thesis_data.hpp"
-#include "engine/app/thesis/thesis_entry.hpp"
-#include "engine/app/thesis/thesis_print.hpp"
 #include "engine/base/hash/hash.hpp"
+#include "engine/base/io/cache.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/io/owned_folder.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/subprocess/process.hpp"
+#include "engine/base/subprocess/scratch_folder.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
+#include "engine/view/gallery/gallery_picture.hpp"
+#include "engine/view/gallery/gallery_print.hpp"
+#include "engine/view/plot/plot_kind.hpp"
+#include "engine/view/render/pdf_outline.hpp"
 
 namespace stepwire::thesis {
-
 namespace {
 
 namespace fs = std::filesystem;
+
+std::string label_of(const diagram::Diagram& diagram) {
+  std::string label;
+  if (diagram.thesis.figure) label = fmt::format("Figure {}", *diagram.thesis.figure);
+  if (diagram.thesis.table)
+    label += fmt::format("{}Table {}", label.empty() ? "" : " and ", *diagram.thesis.table);
+  return label;
+}
+
+/// Returns a picture that is not one of the file's figures, titled by its file name.
+gallery::GalleryPicture extra_picture(const std::string& file) {
+  static const std::map<std::string, std::string> words{
+      {"scene.svg", "The scene in motion"},
+      {"fit-records.svg", "Records and the fitted model"},
+      {"fit-curves.svg", "Curves of the fitted model"},
+      {"fit-correlation.svg", "Correlation of the fitted parameters"}};
+  gallery::GalleryPicture picture;
+  picture.title = words.contains(file) ? words.at(file) : fs::path(file).stem().string();
+  picture.alt = picture.title;
+  picture.own = true;
+  return picture;
+}
+
+gallery::GalleryPicture picture_of(const plot::Figure& figure) {
+  gallery::GalleryPicture picture;
+  picture.caption = figure.caption;
+  picture.alt = gallery::described(figure);
+  picture.own = figure.own;
+  picture.dense = figure.panels.size() == 1 && figure.panels.front().kind->name == "diagram";
+  return picture;
+}
+
+/// Adds an assumption once, even if several instances of a part contain it.
+void add_assumption(const diagram::DiagramParameter& parameter,
+                    std::vector<gallery::Assumption>& assumptions) {
+  const auto short_name = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
+  const auto is_same = [&](const gallery::Assumption& known) {
+    return short_name(known.name) == short_name(parameter.name) && known.value == parameter.text &&
+           known.doc == parameter.doc;
+  };
+  if (std::ranges::none_of(assumptions, is_same))
+    assumptions.push_back({parameter.name, parameter.text, parameter.doc});
+}
+
+/// Fills in the entry from the diagram file: label, title, captions, departures, assumed values.
+void describe_entry(const session::LoadedModel& model, gallery::GalleryEntry& entry) {
+  const diagram::Diagram& diagram = model.job.plan.diagram;
+  entry.label = label_of(diagram);
+  entry.figure = diagram.thesis.figure;
+  entry.table = diagram.thesis.table;
+  entry.section = diagram.thesis.section;
+  entry.title = diagram.title;
+  entry.caption = diagram.caption;
+  entry.source_caption = diagram.thesis.caption;
+  entry.source_says = diagram.thesis.says;
+  entry.departures = diagram.thesis.departures;
+  for (const diagram::DiagramParameter& parameter : diagram.parameters)
+    if (parameter.assumed) add_assumption(parameter, entry.assumptions);
+}
+
+gallery::GallerySource source_of(const std::string& file, const std::string& root) {
+  const fs::path inside = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(root));
+  const bool outside = inside.empty() || *inside.begin() == "..";
+  const fs::path place = outside ? "elsewhere" / fs::path(file).filename() : inside;
+  return {"diagrams/" + place.generic_string(), io::read_file(file)};
+}
+
+/// Returns copies of the diagram file and of its parts, at their paths relative to `root`. They can be run
+/// from the gallery.
+std::vector<gallery::GallerySource> sources_of(const session::LoadedModel& model, const std::string& root) {
+  std::vector<gallery::GallerySource> sources;
+  std::vector<std::string> seen;
+  for (const diagram::ScopeInfo& scope : model.job.plan.diagram.scopes) {
+    if (std::ranges::find(seen, scope.file) != seen.end()) continue;
+    seen.push_back(scope.file);
+    sources.push_back(source_of(scope.file, root));
+  }
+  return sources;
+}
+
+/// Adds the pictures that a run wrote into its folder under `out`, with sizes and captions. Also writes a
+/// script that contains their texts. Throws EnvironmentError.
+void add_pictures(const session::LoadedModel& model, const std::vector<std::string>& files,
+                  const std::string& out, gallery::GalleryEntry& entry) {
+  std::map<std::string, std::string> texts;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const bool of_figure = i < model.figures.size() && files[i] == io::numbered("figure", i, ".svg");
+    gallery::GalleryPicture picture = of_figure ? picture_of(model.figures[i]) : extra_picture(files[i]);
+    picture.file = files[i];
+    texts[files[i]] = io::read_file(fmt::format("{}/{}/{}", out, entry.folder, files[i]));
+    gallery::read_picture(picture, texts[files[i]]);
+    picture.alt = fmt::format("{}, picture {} of {}: {}", entry.label.empty() ? entry.title : entry.label,
+                              i + 1, files.size(), picture.alt);
+    entry.pictures.push_back(std::move(picture));
+  }
+  io::write_file(fmt::format("{}/{}/pictures.js", out, entry.folder), gallery::picture_script(texts));
+}
+
+/// Adds every file in the folder of an entry as a download.
+void add_downloads(const std::string& out, gallery::GalleryEntry& entry) {
+  std::error_code error;
+  for (const auto& file : fs::directory_iterator(fs::path(out) / entry.folder, error))
+    if (file.is_regular_file(error))
+      entry.downloads.push_back({file.path().filename().string(), file.file_size(error)});
+  std::ranges::sort(entry.downloads, {}, [](const gallery::GalleryDownload& file) {
+    const fs::path path = file.file;
+    return std::pair(path.stem(), path.extension());
+  });
+}
+
+constexpr const char* printer = "rsvg-convert";
+
+/// Converts SVG pages to one PDF, or loads it from the cache.
+std::string printed(const std::string& program, const std::vector<std::string>& pages) {
+  hash::Hash hash;
+  hash.add(printer);
+  for (const std::string& page : pages) hash.add(page);
+  const io::Cache cache;
+  const std::string name = hash.text() + ".pdf";
+  if (std::optional<std::string> text = cache.find(name)) return *std::move(text);
+  const subprocess::ScratchFolder folder;
+  // Fixes the creation time in the PDF, so that equal pages give equal bytes.
+  subprocess::ProcessCall call{.command = {"env", "SOURCE_DATE_EPOCH=0", program, "--format=pdf"}};
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    call.command.push_back(folder.path() + "/" + io::numbered("page", i, ".svg"));
+    io::write_file(call.command.back(), pages[i]);
+  }
+  const subprocess::ProcessResult answer = subprocess::run_helper(printer, call);
+  cache.keep(name, answer.output);
+  return answer.output;
+}
+
+/// The entries of one chapter, and the pages of their pictures.
+struct Chapter {
+  std::string file;
+  std::vector<gallery::GalleryEntry*> entries;
+  std::vector<std::string> pages;  ///< SVG pages
+  std::vector<render::Bookmark> bookmarks;
+
+  void add(const std::string& out, gallery::GalleryEntry& entry) {
+    entry.print = {file, pages.size() + 1};
+    entries.push_back(&entry);
+    bookmarks.push_back({gallery::printed_name(entry), entry.print.page});
+    for (const gallery::GalleryPicture& picture : entry.pictures)
+      pages.push_back(gallery::printed_page(
+          entry, picture, io::read_file(fmt::format("{}/{}/{}", out, entry.folder, picture.file))));
+  }
+
+  void leave_out(const std::string& note) {
+    for (gallery::GalleryEntry* entry : entries) {
+      entry->print = {};
+      entry->note = note;
+    }
+  }
+
+  void print(const std::string& program, const std::string& out) {
+    if (program.empty())
+      return leave_out(fmt::format(
+          "There is no PDF, since {} is not installed; on Debian it is the package librsvg2-bin.", printer));
+    try {
+      io::write_file(out + "/" + file, render::with_outline(printed(program, pages), bookmarks));
+    } catch (const std::exception& error) {  // also after an interruption of the printer
+      leave_out(fmt::format("There is no PDF: {}", error.what()));
+    }
+  }
+};
+
+/// Returns the file name of a chapter. The chapter is free text in the diagram file, so other names than
+/// letters and digits share one file.
+std::string print_name(const std::string& chapter) {
+  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0; };
+  if (chapter.empty() || !std::ranges::all_of(chapter, plain)) return "pictures.pdf";
+  return "chapter-" + chapter + ".pdf";
+}
+
+/// Writes all pictures of each chapter as one PDF if rsvg-convert is installed. A page has one picture with
+/// number and caption of its figure; each figure has a bookmark.
+/// Entries of a chapter must be adjacent. Entries without a PDF get a note with the reason. One call of
+/// rsvg-convert makes a chapter, because its start takes longer than a picture.
+void print_chapters(const std::string& out, std::vector<gallery::GalleryEntry>& entries) {
+  std::map<std::string, Chapter> chapters;
+  for (gallery::GalleryEntry& entry : entries) {
+    if (entry.pictures.empty()) continue;
+    const std::string name = print_name(gallery::chapter_of(entry));
+    Chapter& chapter = chapters[name];
+    chapter.file = name;
+    chapter.add(out, entry);
+  }
+  const std::string program = subprocess::find_program(printer);
+  std::vector<Chapter*> all;
+  for (auto& [name, chapter] : chapters) all.push_back(&chapter);
+  parallel::in_parallel(all.size(), 0, [&](std::size_t i) { all[i]->print(program, out); });
+}
 
 constexpr const char* not_made = "was interrupted before it was made";
 

@@ -3,17 +3,217 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
 
 #include "engine/base/csv/decimal_survey.hpp"
 #include "engine/base/csv/encoding.hpp"
-#include "engine/base/csv/record_column.hpp"
-#include "engine/base/csv/record_header.hpp"
+#include "engine/base/csv/time_stamp.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/base/table/csv_cell.hpp"
 #include "engine/base/table/csv_lines.hpp"
+#include "engine/base/table/table.hpp"
 #include "engine/base/table/table_file.hpp"
+#include "engine/base/unit/unit.hpp"
 
 namespace stepwire::csv {
 namespace {
+
+/// True for a number with any decimal mark and for a time of the calendar.
+bool is_value(const std::string& text) {
+  return shape_of(text) != Shape::other || time_stamp(text).has_value();
+}
+
+/// True where a text in parentheses is a unit. The index of x(1) and the t of x(t) are not units.
+bool is_unit_in_parentheses(const std::string& unit, bool blank_before) {
+  if (unit.empty() || is_value(unit) || (unit == "t" && !blank_before)) return false;
+  return unit::parse_unit(unit).has_value();
+}
+
+/// Returns the unit of a cell in the row of units: brackets are removed, and a dash means "1".
+std::string bare_unit(const std::string& cell) {
+  const bool brackets = cell.size() > 2 && ((cell.front() == '[' && cell.back() == ']') ||
+                                            (cell.front() == '(' && cell.back() == ')'));
+  const std::string bare = brackets ? table::csv_trimmed(cell.substr(1, cell.size() - 2)) : cell;
+  return bare == "-" || bare == "--" ? "1" : bare;
+}
+
+/// Splits a title into name and unit: "x [mm]", or "x (mm)" where the text in parentheses is a unit.
+table::Column titled_column(const std::string& title) {
+  table::Column column = table::csv_column(title);
+  const std::size_t open = title.rfind('(');
+  if (!column.unit.empty() || open == std::string::npos || open == 0 || title.back() != ')') return column;
+  const std::string unit = table::csv_trimmed(title.substr(open + 1, title.size() - open - 2));
+  if (!is_unit_in_parentheses(unit, table::is_csv_blank(title[open - 1]))) return column;
+  return {table::csv_trimmed(title.substr(0, open)), unit, {}};
+}
+
+/// Returns the columns of a header; a column without a name keeps its position. Columns of the same name with
+/// different units are named by their whole titles. Fails for a line of numbers only and for a duplicate
+/// name.
+std::vector<table::Column> columns_of(const std::vector<std::string>& titles, const table::CsvLines& lines) {
+  if (std::ranges::all_of(titles,
+                          [](const std::string& title) { return is_missing(title) || is_value(title); }))
+    lines.fail("the first line holds numbers; it must name the columns");
+  std::vector<table::Column> columns;
+  std::map<std::string, int> uses;
+  for (const std::string& title : titles) {
+    columns.push_back(titled_column(table::csv_word(title)));
+    ++uses[columns.back().name];
+  }
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    std::string& name = columns[i].name;
+    if (name.empty()) continue;
+    if (uses.at(name) > 1) name = table::csv_word(titles[i]);
+    if (!names.insert(name).second)
+      lines.fail(fmt::format("two columns are named '{}'", table::csv_shown(name)));
+  }
+  return columns;
+}
+
+/// Returns the units in the row below the names, as in `s;mm;N`; std::nullopt for a row of values. A row of
+/// units has no number but 1, and has units above the values of columns. If it has at least as many ones as
+/// such units, one of these must be a time.
+std::optional<std::vector<std::string>> units_below(const std::vector<std::string>& row,
+                                                    const std::vector<std::string>& next_row) {
+  std::vector<std::string> units;
+  std::size_t above_values = 0, ones = 0;
+  bool has_time = false;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (is_value(row[i]) && row[i] != "1") return std::nullopt;
+    units.push_back(is_missing(row[i]) ? "" : bare_unit(row[i]));
+    const auto unit = unit::parse_unit(units.back());
+    if (row[i] == "1") ++ones;
+    if (row[i] == "1" || units.back().empty() || units.back() == "1" || !unit) continue;
+    if (i < next_row.size() && is_value(next_row[i])) ++above_values;
+    has_time = has_time || unit->dimension == unit::Dimension{{0.0, 0.0, 1.0}};
+  }
+  const bool found = above_values > 0 && (has_time || ones < above_values);
+  return found ? std::optional(units) : std::nullopt;
+}
+
+/// Column of a record under construction: numbers under one decimal mark, or times of the calendar. Times
+/// become seconds since the earliest one.
+class RecordColumn {
+ public:
+  /// `wrong`: the reason why the column is unreadable, with its place; empty for a good column.
+  RecordColumn(table::Column column, Decimal decimal, std::string wrong)
+      : column_(std::move(column)), decimal_(decimal), problem_(std::move(wrong)) {}
+
+  const std::string& name() const { return column_.name; }
+  /// True where a cell of digits with a decimal point can be parsed directly; this is the common case.
+  bool takes_quick_numbers() const { return decimal_ != Decimal::comma && !first_stamp_; }
+  void add(double number) {
+    has_numbers_ = true;
+    column_.values.push_back(number);
+  }
+  /// Adds any cell; `place` is "press.csv:17" for messages. A missing or unreadable value is NaN.
+  void add(const std::string& text, const std::string& place);
+  std::size_t rows() const { return column_.values.size(); }
+  void keep_rows(std::size_t rows);
+
+  const std::string& problem() const { return problem_; }
+  bool has_groups() const { return grouped_; }
+  /// Text of the first time in the file; empty for a column of numbers.
+  const std::string& first_stamp() const { return first_stamp_text_; }
+
+  /// Returns the column, with times as seconds.
+  table::Column finished();
+
+ private:
+  std::optional<double> number_of(const std::string& text);
+  std::optional<double> seconds_of(const std::string& text, const std::string& place);
+  void refuse(const std::string& text, const std::string& place, const std::string& why);
+  std::string problem_of(const std::string& text) const;
+
+  table::Column column_;
+  Decimal decimal_;
+  std::string problem_;
+  std::optional<TimeStamp> first_stamp_;
+  std::string first_stamp_text_, first_stamp_place_;
+  bool grouped_ = false, has_numbers_ = false;
+};
+
+void RecordColumn::add(const std::string& text, const std::string& place) {
+  std::optional<double> value = number_of(text);
+  if (value && first_stamp_) {
+    refuse(text, place, fmt::format("is no time like '{}'", first_stamp_text_));
+    value = std::nullopt;
+  } else if (value) {
+    has_numbers_ = true;
+  } else if (!is_missing(text)) {
+    value = seconds_of(text, place);
+  }
+  column_.values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
+}
+
+/// Returns the number of a cell, infinity included; the block FromFile refuses infinity later.
+std::optional<double> RecordColumn::number_of(const std::string& text) {
+  if (const auto cell = cell_number(text, decimal_)) {
+    grouped_ = grouped_ || cell->grouped;
+    return table::csv_number(cell->text);
+  }
+  const auto other = shape_of(text) == Shape::other ? table::csv_number(text) : std::nullopt;
+  return other && std::isinf(*other) ? other : std::nullopt;
+}
+
+/// Returns the seconds of a time cell. A column holds times of one form or numbers, never both.
+std::optional<double> RecordColumn::seconds_of(const std::string& text, const std::string& place) {
+  const auto stamp = problem_.empty() ? time_stamp(text) : std::nullopt;
+  if (!stamp || has_numbers_) {
+    refuse(text, place, problem_of(text));
+    return std::nullopt;
+  }
+  if (!first_stamp_) {
+    first_stamp_ = stamp;
+    first_stamp_text_ = text;
+    first_stamp_place_ = place;
+  }
+  if (stamp->is_like(*first_stamp_)) return stamp->since(*first_stamp_);
+  refuse(text, place,
+         fmt::format("is not written as '{}' at {}; write all times of a column in one form, with a zone or "
+                     "without",
+                     first_stamp_text_, first_stamp_place_));
+  return std::nullopt;
+}
+
+std::string RecordColumn::problem_of(const std::string& text) const {
+  const Decimal other = decimal_ == Decimal::comma ? Decimal::point : Decimal::comma;
+  if (const auto cell = cell_number(text, decimal_)) return table::csv_number_problem(cell->text);
+  if (looks_like_time(text) && !has_numbers_)
+    return "is no number, and no time that is known; write 2026-01-31T12:00:00, 20260131T120000 or "
+           "31.01.2026 "
+           "12:00:00";
+  if (!cell_number(text, other)) return "is no number";
+  return decimal_ == Decimal::comma ? "is no number with a decimal comma; say `decimal: \".\"`"
+                                    : "is no number with a decimal point; say `decimal: \",\"`";
+}
+
+/// Records the first problem of the column; later ones are ignored.
+void RecordColumn::refuse(const std::string& text, const std::string& place, const std::string& why) {
+  if (problem_.empty())
+    problem_ = fmt::format("{}: '{}' {} (column '{}')", place, table::csv_shown(text), why,
+                           table::csv_shown(column_.name));
+}
+
+void RecordColumn::keep_rows(std::size_t rows) {
+  column_.values.resize(rows);
+}
+
+table::Column RecordColumn::finished() {
+  if (!first_stamp_) return std::move(column_);
+  double earliest = 0.0;
+  for (const double value : column_.values) earliest = std::min(earliest, std::isnan(value) ? 0.0 : value);
+  if (earliest < 0.0)
+    for (double& value : column_.values) value -= earliest;
+  column_.unit = "s";
+  return std::move(column_);
+}
 
 using table::TableError;
 

@@ -75,7 +75,10 @@ class Expression {
   double operator()(std::span<const double> values) const;
   /// Evaluates it where the value of variable i is numbers[places[i]].
   double operator()(const double* numbers, std::span<const std::size_t> places) const;
-  /// Returns a C++ expression of its value, a double or a bool. See cpp_text.hpp.
+  /// Returns a C++ expression of its value, a double or a bool, with the bits of the interpreted evaluation
+  /// but for the sign of a NaN. Its precedence is that of ?:. It needs language.hpp and namespace stepwire.
+  /// The compiler must neither contract products and sums nor fold constant calls of <cmath>
+  /// (-fno-builtin-sin, ...).
   std::string cpp(const VariableText& variable = element_of_v) const;
   /// Returns a C++ expression of type bool: the value is not 0.
   std::string cpp_condition(const VariableText& variable = element_of_v) const;

@@ -34,7 +34,6 @@ class Package {
 
  private:
   std::filesystem::path folder() const;
-  void unpack_binaries(const class Archive& archive, const Interface& of);
 
   std::string path_;
   Description description_;

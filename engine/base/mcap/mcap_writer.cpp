@@ -5,24 +5,129 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <vector>
 
 #include "engine/base/io/atomic_file_writer.hpp"
 #include "engine/base/io/environment_error.hpp"
+#include "engine/base/json/json.hpp"
 #include "engine/base/mcap/bytes.hpp"
-#include "engine/base/mcap/row_shape.hpp"
 
 namespace stepwire::mcap {
-
 namespace {
+
+/// Layout of a row of a run as a JSON object. The dotted parts of a name become nested objects, so that
+/// viewers can unfold them. Where `a` itself is a column, `a.b` is a plain member of that name. The run must
+/// outlive the layout.
+class RowShape {
+ public:
+  explicit RowShape(const table::RunView& run);
+
+  /// Returns the JSON schema of a row, with units.
+  std::string schema(const std::string& title) const;
+  void append_row(std::string& text, std::size_t row) const;
+
+ private:
+  /// A member: a column, or an object with further members.
+  struct Member {
+    std::string key;
+    const table::SeriesView* series = nullptr;
+    std::vector<Member> members{};
+  };
+
+  bool is_column(const std::string& name) const;
+  void add(const table::SeriesView& series);
+  static json::Json schema_of(const Member& member);
+  void spell(const Member& member, std::string& text);
+
+  const table::RunView& run_;
+  Member root_;
+  /// Precomputed text followed by the number of its column; a row is all pieces and `end_`.
+  struct Piece {
+    std::string text;
+    const table::SeriesView* series;
+  };
+  std::vector<Piece> pieces_;
+  std::string end_;
+};
+
+using json::Json;
+
+RowShape::RowShape(const table::RunView& run) : run_(run) {
+  for (const table::SeriesView& series : run.series) add(series);
+  std::string text;
+  spell(root_, text);
+  end_ = std::move(text);
+}
+
+bool RowShape::is_column(const std::string& name) const {
+  return std::ranges::find(run_.series, name, &table::SeriesView::name) != run_.series.end();
+}
+
+void RowShape::add(const table::SeriesView& series) {
+  Member* place = &root_;
+  std::size_t first = 0;
+  for (std::size_t point = series.name.find('.');
+       point != std::string::npos && !is_column(series.name.substr(0, point));
+       point = series.name.find('.', first)) {
+    const std::string key = series.name.substr(first, point - first);
+    const auto known = std::ranges::find(place->members, key, &Member::key);
+    place = known != place->members.end() ? &*known : &place->members.emplace_back(Member{key});
+    first = point + 1;
+  }
+  place->members.push_back({series.name.substr(first), &series});
+}
+
+Json RowShape::schema_of(const Member& member) {
+  if (member.series) {
+    Json schema = Json::object().set("type", member.series->words.empty() ? "number" : "string");
+    if (!member.series->unit.empty()) schema.set("unit", member.series->unit);
+    return schema;
+  }
+  Json members = Json::object();
+  for (const Member& one : member.members) members.set(one.key, schema_of(one));
+  return Json::object().set("type", "object").set("properties", std::move(members));
+}
+
+std::string RowShape::schema(const std::string& title) const {
+  return schema_of(root_).set("title", title).text(-1);
+}
+
+void RowShape::spell(const Member& member, std::string& text) {
+  if (member.series) return pieces_.push_back({std::exchange(text, ""), member.series});
+  const char* before = "{";
+  for (const Member& one : member.members) {
+    text += before + Json(one.key).text(-1) + ":";
+    spell(one, text);
+    before = ",";
+  }
+  text += member.members.empty() ? "{}" : "}";
+}
+
+void RowShape::append_row(std::string& text, std::size_t row) const {
+  for (const Piece& piece : pieces_) {
+    text += piece.text;
+    const double number = piece.series->values[row];
+    const auto& words = piece.series->words;
+    if (!std::isfinite(number))
+      text += "null";
+    else if (number >= 0.0 && number < static_cast<double>(words.size()))
+      text += Json(words[static_cast<std::size_t>(number)]).text(-1);
+    else
+      fmt::format_to(std::back_inserter(text), "{}", number);
+  }
+  text += end_;
+}
 
 constexpr std::size_t bytes_of_chunk = 1 << 20;
 constexpr std::size_t max_runs = std::numeric_limits<std::uint16_t>::max();
 
 std::uint32_t checksum(std::uint32_t before, std::string_view bytes) {
-  return static_cast<std::uint32_t>(::crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+  return static_cast<std::uint32_t>(
+      ::crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 /// Converts a time to nanoseconds; 0 for NaN and for times before 0.
@@ -232,7 +337,8 @@ void McapWriter::add(const table::RunView& run) {
   const RowShape shape(run);
   file_->put_schema(shape.schema(file_->title));
   const std::uint16_t channel = file_->put_channel(run);
-  const std::span<const double> times = run.series.empty() ? std::span<const double>() : run.series.front().values;
+  const std::span<const double> times =
+      run.series.empty() ? std::span<const double>() : run.series.front().values;
   std::string text;
   for (std::size_t row = 0; row < times.size(); ++row) {
     text.clear();

@@ -7,9 +7,19 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/base/table/csv_title.hpp"
+#include "engine/base/table/table.hpp"
 
 namespace stepwire::table {
+
+inline bool is_csv_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+
+/// Returns the text without surrounding blanks.
+std::string csv_trimmed(const std::string& text);
+
+/// Splits "name [unit]" into its parts. "x[2]" without a blank is a name with an index.
+Column csv_column(const std::string& title);
 
 /// Cursor over the fields of a CSV text that tracks the line number. A separator ' ' matches a run of blanks.
 class CsvLines {

@@ -1,16 +1,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <unordered_map>
 #include <unordered_set>
+#include <vector>
 
 #include "engine/base/table/csv_cell.hpp"
 #include "engine/base/table/csv_lines.hpp"
-#include "engine/base/table/csv_numbering.hpp"
-#include "engine/base/table/csv_title.hpp"
 #include "engine/base/table/table_file.hpp"
 
 namespace stepwire::table {
 namespace {
+
+/// Assigns the numbers 0, 1, ... to the words of one column.
+struct CsvNumbering {
+  std::vector<std::string>* texts = nullptr;  ///< nullptr for a column of numbers
+  std::unordered_map<std::string, double> numbers{};
+
+  double operator()(const std::string& text) {
+    const auto [place, is_new] = numbers.try_emplace(text, static_cast<double>(texts->size()));
+    if (is_new) texts->push_back(text);
+    return place->second;
+  }
+};
 
 /// Reader of CSV files with numbers, and words in the given columns. Files of other programs are read by
 /// base/csv.

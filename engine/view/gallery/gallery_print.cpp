@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "engine/view/svg/svg.hpp"
-#include "engine/view/svg/text_width.hpp"
 
 namespace stepwire::gallery {
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -7,6 +8,14 @@
 #include "engine/view/gallery/gallery_html.hpp"
 
 namespace stepwire::gallery {
+
+/// Function that returns the address of the page of a part, by its path in the file; an empty address without
+/// a page.
+using PartAddress = std::function<Address(const std::string& path)>;
+
+/// Returns a YAML text as HTML: spans of the classes key, comment, string, number, name and type, and links
+/// at its parts.
+Html painted_yaml(const std::string& text, const PartAddress& part);
 
 /// Diagram files of a gallery, each once, by their paths in it.
 using GallerySources = std::map<std::string, std::string>;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,5 +24,20 @@ struct Curves {
   std::vector<std::string> labels;  ///< Label of each group, "0.1 A"; empty without a `by`.
   bool several = false;             ///< True if the panel has curves of further y's.
 };
+
+/// Minimum and maximum of the added numbers.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void add(double value);
+  bool empty() const { return !(low <= high); }
+  double width() const { return high - low; }
+  /// Returns the extent widened by a share of its width on both sides; a single point gets a positive width.
+  Extent padded(double share) const;
+};
+
+/// Returns the minimum and maximum of a column.
+Extent extent_of(const std::vector<double>& values);
 
 }  // namespace stepwire::geometry

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "engine/view/geometry/curve.hpp"
-#include "engine/view/geometry/extent.hpp"
 
 namespace stepwire::geometry {
 

@@ -2,16 +2,45 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/polygon/voronoi.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
-#include "engine/view/geometry/extent.hpp"
-#include "engine/view/geometry/triangulation.hpp"
-
 namespace stepwire::geometry {
 namespace {
+
+using Diagram = boost::polygon::voronoi_diagram<double>;
+using IntegerPoint = boost::polygon::point_data<std::int32_t>;
+
+/// Scales coordinates to integers, for which the predicates of the library are exact.
+std::vector<IntegerPoint> scaled(const std::vector<double>& x, const std::vector<double>& y) {
+  constexpr double most = 1 << 30;
+  const Extent across = extent_of(x), up = extent_of(y);
+  const double scale = most / std::max({across.width(), up.width(), 1e-300});
+  const auto whole = [&](double value, double low) {
+    return static_cast<std::int32_t>(std::lround((value - low) * scale));
+  };
+  std::vector<IntegerPoint> points;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    points.emplace_back(whole(x[i], across.low), whole(y[i], up.low));
+  return points;
+}
+
+/// Returns the points whose cells meet at a vertex of the diagram, counterclockwise: three, or more on one
+/// circle.
+std::vector<std::size_t> points_around(const Diagram::vertex_type& corner) {
+  std::vector<std::size_t> points;
+  const auto* edge = corner.incident_edge();
+  do {
+    points.push_back(edge->cell()->source_index());
+    edge = edge->rot_next();
+  } while (edge != corner.incident_edge());
+  return points;
+}
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();  // value far from all points
 
@@ -169,7 +198,104 @@ bool reaches_beyond(double first, double step, std::size_t count, const Extent& 
   return low < window.low - slack || high > window.high + slack;
 }
 
+struct Point {
+  double x = 0.0, y = 0.0;
+};
+
+/// Edge between two neighbouring centres: the lower left one, and whether it is vertical.
+using Edge = std::pair<std::size_t, bool>;
+
+/// Traces contours by marching squares: each square of four centres contributes one or two segments, which
+/// are linked at the edges that they cross.
+class Tracer {
+ public:
+  Tracer(const Grid& grid, double level) : grid_(grid), level_(level) {}
+
+  std::vector<Curve> trace() {
+    for (std::size_t row = 0; row + 1 < grid_.rows; ++row)
+      for (std::size_t column = 0; column + 1 < grid_.columns; ++column) cross(column, row);
+    std::vector<Curve> curves;
+    // Open curves first, from their ends; the remaining ones are closed.
+    for (const bool open : {true, false})
+      for (const auto& [edge, next] : links_)
+        if (!next.empty() && (!open || next.size() == 1)) curves.push_back(follow(edge));
+    return curves;
+  }
+
+ private:
+  std::size_t cell(std::size_t column, std::size_t row) const { return row * grid_.columns + column; }
+
+  bool above(std::size_t cell) const { return grid_.values[cell] >= level_; }
+
+  void cross(std::size_t column, std::size_t row) {
+    const std::size_t a = cell(column, row), b = a + 1, d = a + grid_.columns, c = d + 1;
+    for (const std::size_t corner : {a, b, c, d})
+      if (std::isnan(grid_.values[corner])) return;
+    std::vector<Edge> crossed;
+    if (above(a) != above(b)) crossed.push_back({a, false});
+    if (above(b) != above(c)) crossed.push_back({b, true});
+    if (above(c) != above(d)) crossed.push_back({d, false});
+    if (above(d) != above(a)) crossed.push_back({a, true});
+    // A saddle has four crossings; its first corner decides how they are paired.
+    for (std::size_t i = 0; i + 1 < crossed.size(); i += 2) link(crossed[i], crossed[i + 1]);
+  }
+
+  void link(const Edge& from, const Edge& to) {
+    links_[from].push_back(to);
+    links_[to].push_back(from);
+  }
+
+  Point point(const Edge& edge) const {
+    const std::size_t first = edge.first, second = first + (edge.second ? grid_.columns : 1);
+    const double part = (level_ - grid_.values[first]) / (grid_.values[second] - grid_.values[first]);
+    const double column = static_cast<double>(first % grid_.columns) + (edge.second ? 0.0 : part);
+    const double row = static_cast<double>(first / grid_.columns) + (edge.second ? part : 0.0);
+    return {grid_.x + column * grid_.dx, grid_.y + row * grid_.dy};
+  }
+
+  void unlink(const Edge& from, const Edge& to) {
+    auto& list = links_[from];
+    for (auto i = list.begin(); i != list.end(); ++i)
+      if (*i == to) {
+        list.erase(i);
+        return;
+      }
+  }
+
+  Curve follow(Edge edge) {
+    Curve curve{{{}, {}}, 0};
+    while (true) {
+      const Point here = point(edge);
+      curve.columns[0].push_back(here.x);
+      curve.columns[1].push_back(here.y);
+      if (links_[edge].empty()) return curve;
+      const Edge next = links_[edge].front();
+      unlink(edge, next);
+      unlink(next, edge);
+      edge = next;
+    }
+  }
+
+  const Grid& grid_;
+  double level_;
+  std::map<Edge, std::vector<Edge>> links_;
+};
+
 }  // namespace
+
+std::vector<Corners> triangulate(const std::vector<double>& x, const std::vector<double>& y) {
+  if (x.size() < 3) return {};
+  const std::vector<IntegerPoint> points = scaled(x, y);
+  Diagram cells;
+  boost::polygon::construct_voronoi(points.begin(), points.end(), &cells);
+  std::vector<Corners> triangles;
+  for (const auto& corner : cells.vertices()) {
+    const std::vector<std::size_t> around = points_around(corner);
+    for (std::size_t i = 2; i < around.size(); ++i)
+      triangles.push_back({around[0], around[i - 1], around[i]});
+  }
+  return triangles;
+}
 
 Grid within(const Grid& grid, const Extent& across, const Extent& up) {
   if (!reaches_beyond(grid.x, grid.dx, grid.columns, across) &&
@@ -196,6 +322,10 @@ Grid make_grid(const Curve& points, std::size_t cells, double gap) {
   Grid grid = average(points, columns, rows);
   fill_gaps(one_for_each_cell(points, columns, rows), gap, grid);
   return grid;
+}
+
+std::vector<Curve> contour(const Grid& grid, double level) {
+  return Tracer(grid, level).trace();
 }
 
 }  // namespace stepwire::geometry

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/analyse/query/substituted.hpp"
+#include "engine/analyse/query/formula.hpp"
 
 namespace stepwire::plot {
 namespace {

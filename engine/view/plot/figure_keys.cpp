@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/analyse/query/number.hpp"
 #include "engine/view/plot/overlay.hpp"
 #include "engine/view/plot/panel_reading.hpp"
@@ -70,6 +72,43 @@ PanelKey own_key(std::string name, std::string doc, yaml::Key form,
 
 yaml::Key plane_point() {
   return form::pair(form::number());
+}
+
+void read_size(Figure& figure, const yaml::Node& node, const query::NamesReading& read) {
+  const auto* size = read.pair(node, yaml::like("[640, 420]", {}));
+  if (!size) return;
+  read.take((*size)[0], form::whole(100, 4000), figure.width);
+  read.take((*size)[1], form::whole(80, 4000), figure.height);
+}
+
+const char* const figure_example = "{plot: lines, x: time, y: rig.x}";
+
+/// Adds keys that are not in the list yet.
+template <class AnyRow>
+void add(const std::vector<AnyRow>& rows, std::vector<yaml::Key>& keys) {
+  for (const AnyRow& row : rows)
+    if (std::ranges::find(keys, row.name, &yaml::Key::name) == keys.end()) keys.push_back(row);
+}
+
+yaml::Key channel_key(const Channel& channel) {
+  yaml::Key form = channel.several ? form::one_or_list(form::series()) : form::series();
+  yaml::Key made = key(channel.key, channel.doc, std::move(form));
+  made.otherwise = channel.otherwise;
+  return channel.required ? yaml::needed(std::move(made)) : made;
+}
+
+/// Returns the keys of a picture of one plot.
+std::vector<yaml::Key> own_picture_keys() {
+  std::vector<yaml::Key> keys;
+  add(picture_keys(), keys);
+  std::erase_if(keys, [](const yaml::Key& key) { return key.name == "panels"; });
+  return keys;
+}
+
+std::vector<yaml::Key> keys_of_axes(const PlotKind& kind) {
+  std::vector<PanelKey> rows = panel_keys();
+  std::erase_if(rows, [&](const PanelKey& row) { return !kind.takes(row.needs); });
+  return {rows.begin(), rows.end()};
 }
 
 }  // namespace
@@ -174,6 +213,62 @@ const std::vector<PanelKey>& panel_keys() {
               "0 mm], radius: 4 mm, name: D2}",
               form::one_or_list(rose_form()), read_roses, KeyNeeds::both)};
   return keys;
+}
+
+const std::vector<yaml::KeyRow<Figure, query::NamesReading>>& picture_keys() {
+  static const std::vector<yaml::KeyRow<Figure, query::NamesReading>> keys{
+      {"title", "text above the picture", form::text(), &Figure::title},
+      {"caption", "text below the picture on the gallery page", form::text(), &Figure::caption},
+      {"own", "true: the source has no such picture; the gallery says so", form::truth(), &Figure::own},
+      {"size", "width and height in pixels: [640, 420]", form::pair(form::whole(80, 4000)), read_size},
+      {"panels", "list of panels in one picture", form::list(form::section("panel"), 1)},
+      yaml::otherwise("", yaml::KeyRow<Figure, query::NamesReading>{
+                              "columns", "how many panels stand side by side; two where it is not given",
+                              form::whole(1, 6), &Figure::columns})};
+  return keys;
+}
+
+yaml::Key plot_form(const PlotKind& kind, bool alone) {
+  std::vector<yaml::Key> keys{yaml::needed(key("plot", "kind of plot", form::word({kind.name})))};
+  for (const Channel& channel : kind.channels) keys.push_back(channel_key(channel));
+  add(kind.options, keys);
+  if (!kind.read) add(keys_of_axes(kind), keys);
+  std::vector<yaml::Key> picture = own_picture_keys();
+  if (kind.read)
+    std::erase_if(picture, [](const yaml::Key& key) { return key.name == "size" || key.name == "columns"; });
+  if (alone) add(picture, keys);
+  return key(kind.name, kind.doc,
+             form::keys(fmt::format("a plot '{}'", kind.name), figure_example, std::move(keys)));
+}
+
+std::vector<yaml::Key> plot_forms(bool alone) {
+  std::vector<yaml::Key> forms;
+  for (const PlotKind& kind : plot_kinds())
+    if (alone || !kind.read) forms.push_back(plot_form(kind, alone));
+  return forms;
+}
+
+const yaml::Key& picture_form() {
+  static const yaml::Key form = [] {
+    yaml::Key keys = yaml::keys_form("a figure with panels", "{panels: [{plot: lines, x: time, y: rig.x}]}",
+                                     picture_keys());
+    for (yaml::Key& key : keys.of) key.required = key.name == "panels";
+    return keys;
+  }();
+  return form;
+}
+
+const yaml::Key& figure_form() {
+  static const yaml::Key form = [] {
+    std::vector<yaml::Key::Word> kinds;
+    for (const PlotKind& kind : plot_kinds()) kinds.push_back({kind.name, kind.doc});
+    std::vector<yaml::Key> keys{
+        yaml::needed(key("plot", "kind of plot, or `panels` in its place", form::words(std::move(kinds))))};
+    add(panel_keys(), keys);
+    add(picture_keys(), keys);
+    return form::keys("a figure", figure_example, std::move(keys));
+  }();
+  return form;
 }
 
 }  // namespace stepwire::plot

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "engine/view/plot/gather.hpp"
-#include "engine/view/plot/panel_reading.hpp"
+#include "engine/view/plot/figure.hpp"
 
 namespace stepwire::plot {
 
@@ -13,10 +11,6 @@ namespace stepwire::plot {
 std::vector<geometry::Curve> overlay_rows(const std::optional<query::Formula>& where,
                                           const record::Recording& recording,
                                           const std::vector<const query::Series*>& channels);
-
-/// Reads a coordinate of an overlay: an expression, in the unit of the panel's axis.
-std::optional<query::Series> read_coordinate(const yaml::Node& node, const std::string& axis,
-                                             const Panel& panel, const query::NamesReading& read);
 
 /// Return the keys of a motion and of a rose.
 const yaml::Key& motion_form();
@@ -29,5 +23,21 @@ void read_motions(const yaml::Node& node, Panel& panel, const query::NamesReadin
 
 /// Reads `rose`, a map of its keys or a list of maps.
 void read_roses(const yaml::Node& node, Panel& panel, const query::NamesReading& read);
+
+/// Read a panel's `boundary`, formulas of its plane, or its `note`. Besides the coordinates they may name
+/// recorded columns, whose values are those of the first row that the panel's `where` selects. Each has the
+/// index of its recording.
+void read_boundaries(const yaml::Node& node, Panel& panel, const query::NamesReading& read);
+void read_note(const yaml::Node& node, Panel& panel, const query::NamesReading& read);
+
+/// Reads the value of `region`: names of blocks with an outline.
+void read_regions(const yaml::Node& node, Panel& panel, const query::NamesReading& read);
+
+/// Reads the value of `marks`: {NAME: [X, Y], ...}, or a list of points, which are named 1, 2, 3. A mark
+/// beyond a given range is a fault, so the ranges must be read before.
+void read_marks(const yaml::Node& node, Panel& panel, const query::NamesReading& read);
+
+/// Reads the value of `texts`: {TEXT: [X, Y], ...}, which must be within the ranges too.
+void read_texts(const yaml::Node& node, Panel& panel, const query::NamesReading& read);
 
 }  // namespace stepwire::plot

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/analyse/query/number.hpp"
+#include "engine/view/plot/axis_checks.hpp"
 #include "engine/view/plot/overlay.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 #include "engine/view/plot/run_numbers.hpp"

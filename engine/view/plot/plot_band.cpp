@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/analyse/statistics/quartiles.hpp"
+#include "engine/analyse/statistics/descriptive.hpp"
 #include "engine/view/plot/plot_tools.hpp"
 
 namespace stepwire::plot {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "engine/view/geometry/curve.hpp"
-#include "engine/view/geometry/extent.hpp"
 #include "engine/view/plot/figure.hpp"
 #include "engine/view/plot/plot_spec.hpp"
 

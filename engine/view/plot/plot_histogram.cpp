@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/analyse/claim/claim_words.hpp"
+#include "engine/analyse/claim/claim.hpp"
 #include "engine/analyse/claim/reduce.hpp"
 #include "engine/view/plot/plot_tools.hpp"
 

@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "engine/analyse/query/formula.hpp"
 #include "engine/analyse/query/run_rows.hpp"
-#include "engine/analyse/query/substituted.hpp"
 #include "engine/view/plot/drawn.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 #include "engine/view/plot/rig.hpp"

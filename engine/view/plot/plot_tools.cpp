@@ -1,9 +1,61 @@
 #include "engine/view/plot/plot_tools.hpp"
 
-#include "engine/view/plot/many_curves.hpp"
+#include <algorithm>
+
+#include "engine/view/geometry/density.hpp"
 
 namespace stepwire::plot {
 namespace {
+
+constexpr std::size_t most_lines = 200, most_points = 2500;
+
+/// Number of cells along both axes; larger ones for points, since a point fills one cell and a line many.
+struct Cells {
+  std::size_t across, up;
+};
+constexpr Cells of_lines{240, 140}, of_points{100, 70};
+
+geometry::Extent shown_extent(const AxisOptions& axis, const geometry::Extent& covered) {
+  return axis.range ? geometry::Extent{(*axis.range)[0], (*axis.range)[1]} : covered.padded(0.0);
+}
+
+/// Returns each row of joined runs as a curve of its own.
+std::vector<geometry::Curve> points_of(const std::vector<geometry::Curve>& curves) {
+  std::vector<geometry::Curve> points;
+  for (const geometry::Curve& curve : curves)
+    for (std::size_t row = 0; row < curve.size(); ++row)
+      points.push_back({{{curve.columns[0][row]}, {curve.columns[1][row]}}, curve.group});
+  return points;
+}
+
+/// True for a number of curves at which lines would hide each other. False with several y or a `by`, whose
+/// curves are distinguished by colour.
+bool are_many(const Panel& panel, const geometry::Curves& all) {
+  if (panel.find("by") || all.several || all.logarithmic) return false;
+  if (!panel.final_rows) return all.curves.size() > most_lines;
+  std::size_t points = 0;
+  for (const geometry::Curve& curve : all.curves) points += curve.size();
+  return points > most_points && panel.styles.empty();
+}
+
+/// Draws the number of curves through each cell as a colour.
+void draw_density(const geometry::Curves& all, PlotBuilder& plot) {
+  plot.cover(all.curves);
+  const Panel& panel = plot.panel();
+  const Cells cells = panel.final_rows ? of_points : of_lines;
+  geometry::Density density = geometry::density_of(panel.final_rows ? points_of(all.curves) : all.curves,
+                                                   shown_extent(panel.x, plot.x),
+                                                   shown_extent(panel.y, plot.y), cells.across, cells.up);
+  const double most = std::ranges::max(density.counts);
+  for (double& count : density.counts)
+    if (count == 0.0) count = query::nothing;
+  plot.range("color", {1.0, std::max(most, 2.0)});
+  plot.spec.color->log = true;  // runs often begin together, with far higher counts there
+  plot.spec.color->label = panel.color.label.empty() ? "runs" : panel.color.label;
+  const double width = density.cell_width(), height = density.cell_height();
+  plot.add_below(ImageMark{density.x.low + 0.5 * width, density.y.low + 0.5 * height, width, height,
+                           density.columns, density.rows, std::move(density.counts)});
+}
 
 constexpr double picture_budget = 14000.0;  ///< of a picture, which keeps it below some 300 kB
 constexpr std::size_t max_in_legend = 8;
@@ -68,6 +120,11 @@ void add_rows(const Panel& panel, const std::vector<geometry::Curve>& curves, Li
   }
 }
 
+/// Returns the budget of rows of each of `parts` curves of a plot.
+std::size_t rows_for(const PlotBuilder& plot, std::size_t parts) {
+  return static_cast<std::size_t>(picture_budget * plot.share / static_cast<double>(parts));
+}
+
 /// Draws many groups with the value of `by` as a colour.
 void draw_by_color(const Panel& panel, const geometry::Curves& all, PlotBuilder& plot) {
   for (std::size_t group = 0; group < all.groups.size(); ++group) {
@@ -98,10 +155,6 @@ geometry::Curve joined(const geometry::Curves& all) {
       result.columns[i].insert(result.columns[i].end(), curve.columns[i].begin(), curve.columns[i].end());
   }
   return result;
-}
-
-std::size_t rows_for(const PlotBuilder& plot, std::size_t parts) {
-  return static_cast<std::size_t>(picture_budget * plot.share / static_cast<double>(parts));
 }
 
 void draw_group(const geometry::Curves& all, std::size_t group, std::size_t entry, std::size_t budget,

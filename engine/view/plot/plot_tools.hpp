@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <iterator>
 #include <vector>
 
@@ -33,9 +32,6 @@ void draw_curves(const std::vector<NumberCurve>& curves, PlotBuilder& plot);
 
 /// Labels an axis without a series; the unit may be empty.
 void name_axis(PlotAxis& axis, const std::string& label, const std::string& unit);
-
-/// Returns the budget of rows of each of `parts` curves of a plot.
-std::size_t rows_for(const PlotBuilder& plot, std::size_t parts);
 
 /// Shades the area between two lines, columns 1 and 2 of curves over column 0, behind everything else.
 void draw_band(const std::vector<geometry::Curve>& curves, PlotBuilder& plot);

@@ -24,9 +24,6 @@ struct RigKind {
   bool directed = false;  ///< true for a kind with a direction
 };
 
-/// Returns all kinds of elements; mechanism.mjs draws them.
-const std::vector<RigKind>& rig_kinds();
-
 /// Element of a mechanism.
 struct RigElement {
   std::string kind, name;

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "engine/analyse/query/number.hpp"
-#include "engine/view/geometry/extent.hpp"
-#include "engine/view/svg/text_width.hpp"
+#include "engine/view/geometry/curve.hpp"
+#include "engine/view/svg/svg.hpp"
 
 namespace stepwire::plot {
 namespace {

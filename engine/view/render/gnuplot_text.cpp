@@ -7,7 +7,6 @@
 
 #include "engine/base/text/characters.hpp"
 #include "engine/view/svg/svg.hpp"
-#include "engine/view/svg/text_width.hpp"
 
 namespace stepwire::render {
 namespace {

@@ -1,5 +1,6 @@
 #include "engine/view/render/render.hpp"
 
+#include "engine/base/io/file.hpp"
 #include "engine/view/drawing/draw.hpp"
 #include "engine/view/plot/figure_spec.hpp"
 #include "engine/view/render/gnuplot_renderer.hpp"
@@ -30,6 +31,15 @@ Drawing render(const plot::FigureSpec& figure) {
 
 Drawing draw(const plot::Figure& figure, std::span<const record::Recording> recordings) {
   return render(plot::figure_spec(figure, recordings));
+}
+
+void write_figure(const std::string& folder, const std::string& name, const plot::FigureSpec& figure,
+                  const std::string& json_name, const PictureKinds& kinds) {
+  const std::string svg = render(figure).svg;
+  for (const PictureKind kind : kinds)
+    io::write_file(folder + "/" + name + ending_of(kind), converted(svg, kind));
+  io::write_file(folder + "/" + (json_name.empty() ? name : json_name) + ".json",
+                 plot::figure_json(figure).text(-1) + "\n");
 }
 
 }  // namespace stepwire::render

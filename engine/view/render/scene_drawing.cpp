@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/analyse/query/run_rows.hpp"
 #include "engine/view/geometry/curve.hpp"
 #include "engine/view/geometry/thinning.hpp"
-#include "engine/view/svg/text_width.hpp"
 
 namespace stepwire::render {
 namespace {
@@ -188,6 +188,38 @@ std::array<std::string, 2> background_colors(const scene::Scene& scene) {
   return {scene.background, scene.background};
 }
 
+constexpr double frames_per_second = 20.0;  // enough with linear motion in between
+constexpr std::size_t min_frames = 2, max_frames = 600;
+
+[[noreturn]] void nothing_to_show(const scene::Scene& scene, const std::string& file, const char* what) {
+  throw yaml::Error(yaml::Fault{{file, scene.mark}, "scene.animation", what, {}});
+}
+
+std::string drawn(const scene::Scene& scene, const record::Recording& recording, const AnimationRows& chosen,
+                  const std::string& title) {
+  const scene::SceneView view = scene::view_of(scene, recording);
+  std::vector<svg::SvgElement> frames;
+  for (const std::size_t row : chosen.rows) {
+    frames.push_back(scene_sheet(scene, scene_width, scene_height(scene), title));
+    frames.back().add(scene_frame(scene, view.shapes(scene::row_of(recording, row))));
+  }
+  return svg::animated_svg(frames, chosen.seconds);
+}
+
+/// Returns the gradients of balls and of the background, which frames refer to.
+svg::SvgElement scene_definitions(const scene::Scene& scene) {
+  svg::SvgElement light{"radialGradient"};
+  light.set("id", "light").set("cx", 0.36).set("cy", 0.32).set("r", 0.75);
+  light.add(stop(0.0, "#ffffff", 0.85)).add(stop(0.35, "#ffffff", 0.1)).add(stop(1.0, "#000000", 0.55));
+  svg::SvgElement ground{"linearGradient"};
+  ground.set("id", "ground").set("x1", 0.0).set("y1", 0.0).set("x2", 0.0).set("y2", 1.0);
+  const auto [above, below] = background_colors(scene);
+  ground.add(stop(0.0, above, 1.0)).add(stop(1.0, below, 1.0));
+  svg::SvgElement definitions{"defs"};
+  definitions.add(std::move(light)).add(std::move(ground));
+  return definitions;
+}
+
 }  // namespace
 
 double scene_height(const scene::Scene& scene) {
@@ -203,19 +235,6 @@ svg::SvgElement scene_frame(const scene::Scene& scene, const std::vector<scene::
   FramePen pen(scene, frame);
   for (const scene::SceneShape& shape : shapes) pen.draw(shape);
   return frame;
-}
-
-svg::SvgElement scene_definitions(const scene::Scene& scene) {
-  svg::SvgElement light{"radialGradient"};
-  light.set("id", "light").set("cx", 0.36).set("cy", 0.32).set("r", 0.75);
-  light.add(stop(0.0, "#ffffff", 0.85)).add(stop(0.35, "#ffffff", 0.1)).add(stop(1.0, "#000000", 0.55));
-  svg::SvgElement ground{"linearGradient"};
-  ground.set("id", "ground").set("x1", 0.0).set("y1", 0.0).set("x2", 0.0).set("y2", 1.0);
-  const auto [above, below] = background_colors(scene);
-  ground.add(stop(0.0, above, 1.0)).add(stop(1.0, below, 1.0));
-  svg::SvgElement definitions{"defs"};
-  definitions.add(std::move(light)).add(std::move(ground));
-  return definitions;
 }
 
 svg::SvgElement scene_sheet(const scene::Scene& scene, double width, double height,
@@ -257,6 +276,38 @@ std::string scene_still(const plot::SceneInstants& drawn, const std::string& tit
                          words[i], "#333333"));
   }
   return svg::svg_text(sheet);
+}
+
+AnimationRows animation_rows(const scene::Scene& scene, const std::string& file,
+                             const record::Recording& recording, std::size_t most) {
+  const query::RunRows run = query::rows_of_run(scene.animation.where, recording);
+  if (run.none()) nothing_to_show(scene, file, "no row is left to be drawn");
+  const std::vector<double>& time = recording.table.columns.front().values;
+  std::vector<std::size_t> all;
+  for (std::size_t row = run.begin; row < run.end; ++row)
+    if (time[row] >= scene.animation.from.value_or(time[run.begin]) &&
+        time[row] <= scene.animation.to.value_or(time[run.end - 1]))
+      all.push_back(row);
+  if (all.size() < min_frames) nothing_to_show(scene, file, "fewer than two rows are left to be drawn");
+  const double between = (time[all[1]] - time[all[0]]) / scene.animation.speed;
+  const auto smooth =
+      static_cast<std::size_t>(std::max(1.0, std::round(1.0 / (frames_per_second * between))));
+  const std::size_t step = std::min(all.size() - 1, std::max(smooth, (all.size() - 1) / (most - 1) + 1));
+  AnimationRows chosen;
+  // Counted from the last row, which often is the result of a run.
+  for (std::size_t i = (all.size() - 1) % step; i < all.size(); i += step) chosen.rows.push_back(all[i]);
+  chosen.seconds = (time[chosen.rows.back()] - time[chosen.rows.front()]) / scene.animation.speed;
+  return chosen;
+}
+
+std::string animated_scene(const scene::Scene& scene, const std::string& file,
+                           std::span<const record::Recording> recordings, const std::string& title) {
+  const record::Recording& recording = recordings[scene.recording];
+  for (std::size_t most = max_frames;; most = most * 2 / 3) {
+    const AnimationRows rows = animation_rows(scene, file, recording, most);
+    std::string picture = drawn(scene, recording, rows, title);
+    if (picture.size() <= largest_animation || rows.rows.size() <= 2 * min_frames) return picture;
+  }
 }
 
 }  // namespace stepwire::render

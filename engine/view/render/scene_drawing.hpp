@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,13 +20,29 @@ double scene_height(const scene::Scene& scene);
 /// same elements and attributes, with other values.
 svg::SvgElement scene_frame(const scene::Scene& scene, const std::vector<scene::SceneShape>& shapes);
 
-/// Returns the gradients of balls and of the background, which frames refer to.
-svg::SvgElement scene_definitions(const scene::Scene& scene);
-
 /// Returns a picture of that size [px] with the definitions, to which frames can be added.
 svg::SvgElement scene_sheet(const scene::Scene& scene, double width, double height, const std::string& title);
 
 /// Returns instants side by side, each with its words below it; empty words need no space.
 std::string scene_still(const plot::SceneInstants& instants, const std::string& title);
+
+/// Rows of a recording in an animation, at equal distances in time.
+struct AnimationRows {
+  std::vector<std::size_t> rows;
+  double seconds = 0.0;  ///< length of the animation
+};
+
+/// Returns enough rows of the animated run for smooth motion, at most `most`, including its last one. Throws
+/// Error if there are fewer than two.
+AnimationRows animation_rows(const scene::Scene& scene, const std::string& file,
+                             const record::Recording& recording, std::size_t most);
+
+/// Largest file of an animation [bytes].
+constexpr std::size_t largest_animation = 280'000;
+
+/// Returns the animated scene as SVG, with no more frames than the largest file permits. Throws Error if the
+/// recording has no row to show.
+std::string animated_scene(const scene::Scene& scene, const std::string& file,
+                           std::span<const record::Recording> recordings, const std::string& title);
 
 }  // namespace stepwire::render

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/base/text/characters.hpp"
@@ -52,5 +53,12 @@ std::string svg_text(const SvgElement& element);
 /// `seconds`, in a loop. Uses only SVG's own animation, and begins with the first picture. Throws
 /// std::invalid_argument if the pictures differ otherwise, or are fewer than two.
 std::string animated_svg(const std::vector<SvgElement>& frames, double seconds);
+
+/// Returns the width of a text in units of the font size, for the widest of the usual sans-serif fonts
+/// (DejaVu Sans). It is narrower in Helvetica, Arial or Liberation Sans.
+double text_width(std::string_view text);
+
+/// Returns the preferred font size, reduced if needed so that the text fits into `room`.
+double fitted_size(std::string_view text, double wanted, double room);
 
 }  // namespace stepwire::svg

@@ -1,5 +1,7 @@
 #include "engine/app/studio/http/http_server.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
@@ -10,16 +12,14 @@
 #include <deque>
 #include <list>
 #include <map>
+#include <string_view>
 #include <thread>
 #include <utility>
 
-#include "engine/app/studio/http/beast_message.hpp"
 #include "engine/app/studio/http/loopback.hpp"
-#include "engine/app/studio/http/place.hpp"
-#include "engine/app/studio/http/reply.hpp"
+#include "engine/app/studio/http/message.hpp"
 
 namespace stepwire::http {
-
 namespace {
 
 namespace asio = boost::asio;
@@ -29,6 +29,61 @@ using asio::ip::tcp;
 using boost::system::error_code;
 using Parser = beast::http::request_parser<beast::http::empty_body>;
 using Response = beast::http::response<beast::http::span_body<const char>>;
+
+/// Slot of a limited number; the destructor frees it.
+class Place {
+ public:
+  explicit Place(std::size_t& taken) : taken_(taken) { ++taken_; }
+  ~Place() { --taken_; }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+
+ private:
+  std::size_t& taken_;
+};
+
+Request request_of(const Parser::value_type& from) {
+  const auto text = [](const auto& part) { return std::string(part.data(), part.size()); };
+  Request request{text(from.method_string()), text(from.target()), {}};
+  for (const auto& field : from) request.headers.push_back({text(field.name_string()), text(field.value())});
+  return request;
+}
+
+/// Returns a response that refers to the body of the answer, which must outlive it. A response to HEAD has no
+/// body.
+Response response_of(const Answer& answer, bool head, bool keep) {
+  const std::string_view body = answer.body.empty() ? answer.fixed : std::string_view(answer.body);
+  Response response;
+  response.result(static_cast<unsigned>(answer.status));
+  for (const Header& one : answer.headers) response.set(one.name, one.value);
+  response.keep_alive(keep);
+  response.content_length(body.size());
+  if (!head) response.body() = {body.data(), body.size()};
+  return response;
+}
+
+/// Returns an answer with this status and no body.
+Answer empty_answer(int status) {
+  return {status, security_headers(random_token())};
+}
+
+/// Sets the cookie and redirects to the page. The token must not stay in the URL, as the browser's history
+/// keeps it.
+Answer entrance(const Key& key) {
+  Answer answer = empty_answer(303);
+  answer.headers.push_back({"Location", "/"});
+  answer.headers.push_back(
+      {"Set-Cookie", fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/", cookie_name(key), key.token)});
+  return answer;
+}
+
+/// Answers a request according to the gate's decision; sockets are handled elsewhere.
+Answer reply(const Request& request, const Decision& decision, const Key& key, Site& site) {
+  if (decision.kind == Decision::Kind::enter) return entrance(key);
+  if (decision.kind != Decision::Kind::pass) return empty_answer(403);
+  const bool reads = request.method == "GET" || request.method == "HEAD";
+  return reads ? site.answer(request, decision.path) : empty_answer(405);
+}
 
 /// Server with everything that runs in its thread.
 class Server : public HttpServer {
@@ -220,7 +275,7 @@ class Server::Connection : public std::enable_shared_from_this<Connection> {
 
   void send(Answer answer, bool keep) {
     answer_ = std::move(answer);
-    response_ = response_of<Response>(answer_, parser_->get().method() == beast::http::verb::head, keep);
+    response_ = response_of(answer_, parser_->get().method() == beast::http::verb::head, keep);
     stream_.expires_after(server_.limits_.handshake);
     beast::http::async_write(stream_, response_,
                              [self = shared_from_this(), keep](error_code error, std::size_t) {

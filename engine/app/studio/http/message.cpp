@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace stepwire::http {
-
 namespace {
 
 char lower(char c) {
@@ -28,6 +27,21 @@ const std::string* Request::header(std::string_view name) const {
 
 bool Request::has(std::string_view name) const {
   return std::ranges::any_of(headers, [&](const Header& one) { return same_word(one.name, name); });
+}
+
+std::vector<Header> security_headers(const std::string& nonce) {
+  return {
+      {"Content-Security-Policy",
+       "default-src 'none'; script-src 'self'; worker-src 'self'; connect-src 'self'; img-src 'self' data: "
+       "blob:; style-src 'self' 'nonce-" +
+           nonce + "'; base-uri 'none'; form-action 'self'; frame-ancestors 'none'"},
+      {"X-Content-Type-Options", "nosniff"},
+      {"Referrer-Policy", "no-referrer"},
+      {"Cache-Control", "no-store"},
+      {"Cross-Origin-Opener-Policy", "same-origin"},
+      {"Cross-Origin-Embedder-Policy", "require-corp"},
+      {"Cross-Origin-Resource-Policy", "same-origin"},
+  };
 }
 
 }  // namespace stepwire::http

@@ -32,4 +32,8 @@ struct Answer {
 /// True if two words are equal without regard to case (ASCII).
 bool same_word(std::string_view a, std::string_view b);
 
+/// Returns the headers of every answer: no caching, no framing, no resources from other origins. Styles must
+/// come from this origin or carry the nonce.
+std::vector<Header> security_headers(const std::string& nonce);
+
 }  // namespace stepwire::http

@@ -1,15 +1,24 @@
 #include "engine/app/studio/live/frame_views.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 
 #include "engine/app/studio/live/arguments.hpp"
-#include "engine/app/studio/live/frame.hpp"
 
 namespace stepwire::live {
-
 namespace {
+
+static_assert(std::endian::native == std::endian::little, "frames are written as numbers lie in memory");
+
+template <class Number>
+void append(std::string& bytes, Number number) {
+  char text[sizeof(Number)];
+  std::memcpy(text, &number, sizeof(Number));
+  bytes.append(text, sizeof(Number));
+}
 
 constexpr double most_pixels = 16'384.0;
 constexpr double furthest = 1e9;            // [s]
@@ -47,6 +56,29 @@ std::uint32_t life_of(const LoadedRun& run) {
 }
 
 }  // namespace
+
+std::string frame(const FrameHead& head, const SampleRows& rows, const SampleStore& store) {
+  constexpr std::uint8_t version = 1;
+  const std::size_t count = rows.ticks.size();
+  std::string bytes = "SWD1";
+  bytes.reserve(32 + (rows.columns.size() + 1) * count * sizeof(double));
+  append(bytes, version);
+  append(bytes, static_cast<std::uint8_t>(rows.extremes ? 1 : 0));
+  append(bytes, head.view);
+  append(bytes, head.sequence);
+  append(bytes, static_cast<std::uint32_t>(count));
+  append(bytes, static_cast<std::uint16_t>(rows.columns.size() + 1));
+  append(bytes, std::uint16_t{0});
+  append(bytes, head.run);
+  append(bytes, store.time_of(std::max<std::int64_t>(store.end_tick() - 1, 0)));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int64_t last = (i + 1 < count ? rows.ticks[i + 1] : rows.end) - 1;
+    append(bytes, (store.time_of(rows.ticks[i]) + store.time_of(last)) / 2.0);
+  }
+  for (const std::vector<double>& column : rows.columns)
+    bytes.append(reinterpret_cast<const char*>(column.data()), column.size() * sizeof(double));
+  return bytes;
+}
 
 void FrameViews::want(int client, const json::Json& views) {
   std::map<std::uint16_t, WantedView> wanted;

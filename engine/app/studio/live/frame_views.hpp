@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -10,9 +11,21 @@
 #include <vector>
 
 #include "engine/app/studio/live/loaded_run.hpp"
+#include "engine/app/studio/live/sample_store.hpp"
 #include "engine/base/json/json.hpp"
 
 namespace stepwire::live {
+
+/// Header fields of a data frame.
+struct FrameHead {
+  std::uint16_t view = 0;
+  std::uint32_t sequence = 0;
+  std::uint32_t run = 0;
+};
+
+/// Returns a data frame: a header of 32 bytes, then columns of little-endian doubles, the time first. The
+/// time of a row of extremes is the middle of its ticks.
+std::string frame(const FrameHead& head, const SampleRows& rows, const SampleStore& store);
 
 /// Window of a view of a page: a fixed range of time, or the newest `follow` seconds.
 struct WantedView {

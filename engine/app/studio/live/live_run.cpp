@@ -7,16 +7,19 @@
 #include "engine/app/studio/live/arguments.hpp"
 #include "engine/app/studio/live/command_queue.hpp"
 #include "engine/app/studio/live/fan.hpp"
+#include "engine/app/studio/live/live_folder.hpp"
+#include "engine/app/studio/live/loop_thread.hpp"
 #include "engine/app/studio/live/mechanisms.hpp"
 #include "engine/app/studio/live/run_description.hpp"
 #include "engine/app/studio/live/run_results.hpp"
+#include "engine/app/studio/live/run_thread.hpp"
 #include "engine/model/diagram/variation.hpp"
 
 namespace stepwire::live {
 
-namespace {
-
 using json::Json;
+
+namespace {
 
 constexpr double fastest = 10.0, slowest = 0.1;  // rates
 
@@ -32,6 +35,33 @@ void refuse_file(const diagram::Diagram& diagram, const std::string& name) {
   if (std::ranges::any_of(variation.targets(), [&](const auto& target) { return is_file(diagram, target); }))
     throw std::runtime_error("'" + name +
                              "' names a file, and cannot be set in a run; write it into the text");
+}
+
+constexpr double between_looks = 0.004, idle = 0.05;                                          // [s]
+constexpr double between_news = 1.0 / 30.0, between_scenes = 0.0158, between_timings = 0.25;  // [s]
+
+const char* word_of(RunStatus::State state) {
+  if (state == RunStatus::State::playing) return "playing";
+  return state == RunStatus::State::paused ? "paused" : "ended";
+}
+
+Json news_of(const RunStatus& status) {
+  return Json::object()
+      .set("news", "run")
+      .set("run", status.run)
+      .set("state", word_of(status.state))
+      .set("time", status.time)
+      .set("tick", status.tick)
+      .set("rate", status.rate)
+      .set("wanted", status.wanted)
+      .set("missed", status.missed)
+      .set("compiled", status.compiled)
+      .set("fault", status.fault.empty() ? Json() : Json(status.fault));
+}
+
+bool has_turned(const std::optional<RunStatus>& before, const RunStatus& now) {
+  return !before || before->state != now.state || before->run != now.run || before->fault != now.fault ||
+         before->wanted != now.wanted || before->compiled != now.compiled;
 }
 
 }  // namespace
@@ -276,6 +306,167 @@ Json LiveRun::profile(int, const Arguments&) {
   refuse_in_loop("profile");
   const std::atomic<bool> interrupt = false;
   return profile_now(*loaded(), interrupt);
+}
+
+void LiveRun::put(Loaded next) {
+  Loaded before;
+  {
+    const std::lock_guard lock(mutex_);
+    before = std::exchange(loaded_, std::move(next));
+    runs_ = loaded_->thread().status().run + 1;
+    if (fan_interrupt_) *fan_interrupt_ = true;
+  }
+  if (before) before->thread().pause();
+  wake();
+}
+
+MakeRun LiveRun::run_of(std::uint32_t number) {
+  if (loop_)
+    return [this, number](const plan::Plan& plan, const SignalList& signals) {
+      return std::make_unique<LoopThread>(plan, signals,
+                                          LoopThread::Options{*loop_, {}, number, [this] { wake(); }});
+    };
+  return [this, number](const plan::Plan& plan, const SignalList& signals) {
+    return std::make_unique<RunThread>(plan, signals,
+                                       RunThread::Options{&code_, {}, number, [this] { wake(); }});
+  };
+}
+
+/// Returns the running loop of the same model, which a further page joins; nullptr if there is none.
+LiveRun::Loaded LiveRun::going_loop(const session::LoadedModel& model) const {
+  const std::lock_guard lock(mutex_);
+  const bool same = loop_ && loaded_ && loaded_->model().file == model.file &&
+                    loaded_->model().hash == model.hash &&
+                    loaded_->thread().status().state == RunStatus::State::playing;
+  return same ? loaded_ : nullptr;
+}
+
+Json LiveRun::describe(LoadedRun& run) const {
+  Json description = run_description(run);
+  if (!loop_) return description;
+  const Json settings = Json::object()
+                            .set("rate", loop_->rate)
+                            .set("period", 1.0 / loop_->rate)
+                            .set("policy", realtime::policy_text(loop_->policy))
+                            .set("overrun", realtime::overrun_text(loop_->overrun));
+  return description.set("stop", Json()).set("claims", Json::list()).set("loop", settings);
+}
+
+Json LiveRun::load(int, const Arguments& arguments) {
+  Loading loading = load_(static_cast<int>(arguments.number("file")), arguments.flag_or("hand", true));
+  if (const Loaded going = going_loop(loading.model)) return describe(*going);
+  std::uint32_t number = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    if (loaded_) runs_ = std::max(runs_, loaded_->thread().status().run + 1);
+    number = runs_;
+  }
+  const auto run = std::make_shared<LoadedRun>(std::move(loading), run_of(number));
+  Json description = describe(*run);
+  put(run);
+  return description;
+}
+
+void LiveRun::refuse_in_loop(const char* what) const {
+  if (loop_)
+    throw std::runtime_error(std::string("there is no '") + what +
+                             "' beside a real-time loop, which it might disturb");
+}
+
+Json LiveRun::keep(int, const Arguments&) {
+  const Loaded run = loaded();
+  const std::string folder = out_.empty() ? folder_beside(run->model().file) : out_;
+  run->thread().pause();
+  write_live_folder(folder, *run);
+  return Json::object().set("folder", folder);
+}
+
+Json LiveRun::loop(int, const Arguments&) {
+  const auto timing = loaded()->thread().timing();
+  if (!timing) throw std::runtime_error("this run is no real-time loop; 'stepwire studio --loop' makes one");
+  return *timing;
+}
+
+void LiveRun::wake() {
+  {
+    const std::lock_guard lock(wake_mutex_);
+    if (std::exchange(is_woken_, true)) return;
+  }
+  changed_.notify_one();
+}
+
+void LiveRun::publish() {
+  std::unique_lock lock(wake_mutex_);
+  while (!quits_) {
+    changed_.wait_for(lock, std::chrono::duration<double>(idle), [this] { return is_woken_ || quits_; });
+    is_woken_ = false;
+    lock.unlock();
+    Loaded run;
+    {
+      const std::lock_guard loading(mutex_);
+      run = loaded_;
+    }
+    if (run) publish_now(run, seconds_now());
+    run.reset();
+    lock.lock();
+    changed_.wait_for(lock, std::chrono::duration<double>(between_looks), [this] { return quits_; });
+  }
+}
+
+void LiveRun::publish_now(const Loaded& run, double now) {
+  try {
+    views_.send(*run);
+    publish_run(run, now);
+    publish_scene(run, now);
+  } catch (const std::exception& error) {
+    sinks_.news(Json::object().set("news", "fault").set("text", error.what()));
+  }
+}
+
+void LiveRun::publish_run(const Loaded& run, double now) {
+  const RunStatus status = run->thread().status();
+  const bool turned = has_turned(told_, status);
+  const bool moved = told_ && status.tick != told_->tick && now - told_at_ >= between_news;
+  publish_loop(run, turned, now);
+  if (!turned && !moved) return;
+  const bool ends = status.state == RunStatus::State::ended &&
+                    (!told_ || told_->state != RunStatus::State::ended || told_->run != status.run);
+  told_ = status;
+  told_at_ = now;
+  sinks_.news(news_of(status));
+  if (ends && !loop_ && !run->model().claims.empty())
+    judge_ = std::jthread([this, run] {
+      try {
+        sinks_.news(claims_now(*run).set("news", "claims"));
+      } catch (const std::exception&) {  // the run was destroyed
+      }
+    });
+}
+
+void LiveRun::publish_loop(const Loaded& run, bool turned, double now) {
+  const bool goes_on = run->thread().status().state == RunStatus::State::playing;
+  if (!loop_ || (!turned && (!goes_on || now - loop_at_ < between_timings))) return;
+  loop_at_ = now;
+  if (auto timing = run->thread().timing()) sinks_.news(timing->set("news", "loop"));
+}
+
+void LiveRun::publish_scene(const Loaded& run, double now) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (scene_watchers_.empty() || !run->model().scene || now - scene_at_ < between_scenes) return;
+    if (std::exchange(scene_asked_, false)) scene_tick_ = -1;
+  }
+  if (scene_of_ != run) {
+    scene_.reset();
+    scene_of_ = run;
+    scene_.emplace(*run);
+    scene_tick_ = -1;
+  }
+  const std::int64_t tick = run->store().end_tick() - 1;
+  if (tick == scene_tick_) return;
+  scene_tick_ = tick;
+  scene_at_ = now;
+  if (auto news = scene_->news()) sinks_.news(std::move(*news));
 }
 
 }  // namespace stepwire::live

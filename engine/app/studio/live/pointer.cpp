@@ -11,8 +11,10 @@
 #include "engine/view/scene/scene_pointer.hpp"
 
 namespace stepwire::live {
-
 namespace {
+
+/// Part of the model that represents the hand; it follows the pointer.
+constexpr const char* pointer_part = "pointer_hand";
 
 using scene::ScenePointer;
 using Names = std::map<std::string, diagram::SignalRef>;

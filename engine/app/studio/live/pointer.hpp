@@ -9,8 +9,6 @@ namespace stepwire::live {
 /// Inputs that a page writes if the scene has a `pointer`. The first one is its position [x, y] in the
 /// scene's coordinates [m]; the second one is 1 while it holds the pin, else 0.
 inline constexpr const char *pointer_input = "pointer", *held_input = "pointer_held";
-/// Part of the model that represents the hand; it follows the pointer.
-inline constexpr const char* pointer_part = "pointer_hand";
 
 /// Loads a model for a page. If its scene has a `pointer`, the model is a variant of the file. It gets two
 /// inputs and a hand that follows them (diagrams/parts/pointer-hand.yaml). All readers of the signal that

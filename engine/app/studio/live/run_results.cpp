@@ -11,13 +11,83 @@
 #include "engine/view/plot/figure_spec.hpp"
 
 namespace stepwire::live {
-
 namespace {
 
 using json::Json;
 
 constexpr std::int64_t most_exported = 2'000'000;  // numbers: 40 MB of text
 constexpr std::size_t most_described = 256;        // columns
+
+constexpr std::int64_t first_set = 1;  // tick 1: tick 0 is computed before any value can be set
+
+std::string verdict_of(const claim::Verdict& verdict) {
+  if (!verdict.note.empty()) return "open";
+  if (verdict.holds) return verdict.surprises() ? "FAIL" : "ok";
+  return verdict.disagrees.empty() ? "FAIL" : "known";
+}
+
+std::string words_of(const claim::Verdict& verdict) {
+  if (!verdict.note.empty()) return verdict.check + ": " + verdict.note;
+  return verdict.check + ": " + verdict.shown +
+         (verdict.disagrees.empty() ? "" : " (" + verdict.disagrees + ")");
+}
+
+Json claim_json(const std::string& that, const std::string& verdict, const std::string& text) {
+  return Json::object().set("that", that).set("verdict", verdict).set("text", text);
+}
+
+/// Values set in a run, at its start and later.
+struct SetValues {
+  explicit SetValues(const EventLog& log) : start(log.last_of_each(first_set + 1)) {
+    std::erase_if(start, &LiveEvent::is_input);
+    const auto add = [&](const LiveEvent& event) {
+      const bool known = std::ranges::any_of(
+          on_way, [&](const LiveEvent& one) { return one.name == event.name && one.text == event.text; });
+      if (!event.is_input() && event.tick > first_set && !known) on_way.push_back(event);
+    };
+    std::map<std::string, bool> seen;
+    for (const LiveEvent& event : log.events())
+      if (event.tick > first_set && !std::exchange(seen[event.name], true)) add(event);
+    for (const LiveEvent& event : log.last_of_each()) add(event);
+  }
+
+  /// Returns the values at the start, with `other` in place of the one of its name.
+  std::vector<LiveEvent> with(const LiveEvent& other) const {
+    std::vector<LiveEvent> values = start;
+    std::erase_if(values, [&](const LiveEvent& event) { return event.name == other.name; });
+    values.push_back(other);
+    return values;
+  }
+
+  std::vector<LiveEvent> start, on_way;  ///< last event of each name; first and last later event of each name
+};
+
+std::vector<claim::Verdict> judged(LoadedRun& run, const std::vector<LiveEvent>& values,
+                                   std::vector<record::Recording> recordings) {
+  session::Outcome outcome;
+  outcome.result.recordings = std::move(recordings);
+  session::judge_claims(*run.model_with(values), outcome);
+  return std::move(outcome.verdicts);
+}
+
+/// Opens the verdicts that depend on a value set later: those that change if that value replaces the one at
+/// the start.
+void note_dependence(LoadedRun& run, const SetValues& values,
+                     const std::vector<record::Recording>& recordings,
+                     std::vector<claim::Verdict>& verdicts) {
+  for (const LiveEvent& event : values.on_way) {
+    const std::vector<claim::Verdict> others = judged(run, values.with(event), recordings);
+    for (std::size_t i = 0; i < std::min(verdicts.size(), others.size()); ++i) {
+      claim::Verdict& verdict = verdicts[i];
+      const claim::Verdict& other = others[i];
+      const bool same =
+          verdict.holds == other.holds && verdict.shown == other.shown && verdict.check == other.check;
+      if (same || !verdict.note.empty()) continue;
+      verdict.note = fmt::format("'{}' was set at {:.6g} s, and this reads it; begin anew to judge it",
+                                 event.name, run.plan().time_of(event.tick));
+    }
+  }
+}
 
 }  // namespace
 
@@ -82,6 +152,27 @@ Json statistics_of(LoadedRun& run, const std::vector<std::size_t>& columns, doub
                   .set("last", seen.last));
   }
   return Json::object().set("statistics", std::move(list));
+}
+
+Json claims_now(LoadedRun& run) {
+  const RunStatus status = run.thread().status();
+  Json claims = Json::list();
+  const char* open = status.state != RunStatus::State::ended ? ""
+                     : !status.fault.empty()                 ? ": the run ended early"
+                     : run.model().study                     ? ": it is about the trials of the study"
+                                                             : nullptr;
+  if (open) {
+    for (const claim::Claim& claim : run.model().claims)
+      claims.push(claim_json(claim.that, "open", claim.check + open));
+    return Json::object().set("claims", std::move(claims));
+  }
+  const SetValues values(run.thread().log());
+  const auto recordings = recorded_so_far(run.model(), run.signals(), run.thread(), true);
+  std::vector<claim::Verdict> verdicts = judged(run, values.start, recordings);
+  note_dependence(run, values, recordings, verdicts);
+  for (const claim::Verdict& verdict : verdicts)
+    claims.push(claim_json(verdict.that, verdict_of(verdict), words_of(verdict)));
+  return Json::object().set("claims", std::move(claims));
 }
 
 }  // namespace stepwire::live

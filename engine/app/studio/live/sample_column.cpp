@@ -3,8 +3,29 @@
 #include <limits>
 
 namespace stepwire::live {
-
 namespace {
+
+/// Returns the extremes of contiguous numbers. Eight independent lanes hide the latency of the comparisons.
+Extremes extremes_of(std::span<const double> values) {
+  constexpr std::size_t lanes = 8;
+  std::array<double, lanes> least, most;
+  least.fill(Extremes{}.least);
+  most.fill(Extremes{}.most);
+  const std::size_t whole = values.size() / lanes * lanes;
+  for (std::size_t i = 0; i < whole; i += lanes)
+    for (std::size_t k = 0; k < lanes; ++k) {
+      const double value = values[i + k];
+      least[k] = value < least[k] ? value : least[k];
+      most[k] = value > most[k] ? value : most[k];
+    }
+  Extremes all;
+  for (std::size_t k = 0; k < lanes; ++k) all.take({least[k], most[k]});
+  for (std::size_t i = whole; i < values.size(); ++i) {
+    if (values[i] < all.least) all.least = values[i];
+    if (values[i] > all.most) all.most = values[i];
+  }
+  return all;
+}
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint64_t none = UINT64_MAX;

@@ -5,14 +5,26 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "engine/app/studio/live/extremes.hpp"
 #include "engine/app/studio/live/spill_file.hpp"
 
 namespace stepwire::live {
+
+/// Minimum and maximum of some numbers; NaN is ignored. `least` exceeds `most` if there are none.
+struct Extremes {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+
+  bool none() const { return least > most; }
+  void take(const Extremes& other) {
+    if (other.least < least) least = other.least;
+    if (other.most > most) most = other.most;
+  }
+};
 
 /// Samples of one signal, one per tick from the first one on. All are on disk, the newest in memory, too. The
 /// extremes of 64, 256, 1024, ... samples are in memory; they take a 24th of the samples' size. A missing

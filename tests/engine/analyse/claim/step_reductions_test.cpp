@@ -1,4 +1,4 @@
-#include "engine/analyse/claim/step_reductions.hpp"
+#include "engine/analyse/claim/reduce.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

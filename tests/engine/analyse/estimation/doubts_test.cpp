@@ -1,9 +1,9 @@
-#include "engine/analyse/estimation/doubts.hpp"
+#include "engine/analyse/estimation/fit.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "engine/analyse/estimation/still_falling.hpp"
+#include "engine/analyse/estimation/least_squares.hpp"
 #include "tests/engine/analyse/estimation/fit_text.hpp"
 #include "tests/engine/analyse/estimation/nist.hpp"
 

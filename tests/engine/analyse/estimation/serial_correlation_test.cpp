@@ -1,4 +1,3 @@
-#include "engine/analyse/estimation/serial_correlation.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

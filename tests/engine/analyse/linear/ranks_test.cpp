@@ -1,5 +1,5 @@
 // Systems whose ranks are known by how they are made.
-#include "engine/analyse/linear/ranks.hpp"
+#include "engine/analyse/linear/state_space.hpp"
 
 #include <Eigen/QR>
 #include <catch2/catch.hpp>

@@ -5,8 +5,8 @@
 #include "engine/analyse/linear/gain_at_rest.hpp"
 #include "engine/analyse/linear/margins.hpp"
 #include "engine/analyse/linear/poles.hpp"
-#include "engine/analyse/linear/ranks.hpp"
 #include "engine/analyse/linear/slopes.hpp"
+#include "engine/analyse/linear/state_space.hpp"
 
 namespace stepwire::linear {
 

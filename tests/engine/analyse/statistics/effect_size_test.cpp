@@ -1,12 +1,12 @@
-#include "engine/analyse/statistics/effect_size.hpp"
+#include "engine/analyse/statistics/paired_test.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "engine/analyse/statistics/condition_table.hpp"
-#include "engine/analyse/statistics/mean_interval.hpp"
-#include "engine/analyse/statistics/noncentral.hpp"
+#include "engine/analyse/statistics/distributions.hpp"
 #include "engine/analyse/statistics/repeated_measures.hpp"
+#include "engine/analyse/statistics/within_subjects.hpp"
 #include "tests/engine/analyse/statistics/textbook.hpp"
 
 // Reference numbers from R 4.2.2; each test contains its command. R's noncentral F has nine correct digits.

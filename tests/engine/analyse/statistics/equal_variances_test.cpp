@@ -1,8 +1,8 @@
-#include "engine/analyse/statistics/equal_variances.hpp"
+#include "engine/analyse/statistics/assumptions.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "engine/analyse/statistics/tail.hpp"
+#include "engine/analyse/statistics/distributions.hpp"
 #include "tests/engine/analyse/statistics/textbook.hpp"
 
 // Numbers of R 4.2.2.

@@ -1,10 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "engine/analyse/statistics/holm.hpp"
 #include "engine/analyse/statistics/no_number.hpp"
 #include "engine/analyse/statistics/paired_test.hpp"
-#include "engine/analyse/statistics/signed_rank.hpp"
 #include "tests/engine/analyse/statistics/textbook.hpp"
 
 // Reference numbers from R 4.2.2; each test contains its command.

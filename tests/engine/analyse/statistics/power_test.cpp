@@ -5,7 +5,6 @@
 
 #include "engine/analyse/statistics/condition_table.hpp"
 #include "engine/analyse/statistics/contrasts.hpp"
-#include "engine/analyse/statistics/simulated_power.hpp"
 #include "tests/engine/analyse/statistics/textbook.hpp"
 
 // Reference numbers from R 4.2.2; each test contains its command.

@@ -1,4 +1,4 @@
-#include "engine/analyse/statistics/quartiles.hpp"
+#include "engine/analyse/statistics/descriptive.hpp"
 
 #include <catch2/catch.hpp>
 

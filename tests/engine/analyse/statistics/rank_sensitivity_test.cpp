@@ -1,11 +1,11 @@
-#include "engine/analyse/statistics/rank_sensitivity.hpp"
+#include "engine/analyse/statistics/sensitivity_indices.hpp"
 
 #include <Eigen/QR>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "engine/analyse/statistics/rank.hpp"
+#include "engine/analyse/statistics/descriptive.hpp"
 #include "engine/base/math/normal_quantile.hpp"
 #include "engine/base/sampling/design.hpp"
 

@@ -1,4 +1,4 @@
-#include "engine/analyse/statistics/rank.hpp"
+#include "engine/analyse/statistics/descriptive.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

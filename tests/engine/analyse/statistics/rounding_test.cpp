@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "engine/analyse/statistics/equal_variances.hpp"
+#include "engine/analyse/statistics/assumptions.hpp"
 #include "engine/analyse/statistics/within_subjects.hpp"
 #include "tests/engine/analyse/statistics/textbook.hpp"
 

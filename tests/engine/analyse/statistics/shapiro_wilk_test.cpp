@@ -1,4 +1,4 @@
-#include "engine/analyse/statistics/shapiro_wilk.hpp"
+#include "engine/analyse/statistics/assumptions.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "engine/analyse/statistics/sobol_indices.hpp"
+#include "engine/analyse/statistics/sensitivity_indices.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

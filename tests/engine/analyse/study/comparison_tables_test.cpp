@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "engine/analyse/study/comparison_columns.hpp"
+#include "engine/analyse/study/study_columns.hpp"
 #include "tests/engine/analyse/study/samples.hpp"
 
 namespace stepwire::study {

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "engine/app/session/repetition_figure.hpp"
+#include "engine/app/session/studies.hpp"
 #include "engine/view/render/render.hpp"
 #include "tests/engine/analyse/study/samples.hpp"
 
@@ -53,8 +53,8 @@ TEST_CASE("significance is counted with its sign") {
 
 TEST_CASE("the picture has a panel with a line for each value that the thesis prints") {
   const std::string svg = render::render(session::repetition_figure(made_up(), task_1())).svg;
-  CHECK_THAT(svg,
-             Contains("published: 0.698") && Contains("published: 2.02e-05") && Contains("log10 of P, haptic"));
+  CHECK_THAT(
+      svg, Contains("published: 0.698") && Contains("published: 2.02e-05") && Contains("log10 of P, haptic"));
   CHECK_THAT(svg, !Contains("published: 0.217"));
 }
 

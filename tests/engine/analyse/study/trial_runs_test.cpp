@@ -1,10 +1,9 @@
-#include "engine/analyse/study/person_runs.hpp"
 
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>
 
-#include "engine/analyse/study/drawn_number.hpp"
+#include "engine/analyse/study/trial_runs.hpp"
 
 namespace stepwire::study {
 

@@ -1,4 +1,4 @@
-#include "engine/app/cluster/group_size.hpp"
+#include "engine/app/cluster/item_server.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>

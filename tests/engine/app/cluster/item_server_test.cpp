@@ -12,7 +12,6 @@
 
 #include "engine/app/cluster/item_client.hpp"
 #include "engine/app/cluster/item_messages.hpp"
-#include "engine/app/cluster/this_host.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/messages/bytes.hpp"
 

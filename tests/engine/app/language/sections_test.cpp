@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "engine/app/language/section_edits.hpp"
+#include "engine/app/language/edits.hpp"
 
 namespace stepwire::language {
 

@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "engine/app/reference/block_json.hpp"
-#include "engine/app/reference/block_markdown.hpp"
 #include "engine/app/reference/block_page.hpp"
 #include "engine/app/reference/example.hpp"
 #include "engine/app/reference/format_page.hpp"

@@ -1,4 +1,4 @@
-#include "engine/app/studio/text_changes.hpp"
+#include "engine/app/studio/text_merge.hpp"
 
 #include <catch2/catch.hpp>
 

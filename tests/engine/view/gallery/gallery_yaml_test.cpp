@@ -1,4 +1,4 @@
-#include "engine/view/gallery/gallery_yaml.hpp"
+#include "engine/view/gallery/gallery_source.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "engine/view/geometry/triangulation.hpp"
+#include "engine/view/geometry/grid.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "engine/view/geometry/grid.hpp"
 #include "engine/view/render/gnuplot.hpp"
 #include "engine/view/render/gnuplot_text.hpp"
-#include "engine/view/svg/text_width.hpp"
+#include "engine/view/svg/svg.hpp"
 #include "tests/engine/view/plot/samples.hpp"
 
 namespace stepwire::plot {

@@ -1,4 +1,3 @@
-#include "engine/view/render/scene_animation.hpp"
 
 #include "engine/view/render/scene_drawing.hpp"
 #include "tests/engine/view/plot/frozen_animation.hpp"

@@ -1,4 +1,4 @@
-#include "engine/view/render/subscripts.hpp"
+#include "engine/view/render/picture.hpp"
 
 #include <catch2/catch.hpp>
 
