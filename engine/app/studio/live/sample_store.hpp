@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/app/studio/live/sample_column.hpp"
+#include "engine/base/math/tick_times.hpp"
 
 namespace stepwire::live {
 
