@@ -53,6 +53,10 @@ class EventLocator {
         nearest_(ends_ + task.crossing_count),
         looks_(nearest_ + task.crossing_count) {}
 
+  /// Follows no number to its turn: each step of a solver with error control changes the length of the next
+  /// one, so the order of the conditions would change the last bits.
+  void ignore_turns() { follows_turns_ = false; }
+
   /// Integrates from `start` to `end` over `length`, event by event.
   void advance(double start, double end, double length) {
     length_ = length;
@@ -123,7 +127,7 @@ class EventLocator {
       at = from + part;
       return true;
     }
-    if (crosses_at_turn(from, length, at)) return true;
+    if (follows_turns_ && crosses_at_turn(from, length, at)) return true;
     if (!failed) run_.forget_fault();
     std::copy_n(end_, task_.state_count, values_ + task_.states);
     arrive(at, length_of_, high_);
@@ -426,10 +430,11 @@ class EventLocator {
   double *x_, *slopes_;                    ///< after the last event
   double *start_, *high_, *low_, *trial_;  ///< crossing functions there, beyond, before, between
   EverFaster ever_faster_;
-  double* end_;                            ///< states at the end of the interval
-  double* kept_;                           ///< signals and states before an iteration
-  double* ends_;                           ///< crossing functions at the end of the interval
-  double *nearest_, *looks_;               ///< numbers nearest to 0, and the looks that have found them
+  double* end_;               ///< states at the end of the interval
+  double* kept_;              ///< signals and states before an iteration
+  double* ends_;              ///< crossing functions at the end of the interval
+  double *nearest_, *looks_;  ///< numbers nearest to 0, and the looks that have found them
+  bool follows_turns_ = true;
   double length_ = 0.0, length_of_ = 0.0;  ///< length of the step, and of the interval up to the next event
   static constexpr int most_turns = 10;
   int turns_ = 0;  ///< Repetitions of turn_back() at one crossing.

@@ -38,7 +38,9 @@ class WatchedStep {
       run_.advance_watched(from, task_.jumps ? left_of(end, length) : end,
                            from == start ? length : end - from, here);
       if (reached == end && !is_eventful(end)) return;
-      EventLocator(task_, values_, run_).advance(open_, reached, reached - open_);
+      EventLocator locator(task_, values_, run_);
+      locator.ignore_turns();
+      locator.advance(open_, reached, reached - open_);
       if (has_ended()) return;
       from = reached;
       run_.follow();

@@ -241,6 +241,38 @@ TEST_CASE("compiled code locates conditions to the same bits") {
   }
 }
 
+TEST_CASE("compiled code follows a condition to its turn, to the same bits") {
+  // x exceeds the threshold for 0.6 ms about each maximum, between two looks into a step of 7 ms.
+  const plan::Plan plan = plan_text(R"(events: locate
+step: 7 ms
+stop: 4.9 s
+solver: dop853
+blocks:
+  v: {block: Integrator, u: a, initial: 6.283185307179586 1/s}
+  a: {block: Gain, u: x, gain: -39.47841760435743 1/s^2}
+  x: {block: Integrator, u: v}
+  c: {block: Compare, u: x, operator: '>', to: 0.9999982234720354}
+  n: {block: Counter, u: c}
+record: [n]
+)");
+  codegen::GeneratedCode source{run::code_trial()};
+  const auto code = source.compile(plan, {}, {});
+  INFO(source.take_problem());
+  REQUIRE(code);
+  Executor one(plan), other(plan);
+  other.use(*code);
+  bool same = true;
+  for (; !one.finished(); one.advance(), other.advance()) {
+    one.evaluate();
+    other.evaluate();
+    for (std::size_t i = plan.layout.signals; i < plan.layout.derivatives; ++i)
+      same = same && one.values()[i] == other.values()[i];
+  }
+  one.evaluate();
+  CHECK(same);
+  CHECK(one.values()[plan.slot(plan.diagram.records.front().signals.front().signal).offset] == 5.0);
+}
+
 TEST_CASE(
     "a period within what is triggered at located edges is refused, and one of what is triggered is not") {
   const DiagramFolder folder;
