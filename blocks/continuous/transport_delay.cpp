@@ -78,10 +78,11 @@ void TransportDelay::configure(Configure& is) {
   changes = !constant;
   if (constant) is.skip_crossings();
   most = constant ? std::max(*constant, step) : longest;
-  if (!(constant.value_or(most) >= step * (1.0 - 1e-9)))
-    is.refuse<&TransportDelay::longest>(fmt::format(
-        "a delay of {} s is less than the step of {} s; take a shorter step, or a Lag of that time",
-        constant.value_or(most), step));
+  const std::string too_short =
+      fmt::format("a delay of {} s is less than the step of {} s; take a shorter step, or a Lag of that time",
+                  constant.value_or(most), step);
+  if (constant && !(*constant >= step * (1.0 - 1e-9))) is.refuse<&TransportDelay::delay>(too_short);
+  if (!(most >= step * (1.0 - 1e-9))) is.refuse<&TransportDelay::longest>(too_short);
   if (most / step > most_rows)
     is.refuse<&TransportDelay::longest>(
         fmt::format("{} s are more than {} steps of {} s", most, most_rows, step));

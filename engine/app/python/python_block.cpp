@@ -11,7 +11,8 @@
 #include "engine/model/block/declare.hpp"
 
 namespace stepwire::python {
-namespace {
+
+namespace py = pybind11;
 
 /// Destination of a result of a method.
 struct Target {
@@ -61,6 +62,8 @@ class Instance {
   Held object_;
   std::array<Bound, 3> methods_;
 };
+
+namespace {
 
 constexpr std::array<const char*, 3> names{"outputs", "derivatives", "update"};
 
@@ -124,7 +127,44 @@ bool write_several(PyObject* given, const std::vector<Target>& targets, const ch
   return true;
 }
 
-namespace py = pybind11;
+/// Describes an exception: "ValueError: a negative mass (Drag.outputs, drag.py:12)". The caller must hold the
+/// interpreter lock.
+std::string text_of(_object* exception) {
+  try {
+    const py::object shown = py::module_::import("stepwire.errors").attr("shown");
+    return py::cast<std::string>(shown(py::reinterpret_borrow<py::object>(exception)));
+  } catch (py::error_already_set&) {
+    return "it raises an exception that has no text";
+  }
+}
+
+constexpr std::size_t output_method = 0, slope_method = 1, update_method = 2;
+
+const Method& method_of(const PythonClass& of, std::size_t method) {
+  return method == output_method  ? of.output_method
+         : method == slope_method ? of.slope_method
+                                  : of.update_method;
+}
+
+Given given_to(const PythonBlock& block, const Argument& argument) {
+  switch (argument.source) {
+    case Source::input:
+      return {block.inputs[argument.index].data(), block.inputs[argument.index].size(),
+              block.of->inputs[argument.index].rows};
+    case Source::state:
+      return {block.states[argument.index].data(), block.states[argument.index].size(),
+              block.of->states[argument.index].rows};
+    case Source::memory:
+      return {block.memory[argument.index].data(), block.memory[argument.index].size(),
+              block.of->memory[argument.index].rows};
+    case Source::time:
+      return {&block.now, 1};
+    default:
+      return {&block.between, 1};
+  }
+}
+
+}  // namespace
 
 std::shared_ptr<Instance> Instance::make(const PythonClass& of, const Value* parameters) {
   auto made = std::make_shared<Instance>();
@@ -193,45 +233,6 @@ bool Instance::call(std::size_t method) {
   return bound.targets.size() == 1 ? write(result.ptr(), bound.targets.front(), bound.shown)
                                    : write_several(result.ptr(), bound.targets, bound.shown);
 }
-
-/// Describes an exception: "ValueError: a negative mass (Drag.outputs, drag.py:12)". The caller must hold the
-/// interpreter lock.
-std::string text_of(_object* exception) {
-  try {
-    const py::object shown = py::module_::import("stepwire.errors").attr("shown");
-    return py::cast<std::string>(shown(py::reinterpret_borrow<py::object>(exception)));
-  } catch (py::error_already_set&) {
-    return "it raises an exception that has no text";
-  }
-}
-
-constexpr std::size_t output_method = 0, slope_method = 1, update_method = 2;
-
-const Method& method_of(const PythonClass& of, std::size_t method) {
-  return method == output_method  ? of.output_method
-         : method == slope_method ? of.slope_method
-                                  : of.update_method;
-}
-
-Given given_to(const PythonBlock& block, const Argument& argument) {
-  switch (argument.source) {
-    case Source::input:
-      return {block.inputs[argument.index].data(), block.inputs[argument.index].size(),
-              block.of->inputs[argument.index].rows};
-    case Source::state:
-      return {block.states[argument.index].data(), block.states[argument.index].size(),
-              block.of->states[argument.index].rows};
-    case Source::memory:
-      return {block.memory[argument.index].data(), block.memory[argument.index].size(),
-              block.of->memory[argument.index].rows};
-    case Source::time:
-      return {&block.now, 1};
-    default:
-      return {&block.between, 1};
-  }
-}
-
-}  // namespace
 
 PythonBlock::PythonBlock(const PythonBlock& other)
     : of(other.of),
