@@ -195,6 +195,11 @@ void refuse_swept_names(Report& report) {
                                  signal.name));
 }
 
+/// True for the time, and for the name of a block or an input of a scope.
+bool names_signal(const Scope& scope, const std::string& name) {
+  return name == "time" || !scope.start_of(name).empty() || !scope.input_of(name).empty();
+}
+
 }  // namespace
 
 void read_record(const Scope& scope, const Resolver& resolver, Report& report) {
@@ -211,15 +216,13 @@ void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& r
   const ValueReader reader(scope.parameters, report, scope.index);
   yaml::Node written = *node;
   if (written.text.starts_with('=')) written.text[0] = ' ';
-  const auto is_signal = [&](const std::string& name) {
-    return name == "time" || !scope.start_of(name).empty() || !scope.input_of(name).empty();
-  };
+  const auto is_signal = [&](std::string_view view) { return names_signal(scope, std::string(view)); };
   written.text = name_parameters(written.text, scope.parameters, is_signal);
   const auto text = reader.fill_in(written, "stop_when");
   if (!text) return;
   try {
-    const auto hides = [&](std::string_view name) { return is_signal(std::string(name)); };
-    StopCondition condition{expression::Expression::hiding_constants(*text, hides), {}, scope.at(node->mark)};
+    StopCondition condition{
+        expression::Expression::hiding_constants(*text, is_signal), {}, scope.at(node->mark)};
     for (const std::string& name : condition.expression.variables()) {
       if (name == "time") {
         condition.variables.push_back({});

@@ -23,6 +23,14 @@ yaml::Node named(const std::string& text, const yaml::Mark& mark) {
   return node;
 }
 
+/// Returns a condition, in which names of blocks and inputs hide constants of the same name.
+expression::Expression formula_of_condition(const Scope& scope, const std::string& text) {
+  const yaml::Node* const blocks = scope.document->root.find("blocks");
+  return expression::Expression::hiding_constants(text, [&](std::string_view name) {
+    return (blocks && blocks->find(name)) || scope.inputs.contains(std::string(name));
+  });
+}
+
 }  // namespace
 
 int Opener::add_hidden(const Scope& scope, const std::string& name, const BlockType& type,
@@ -79,10 +87,7 @@ void Opener::feed_guard(Scope& scope, const std::string& owner, const char* key,
 
 int Opener::add_condition(Scope& scope, const std::string& name, const yaml::Node& node) {
   const std::string text = plain_formula(node.text);
-  const yaml::Node* const blocks = scope.document->root.find("blocks");
-  const auto formula = expression::Expression::hiding_constants(text, [&](std::string_view name) {
-    return (blocks && blocks->find(name)) || scope.inputs.contains(std::string(name));
-  });
+  const auto formula = formula_of_condition(scope, text);
   const int index = add_hidden(scope, name, condition_type(), node.mark);
   yaml::Node& sources = made_.emplace_back();
   sources.kind = yaml::Node::Kind::list;

@@ -63,11 +63,15 @@ class LayoutMaker {
     each([&](std::size_t b) { place_inputs(b); });
     each([&](std::size_t b) { place_initial(b); });
     layout.report = end_;
-    const std::size_t sizes = plan_.diagram.error_control ? layout.state_count : 0;
-    layout.size = layout.events = layout.loops = layout.report + Layout::report_count + sizes;
+    layout.size = layout.events = layout.loops = layout.report + report_size();
   }
 
  private:
+  /// With error control the size of each state follows the numbers of the report.
+  std::size_t report_size() const {
+    return Layout::report_count + (plan_.diagram.error_control ? plan_.layout.state_count : 0);
+  }
+
   template <class Visit>
   void each(const Visit& visit) {
     for (int block : plan_.memory_order) visit(static_cast<std::size_t>(block));

@@ -256,9 +256,21 @@ std::string struct_text(const plan::Plan& plan, const Tuning& tuning, const Grou
                      stopped_time(plan));
 }
 
+/// Returns the functions of the struct that only look at its numbers.
+std::string look_definitions(const plan::Plan& plan, const std::string& name) {
+  return fmt::format(
+      "bool Diagram::finite() const {{\n"
+      "  std::uint64_t bits = 0;  // a product with 0 is 0 for what is finite and nan for the rest\n"
+      "  for (int i = {0}; i < {1}; ++i) bits |= std::bit_cast<std::uint64_t>(w_[i] * 0.0);\n"
+      "  return (bits << 1) == 0;\n}}\n\n"
+      "const char* Diagram::fault() const {{\n{2}  return nullptr;\n}}\n\n"
+      "bool Diagram::stops() const {{\n  return {3};\n}}\n\n}}  // namespace {4}\n",
+      plan.layout.signals, plan.layout.derivatives + plan.layout.state_count, fault_text(plan),
+      stop_text(plan), name);
+}
+
 std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
                                const std::string& name, bool between_ticks) {
-  const plan::Layout& layout = plan.layout;
   const Tuned tuned = codegen::tuned(plan, tuning);
   return fmt::format("namespace {} {{\n\n", name) + tuned.functions +
          fmt::format(
@@ -275,15 +287,7 @@ std::string struct_definitions(const plan::Plan& plan, const Tuning& tuning, con
               ? between_ticks_definitions(plan, tuned.numbers, tuned.check + copies(groups.inputs, false),
                                           copies(groups.outputs, true) + copies(groups.recorded, true))
               : "") +
-         fmt::format(
-             "bool Diagram::finite() const {{\n"
-             "  std::uint64_t bits = 0;  // a product with 0 is 0 for what is finite and nan for the rest\n"
-             "  for (int i = {0}; i < {1}; ++i) bits |= std::bit_cast<std::uint64_t>(w_[i] * 0.0);\n"
-             "  return (bits << 1) == 0;\n}}\n\n"
-             "const char* Diagram::fault() const {{\n{2}  return nullptr;\n}}\n\n"
-             "bool Diagram::stops() const {{\n  return {3};\n}}\n\n}}  // namespace {4}\n",
-             layout.signals, layout.derivatives + layout.state_count, fault_text(plan), stop_text(plan),
-             name);
+         look_definitions(plan, name);
 }
 
 }  // namespace stepwire::codegen

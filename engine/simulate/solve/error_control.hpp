@@ -78,9 +78,8 @@ class Controlled {
                const ErrorControl& control, double* numbers, const Evaluate& evaluate) {
     Eigen::Map<Vector> x(x_place, origin_.size()), dot(dot_place, origin_.size());
     origin_ = x;
-    keep_sizes(x, numbers);
     double at = time, wished = numbers[ControlReport::next];
-    if (!(wished > 0.0)) wished = first_step(x, dot, now, at, length, control, evaluate);
+    if (!(wished > 0.0)) wished = first_step(x, dot, now, at, length, control, numbers, evaluate);
     if constexpr (requires { method_.begin(control, numbers, wished, length); })
       method_.begin(control, numbers, wished, length);
     rejected_ = false;
@@ -94,12 +93,9 @@ class Controlled {
       const bool solved = method_.attempt(x, dot, now, at, last ? end : at + step, step, numbers, evaluate);
       const double error = solved ? norm(x, control) : std::numeric_limits<double>::infinity();
       const bool accepted = error <= 1.0;
-      const double next = step * (accepted ? accept(error, numbers) : reject(error, numbers));
+      const double next = step * (accepted ? accept(x, error, numbers) : reject(error, numbers));
       wished = last && accepted ? std::max(wished, next) : next;
-      if (accepted) {
-        at = last ? time + length : at + step;
-        keep_sizes(x, numbers);
-      }
+      if (accepted) at = last ? time + length : at + step;
       if (!accepted || !last) go_on(x, dot, now, at, accepted, evaluate);
       if constexpr (requires { evaluate.stops(at); })
         if (accepted && !last && evaluate.stops(at)) break;
@@ -138,7 +134,9 @@ class Controlled {
   }
 
   /// Updates the controller after an accepted step. Returns the factor for the next step size.
-  double accept(double error, double* numbers) {
+  template <class X>
+  double accept(const X& x, double error, double* numbers) {
+    keep_sizes(x, numbers);
     double& before = numbers[ControlReport::before];
     numbers[ControlReport::steps] += 1.0;
     numbers[ControlReport::largest] = std::max(numbers[ControlReport::largest], error);
@@ -173,9 +171,10 @@ class Controlled {
 
   template <class X, class Dot, class Evaluate>
   double first_step(X& x, Dot& dot, double* now, double at, double length, const ErrorControl& control,
-                    const Evaluate& evaluate) {
+                    double* numbers, const Evaluate& evaluate) {
     start_ = x;
     slope_ = dot;
+    keep_sizes(x, numbers);
     double size = 0.0, speed = 0.0, change = 0.0;
     for (Eigen::Index i = 0; i < x.size(); ++i) {
       size = std::max(size, part(x, x[i], i, control));

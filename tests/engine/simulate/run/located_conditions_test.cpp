@@ -246,7 +246,7 @@ TEST_CASE("compiled code follows a condition to its turn, to the same bits") {
   const plan::Plan plan = plan_text(R"(events: locate
 step: 7 ms
 stop: 4.9 s
-solver: dop853
+solver: dormand_prince
 blocks:
   v: {block: Integrator, u: a, initial: 6.283185307179586 1/s}
   a: {block: Gain, u: x, gain: -39.47841760435743 1/s^2}

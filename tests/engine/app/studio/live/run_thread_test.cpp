@@ -189,7 +189,7 @@ TEST_CASE("a formula is computed from what is stored, and a signal that is not i
   run.store().read(column, 0, sum);
   run.store().read(late, 0, net);
   for (std::size_t i = 0; i < sum.size(); ++i) {
-    REQUIRE(sum[i] == 1000.0 * position[i] + 0.001 * static_cast<double>(i));
+    REQUIRE(sum[i] == 1000.0 * position[i] + static_cast<double>(i) / 1000.0);
     REQUIRE(net[i] == Approx(1.0 - 100.0 * position[i] - 0.4 * velocity[i]).margin(1e-12));
   }
 }
