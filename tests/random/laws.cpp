@@ -152,8 +152,12 @@ Verdict ended_earlier(const Trial& trial, BatchCode&) {
       key.value = fmt::format("{} s", static_cast<double>(half) * trial.loaded->plan().diagram.step);
   const Loaded loaded(*trial.registry, sketch, trial.folder);
   run::RunResult expected = trial.expected, shorter = run(loaded);
-  expected.faults.clear();                            // it ends later
-  if (shorter.ticks >= half) shorter.faults.clear();  // its steps are judged where it ends
+  expected.faults.clear();  // it ends later
+  // Steps are judged at the end and at quarters of a run, which are other ticks of a shorter one.
+  std::erase_if(shorter.faults, [&](const run::RunFault& fault) {
+    return shorter.ticks >= half ||
+           fault.fault.text().find("equations do not let it grow") != std::string::npos;
+  });
   for (std::size_t r = 0; r < shorter.recordings.size(); ++r)
     keep_common_rows(expected.recordings[r].table, shorter.recordings[r].table);
   return verdict_of(difference(expected, shorter));
