@@ -10,7 +10,7 @@ std::string places_text(const plan::Plan& plan, const PlaceNames& names) {
     text += fmt::format("  {} = {},  // {}\n", place.name, place.offset, place.meaning);
   text += "};\n}  // namespace at\n\n";
   return text + fmt::format(
-                    "constexpr double step = {};  // [s]\n"
+                    "[[maybe_unused]] constexpr double step = {};  // [s]\n"
                     "[[maybe_unused]] constexpr int states = {}, first_derivative = {};  // where the first "
                     "state and slope lie\n"
                     "constexpr int size = {};  // of the workspace\n\n",
