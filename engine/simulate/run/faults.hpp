@@ -25,9 +25,8 @@ bool runs_away_in_loop(const plan::Plan& plan, const double* values);
 /// Returns the fault of a step that the solver rejects.
 std::optional<RunFault> fault_of_step(const plan::Plan& plan, const double* values, double tick_time);
 
-/// Returns a note for each state of a run with error control that has never reached a hundred times the
-/// absolute tolerance, so that this allows an error of more than 1 % of it. A state that is 0 throughout has
-/// none.
+/// Returns a note for each state of a run with error control that stays below a hundred times the absolute
+/// tolerance, since this allows an error above 1 % of it. A state that is 0 throughout has none.
 std::vector<RaisedDiagnostic> notes_on_small_states(const plan::Plan& plan, const double* values);
 
 }  // namespace stepwire::run
