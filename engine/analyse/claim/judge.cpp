@@ -253,6 +253,7 @@ void Judge::add_runs(const Rows& rows) {
       throw Unjudged(fmt::format("run {} recorded no row", runs_ + run + 1));
     const double value = value_of_run(claim_, rows, run);
     const double found = claim_.comparison.margin(value);
+    ++judged_;
     differs_ = differs_ || (worst_run_ && value != worst_);
     if (worst_run_ && found >= margin_) continue;
     worst_ = value;
@@ -284,7 +285,7 @@ std::string Judge::shown(double value, std::optional<std::size_t> worst) const {
   const bool single = runs_ == rows_ && rows_ > 1;
   if (claim_.reduction == Reduction::fraction && !claim_.each_run && single && !std::isnan(value))
     text += fmt::format(", {} of {}", std::lround(value * static_cast<double>(selected_)), selected_);
-  if (worst && runs_ > 1 && differs_) text += fmt::format(", the worst of {} runs", runs_);
+  if (worst && judged_ > 1 && differs_) text += fmt::format(", the worst of {} runs", judged_);
   return text;
 }
 
@@ -299,7 +300,7 @@ Verdict Judge::verdict() const {
     }
     verdict.value = value();
     const auto worst = claim_.each_run || verdict.value == worst_ ? worst_run_ : std::nullopt;
-    if (runs_ > 1 && differs_) verdict.run = worst;
+    if (judged_ > 1 && differs_) verdict.run = worst;
     verdict.shown = shown(verdict.value, worst);
     verdict.holds = claim_.comparison.margin(verdict.value) >= 0.0;
     if (std::isnan(verdict.value)) verdict.note = note_of_undefined();

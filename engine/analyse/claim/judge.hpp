@@ -39,6 +39,7 @@ class Judge {
   std::optional<std::size_t> worst_run_;
   bool differs_ = false;  ///< True if the runs give different values.
   std::size_t runs_ = 0, rows_ = 0, selected_ = 0, undefined_ = 0;
+  std::size_t judged_ = 0;       ///< Number of runs that have a value: those of which `where` selects a row.
   double magnitude_ = 0.0;       ///< Largest recorded number of the same dimension as the value.
   std::vector<double> numbers_;  ///< One number per selected run, for reductions over several runs.
 };
