@@ -17,8 +17,8 @@ using json::Json;
 
 namespace {
 
-/// Returns the feedbacks among the factors.
-std::vector<std::string> feedbacks(const statistics::Observations& observations) {
+/// Returns the factors of the conditions.
+std::vector<std::string> own_factors(const statistics::Observations& observations) {
   std::vector<std::string> names;
   for (const statistics::Factor& factor : observations.factors)
     if (!factor.subject && factor.name != "condition") names.push_back(factor.name);
@@ -41,13 +41,14 @@ std::vector<std::vector<double>> by_condition(const PathErrors& errors) {
   return samples;
 }
 
-/// Returns 1 for each condition with the feedback, else 0.
-Eigen::VectorXd presence(const std::vector<NamedValue>& means,
-                         const std::vector<FeedbackCondition>& conditions, bool FeedbackCondition::*member) {
+/// Returns 1 for each condition with the factor, else 0.
+Eigen::VectorXd presence(const std::vector<NamedValue>& means, const std::vector<Condition>& conditions,
+                         const std::string& factor) {
   Eigen::VectorXd present = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(means.size()));
   for (std::size_t i = 0; i < means.size(); ++i)
-    for (const FeedbackCondition& condition : conditions)
-      if (condition.name == means[i].name && condition.*member) present[static_cast<Eigen::Index>(i)] = 1.0;
+    for (const Condition& condition : conditions)
+      if (condition.name == means[i].name && condition.has(factor))
+        present[static_cast<Eigen::Index>(i)] = 1.0;
   return present;
 }
 
@@ -100,9 +101,9 @@ void add_within_subjects(const statistics::Observations& all, const std::vector<
   }
 }
 
-std::vector<std::string> names_of(const std::vector<FeedbackCondition>& conditions) {
+std::vector<std::string> names_of(const std::vector<Condition>& conditions) {
   std::vector<std::string> names;
-  for (const FeedbackCondition& condition : conditions) names.push_back(condition.name);
+  for (const Condition& condition : conditions) names.push_back(condition.name);
   return names;
 }
 
@@ -119,20 +120,16 @@ std::string printed_probability(double p) {
   return p < 1e-3 ? fmt::format("{:.2e}", p) : fmt::format("{:.3g}", p);
 }
 
-std::vector<NamedValue> feedback_effects(const std::vector<NamedValue>& means,
-                                         const std::vector<FeedbackCondition>& conditions) {
+std::vector<NamedValue> factor_effects(const std::vector<NamedValue>& means,
+                                       const std::vector<Condition>& conditions) {
   if (means.empty()) return {};
   const auto rows = static_cast<Eigen::Index>(means.size());
-  const std::vector<std::pair<const char*, bool FeedbackCondition::*>> kinds{
-      {"haptic", &FeedbackCondition::haptic},
-      {"visual", &FeedbackCondition::visual},
-      {"guiding path", &FeedbackCondition::guiding_path}};
   Eigen::MatrixXd terms = Eigen::MatrixXd::Ones(rows, 1);
   Eigen::VectorXd errors(rows);
   for (Eigen::Index row = 0; row < rows; ++row) errors[row] = means[static_cast<std::size_t>(row)].value;
   std::vector<NamedValue> effects;
-  for (const auto& [name, member] : kinds) {
-    const Eigen::VectorXd present = presence(means, conditions, member);
+  for (const std::string& name : factors_of(conditions)) {
+    const Eigen::VectorXd present = presence(means, conditions, name);
     if (present.minCoeff() == present.maxCoeff()) continue;  // present in all conditions or in none
     terms.conservativeResize(Eigen::NoChange, terms.cols() + 1);
     terms.rightCols(1) = present;
@@ -145,15 +142,15 @@ std::vector<NamedValue> feedback_effects(const std::vector<NamedValue>& means,
   return effects;
 }
 
-TaskAnalysis analyse(const PathErrors& errors, const std::vector<FeedbackCondition>& conditions) {
+TaskAnalysis analyse(const PathErrors& errors, const std::vector<Condition>& conditions) {
   const statistics::Observations all = observations(errors, conditions);
-  const auto factors = feedbacks(all);
+  const auto factors = own_factors(all);
   TaskAnalysis result;
   const auto names = errors.conditions();
   const auto samples = by_condition(errors);
   for (std::size_t i = 0; i < names.size(); ++i)
     result.means.push_back({names[i], statistics::box_summary(samples[i]).mean});
-  result.effects = feedback_effects(result.means, conditions);
+  result.effects = factor_effects(result.means, conditions);
   result.additive = statistics::anova(all, statistics::additive_terms(factors));
   auto with_subject = statistics::additive_terms(factors);
   with_subject.push_back({{"subject"}, {}});

@@ -23,25 +23,24 @@ double value_of(const std::vector<NamedValue>& values, const std::string& name);
 /// Analysis of the errors of one task.
 struct TaskAnalysis {
   std::vector<NamedValue> means;    ///< Normalised error over all subjects, by condition.
-  std::vector<NamedValue> effects;  ///< Effect of each feedback on these means.
-  statistics::Anova additive;       ///< Feedbacks only: the form of the thesis' tables 4 and 6.
-  statistics::Anova with_subject;   ///< The same with the subject as a factor.
-  /// Repeated measures over the feedbacks and their interactions if all combinations were drawn (task 1),
-  /// else over the conditions (task 2).
+  std::vector<NamedValue> effects;  ///< Effect of each factor on these means.
+  statistics::Anova additive;  ///< Factors of the conditions only: the form of the thesis' tables 4 and 6.
+  statistics::Anova with_subject;  ///< The same with the subject as a factor.
+  /// Repeated measures over the factors and their interactions if all their combinations are conditions,
+  /// else over the conditions.
   std::optional<statistics::Anova> repeated;
   std::string not_repeated;                          ///< Reason why there is none.
   std::optional<statistics::WithinSubjects> within;  ///< Pairs of conditions, for subjects who have met all.
   std::string not_within;                            ///< Reason why there is none.
 };
 
-/// Returns the main effect of each feedback on the mean errors of conditions, by least squares; negative if
-/// it lowers them. Nan if the conditions do not separate the feedbacks.
-std::vector<NamedValue> feedback_effects(const std::vector<NamedValue>& means,
-                                         const std::vector<FeedbackCondition>& conditions);
+/// Returns the main effect of each factor on the mean errors of conditions, by least squares; negative if
+/// it lowers them. Nan if the conditions do not separate the factors.
+std::vector<NamedValue> factor_effects(const std::vector<NamedValue>& means,
+                                       const std::vector<Condition>& conditions);
 
 /// Analyses the errors of a task. Throws StatisticsError for the faults of `observations` and `anova`.
-TaskAnalysis analyse(const PathErrors& errors,
-                     const std::vector<FeedbackCondition>& conditions = thesis_conditions());
+TaskAnalysis analyse(const PathErrors& errors, const std::vector<Condition>& conditions);
 
 /// Returns an analysis of variance as a table: its lines, then notes on the method and warnings.
 text::TextTable anova_table(const statistics::Anova& anova, const std::string& title);

@@ -38,14 +38,10 @@ void take(std::vector<TrialRun> runs, const StudyRequest& request, Experiment& e
 
 PathErrors errors_of(const std::vector<Trial>& trials, const StudyRequest& request,
                      const diagram::Diagram& diagram) {
-  if (request.task == "1") {
-    CircleTask task;
-    task.without_feedback = request.circle->of;
-    task.time_limit = diagram.stop;
-    return circle_errors(trials, task);
-  }
-  ReturnTask task;
-  task.time_limit = diagram.stop;
+  if (request.circle)
+    return circle_errors(trials,
+                         {.task = request.task, .of = request.circle->of, .time_limit = diagram.stop});
+  const ReturnTask task{.task = request.task, .time_limit = diagram.stop};
   const SignalMap way_back(diagram, request.way_back->position, request.way_back->direction,
                            request.way_back->place);
   return return_errors(
@@ -60,7 +56,7 @@ void score(const StudyRequest& request, const diagram::Diagram& diagram, Experim
   }
   for (const std::string& warning : experiment.errors.warnings) experiment.remarks.push_back(warning);
   try {
-    experiment.analysis = analyse(experiment.errors, request.feedbacks());
+    experiment.analysis = analyse(experiment.errors, request.factored());
   } catch (const statistics::StatisticsError& error) {
     experiment.not_analysed = error.what();
   }

@@ -67,9 +67,8 @@ const char* word_of(statistics::CircleFit fit) {
 const statistics::Circle& circle_of(const PathErrors& errors, const Trial& trial, const CircleTask& task) {
   const auto found = errors.circles.find(trial.subject);
   if (found != errors.circles.end()) return found->second;
-  throw statistics::StatisticsError(
-      fmt::format("{}: there is no drawing under '{}' to which a circle could be fitted", name_of(trial),
-                  task.without_feedback));
+  throw statistics::StatisticsError(fmt::format(
+      "{}: there is no drawing under '{}' to which a circle could be fitted", name_of(trial), task.of));
 }
 
 std::vector<std::string> column_of(const PathErrors& errors, std::string PathError::*member) {
@@ -97,19 +96,18 @@ table::Column counts(const PathErrors& errors) {
   return column;
 }
 
-std::vector<std::string> presence(const PathErrors& errors, const std::vector<FeedbackCondition>& conditions,
-                                  bool FeedbackCondition::*member) {
+std::vector<std::string> presence(const PathErrors& errors, const std::vector<Condition>& conditions,
+                                  const std::string& factor) {
   std::vector<std::string> words;
   for (const PathError& row : errors.rows) {
-    const auto found = std::find_if(conditions.begin(), conditions.end(),
-                                    [&](const FeedbackCondition& c) { return c.name == row.condition; });
+    const auto found = std::ranges::find(conditions, row.condition, &Condition::name);
     if (found == conditions.end()) {
       std::vector<std::string> names;
-      for (const FeedbackCondition& condition : conditions) names.push_back(condition.name);
+      for (const Condition& condition : conditions) names.push_back(condition.name);
       throw statistics::StatisticsError(fmt::format("subject {}: '{}' is no condition; there are: {}",
                                                     row.subject, row.condition, fmt::join(names, ", ")));
     }
-    words.emplace_back((*found).*member ? "present" : "absent");
+    words.emplace_back(found->has(factor) ? "present" : "absent");
   }
   return words;
 }
@@ -127,9 +125,9 @@ PathErrors circle_errors(const std::vector<Trial>& trials, const CircleTask& tas
       "sum of squared radial deviations of all recorded points from the circle fitted to the drawing {} ({} "
       "fit), "
       "over the largest",
-      task.without_feedback, word_of(task.fit));
+      task.of, word_of(task.fit));
   for (const Trial* trial : chosen)
-    if (trial->condition == task.without_feedback)
+    if (trial->condition == task.of)
       errors.circles[trial->subject] =
           scored(*trial, [&] { return statistics::fit_circle(trial->points, task.fit); });
   for (const Trial* trial : chosen) {
@@ -211,25 +209,28 @@ record::Recording error_recording(const PathErrors& errors) {
   return recording;
 }
 
-const std::vector<FeedbackCondition>& thesis_conditions() {
-  static const std::vector<FeedbackCondition> all{{"NO", false, false, false}, {"H", true, false, false},
-                                                  {"V", false, true, false},   {"HV", true, true, false},
-                                                  {"V_gp", false, true, true}, {"HV_gp", true, true, true}};
-  return all;
+bool Condition::has(const std::string& factor) const {
+  return std::ranges::find(factors, std::pair(factor, true)) != factors.end();
 }
 
-statistics::Observations observations(const PathErrors& errors,
-                                      const std::vector<FeedbackCondition>& conditions) {
+std::vector<std::string> factors_of(const std::vector<Condition>& conditions) {
+  std::vector<std::string> names;
+  for (const Condition& condition : conditions)
+    for (const auto& [name, present] : condition.factors)
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  std::erase_if(names, [&](const std::string& name) {
+    const auto on = std::ranges::count_if(conditions, [&](const Condition& one) { return one.has(name); });
+    return on == 0 || on == std::ssize(conditions);
+  });
+  return names;
+}
+
+statistics::Observations observations(const PathErrors& errors, const std::vector<Condition>& conditions) {
   statistics::Observations result{"normalised path error of task " + errors.task, {}, {}};
   for (const PathError& row : errors.rows) result.values.push_back(row.normalised);
-  const std::vector<std::pair<const char*, bool FeedbackCondition::*>> kinds{
-      {"haptic", &FeedbackCondition::haptic},
-      {"visual", &FeedbackCondition::visual},
-      {"guiding path", &FeedbackCondition::guiding_path}};
-  for (const auto& [name, member] : kinds) {
-    statistics::Factor factor = statistics::make_factor(name, presence(errors, conditions, member));
-    if (factor.levels.size() > 1 || member != &FeedbackCondition::guiding_path)
-      result.factors.push_back(std::move(factor));
+  for (const std::string& name : factors_of(conditions)) {
+    statistics::Factor factor = statistics::make_factor(name, presence(errors, conditions, name));
+    if (factor.levels.size() > 1) result.factors.push_back(std::move(factor));
   }
   result.factors.push_back(statistics::make_factor("condition", column_of(errors, &PathError::condition)));
   result.factors.push_back(statistics::make_factor("subject", column_of(errors, &PathError::subject), true));

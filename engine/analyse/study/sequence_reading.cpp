@@ -33,13 +33,12 @@ std::vector<std::size_t> conditions_of(const yaml::Node& node, const StudyReques
 void read_order(StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
   const std::vector<std::size_t> listed = conditions_of(node, request, read);
   for (const std::size_t condition : listed) {
-    const std::string& name = request.conditions[condition].feedback.name;
+    const std::string& name = request.conditions[condition].name;
     if (std::ranges::count(request.first, condition) > 0)
       read.fault(node.mark, fmt::format("'{}' stands here twice; each condition is done once", name));
     request.first.push_back(condition);
   }
-  if (request.circle && !listed.empty() &&
-      request.conditions[listed.front()].feedback.name != request.circle->of)
+  if (request.circle && !listed.empty() && request.conditions[listed.front()].name != request.circle->of)
     read.fault(node.mark, fmt::format("'{}' comes first, since the circle of the others is fitted to it",
                                       request.circle->of));
 }

@@ -121,9 +121,10 @@ SideBySide compare_errors(const PublishedValues& published, const std::vector<Na
   return both;
 }
 
-SideBySide compare_significance(const PublishedStudy& published, const TaskAnalysis& ours) {
+SideBySide compare_significance(const PublishedStudy& published, const TaskAnalysis& ours,
+                                const std::vector<Condition>& conditions) {
   SideBySide both{title_of("Significance", published.probabilities), "P", {}, {}};
-  const auto effects = feedback_effects(published.means.values, thesis_conditions());
+  const auto effects = factor_effects(published.means.values, conditions);
   for (const NamedValue& value : published.probabilities.values) {
     const statistics::AnovaRow* row = ours.additive.find(value.name);
     const double p = row == nullptr ? std::numeric_limits<double>::quiet_NaN() : row->p;
@@ -149,7 +150,7 @@ void add_effects(const std::vector<ComparedValue>& effects, text::TextTable& tab
   for (std::size_t i = 0; i < effects.size(); ++i)
     for (const double effect : {effects[i].published, effects[i].ours})
       table.rows[i].push_back(shown(effect));
-  table.notes.push_back("Effect: what a feedback adds to the mean normalised error; below 0 it helps.");
+  table.notes.push_back("Effect: what a factor adds to the mean normalised error; below 0 it helps.");
 }
 
 Json values_json(const std::vector<ComparedValue>& compared) {
@@ -162,9 +163,10 @@ Json values_json(const std::vector<ComparedValue>& compared) {
 
 }  // namespace
 
-std::vector<SideBySide> compare(const PublishedStudy& published, const TaskAnalysis& ours) {
+std::vector<SideBySide> compare(const PublishedStudy& published, const TaskAnalysis& ours,
+                                const std::vector<Condition>& conditions) {
   return {compare_errors(published.means, ours.means, published.order),
-          compare_significance(published, ours)};
+          compare_significance(published, ours, conditions)};
 }
 
 text::TextTable side_by_side_table(const SideBySide& both) {

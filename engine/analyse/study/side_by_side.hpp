@@ -44,10 +44,12 @@ SideBySide compare_errors(const PublishedValues& published, const std::vector<Na
 
 /// Compares P of factors. A factor agrees if it is significant at 0.05 in both or in neither, and if
 /// significant effects have the same sign.
-SideBySide compare_significance(const PublishedStudy& published, const TaskAnalysis& ours);
+SideBySide compare_significance(const PublishedStudy& published, const TaskAnalysis& ours,
+                                const std::vector<Condition>& conditions);
 
 /// Returns all comparisons of a task: means, then significance.
-std::vector<SideBySide> compare(const PublishedStudy& published, const TaskAnalysis& ours);
+std::vector<SideBySide> compare(const PublishedStudy& published, const TaskAnalysis& ours,
+                                const std::vector<Condition>& conditions);
 
 /// Returns a comparison as a table: columns for the thesis, ours and the ratio; agreements below.
 text::TextTable side_by_side_table(const SideBySide& both);

@@ -28,27 +28,10 @@ std::vector<double> values_of(const statistics::PairComparison& one, const stati
           power.needed_simulated ? static_cast<double>(*power.needed_simulated) : statistics::no_number};
 }
 
-const std::vector<std::pair<const char*, bool FeedbackCondition::*>> factors{
-    {"haptic", &FeedbackCondition::haptic},
-    {"visual", &FeedbackCondition::visual},
-    {"guiding path", &FeedbackCondition::guiding_path}};
-
 /// Returns "p.guiding_path" for "guiding path".
 std::string column_of(const std::string& start, std::string factor) {
   std::replace(factor.begin(), factor.end(), ' ', '_');
   return start + factor;
-}
-
-/// Returns the feedbacks in which the conditions differ.
-std::vector<std::string> factors_of(const StudyRequest& request) {
-  std::vector<std::string> result;
-  for (const auto& [name, member] : factors) {
-    const auto& all = request.conditions;
-    const auto on = std::count_if(all.begin(), all.end(),
-                                  [&, m = member](const StudyCondition& one) { return one.feedback.*m; });
-    if (on > 0 && on < static_cast<std::ptrdiff_t>(all.size())) result.emplace_back(name);
-  }
-  return result;
 }
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
@@ -162,10 +145,10 @@ record::Recording errors_of(const Experiment& experiment, const StudyRequest& re
   return recording;
 }
 
-/// Returns "thesis.HV" for each condition with a published mean.
+/// Returns "published.HV" for each condition with a published mean.
 std::vector<NamedValue> published_means(const StudyRequest& request) {
   std::vector<NamedValue> means = request.published.means.values;
-  for (NamedValue& mean : means) mean.name = "thesis." + mean.name;
+  for (NamedValue& mean : means) mean.name = "published." + mean.name;
   return means;
 }
 
@@ -250,7 +233,7 @@ class StudyNames {
 
   const StudyRequest& request_;
   query::SymbolTable& names_;
-  const bool circle_ = request_.task == "1";
+  const bool circle_ = request_.circle.has_value();
   std::size_t records_ = 0;  ///< Number of recordings of the diagram itself.
 };
 
@@ -288,10 +271,11 @@ std::vector<NamedValue> comparison_values(const Experiment& experiment, const St
 
 std::vector<OutcomeColumn> outcome_columns(const StudyRequest& request) {
   std::vector<OutcomeColumn> columns;
-  const std::string deviation = request.task == "1" ? "m" : "rad";
+  const std::string deviation = request.circle ? "m" : "rad";
   for (const std::string& condition : request.condition_names()) columns.push_back({"mean." + condition});
   for (const char* start : {"p.", "p_subject.", "effect."})
-    for (const std::string& factor : factors_of(request)) columns.push_back({column_of(start, factor)});
+    for (const std::string& factor : factors_of(request.factored()))
+      columns.push_back({column_of(start, factor)});
   for (const std::string& condition : request.condition_names())
     columns.push_back({"deviation." + condition, deviation});
   for (const std::string& column : comparison_columns(request)) columns.push_back({column});

@@ -41,7 +41,7 @@ std::vector<table::Column> sequence_columns(const Experiment& experiment, const 
 /// circle.radius. It ends with the trial's number (order) and the values carried into it.
 /// The last recording has a row per experiment: its number, mean.CONDITION, p.FACTOR (feedbacks only),
 /// p_subject.FACTOR (with the subject as a factor), effect.FACTOR, deviation.CONDITION and the published
-/// thesis.CONDITION.
+/// published.CONDITION.
 /// Throws Error if a recorded signal has one of these names.
 void add_study_names(const StudyRequest& request, const diagram::Diagram& diagram, query::SymbolTable& names);
 

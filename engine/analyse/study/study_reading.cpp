@@ -212,42 +212,38 @@ StudyRow sets_row() {
           }};
 }
 
-const std::vector<std::pair<std::string, bool FeedbackCondition::*>>& feedbacks() {
-  static const std::vector<std::pair<std::string, bool FeedbackCondition::*>> all{
-      {"haptic", &FeedbackCondition::haptic},
-      {"visual", &FeedbackCondition::visual},
-      {"guiding_path", &FeedbackCondition::guiding_path}};
-  return all;
+/// Returns the factor that a parameter such as task.guiding_path switches: "guiding path".
+std::string factor_of(const std::string& parameter) {
+  std::string name = parameter.substr(parameter.rfind('.') + 1);
+  std::ranges::replace(name, '_', ' ');
+  return name;
 }
 
-/// Returns the feedback that a parameter such as task.haptic switches.
-bool FeedbackCondition::*feedback_of(const yaml::Entry& set, const StudyReading& read) {
-  const std::string last = set.key.substr(set.key.rfind('.') + 1);
-  Texts names;
-  for (const auto& [name, member] : feedbacks()) {
-    if (name == last) return member;
-    names.push_back(name);
-  }
-  yaml::Message message =
-      fmt::format("'{}' is no feedback", set.key) + yaml::nearest_or_all(last, names, "there are");
-  message += "; conditions differ by nothing else";
-  read.fault(set.mark, message);
-  return nullptr;
+/// Refuses a factor that has the name of another parameter's factor or of what each score has.
+void check_factor(const StudyRequest& request, const yaml::Entry& set, const StudyReading& read) {
+  const std::string factor = factor_of(set.key);
+  if (factor == "condition" || factor == "subject")
+    return read.fault(set.mark, fmt::format("'{}' is a factor of every study already", factor));
+  for (const StudyCondition& condition : request.conditions)
+    for (const diagram::Setting& setting : condition.settings)
+      if (setting.name != set.key && factor_of(setting.name) == factor)
+        return read.fault(set.mark, fmt::format("'{}' gives the factor '{}', as '{}' does; a factor has one "
+                                                "parameter",
+                                                set.key, factor, setting.name));
 }
 
 void read_condition(StudyRequest& request, const yaml::Entry& entry, const StudyReading& read) {
   StudyCondition condition;
-  condition.feedback.name = entry.key;
+  condition.name = entry.key;
   if (!entry.value.is_map() && entry.value.kind != yaml::Node::Kind::empty)
     return read.fault(entry.value.mark, "is a map of what is set: {haptic: 1}, or {}");
   for (const yaml::Entry& set : entry.value.entries) {
-    bool FeedbackCondition::*const member = feedback_of(set, read);
-    if (!member) continue;
+    check_factor(request, set, read);
     if (read.runs) parameter_name(set.mark, set.key, read);
     if (set.value.text != "0" && set.value.text != "1")
       read.fault(set.value.mark,
                  fmt::format("{}: '{}' is neither 1 (on) nor 0 (off)", set.key, set.value.text));
-    condition.feedback.*member = set.value.text == "1";
+    condition.factors.emplace_back(factor_of(set.key), set.value.text == "1");
     condition.settings.push_back({set.key, set.value.text, read.file, set.mark});
   }
   request.conditions.push_back(std::move(condition));
@@ -288,7 +284,7 @@ yaml::Key circle_form() {
 
 void read_circle(StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
   const yaml::Key form = circle_form();
-  if (request.task != "1" || !read.check(node, form)) return;
+  if (!read.check(node, form)) return;
   const yaml::Node *of = node.find("of"), *sets = node.find("sets");
   if (!sets && read.runs) read.fault(node.mark, yaml::SectionReading::missing(*form.find("sets")));
   if (!of) return;
@@ -319,7 +315,6 @@ yaml::Key way_back_form() {
 }
 
 void read_way_back(StudyRequest& request, const yaml::Node& node, const StudyReading& read) {
-  if (request.task != "2") return;
   if (node.is_map() && !read.check(node, way_back_form().of.back())) return;
   const yaml::Node* direction = node.is_map() ? node.find("direction") : &node;
   const yaml::Node* position = node.find("position");
@@ -339,26 +334,31 @@ void read_trials(StudyRequest& request, const yaml::Node& node, const StudyReadi
   request.trials = (std::filesystem::path(read.file).parent_path() / node.text).lexically_normal();
 }
 
+StudyRow conditions_row() {
+  return {
+      "conditions", "the factors that each condition switches on (1) or off (0): parameters of this file",
+      yaml::like(
+          "{V: {visual: 1}, HV: {haptic: 1, visual: 1}}",
+          form::names(form::either({form::naming(yaml::Key::Names::parameter, form::names(form::whole(0, 1))),
+                                    form::of(yaml::Key::Form::nothing)}),
+                      1)),
+      read_conditions};
+}
+
 std::vector<StudyRow> make_study_rows() {
   std::vector<StudyRow> rows{
       {"like", "file whose section 'study' is taken for what is not given here", form::string()},
-      {"task", "what people do", form::words({{"1", "drawing a circle"}, {"2", "returning to the region"}}),
-       &StudyRequest::task},
+      {"task", "name of what people do, in titles and in recorded trials", form::text(), &StudyRequest::task},
       subjects_row(),
       {"seed", "who the people are, and all that is random", form::whole(0, 1'000'000'000),
        &StudyRequest::seed},
       sets_row(),
-      {"conditions", "what each condition switches on: haptic, visual, guiding_path",
-       yaml::like("{V: {visual: 1}, HV: {haptic: 1, visual: 1}}",
-                  form::names(
-                      form::either({form::naming(yaml::Key::Names::parameter, form::names(form::whole(0, 1))),
-                                    form::of(yaml::Key::Form::nothing)}),
-                      1)),
-       read_conditions},
-      {"circle", "task 1: the circle that is to be drawn", circle_form(), read_circle},
+      conditions_row(),
+      {"circle", "people draw a circle: scores are deviations from it", circle_form(), read_circle},
       {"position", "recorded signal of two elements: where the end-effector is", form::signal(),
        read_position},
-      {"way_back", "task 2: recorded signal, the direction of the way back", way_back_form(), read_way_back},
+      {"way_back", "people return to a region: recorded signal, the direction of the way back",
+       way_back_form(), read_way_back},
       {"published", "what a source prints of such a study: tables have it beside the study's own numbers",
        published_form(), read_published_numbers},
       {"trials", "CSV file of recorded trials in place of runs: subject, task, condition, time, x, y",
@@ -373,22 +373,20 @@ const std::vector<StudyRow>& study_rows() {
 }
 
 /// Returns the required keys, of this file or of the one in `like`. Runs need more keys than recorded trials.
-Texts needed_keys(const StudyRequest& request, bool runs) {
+Texts needed_keys(bool runs) {
   Texts names{"task", "conditions", "position"};
   if (runs) names.insert(names.end(), {"subjects", "sets"});
-  if (request.task == "1") names.push_back("circle");
-  if (request.task == "2") names.push_back("way_back");
   return names;
 }
 
-void check_whole(const StudyRequest& request, const SectionKeys& keys, const yaml::Mark& mark,
-                 const StudyReading& read) {
-  for (const std::string& name : needed_keys(request, read.runs))
+void check_whole(const SectionKeys& keys, const yaml::Mark& mark, const StudyReading& read) {
+  for (const std::string& name : needed_keys(read.runs))
     if (!keys.find(name)) read.fault(mark, yaml::SectionReading::missing(*study_form().find(name)));
-  for (const auto& [name, task] : {std::pair{"circle", "1"}, std::pair{"way_back", "2"}})
-    if (const auto* other = keys.find(name); other && request.task != task)
-      yaml::below(read, name)
-          .fault(other->mark, fmt::format("belongs to task {}, and this is task {}", task, request.task));
+  if (!keys.find("circle") && !keys.find("way_back"))
+    read.fault(mark, "needs 'circle' (people draw one) or 'way_back' (people return): what is scored");
+  if (const auto* other = keys.find("way_back"); other && keys.find("circle"))
+    yaml::below(read, "way_back")
+        .fault(other->mark, "a study is scored by 'circle' or by 'way_back', not both");
   if (!read.diagram.stop_when && read.runs)
     read.fault(mark,
                "a trial ends by 'stop_when'; one that goes on until 'stop' is repeated. This file has no "
@@ -415,8 +413,8 @@ StudyRequest read_study(const yaml::Node& node, const query::SymbolTable& names,
     if (const auto* given = row.set ? keys.find(row.name) : nullptr)
       row.set(request, *given->node,
               yaml::below(StudyReading(given->file, names, diagram, runs, faults), row.name));
-  check_whole(request, keys, node.mark, StudyReading(names.file, names, diagram, runs, faults));
-  if (request.task != "2") request.way_back.reset();
+  check_whole(keys, node.mark, StudyReading(names.file, names, diagram, runs, faults));
+  if (!keys.find("way_back")) request.way_back.reset();
   if (words.subjects) request.subjects = first_numbers(*words.subjects);
   if (words.seed) request.seed = *words.seed;
   if (words.experiments) request.experiments = *words.experiments;

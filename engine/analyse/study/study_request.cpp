@@ -70,14 +70,12 @@ std::vector<std::string> StudyRequest::subject_names() const {
 
 std::vector<std::string> StudyRequest::condition_names() const {
   std::vector<std::string> result;
-  for (const StudyCondition& condition : conditions) result.push_back(condition.feedback.name);
+  for (const StudyCondition& condition : conditions) result.push_back(condition.name);
   return result;
 }
 
-std::vector<FeedbackCondition> StudyRequest::feedbacks() const {
-  std::vector<FeedbackCondition> result;
-  for (const StudyCondition& condition : conditions) result.push_back(condition.feedback);
-  return result;
+std::vector<Condition> StudyRequest::factored() const {
+  return {conditions.begin(), conditions.end()};
 }
 
 }  // namespace stepwire::study

@@ -14,20 +14,19 @@
 
 namespace stepwire::study {
 
-/// A condition of a study: its settings, and the feedbacks that they switch on.
-struct StudyCondition {
-  FeedbackCondition feedback;
+/// A condition of a study: its settings, and the factors that they switch on.
+struct StudyCondition : Condition {
   std::vector<diagram::Setting> settings;
 };
 
-/// Task 1: the condition that is drawn first, and the parameters of the other trials that receive its fitted
-/// circle.
+/// Drawing of a circle: the condition that is drawn first, and the parameters of the other trials that
+/// receive its fitted circle.
 struct CircleHandover {
   std::string of;  ///< Name of the condition: "NO".
   std::string x, y, radius;
 };
 
-/// Task 2: signals between which the way back (equation 24) is a function of the position.
+/// Return to a region: signals between which the way back (equation 24) is a function of the position.
 struct WayBackSignals {
   diagram::SignalRef position, direction;
   yaml::Place place;
@@ -43,7 +42,7 @@ struct CarriedValue {
 
 /// The section `study` of a diagram file: a human-subject study whose trials are runs of the file.
 struct StudyRequest {
-  std::string task;                   ///< "1": drawing a circle, "2": returning.
+  std::string task;                   ///< Name of what people do, in titles and recorded trials.
   std::vector<std::size_t> subjects;  ///< Numbers of people, from 1.
   std::uint64_t seed = 1;             ///< Seed of the people and of all that is random.
   std::string subject_parameter;      ///< Parameter that receives the seed of the person.
@@ -66,7 +65,8 @@ struct StudyRequest {
   /// Returns the names of the subjects in order: those of the recorded trials, or the numbers.
   std::vector<std::string> subject_names() const;
   std::vector<std::string> condition_names() const;
-  std::vector<FeedbackCondition> feedbacks() const;
+  /// Returns the conditions with their factors.
+  std::vector<Condition> factored() const;
 };
 
 /// Options of a call that replace values of the file.

@@ -69,7 +69,7 @@ text::TextTable table_of(const std::string& name, const Experiment& experiment, 
   if (std::find(compared.begin(), compared.end(), name) != compared.end())
     return analysis.within ? comparison_table(name, *analysis.within, of, experiment.seed)
                            : none("Within subjects" + of, analysis.not_within);
-  return side_by_side_table(compare_significance(request.published, analysis));
+  return side_by_side_table(compare_significance(request.published, analysis, request.factored()));
 }
 
 /// Columns for the swept values that distinguish the points: as few axes as possible, one with `together`.
@@ -131,7 +131,7 @@ Shown shown_means(const StudyRequest& request, const TaskAnalysis& analysis) {
 }
 
 Shown shown_significance(const StudyRequest& request, const TaskAnalysis& analysis) {
-  SideBySide both = compare_significance(request.published, analysis);
+  SideBySide both = compare_significance(request.published, analysis, request.factored());
   return {std::move(both.values), std::move(both.agreements)};
 }
 

@@ -43,7 +43,7 @@ std::vector<double> numbers_of(const Value& value) {
 constexpr std::uint64_t order = 3;  // distinguishes these drawn numbers from those of trials
 
 bool is_first_of_circle(std::size_t condition, const StudyRequest& request) {
-  return request.circle && request.conditions[condition].feedback.name == request.circle->of;
+  return request.circle && request.conditions[condition].name == request.circle->of;
 }
 
 /// The trials of one person in sequence.
@@ -140,8 +140,7 @@ std::string with_swept(const run::Job& job, std::size_t study) {
 }
 
 std::string name_of(const TrialRun& trial, const StudyRequest& request) {
-  return fmt::format("subject {}, condition {}{}", trial.subject,
-                     request.conditions[trial.condition].feedback.name,
+  return fmt::format("subject {}, condition {}{}", trial.subject, request.conditions[trial.condition].name,
                      trial.practice == 0 ? "" : fmt::format(" (practice {})", trial.practice));
 }
 
@@ -212,8 +211,7 @@ HandedOver TrialRuns::file_values(const TrialRun& trial, double share) const {
     handed.carried.push_back(
         {carried.parameter, text_of(parameter, numbers), request_.place.file, request_.place.mark});
   }
-  if (!request_.circle || request_.conditions[trial.condition].feedback.name == request_.circle->of)
-    return handed;
+  if (!request_.circle || request_.conditions[trial.condition].name == request_.circle->of) return handed;
   const auto number = [&](const std::string& name) {
     return moved(std::get<double>(parameter_of(job_.plan.diagram, name).value.content), share);
   };
@@ -369,8 +367,7 @@ std::vector<std::size_t> order_of_conditions(const StudyRequest& request, std::u
 }
 
 Trial trial_of(const TrialRun& run, const StudyRequest& request) {
-  Trial trial{
-      std::to_string(run.subject), request.task, request.conditions[run.condition].feedback.name, {}, {}};
+  Trial trial{std::to_string(run.subject), request.task, request.conditions[run.condition].name, {}, {}};
   const table::Table& table = run.result.recordings[request.recording].table;
   trial.time = table.find("time")->values;
   trial.points.resize(2, static_cast<Eigen::Index>(trial.time.size()));

@@ -122,7 +122,7 @@ void check_tuned_study(const LoadedModel& model, yaml::Faults& faults) {
                   fmt::format(
                       "'{}' is of each trial; a study is tuned by what comes out of its experiments, such as "
                       "mean.{}; 'toward' takes claims on trials as well",
-                      reduction.values.front().text, request.conditions.front().feedback.name),
+                      reduction.values.front().text, request.conditions.front().name),
                   {}});
 }
 

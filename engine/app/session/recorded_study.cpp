@@ -33,10 +33,9 @@ Json conditions_json(const study::StudyRequest& request) {
   Json all = Json::object();
   for (const study::StudyCondition& condition : request.conditions) {
     Json on = Json::object();
-    if (condition.feedback.haptic) on.set("haptic", 1);
-    if (condition.feedback.visual) on.set("visual", 1);
-    if (condition.feedback.guiding_path) on.set("guiding_path", 1);
-    all.set(condition.feedback.name, std::move(on));
+    for (const diagram::Setting& setting : condition.settings)
+      on.set(setting.name, setting.value == "1" ? 1 : 0);
+    all.set(condition.name, std::move(on));
   }
   return all;
 }

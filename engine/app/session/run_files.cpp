@@ -99,7 +99,7 @@ void write_scene(const std::string& folder, const LoadedModel& model, const Outc
 
 Json claims_json(const LoadedModel& model, const Outcome& outcome) {
   Json list = Json::list();
-  const auto& figure = model.job.plan.diagram.thesis.figure;
+  const auto& figure = model.job.plan.diagram.reproduces.figure;
   for (const claim::Verdict& verdict : outcome.verdicts) {
     Json claim = Json::object();
     claim.set("file", model.file).set("figure", figure ? Json(*figure) : Json()).set("that", verdict.that);

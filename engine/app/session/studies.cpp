@@ -90,7 +90,7 @@ Json orders_json(const study::Experiment& experiment, const study::StudyRequest&
   for (const std::size_t subject : request.subjects) {
     Json names = Json::list();
     for (const std::size_t condition : study::order_of_conditions(request, experiment.seed, subject))
-      names.push(request.conditions[condition].feedback.name);
+      names.push(request.conditions[condition].name);
     orders.set(std::to_string(subject), std::move(names));
   }
   return orders;
@@ -101,7 +101,7 @@ Json analysis_json(const study::TaskAnalysis& analysis, const study::StudyReques
   Json means = Json::object();
   for (const study::NamedValue& mean : analysis.means) means.set(mean.name, mean.value);
   Json both = Json::list();
-  for (const study::SideBySide& one : study::compare(request.published, analysis))
+  for (const study::SideBySide& one : study::compare(request.published, analysis, request.factored()))
     both.push(study::side_by_side_json(one));
   return Json::object()
       .set("means", std::move(means))
@@ -241,7 +241,7 @@ std::string study_key(const LoadedModel& model, bool with_seed) {
       with_seed ? fmt::format("{}+{}", request.seed, request.experiments) : "", request.subject_parameter,
       request.seed_parameter, request.position, request.attempts, request.trials);
   for (const study::StudyCondition& condition : request.conditions) {
-    key += " " + condition.feedback.name;
+    key += " " + condition.name;
     for (const diagram::Setting& setting : condition.settings)
       key += fmt::format(",{}={}", setting.name, setting.value);
   }

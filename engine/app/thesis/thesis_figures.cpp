@@ -39,9 +39,9 @@ namespace fs = std::filesystem;
 
 std::string label_of(const diagram::Diagram& diagram) {
   std::string label;
-  if (diagram.thesis.figure) label = fmt::format("Figure {}", *diagram.thesis.figure);
-  if (diagram.thesis.table)
-    label += fmt::format("{}Table {}", label.empty() ? "" : " and ", *diagram.thesis.table);
+  if (diagram.reproduces.figure) label = fmt::format("Figure {}", *diagram.reproduces.figure);
+  if (diagram.reproduces.table)
+    label += fmt::format("{}Table {}", label.empty() ? "" : " and ", *diagram.reproduces.table);
   return label;
 }
 
@@ -84,14 +84,14 @@ void add_assumption(const diagram::DiagramParameter& parameter,
 void describe_entry(const session::LoadedModel& model, gallery::GalleryEntry& entry) {
   const diagram::Diagram& diagram = model.job.plan.diagram;
   entry.label = label_of(diagram);
-  entry.figure = diagram.thesis.figure;
-  entry.table = diagram.thesis.table;
-  entry.section = diagram.thesis.section;
+  entry.figure = diagram.reproduces.figure;
+  entry.table = diagram.reproduces.table;
+  entry.section = diagram.reproduces.section;
   entry.title = diagram.title;
   entry.caption = diagram.caption;
-  entry.source_caption = diagram.thesis.caption;
-  entry.source_says = diagram.thesis.says;
-  entry.departures = diagram.thesis.departures;
+  entry.source_caption = diagram.reproduces.caption;
+  entry.source_says = diagram.reproduces.says;
+  entry.departures = diagram.reproduces.departures;
   for (const diagram::DiagramParameter& parameter : diagram.parameters)
     if (parameter.assumed) add_assumption(parameter, entry.assumptions);
 }

@@ -207,11 +207,11 @@ struct ErrorControl {
   std::int64_t max_steps = 100000;  ///< between two instants; more end the run
 };
 
-/// Elements of the thesis that a diagram reproduces.
-struct ThesisReference {
+/// Figure or table of a publication that a diagram reproduces.
+struct Reproduction {
   std::optional<int> figure, table;
   std::string section;
-  std::string caption;                  ///< of the figure, as printed in the thesis
+  std::string caption;                  ///< of the figure, as printed
   std::string says;                     ///< statements of its text about the figure, word for word
   std::vector<std::string> departures;  ///< differences of this diagram, a sentence each
 };
@@ -228,7 +228,7 @@ struct Diagram {
   double tolerance = 0.1;  ///< largest error of a step of an implicit solver, relative to the state
   AlgebraicLoops algebraic_loops;
   Events events;
-  ThesisReference thesis;
+  Reproduction reproduces;
 
   std::vector<ScopeInfo> scopes;
   std::vector<DiagramBlock> blocks;

@@ -11,7 +11,7 @@ using yaml::form;
 namespace {
 
 using HeadRow = yaml::KeyRow<Diagram, HeadReading>;
-using ThesisTable = yaml::KeyTable<ThesisReference, HeadReading>;
+using ReproductionTable = yaml::KeyTable<Reproduction, HeadReading>;
 
 const char* const name_pattern = "^[A-Za-z_][A-Za-z0-9_]*$";
 const char* const dotted_pattern = "^[A-Za-z_][A-Za-z0-9_]*([.][A-Za-z_][A-Za-z0-9_]*)*$";
@@ -31,19 +31,19 @@ HeadRow time_row(std::string name, std::string doc, double Diagram::*seconds, Or
           }};
 }
 
-void read_departures(ThesisReference& thesis, const yaml::Node& node, const HeadReading& read) {
+void read_departures(Reproduction& reproduction, const yaml::Node& node, const HeadReading& read) {
   if (!node.is_list()) return read.fault(node.mark, "is a list of sentences: [the limit is 0.35 A, not 1 A]");
-  for (const yaml::Node& item : node.items) read.take(item, {}, thesis.departures.emplace_back());
+  for (const yaml::Node& item : node.items) read.take(item, {}, reproduction.departures.emplace_back());
 }
 
-const ThesisTable& thesis_table() {
-  static const ThesisTable table(
-      "the thesis", "{figure: 15, section: 2.5.1}",
-      {{"figure", "number of the figure", form::whole(0, highest_number), &ThesisReference::figure},
-       {"table", "number of the table", form::whole(0, highest_number), &ThesisReference::table},
-       {"section", "section in which it stands", form::text(), &ThesisReference::section},
-       {"caption", "caption of the figure, as the thesis prints it", form::text(), &ThesisReference::caption},
-       {"says", "what its text says of the figure, word for word", form::text(), &ThesisReference::says},
+const ReproductionTable& reproduction_table() {
+  static const ReproductionTable table(
+      "the original", "{figure: 15, section: 2.5.1}",
+      {{"figure", "number of the figure", form::whole(0, highest_number), &Reproduction::figure},
+       {"table", "number of the table", form::whole(0, highest_number), &Reproduction::table},
+       {"section", "section in which it stands", form::text(), &Reproduction::section},
+       {"caption", "caption of the figure, as printed", form::text(), &Reproduction::caption},
+       {"says", "what its text says of the figure, word for word", form::text(), &Reproduction::says},
        {"departures", "what is done otherwise here, a sentence each", form::list(form::text()),
         read_departures}});
   return table;
@@ -121,9 +121,10 @@ const std::vector<HeadRow>& head_rows() {
         yaml::needed(HeadRow{"stepwire", "format of this file; always 1", form::whole(1, 1)}),
         {"title", "one line on what is shown", form::text(), &Diagram::title},
         {"caption", "a few sentences for the gallery page", form::text(), &Diagram::caption},
-        {"thesis", "what of the thesis this file shows", thesis_table().form,
+        {"reproduces", "the figure or table of a publication that this file reproduces",
+         reproduction_table().form,
          [](Diagram& diagram, const yaml::Node& node, const HeadReading& read) {
-           thesis_table().read(node, diagram.thesis, read);
+           reproduction_table().read(node, diagram.reproduces, read);
          }},
         {"parameters", "numbers and words with a name, used as $name; --set changes them",
          form::names(form::section("parameter"), 0, name_pattern)},

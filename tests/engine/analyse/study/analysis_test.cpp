@@ -26,7 +26,7 @@ TEST_CASE("the additive form without subjects gives table 4 from the published m
   PathErrors errors = errors_of("1", task_1);
   for (std::size_t i = 0; i < errors.rows.size(); ++i)
     errors.rows[i].normalised = task_1[i % 4].second + (i / 4 % 2 == 0 ? about : -about);
-  const TaskAnalysis found = analyse(errors);
+  const TaskAnalysis found = analyse(errors, six_conditions());
   CHECK(found.additive.residual.freedom == 37.0);
   CHECK(found.additive.residual.mean_square == Approx(0.0278));
   CHECK(found.additive.find("haptic")->p == Approx(2.02e-5).epsilon(0.04));
@@ -34,7 +34,7 @@ TEST_CASE("the additive form without subjects gives table 4 from the published m
 }
 
 TEST_CASE("task 1 is analysed within subjects by its two feedbacks") {
-  const TaskAnalysis found = analyse(errors_of("1", task_1));
+  const TaskAnalysis found = analyse(errors_of("1", task_1), six_conditions());
   REQUIRE(found.means.size() == 4);
   CHECK(found.means[0].name == "NO");
   CHECK(found.with_subject.find("subject")->freedom == 9.0);
@@ -44,7 +44,7 @@ TEST_CASE("task 1 is analysed within subjects by its two feedbacks") {
 
 TEST_CASE(
     "task 2 is analysed within subjects by its conditions, as three of eight combinations are missing") {
-  const TaskAnalysis found = analyse(errors_of("2", task_2));
+  const TaskAnalysis found = analyse(errors_of("2", task_2), six_conditions());
   CHECK(found.additive.terms.size() == 3);
   CHECK(found.additive.residual.freedom == 46.0);
   REQUIRE(found.repeated.has_value());
@@ -55,7 +55,7 @@ TEST_CASE(
 TEST_CASE("a study with a missing trial says why it has no repeated measures") {
   PathErrors errors = errors_of("1", task_1);
   errors.rows.pop_back();
-  const TaskAnalysis found = analyse(errors);
+  const TaskAnalysis found = analyse(errors, six_conditions());
   CHECK_FALSE(found.repeated.has_value());
   CHECK_THAT(found.not_repeated,
              Contains("there is no value for subject 10, haptic present, visual present"));
@@ -63,7 +63,7 @@ TEST_CASE("a study with a missing trial says why it has no repeated measures") {
 }
 
 TEST_CASE("a table of variances has its lines, its design and its warnings") {
-  const TaskAnalysis found = analyse(errors_of("1", task_1));
+  const TaskAnalysis found = analyse(errors_of("1", task_1), six_conditions());
   const std::string words = text::text(anova_table(found.additive, "Task 1"));
   CHECK_THAT(words,
              Contains("Task 1\nterm") && Contains("haptic") && Contains("residual") && Contains("total"));
@@ -72,7 +72,7 @@ TEST_CASE("a table of variances has its lines, its design and its warnings") {
   const std::string json = anova_json(found.additive).text(-1);
   CHECK_THAT(json, Contains("\"name\":\"haptic\"") && Contains("\"degrees_of_freedom\":37.0") &&
                        Contains("\"balanced\":true"));
-  CHECK_THAT(text::text(anova_table(*analyse(errors_of("2", task_2)).repeated, "Task 2")),
+  CHECK_THAT(text::text(anova_table(*analyse(errors_of("2", task_2), six_conditions()).repeated, "Task 2")),
              Contains("P (GG)"));
 }
 

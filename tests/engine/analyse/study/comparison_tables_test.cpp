@@ -24,8 +24,8 @@ PathErrors errors_under(const std::vector<std::pair<std::string, std::vector<dou
 }
 
 TaskAnalysis analysed(const std::vector<std::pair<std::string, std::vector<double>>>& conditions) {
-  std::vector<FeedbackCondition> used;
-  for (const FeedbackCondition& one : thesis_conditions())
+  std::vector<Condition> used;
+  for (const Condition& one : six_conditions())
     for (const auto& [name, values] : conditions)
       if (one.name == name) used.push_back(one);
   return analyse(errors_under(conditions), used);
@@ -118,7 +118,7 @@ TEST_CASE("conditions whose values are all the same have no effect and no power"
 TEST_CASE("one subject has no comparisons, and the reason is one sentence") {
   PathErrors errors = errors_under({{"NO", {1.0, 2.0}}, {"H", {0.5, 0.7}}});
   errors.rows.erase(errors.rows.begin() + 1);
-  const TaskAnalysis analysis = analyse(errors, {{"NO"}, {"H", true}});
+  const TaskAnalysis analysis = analyse(errors, {{"NO", {}}, {"H", {{"haptic", true}}}});
   CHECK_FALSE(analysis.within.has_value());
   CHECK(
       analysis.not_within ==
@@ -137,7 +137,7 @@ TEST_CASE("what a program reads has null for what does not exist") {
 
 TEST_CASE("claims read the pairs of a study by name") {
   StudyRequest request;
-  for (const FeedbackCondition& one : std::vector<FeedbackCondition>{{"NO"}, {"H", true}})
+  for (const Condition& one : std::vector<Condition>{{"NO", {}}, {"H", {{"haptic", true}}}})
     request.conditions.push_back({one, {}});
   Experiment experiment;
   experiment.seed = 1;

@@ -13,6 +13,21 @@ namespace stepwire::testing {
 
 constexpr double mm = 1e-3, degree = std::numbers::pi / 180.0;
 
+/// Conditions of both tasks of the thesis.
+inline const std::vector<study::Condition>& six_conditions() {
+  static const std::vector<study::Condition> all{
+      {"NO", {}},
+      {"H", {{"haptic", true}}},
+      {"V", {{"visual", true}}},
+      {"HV", {{"haptic", true}, {"visual", true}}},
+      {"V_gp", {{"visual", true}, {"guiding path", true}}},
+      {"HV_gp", {{"haptic", true}, {"visual", true}, {"guiding path", true}}}};
+  return all;
+}
+
+const study::CircleTask circle{"1", "NO"};
+const study::ReturnTask way_back{"2"};
+
 /// Published numbers of the tasks of the thesis: sections 4.3.1 and 4.3.2, tables 3 to 6.
 inline study::PublishedStudy published_task_1() {
   return {{"section 4.3.1, mean of ten", {{"NO", 0.698}, {"H", 0.217}, {"V", 0.114}, {"HV", 0.079}}},

@@ -70,7 +70,7 @@ TEST_CASE("a factor agrees where it is significant on both sides or on neither")
     row.p = p;
     ours.additive.terms.push_back(row);
   }
-  const SideBySide both = compare_significance(published_task_2(), ours);
+  const SideBySide both = compare_significance(published_task_2(), ours, six_conditions());
   CHECK(agreement(both, "haptic is significant at 0.05").agrees);
   CHECK_FALSE(agreement(both, "visual is not significant at 0.05").agrees);
   CHECK(agreement(both, "guiding path is significant at 0.05").ours ==
@@ -85,7 +85,7 @@ TEST_CASE("a factor that is significant the other way round does not agree") {
   ours.additive.terms = {row};
   for (const double effect : {-0.2, 0.2}) {
     ours.effects = {{"haptic", effect}};
-    const SideBySide both = compare_significance(published_task_2(), ours);
+    const SideBySide both = compare_significance(published_task_2(), ours, six_conditions());
     // By hand, from the published means of V, HV, V_gp and HV_gp: (0.291 - 0.547 + 0.185 - 0.288) / 2.
     const Agreement& haptic = agreement(both, "haptic is significant at 0.05 and lowers the error by 0.18");
     CHECK(haptic.agrees == (effect < 0.0));
@@ -97,21 +97,23 @@ TEST_CASE("a factor that is significant the other way round does not agree") {
 
 TEST_CASE("effects of the published means of task 1 are differences of means") {
   // Two by two and balanced: ((H - NO) + (HV - V)) / 2 and ((V - NO) + (HV - H)) / 2.
-  const auto effects = feedback_effects(published_task_1().means.values, thesis_conditions());
+  const auto effects = factor_effects(published_task_1().means.values, six_conditions());
   REQUIRE(effects.size() == 2);
   CHECK(value_of(effects, "haptic") == Approx((0.217 - 0.698 + 0.079 - 0.114) / 2.0));
   CHECK(value_of(effects, "visual") == Approx((0.114 - 0.698 + 0.079 - 0.217) / 2.0));
 }
 
 TEST_CASE("feedbacks that always come together have no effects of their own") {
-  const auto effects = feedback_effects({{"NO", 0.7}, {"HV", 0.1}}, thesis_conditions());
+  const auto effects = factor_effects({{"NO", 0.7}, {"HV", 0.1}}, six_conditions());
   REQUIRE(effects.size() == 2);
   for (const NamedValue& effect : effects) CHECK(std::isnan(effect.value));
 }
 
 TEST_CASE("the words stand below the table, and in JSON") {
-  const auto all = compare(published_task_1(),
-                           analyse(errors_of("1", {{"NO", 0.7}, {"H", 0.2}, {"V", 0.1}, {"HV", 0.08}})));
+  const auto all =
+      compare(published_task_1(),
+              analyse(errors_of("1", {{"NO", 0.7}, {"H", 0.2}, {"V", 0.1}, {"HV", 0.08}}), six_conditions()),
+              six_conditions());
   REQUIRE(all.size() == 2);
   CHECK_THAT(text::text(side_by_side_table(all[0])),
              Contains("Agrees: order NO > H > V > HV; ours: NO > H > V > HV."));
@@ -125,7 +127,7 @@ TEST_CASE("a study beside which nothing is published has its own numbers alone")
   TaskAnalysis ours;
   ours.means = {{"A", 0.5}, {"B", 0.25}};
   ours.effects = {{"haptic", -0.25}};
-  const auto all = compare({}, ours);
+  const auto all = compare({}, ours, six_conditions());
   CHECK(all[0].title == "Errors");
   REQUIRE(all[0].values.size() == 2);
   CHECK(all[0].values[1].name == "B");

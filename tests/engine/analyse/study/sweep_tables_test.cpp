@@ -14,8 +14,8 @@ StudyRequest request_of_task_1() {
   request.task = "1";
   request.published = published_task_1();
   request.subjects = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
-  for (const FeedbackCondition& one : thesis_conditions())
-    if (!one.guiding_path) request.conditions.push_back({one, {}});
+  for (const Condition& one : six_conditions())
+    if (!one.has("guiding path")) request.conditions.push_back({one, {}});
   return request;
 }
 
@@ -24,7 +24,7 @@ Experiment experiment_of(const std::string& offset,
   Experiment experiment;
   experiment.sets.push_back({"offset", offset});
   experiment.errors = errors_of("1", means);
-  experiment.analysis = analyse(experiment.errors);
+  experiment.analysis = analyse(experiment.errors, six_conditions());
   return experiment;
 }
 

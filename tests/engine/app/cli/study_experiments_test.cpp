@@ -109,17 +109,17 @@ TEST_CASE("the option says how many experiments there are in place of the file")
 
 TEST_CASE("claims and figures read a row of each experiment") {
   const Scratch folder;
-  folder.file(
-      "a.yaml",
-      with_experiments(4, replaced(small_study(), "claims:\n",
-                                   "  - {plot: box, y: [mean.NO, mean.HV], reference: [thesis.NO, "
-                                   "thesis.HV]}\n  - {plot: table, of: experiments_significance}\nclaims:\n"
-                                   "  - {that: rows, mean: experiment, equals: 2.5}\n"
-                                   "  - {that: all, fraction: mean.V < mean.NO, equals: 1}\n"
-                                   "  - {that: second, where: experiment == 2, fraction: mean.V > mean.NO, "
-                                   "equals: 0}\n"
-                                   "  - {that: median, quantile: {share: 50 %, value: experiment}, equals: "
-                                   "2.5}\n")));
+  folder.file("a.yaml",
+              with_experiments(
+                  4, replaced(small_study(), "claims:\n",
+                              "  - {plot: box, y: [mean.NO, mean.HV], reference: [published.NO, "
+                              "published.HV]}\n  - {plot: table, of: experiments_significance}\nclaims:\n"
+                              "  - {that: rows, mean: experiment, equals: 2.5}\n"
+                              "  - {that: all, fraction: mean.V < mean.NO, equals: 1}\n"
+                              "  - {that: second, where: experiment == 2, fraction: mean.V > mean.NO, "
+                              "equals: 0}\n"
+                              "  - {that: median, quantile: {share: 50 %, value: experiment}, equals: "
+                              "2.5}\n")));
   const Done done = run_program(folder, {"study", "a.yaml", "--out", "out"});
   INFO(done.out << done.err);
   CHECK(done.code == 0);

@@ -78,12 +78,12 @@ TEST_CASE("a claim on a mean that is not published is refused at its place, with
   const std::size_t begin = text.find("  published:"), end = text.find("blocks:\n");
   REQUIRE(begin < end);
   const std::string bare = text.substr(0, begin) + text.substr(end);
-  folder.file("a.yaml", bare + "  - {that: as published, final: mean.HV - thesis.HV, at_most: 0}\n");
+  folder.file("a.yaml", bare + "  - {that: as published, final: mean.HV - published.HV, at_most: 0}\n");
   const Done done = run_program(folder, {"check", "a.yaml"});
   CHECK(done.code == 2);
   CHECK_THAT(done.err, Contains("a.yaml:" + std::to_string(lines_of(bare).size() + 1) + ":") &&
-                           Contains("'thesis.HV' is not recorded"));
-  folder.file("b.yaml", text + "  - {that: as published, final: mean.HV - thesis.HV, at_most: 1}\n");
+                           Contains("'published.HV' is not recorded"));
+  folder.file("b.yaml", text + "  - {that: as published, final: mean.HV - published.HV, at_most: 1}\n");
   CHECK(run_program(folder, {"check", "b.yaml"}).code == 0);
 }
 
@@ -133,7 +133,7 @@ TEST_CASE("tables of a swept study have the swept values, and say which statemen
   CHECK(cell(errors, "radius [m]", 24) == "0.015");
   CHECK(lines_of(content_of(outcome)).size() == 3);
   CHECK(cell(outcome, "radius [m]", 1) == "0.015");
-  CHECK(cell(outcome, "thesis.NO", 1) == "0.698");
+  CHECK(cell(outcome, "published.NO", 1) == "0.698");
   const std::string tables = content_of(folder.path("out/tables.txt"));
   const auto lines = lines_of(tables.substr(tables.find("Mean normalised errors")));
   CHECK_THAT(lines.at(3), Catch::StartsWith("1 ") && Contains("holds"));

@@ -104,12 +104,14 @@ TEST_CASE("what is wrong with a study is told with its place before anything run
   CHECK_THAT(error_of("  position: hand", "  position: hnad"),
              Contains("study.position: 'hnad' is not recorded; did you mean 'hand'?"));
   CHECK_THAT(error_of("{visual: 1}", "{visul: 1}"),
-             Contains("study.conditions.V: 'visul' is no feedback; did you mean 'visual'?"));
+             Contains("study.conditions.V: there is no parameter 'visul'; did you mean 'visual'?"));
+  CHECK_THAT(error_of("{visual: 1}", "{subject: 1}"),
+             Contains("study.conditions.V: 'subject' is a factor of every study already"));
   CHECK_THAT(error_of("{visual: 1}", "{visual: 0.5}"), Contains("'0.5' is neither 1 (on) nor 0 (off)"));
   CHECK_THAT(error_of("x: center_x", "x: centre_x"),
              Contains("study.circle.sets.x: there is no parameter 'centre_x'; did you mean 'center_x'?"));
-  CHECK_THAT(error_of("task: 1\n", "task: 3\n"),
-             Contains("study.task: '3' is not allowed; it is one of: 1 (drawing a circle), 2 ("));
+  CHECK_THAT(error_of("  position: hand", "  way_back: hand\n  position: hand"),
+             Contains("study.way_back: a study is scored by 'circle' or by 'way_back', not both"));
   CHECK_THAT(error_of("subjects: 6", "subjects: [1, 1]"), Contains("'1' stands here twice"));
   CHECK_THAT(error_of("stop_when: turned > 6.2832\n", ""), Contains("This file has no 'stop_when'"));
   CHECK_THAT(error_of("where: subject == \"1\"", "where: subject == \"11\""),

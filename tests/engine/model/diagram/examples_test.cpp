@@ -112,8 +112,8 @@ TEST_CASE("what is for people is a text, and a name names one thing") {
   CHECK(fault("title: [a]\n" + block) == "test.yaml:1:8: title: a text is wanted here");
   CHECK(fault("solver: {a: b}\n" + block) ==
         "test.yaml:1:10: solver: solver has no 'a'; it has: name, relative, absolute, max_steps");
-  CHECK(fault("thesis: 15\n" + block) ==
-        "test.yaml:1:9: thesis: the thesis is a map: {figure: 15, section: 2.5.1}");
+  CHECK(fault("reproduces: 15\n" + block) ==
+        "test.yaml:1:13: reproduces: the original is a map: {figure: 15, section: 2.5.1}");
   CHECK(fault("blocks: {c: {block: [Constant]}}\n") == "test.yaml:1:21: c: 'block:' names one type, as Gain");
   CHECK(fault("blocks:\n  c:\n  next: {block: Constant, value: 1}\n") ==
         "test.yaml:2:3: c: must be a map such as {block: Gain, gain: 2, u: source}");
