@@ -5,7 +5,7 @@
 
 #include "blocks/register.hpp"
 #include "engine/app/fmu/unit_export.hpp"
-#include "engine/base/fmi/archive_bytes.hpp"
+#include "engine/base/fmi/package.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/simulate/run/run.hpp"
 #include "tests/diagrams/diagram_files.hpp"

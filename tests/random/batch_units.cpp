@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/app/fmu/unit_export.hpp"
-#include "engine/base/fmi/archive_bytes.hpp"
+#include "engine/base/fmi/package.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/parallel/parallel.hpp"

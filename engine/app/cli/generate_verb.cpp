@@ -14,7 +14,7 @@
 #include "engine/app/fmu/unit_export.hpp"
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/app/session/version.hpp"
-#include "engine/base/fmi/archive_bytes.hpp"
+#include "engine/base/fmi/package.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/io/owned_folder.hpp"

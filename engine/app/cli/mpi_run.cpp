@@ -5,7 +5,7 @@
 
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/interrupt.hpp"
-#include "engine/app/cluster/job_worker.hpp"
+#include "engine/app/cluster/shared_job.hpp"
 
 namespace stepwire::cli {
 

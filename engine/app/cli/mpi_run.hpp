@@ -5,7 +5,7 @@
 
 #include "engine/app/cli/exit_code.hpp"
 #include "engine/app/cli/run_call.hpp"
-#include "engine/app/cluster/served_work.hpp"
+#include "engine/app/cluster/shared_job.hpp"
 #include "engine/base/messages/messages.hpp"
 
 namespace stepwire::cli {

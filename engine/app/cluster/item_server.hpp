@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/app/cluster/item_source.hpp"
+#include "engine/app/cluster/kept_items.hpp"
 #include "engine/app/session/monitor.hpp"
 #include "engine/base/messages/messages.hpp"
 #include "engine/base/yaml/error.hpp"

@@ -1,17 +1,177 @@
 #pragma once
 
-// Part of the sources of every exported unit, so it includes only the standard library.
-
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <new>
 #include <type_traits>
 
-#include "engine/app/fmu/difference.hpp"
+#include "engine/app/fmu/exported_unit.hpp"
 
 namespace stepwire::fmu {
+
+// Part of the sources of every exported unit, so it includes only the standard library.
+
+/// Complete mutable state of a unit, as plain memory whose bytes are the FMU state. `Source` has Diagram, the
+/// generated struct, and the table `variables`.
+template <class Source>
+struct MovingDiagram {
+  using Diagram = typename Source::Diagram;
+
+  explicit MovingDiagram(bool exchange) : exchange(exchange) {}
+
+  Diagram diagram;
+  typename Diagram::State before{};  ///< state before the last evaluation; co-simulation only
+  double time = 0.0;                 ///< time of model exchange [s]
+  std::int64_t first_tick = 0;
+  Phase phase = Phase::made;
+  bool exchange;
+  bool evaluated = false;
+  bool begins = true;           ///< true if evaluate() must first reset the diagram to its parameters
+  bool inputs_written = false;  ///< false: the inputs follow from the parameters
+
+  double now() const { return exchange ? time : diagram.time(); }
+
+  /// Computes the outputs of the present instant unless they are up to date.
+  void evaluate() {
+    if (evaluated) return;
+    if (begins) begin();
+    if constexpr (requires(Diagram & d) { d.evaluate_at(0.0); })
+      if (exchange) diagram.evaluate_at(time);
+    if (!exchange) {
+      diagram.save(before);
+      diagram.evaluate();
+    }
+    evaluated = true;
+  }
+
+  /// Invalidates the outputs after an input or a parameter was written. Restores the state before the
+  /// evaluation, so that memory which blocks updated in it is not used twice.
+  void forget() {
+    if (evaluated && !exchange) static_cast<void>(diagram.restore(before));
+    evaluated = false;
+  }
+
+  void advance() {
+    diagram.advance();
+    evaluated = false;
+  }
+
+  /// Returns the k-th number of a variable. FMI counts a matrix by rows, the diagram stores it by columns.
+  double& number(const UnitVariable& variable, int k) {
+    double* first = variable.place(&diagram);
+    const int columns = variable.size / variable.rows;
+    return first[variable.rows == 1 ? k : k % columns * variable.rows + k / columns];
+  }
+
+  /// Reads the numbers of variables; evaluate() must precede.
+  void read(References references, double* values) {
+    for (std::size_t i = 0; i < references.count; ++i) {
+      const UnitVariable& variable = Source::variables[references.of[i]];
+      for (int k = 0; k < variable.size; ++k)
+        *values++ = variable.kind == Kind::time        ? now()
+                    : variable.kind == Kind::indicator ? crossing(k)
+                                                       : number(variable, k);
+    }
+  }
+
+  void write(References references, const double* values) {
+    forget();
+    for (std::size_t i = 0; i < references.count; ++i) {
+      const UnitVariable& variable = Source::variables[references.of[i]];
+      inputs_written |= variable.kind == Kind::input;
+      for (int k = 0; k < variable.size; ++k) number(variable, k) = *values++;
+    }
+  }
+
+ private:
+  double crossing(int k) {
+    if constexpr (requires(Diagram & d) { d.crossings(nullptr); }) {
+      double numbers[Diagram::crossing_count];
+      diagram.crossings(numbers);
+      return numbers[k];
+    }
+    return 0.0;
+  }
+
+  void begin() {
+    if constexpr (requires(Diagram & d) { d.inputs; }) {
+      const auto inputs = diagram.inputs;
+      diagram.reset();
+      if (inputs_written) diagram.inputs = inputs;
+    } else {
+      diagram.reset();
+    }
+    diagram.tick = first_tick;
+    begins = false;
+  }
+};
+
+// Part of the sources of every exported unit, so it includes only the standard library.
+
+/// Directional derivatives of a diagram by central differences.
+/// Each known number with a nonzero seed is perturbed in a copy of the diagram, which is evaluated on both
+/// sides. So the diagram itself keeps its bytes. Cost: two evaluations for each such number.
+template <class Source>
+class Difference {
+  using Moving = MovingDiagram<Source>;
+
+ public:
+  Difference(const Moving& at, References unknowns, std::size_t numbers)
+      : at_(at),
+        unknowns_(unknowns),
+        count_(numbers),
+        trial_(new (std::nothrow) Moving(at)),
+        high_(new (std::nothrow) double[numbers + 1]),
+        low_(new (std::nothrow) double[numbers + 1]) {}
+
+  /// Writes to `sum` the derivatives by all known numbers, weighted by their seeds. False if memory
+  /// allocation failed.
+  bool add_all(References knowns, const double* seed, double* sum) {
+    if (!trial_ || !high_ || !low_) return false;
+    std::fill_n(sum, count_, 0.0);
+    for (std::size_t i = 0; i < knowns.count; ++i) {
+      const UnitVariable& known = Source::variables[knowns.of[i]];
+      for (int k = 0; k < known.size; ++k, ++seed)
+        if (*seed != 0.0) add(known, k, *seed, sum);
+    }
+    return true;
+  }
+
+ private:
+  void add(const UnitVariable& known, int k, double seed, double* sum) {
+    // Relative step, the cube root of the machine epsilon, and the smallest magnitude that it refers to.
+    constexpr double part = 6e-6, least = 1e-3;
+    look(known, k, 0.0, nullptr);
+    const double x = trial_->number(known, k);
+    const double h = part * std::fmax(std::fabs(x), least), above = x + h, below = x - h;
+    look(known, k, above, high_.get());
+    look(known, k, below, low_.get());
+    for (std::size_t j = 0; j < count_; ++j) sum[j] += seed * ((high_[j] - low_[j]) / (above - below));
+  }
+
+  /// Resets the copy and reads the unknowns after setting a known number. With `values` nullptr it only
+  /// resets.
+  void look(const UnitVariable& known, int k, double value, double* values) {
+    std::memcpy(static_cast<void*>(trial_.get()), &at_, sizeof at_);
+    if (!values) return;
+    trial_->forget();
+    trial_->number(known, k) = value;
+    trial_->evaluate();
+    trial_->read(unknowns_, values);
+  }
+
+  const Moving& at_;
+  References unknowns_;
+  std::size_t count_;
+  std::unique_ptr<Moving> trial_;
+  std::unique_ptr<double[]> high_, low_;
+};
+
+// Part of the sources of every exported unit, so it includes only the standard library.
 
 /// Unit of a generated diagram. `Source` has: Diagram, the generated struct; step [s]; layout, the key of its
 /// saved states; variables and their count.

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "engine/app/fmu/description.hpp"
-#include "engine/app/fmu/units.hpp"
 #include "engine/app/fmu/variables.hpp"
 #include "engine/base/fmi/package.hpp"
 #include "engine/base/hash/hash.hpp"
@@ -17,9 +16,9 @@
 #include "engine/base/subprocess/scratch_folder.hpp"
 #include "engine/simulate/codegen/between_ticks.hpp"
 #include "engine/simulate/codegen/compiler.hpp"
-#include "engine/simulate/codegen/cpp_words.hpp"
 #include "engine/simulate/codegen/headers.hpp"
 #include "engine/simulate/codegen/literals.hpp"
+#include "engine/simulate/codegen/names.hpp"
 #include "engine/simulate/codegen/program_files.hpp"
 #include "engine/view/svg/svg.hpp"
 

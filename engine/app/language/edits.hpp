@@ -6,6 +6,7 @@
 
 #include "engine/app/language/renaming.hpp"
 #include "engine/app/language/tree_edits.hpp"
+#include "engine/base/json/json.hpp"
 
 namespace stepwire::language {
 
@@ -85,5 +86,12 @@ void check_units(DiagramFiles& files, const Analysis& analysis, const std::strin
 
 /// Adds an analysis to `linear` and its Bode plot to `figure`, and returns the name of the analysis.
 std::string cut_loop(TreeEdits& edits, const yaml::Document& document, const CutLoop& edit);
+
+/// Parses an edit from a page, by its `kind`.
+/// Values: {kind: number, name | at, text}. Names: {kind: rename, name, to}.
+/// Wires: {kind: connect, from, to, input}, {kind: disconnect, to, input}.
+/// Blocks: {kind: delete, name}, {kind: insert, type, name?}.
+/// Throws EditRefused for anything else.
+Edit edit_of(const json::Json& edit);
 
 }  // namespace stepwire::language

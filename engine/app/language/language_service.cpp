@@ -1,11 +1,278 @@
 #include "engine/app/language/language_service.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <iterator>
 
 #include "engine/app/language/diagram_files.hpp"
+#include "engine/app/language/signal_list.hpp"
+#include "engine/app/language/tree_place.hpp"
+#include "engine/app/reference/block_page.hpp"
+#include "engine/app/reference/key_words.hpp"
+#include "engine/app/reference/sheet_text.hpp"
+#include "engine/app/reference/words.hpp"
+#include "engine/base/text/characters.hpp"
+#include "engine/base/yaml/fault_place.hpp"
 
 namespace stepwire::language {
+
 namespace {
+
+/// Returns the end of the text in a line, before a comment.
+std::size_t end_of_line(std::string_view text, std::size_t from) {
+  const std::size_t line = std::min(text.find('\n', from), text.size());
+  const std::size_t comment = std::min(text.substr(0, line).find(" #", from), line);
+  std::size_t end = comment;
+  while (end > from && std::isspace(static_cast<unsigned char>(text[end - 1]))) --end;
+  return end > from ? end : std::min(from + 1, text.size());
+}
+
+/// Returns the range of a fault in its file, which need not be valid YAML.
+TextRange range_of(const yaml::Fault& fault, OpenTexts& texts, const TextPlaces& places) {
+  const yaml::Mark& mark = fault.place.mark;
+  if (mark.line < 1) return {0, end_of_line(places.text(), 0)};
+  const std::size_t from = places.offset(mark);
+  try {
+    if (const auto end = yaml::end_of_fault(texts.document(fault.place.file)->root, fault))
+      if (places.offset(*end) > from) return {from, places.offset(*end)};
+  } catch (const yaml::Error&) {  // the fault of the YAML is reported at its own place
+  }
+  return {from, end_of_line(places.text(), from)};
+}
+
+std::optional<Splice> mending_of(const yaml::Fault& fault, std::string_view text, const TextRange& range) {
+  const auto& suggestion = fault.message.suggestion;
+  if (!suggestion || suggestion->written.empty()) return std::nullopt;
+  const auto at = yaml::find_word(text, range.from, range.to, suggestion->written);
+  if (!at) return std::nullopt;
+  return Splice{{*at, *at + suggestion->written.size()}, suggestion->meant};
+}
+
+std::string words_of(const yaml::Fault& fault) {
+  const std::string words = fault.message.text();
+  return text::visible(fault.subject.empty() ? words : fault.subject + ": " + words);
+}
+
+TextDiagnostic::Related related(const yaml::Place& place, std::string message, OpenTexts& texts) {
+  const auto text = texts.text(place.file);
+  TextPlaces places(*text);
+  const TextRange range = range_of(yaml::Fault{place, "", "", {}}, texts, places);
+  return {place.file, places.range(range), std::move(message)};
+}
+
+/// Converts a fault within the file itself.
+TextDiagnostic own(const yaml::Fault& fault, OpenTexts& texts) {
+  const auto text = texts.text(fault.place.file);
+  TextPlaces places(*text);
+  const TextRange range = range_of(fault, texts, places);
+  TextDiagnostic found{places.range(range), words_of(fault), {}, mending_of(fault, *text, range)};
+  found.text = fault.message.text();
+  if (found.mending) found.meant = fault.message.suggestion->meant;
+  for (const yaml::Place& user : fault.used_by) found.related.push_back(related(user, "used here", texts));
+  return found;
+}
+
+/// Converts a fault within a part to a diagnostic at the place that uses the part.
+TextDiagnostic in_part(const yaml::Fault& fault, const yaml::Place& user, OpenTexts& texts) {
+  const std::string part = std::filesystem::path(fault.place.file).filename().string();
+  TextDiagnostic::Related there = related(fault.place, words_of(fault), texts);
+  TextDiagnostic found{
+      related(user, "", texts).range, fmt::format("in {}: {}", part, words_of(fault)), {}, {}};
+  found.text = found.message;
+  found.related.push_back(std::move(there));
+  return found;
+}
+
+using ItemKind = OutlineItem::Kind;
+
+/// Returns the sections whose entries are listed, with the kind of their items.
+const std::map<std::string, ItemKind>& listed_sections() {
+  static const std::map<std::string, ItemKind> all{
+      {"blocks", ItemKind::block}, {"parameters", ItemKind::parameter}, {"inputs", ItemKind::port},
+      {"outputs", ItemKind::port}, {"claims", ItemKind::claim},         {"invariants", ItemKind::claim}};
+  return all;
+}
+
+std::string scalar_under(const yaml::Node& map, const char* key) {
+  const yaml::Node* value = map.is_map() ? map.find(key) : nullptr;
+  return value && value->is_scalar() ? value->text : "";
+}
+
+std::string detail_of(const yaml::Node& value, ItemKind kind) {
+  if (value.is_scalar()) return value.text;
+  if (kind != ItemKind::block) return scalar_under(value, kind == ItemKind::port ? "unit" : "value");
+  const std::string type = scalar_under(value, "block");
+  return type.empty() ? scalar_under(value, "diagram") : type;
+}
+
+class Outlining {
+ public:
+  explicit Outlining(std::string_view text) : places_(text) {}
+
+  std::vector<OutlineItem> sections(const yaml::Node& root) {
+    std::vector<OutlineItem> items;
+    for (const yaml::Entry& entry : root.entries) {
+      items.push_back(item(entry, ItemKind::section));
+      const auto listed = listed_sections().find(entry.key);
+      if (listed == listed_sections().end()) continue;
+      for (const yaml::Entry& inner : entry.value.entries)
+        items.back().children.push_back(item(inner, listed->second));
+      for (const yaml::Node& claim : entry.value.items) items.back().children.push_back(statement(claim));
+    }
+    return items;
+  }
+
+ private:
+  OutlineItem item(const yaml::Entry& entry, ItemKind kind) {
+    const bool part = kind == ItemKind::block && !scalar_under(entry.value, "diagram").empty();
+    const TextRange key = places_.key_range(entry);
+    const TextRange whole{key.from, std::max(key.to, places_.range(entry.value).to)};
+    const std::string name = entry.key.empty() ? "''" : entry.key;  // editors refuse an empty name
+    return {name,
+            detail_of(entry.value, kind),
+            part ? ItemKind::part : kind,
+            places_.range(whole),
+            places_.range(key),
+            {}};
+  }
+
+  OutlineItem statement(const yaml::Node& claim) {
+    const std::string that = scalar_under(claim, "that");
+    const EditorRange range = places_.range(places_.range(claim));
+    return {that.empty() ? "claim" : that, "", ItemKind::claim, range, range, {}};
+  }
+
+  TextPlaces places_;
+};
+
+using Sense = WrittenName::Sense;
+
+/// Formats a word of the file as Markdown code.
+std::string code(const std::string& word) {
+  std::string shown = text::visible(word);
+  std::erase(shown, '`');
+  return "`" + shown + "`";
+}
+
+std::string unit_words(const std::optional<unit::Dimension>& dimension) {
+  if (!dimension) return "unit not known";
+  return *dimension == unit::Dimension{} ? "no unit" : "in " + unit::si_name(*dimension);
+}
+
+/// Formats a named fact; empty for an empty text.
+std::string fact(const char* name, const std::string& text) {
+  return text.empty() ? "" : fmt::format("\n- {}: {}", name, reference::escaped(text));
+}
+
+std::string key_markdown(const std::string& name, const yaml::Key& key) {
+  const bool section = key.form == yaml::Key::Form::section, any = key.form == yaml::Key::Form::value;
+  std::string text = fmt::format("{}: {}", code(name), reference::escaped(key.doc));
+  if (!any)
+    text += fact("value", section ? "see `stepwire format " + key.refers + "`" : reference::form_text(key));
+  text += fact("unit", key.unit);
+  text +=
+      fact("range", reference::range_text(key).empty() && !section ? key.refers : reference::range_text(key));
+  text += fact("default", key.required ? "required" : key.otherwise);
+  return text + fact("example", key.example);
+}
+
+class Hovering {
+ public:
+  Hovering(DiagramFiles& files, const Analysis& analysis, const std::string& file, std::size_t offset)
+      : files_(files), analysis_(analysis), file_(file), offset_(offset) {}
+
+  std::optional<Hover> find() {
+    const WrittenName* name = files_.name_at(file_, offset_);
+    if (name && name->sense == Sense::type)
+      if (const BlockType* type = files_.registry().find(name->name))
+        return Hover{reference::block_markdown(*type), name->range};
+    const bool is_key = name && (name->sense == Sense::block_key || name->sense == Sense::part_key);
+    if (name && !is_key)
+      if (auto found = of_name(*name)) return found;
+    return of_place();
+  }
+
+ private:
+  std::optional<Hover> of_name(const WrittenName& name) {
+    for (const NamePiece& piece : files_.pieces(file_, name)) {
+      if (!piece.range.contains(offset_)) continue;
+      const std::string whole = name.name.substr(0, piece.range.to - name.range.from);
+      const std::string text = of_meaning(piece.meaning, whole);
+      if (!text.empty()) return Hover{text, piece.range};
+    }
+    return std::nullopt;
+  }
+
+  /// Describes a definition; `whole` is its name in this file.
+  std::string of_meaning(const Meaning& meaning, const std::string& whole) {
+    if (meaning.kind == Meaning::Kind::parameter) return of_parameter(whole);
+    if (meaning.kind == Meaning::Kind::block) return of_block(meaning, whole);
+    return of_signal(whole);
+  }
+
+  std::string of_parameter(const std::string& whole) const {
+    const diagram::DiagramParameter* parameter = parameter_of(analysis_, whole);
+    if (!parameter) return "";
+    const double* number = std::get_if<double>(&parameter->value.content);
+    std::string text = fmt::format("{} = {}", code(whole), code(parameter->text));
+    if (number)
+      text +=
+          fmt::format(" ({} {})", *number, parameter->dimension ? unit::si_name(*parameter->dimension) : "");
+    return text + (parameter->doc.empty() ? "" : "\n\n" + reference::escaped(parameter->doc));
+  }
+
+  std::string of_block(const Meaning& meaning, const std::string& whole) {
+    const auto tree = files_.tree(meaning.file);
+    const yaml::Entry* entry = tree ? DiagramFiles::entry(*tree, "blocks", meaning.name) : nullptr;
+    if (!entry) return "";
+    const yaml::Node* kind = entry->value.is_map() ? entry->value.find("block") : nullptr;
+    const BlockType* type = kind ? files_.registry().find(kind->text) : nullptr;
+    std::string text = type ? fmt::format("{}: {}. {}", code(whole), type->name,
+                                          reference::escaped(reference::first_sentence(type->doc)))
+                            : fmt::format("{}: {}", code(whole), of_part(meaning.file, *entry));
+    for (const KnownSignal& signal : signals_of(analysis_, files_, file_, true))
+      if (signal.name == whole || signal.name.starts_with(whole + "."))
+        text += fmt::format("\n- {}: {}", code(signal.name), unit_words(signal.dimension));
+    return text;
+  }
+
+  std::string of_part(const std::string& user, const yaml::Entry& entry) {
+    const std::string path = DiagramFiles::part_file(user, entry);
+    const auto part = path.empty() ? nullptr : files_.tree(path);
+    const yaml::Node* title = part ? part->root.find("title") : nullptr;
+    return "part" + (title ? ", " + reference::escaped(title->text) : "");
+  }
+
+  std::string of_signal(const std::string& whole) {
+    for (const KnownSignal& signal : signals_of(analysis_, files_, file_, true))
+      if (signal.name == whole)
+        return fmt::format("{}: {}, {}", code(whole), reference::escaped(signal.what),
+                           unit_words(signal.dimension));
+    return "";
+  }
+
+  std::optional<Hover> of_place() {
+    const auto place = tree_place(files_, file_, offset_);
+    if (!place || !place->entry) return std::nullopt;
+    for (const yaml::Key* form : place->forms) {
+      if (place->on_key && !form->doc.empty())
+        return Hover{key_markdown(place->entry->key, *form), place->range};
+      if (place->on_key) continue;
+      const auto word = std::ranges::find(form->words, place->scalar->text, &yaml::Key::Word::word);
+      if (word != form->words.end() && !word->doc.empty())
+        return Hover{fmt::format("{}: {}", code(word->word), reference::escaped(word->doc)), place->range};
+    }
+    return std::nullopt;
+  }
+
+  DiagramFiles& files_;
+  const Analysis& analysis_;
+  const std::string& file_;
+  std::size_t offset_;
+};
 
 constexpr int deepest_part = 32;
 constexpr std::size_t most_shapes = 20'000;
@@ -91,6 +358,39 @@ class Utf16Files {
   DiagramFiles& files_;
   std::map<std::string, Known> known_;
 };
+
+/// Converts a fault to a diagnostic of the file: the fault itself, or the fault of a part at the place that
+/// uses it. Returns std::nullopt for faults of other files.
+std::optional<TextDiagnostic> diagnostic_of(const yaml::Fault& fault, const std::string& file,
+                                            OpenTexts& texts) {
+  if (fault.place.file == file) return own(fault, texts);
+  for (const yaml::Place& user : fault.used_by)
+    if (user.file == file) return in_part(fault, user, texts);
+  return std::nullopt;
+}
+
+/// Adds a diagnostic. A fault that was found both in a part alone and in its users is merged into one.
+void add_diagnostic(TextDiagnostic diagnostic, std::vector<TextDiagnostic>& all) {
+  const auto known = std::ranges::find_if(all, [&](const TextDiagnostic& one) {
+    return one.range.start == diagnostic.range.start && one.range.end == diagnostic.range.end &&
+           one.text == diagnostic.text;
+  });
+  if (known == all.end()) return all.push_back(std::move(diagnostic));
+  if (diagnostic.message.size() < known->message.size())
+    known->message = diagnostic.message;  // the message with the part's own names
+  std::ranges::move(diagnostic.related, std::back_inserter(known->related));
+}
+
+std::vector<OutlineItem> outline_of(const yaml::Document& document, std::string_view text) {
+  return Outlining(text).sections(document.root);
+}
+
+/// Returns the reference of a block or key, the unit of a signal, or unit and value of a parameter;
+/// std::nullopt for other places.
+std::optional<Hover> hover(DiagramFiles& files, const Analysis& analysis, const std::string& file,
+                           std::size_t offset) {
+  return Hovering(files, analysis, file, offset).find();
+}
 
 }  // namespace
 

@@ -6,14 +6,49 @@
 #include <string>
 #include <vector>
 
+#include "engine/app/language/analysis.hpp"
 #include "engine/app/language/completion.hpp"
-#include "engine/app/language/diagnostics.hpp"
 #include "engine/app/language/edits.hpp"
-#include "engine/app/language/hover.hpp"
-#include "engine/app/language/outline_tree.hpp"
 #include "engine/app/language/renaming.hpp"
+#include "engine/app/language/text_places.hpp"
 
 namespace stepwire::language {
+
+/// Fault in a file, as editors show it.
+struct TextDiagnostic {
+  struct Related {
+    std::string file;
+    EditorRange range;
+    std::string message;
+  };
+  EditorRange range;
+  std::string message;
+  std::vector<Related> related;   ///< Uses of the faulty part, or the fault within the part.
+  std::optional<Splice> mending;  ///< Replacement by the word that was probably meant.
+  std::string meant{};            ///< That word.
+  std::string text{};             ///< Message without names of blocks, which differ for each use of a part.
+
+  bool operator==(const TextDiagnostic& other) const {
+    return range.start == other.range.start && range.end == other.range.end && message == other.message;
+  }
+};
+
+/// Item in the outline of a file: a section, or a block, parameter, port or claim within one.
+struct OutlineItem {
+  enum class Kind { section, block, part, parameter, port, claim };
+  std::string name;
+  std::string detail;
+  Kind kind;
+  EditorRange range;  ///< range of the whole item
+  EditorRange name_range;
+  std::vector<OutlineItem> children;
+};
+
+/// Explanation of a place: Markdown, and the range that it explains.
+struct Hover {
+  std::string markdown;
+  TextRange range;
+};
 
 /// Range in a file, in editor coordinates.
 struct EditorPlace {

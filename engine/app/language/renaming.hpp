@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/app/language/analysis.hpp"
-#include "engine/app/language/splice.hpp"
+#include "engine/app/language/text_places.hpp"
 
 namespace stepwire::language {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/app/language/splice.hpp"
+#include "engine/app/language/text_places.hpp"
 #include "engine/base/yaml/document.hpp"
 
 namespace stepwire::language {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/app/language/edit_json.hpp"
+#include "engine/app/language/edits.hpp"
 #include "engine/app/reference/block_json.hpp"
 #include "engine/app/studio/named_faults.hpp"
 #include "engine/base/text/characters.hpp"

@@ -13,6 +13,10 @@
 
 namespace stepwire::studio {
 
+/// Returns `text` with the line ends of `file`. A line that exists in the file keeps its own end, "\n" or
+/// "\r\n"; a new line gets the most frequent end of the file. Lines of `text` end in "\n".
+std::string with_line_ends_of(const std::string& file, const std::string& text);
+
 /// Returns the folder for data of the user: $XDG_STATE_HOME/stepwire/studio, else
 /// ~/.local/state/stepwire/studio; "" if neither variable is usable.
 std::string state_folder();

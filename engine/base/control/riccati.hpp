@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/base/control/system_check.hpp"
+#include "engine/base/control/design.hpp"
 
 namespace stepwire::control {
 

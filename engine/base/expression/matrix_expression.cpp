@@ -12,7 +12,6 @@
 #include "engine/base/control/control_fault.hpp"
 #include "engine/base/control/design.hpp"
 #include "engine/base/control/riccati.hpp"
-#include "engine/base/control/system_check.hpp"
 #include "engine/base/expression/fold.hpp"
 #include "engine/base/expression/measure.hpp"
 

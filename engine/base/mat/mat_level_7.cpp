@@ -1,4 +1,4 @@
-#include "engine/base/hdf5/matlab_read.hpp"
+#include "engine/base/hdf5/matlab_file.hpp"
 #include "engine/base/mat/mat_content.hpp"
 #include "engine/base/mat/mat_elements.hpp"
 #include "engine/base/mat/mat_unreadable.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
 // Base header of blocks. Only their .cpp files need the declaration and configuration, see declare.hpp.
-#include "engine/model/block/crossings.hpp"
 #include "engine/model/signal/clock.hpp"
 #include "engine/model/signal/diagnostic.hpp"
 #include "engine/model/signal/input.hpp"
@@ -11,6 +10,17 @@
 #include "engine/model/signal/text.hpp"
 
 namespace stepwire {
+
+/// Output of a block's crossings(): values that cross zero where its behaviour changes, such as its input
+/// less a threshold. Their number and order are those of the declaration.
+class Crossings {
+ public:
+  explicit Crossings(double* numbers) : next_(numbers) {}
+  void add(double number) { *next_++ = number; }
+
+ private:
+  double* next_;
+};
 
 class Configure;
 struct Outline;

@@ -1,11 +1,12 @@
 #include "engine/model/block/block_type.hpp"
-#include "engine/model/block/declare.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <new>
 #include <system_error>
 #include <utility>
+
+#include "engine/model/block/declare.hpp"
 
 namespace stepwire {
 
@@ -37,6 +38,16 @@ fs::path header_file(const fs::path& source, const std::string& named) {
   return {};
 }
 
+template <class Spec>
+int index_of(const std::vector<Spec>& specs, std::string_view key) {
+  auto found = std::find_if(specs.begin(), specs.end(), [&](const Spec& spec) { return spec.name == key; });
+  return found == specs.end() ? -1 : static_cast<int>(found - specs.begin());
+}
+
+void* allocate(const BlockType& type) {
+  return ::operator new(type.bytes, std::align_val_t(type.alignment));
+}
+
 }  // namespace
 
 // Returns "blocks/math/gain.hpp" for blocks that the library declares in "blocks/math/gain.cpp". For other
@@ -52,20 +63,6 @@ std::string detail::header_of(std::string_view source, const std::string& named,
   const std::string header = fs::canonical(header_file(source, named), none).string();
   return none || !can_be_included(header) ? "" : header;
 }
-
-namespace {
-
-template <class Spec>
-int index_of(const std::vector<Spec>& specs, std::string_view key) {
-  auto found = std::find_if(specs.begin(), specs.end(), [&](const Spec& spec) { return spec.name == key; });
-  return found == specs.end() ? -1 : static_cast<int>(found - specs.begin());
-}
-
-void* allocate(const BlockType& type) {
-  return ::operator new(type.bytes, std::align_val_t(type.alignment));
-}
-
-}  // namespace
 
 const ParameterSpec* BlockType::parameter(std::string_view key) const {
   const int index = index_of(parameters, key);

@@ -1,22 +1,311 @@
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "engine/model/block/block.hpp"
 #include "engine/model/block/block_type.hpp"
-#include "engine/model/block/declare_options.hpp"
-#include "engine/model/block/find_functions.hpp"
 #include "engine/model/block/kernels.hpp"
 #include "engine/model/block/literal.hpp"
 #include "engine/model/block/member_name.hpp"
-#include "engine/model/block/parameter_access.hpp"
-#include "engine/model/block/port_traits.hpp"
-#include "engine/model/block/prepared_parts.hpp"
+#include "engine/model/block/spec.hpp"
+#include "engine/model/block/tree.hpp"
+#include "engine/model/signal/file_path.hpp"
+#include "engine/model/signal/input.hpp"
+#include "engine/model/signal/per_element.hpp"
+#include "engine/model/signal/signal.hpp"
+#include "engine/model/signal/text.hpp"
 
 namespace stepwire {
+
+namespace detail {
+
+template <class T>
+struct PortSize;
+template <int n>
+struct PortSize<Input<n>> : std::integral_constant<int, n> {};
+template <>
+struct PortSize<Inputs> : std::integral_constant<int, any_size> {};
+template <int n>
+struct PortSize<Output<n>> : std::integral_constant<int, n> {};
+template <int n>
+struct PortSize<State<n>> : std::integral_constant<int, n> {};
+template <int n>
+struct PortSize<DiscreteState<n>> : std::integral_constant<int, n> {};
+
+/// Returns the shape of a port: its fixed size, else the declared shape, else "n".
+template <class Port>
+std::string shape_of(const std::string& given) {
+  if constexpr (PortSize<Port>::value == any_size) {
+    return given.empty() ? "n" : given;
+  } else {
+    return std::to_string(PortSize<Port>::value);
+  }
+}
+
+template <class Port>
+inline constexpr int unbound_size = PortSize<Port>::value == any_size ? 0 : PortSize<Port>::value;
+
+template <class T>
+struct IsContinuous : std::false_type {};
+template <int n>
+struct IsContinuous<State<n>> : std::true_type {};
+
+}  // namespace detail
+
+/// Form of a parameter of C++ type T in a file, and its conversion from and to a Value.
+template <class T>
+struct ParameterAccess {
+  static_assert(std::is_enum_v<T>,
+                "a parameter is a double, int64, bool, enum, Text, FilePath, Numbers, ...");
+  static constexpr ParameterKind kind = ParameterKind::word;
+  static void set(T& member, const Value& value) { member = static_cast<T>(std::get<double>(value.content)); }
+  static Value get(const T& member) { return {static_cast<double>(member)}; }
+};
+
+template <class T, ParameterKind parameter_kind, class Stored = T>
+struct StoredAs {
+  static constexpr ParameterKind kind = parameter_kind;
+  static void set(T& member, const Value& value) { member = static_cast<T>(std::get<Stored>(value.content)); }
+  static Value get(const T& member) { return {static_cast<Stored>(member)}; }
+};
+
+template <>
+struct ParameterAccess<double> : StoredAs<double, ParameterKind::number> {};
+template <>
+struct ParameterAccess<std::int64_t> : StoredAs<std::int64_t, ParameterKind::integer, double> {};
+template <>
+struct ParameterAccess<bool> : StoredAs<bool, ParameterKind::flag> {};
+
+/// A list of numbers, stored as a vector in a Value.
+template <class List, ParameterKind parameter_kind>
+struct StoredAsVector {
+  static constexpr ParameterKind kind = parameter_kind;
+  static void set(List& member, const Value& value) {
+    const auto& vector = std::get<Eigen::VectorXd>(value.content);
+    member = List(Numbers(vector.data(), vector.size()));
+  }
+  static Value get(const List& member) {
+    return {Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(member.data(), member.size()))};
+  }
+};
+
+template <>
+struct ParameterAccess<Numbers> : StoredAsVector<Numbers, ParameterKind::vector> {};
+template <>
+struct ParameterAccess<PerElement> : StoredAsVector<PerElement, ParameterKind::per_element> {};
+
+template <>
+struct ParameterAccess<Text> {
+  static constexpr ParameterKind kind = ParameterKind::text;
+  static void set(Text& member, const Value& value) { member = Text(*value.text()); }
+  static Value get(const Text& member) { return {std::string(member)}; }
+};
+
+template <>
+struct ParameterAccess<Matrix> {
+  static constexpr ParameterKind kind = ParameterKind::matrix;
+  static void set(Matrix& member, const Value& value) {
+    const auto& matrix = std::get<Eigen::MatrixXd>(value.content);
+    member = Matrix(matrix.rows(), matrix.cols(), Numbers(matrix.data(), matrix.size()));
+  }
+  static Value get(const Matrix& member) {
+    return {Eigen::MatrixXd(
+        Eigen::Map<const Eigen::MatrixXd>(member.elements().data(), member.rows(), member.columns()))};
+  }
+};
+
+template <>
+struct ParameterAccess<FilePath> {
+  static constexpr ParameterKind kind = ParameterKind::file;
+  static void set(FilePath& member, const Value& value) { member = FilePath(*value.text()); }
+  static Value get(const FilePath& member) { return {member.string()}; }
+};
+
+template <>
+struct ParameterAccess<std::vector<std::string>> {
+  static constexpr ParameterKind kind = ParameterKind::texts;
+  static void set(std::vector<std::string>& member, const Value& value) {
+    member.clear();
+    for (const Value& item : *value.list()) member.push_back(*item.text());
+  }
+  static Value get(const std::vector<std::string>& member) {
+    Value::List list;
+    for (const std::string& text : member) list.push_back({text});
+    return {list};
+  }
+};
+
+template <>
+struct ParameterAccess<Tree> {
+  static constexpr ParameterKind kind = ParameterKind::tree;
+  static void set(Tree& member, const Value& value) { member = Tree(value); }
+  static Value get(const Tree& member) { return member.value(); }
+};
+
+/// Access to the numbers of a member of type T that prepare() computes. Types of a block have a
+/// specialisation beside its declaration.
+template <class T>
+struct PreparedParts;
+
+template <>
+struct PreparedParts<double> {
+  static constexpr bool by_element = false;
+  static Index count(double) { return 1; }
+  static std::string text(Index) { return ""; }
+  static void put(double& member, const double* numbers, Index) { member = *numbers; }
+};
+
+/// Prepared element by element, each in a block of one element, which needs no heap memory.
+template <>
+struct PreparedParts<PerElement> {
+  static constexpr bool by_element = true;
+  static Index count(const PerElement& member) { return member.size(); }
+  static std::string text(Index) { return ".data()[0]"; }
+  static void put(PerElement& member, const double* numbers, Index count) {
+    member = PerElement(Numbers(numbers, count));
+  }
+};
+
+template <>
+struct PreparedParts<Numbers> {
+  static constexpr bool by_element = false;
+  static Index count(const Numbers& member) { return member.size() <= Numbers::capacity ? member.size() : 0; }
+  static std::string text(Index k) { return "[" + std::to_string(k) + "]"; }
+  static void put(Numbers& member, const double* numbers, Index count) { member = Numbers(numbers, count); }
+};
+
+// Properties of a block in its declaration; the following types are those of its members.
+
+struct BlockOptions {
+  std::string doc;
+  std::string source = "";
+  Timing timing = Timing::inherited;
+  /// Reason why a real-time loop refuses the block: "reads a file at every step". Empty if no step allocates,
+  /// locks, makes a system call or has an unbounded duration.
+  std::string not_real_time = "";
+  /// Name of the input that has the delay time [s] of an exact delay. The first output is the first input,
+  /// which has no feedthrough, this time ago. Linear analyses put exp(-s T) in the place of the block.
+  std::string delayed_by = "";
+  Symbol symbol{};
+  /// The outputs are constant between crossings.
+  bool steady = false;
+  /// Lets a block with memory act at located events as well, if it has no `every`. It must not rely on its
+  /// period.
+  bool at_events = false;
+  /// Calls update() at the last row of a run, too, where no step follows. It must change nothing but
+  /// diagnostics.
+  bool at_end = false;
+  /// Promises that outputs jump only where an input or a reset does, never by time alone.
+  bool smooth = false;
+  /// Algebraic loops through the block are solved for its outputs. The iteration begins at the values that
+  /// start() sets.
+  bool torn = false;
+  /// Header that declares the struct, relative to the folder of the declaring source. Needed for a header of
+  /// another name or folder.
+  std::string header = "";
+};
+
+struct ParameterOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+  std::optional<double> above{}, below{}, at_least{}, at_most{};
+  std::vector<std::string> words{};
+  bool required = false;
+  /// Sizes or connections of the block depend on the number. A change needs a new plan, and a generated
+  /// program keeps the value.
+  bool structural = false;
+  /// Keys of a tree whose texts, and those of a nested map, are expressions; "to." for the nested map alone;
+  /// {""} where the text itself is one. Names in them are parameters of the diagram, except for names that
+  /// the block defines: its inputs, the list `variables`, u1, u2, .. and time.
+  std::vector<std::string> formulas{};
+};
+
+struct InputOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+  bool feedthrough = true;
+  bool optional = false;
+  bool multiply_units = false;
+};
+
+struct OutputOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+};
+
+struct StateOptions {
+  std::string unit = "1";
+  std::string shape = "";
+  std::string doc;
+  double initial = 0.0;
+  bool settable = true;
+  /// The state is 0 before the first instant and 1 afterwards. A linear analysis treats it as 1.
+  bool marks_start = false;
+};
+
+struct DiagnosticOptions {
+  std::string doc;
+  bool ends_run = false;
+  bool is_fault = true;  ///< false: the run that it ends is complete, as with `stop_when`
+};
+
+namespace detail {
+
+template <class Block>
+void find_phases(BlockType& type) {
+  if constexpr (requires(Block b) { b.outputs(); }) type.run_outputs = kernels_of<Block, &Block::outputs>();
+  if constexpr (requires(Block b) { b.outputs_at_instant(); })
+    type.run_outputs_at_instant = kernels_of<Block, &Block::outputs_at_instant>();
+  if constexpr (requires(Block b) { b.derivatives(); })
+    type.run_derivatives = kernels_of<Block, &Block::derivatives>();
+  if constexpr (requires(Block b) { b.update(); }) type.run_update = kernels_of<Block, &Block::update>();
+  if constexpr (requires(Block b) { b.update_at_event(); })
+    type.run_update_at_event = kernels_of<Block, &Block::update_at_event>();
+  if constexpr (requires(Block b) { b.update_before_instant(); })
+    type.run_update_before_instant = kernels_of<Block, &Block::update_before_instant>();
+}
+
+template <class Block>
+void find_events(BlockType& type) {
+  if constexpr (requires(const Block b, Crossings& zero) { b.crossings(zero); })
+    type.run_crossings = [](const void* block, double* numbers) {
+      Crossings zero(numbers);
+      Called<const Block>(block)->crossings(zero);
+    };
+  if constexpr (requires(const Block b) { b.next_edge(); })
+    type.run_next_edge = [](const void* block) -> double { return Called<const Block>(block)->next_edge(); };
+}
+
+template <class Block>
+void find_set_up(BlockType& type) {
+  if constexpr (requires(Block b, Configure & is) { b.configure(is); })
+    type.configure = [](void* block, Configure& is) { Called<Block>(block)->configure(is); };
+  if constexpr (requires(Block b) { b.prepare(); })
+    type.prepare = [](void* block) { Called<Block>(block)->prepare(); };
+  if constexpr (requires(const Block b, Outline& lines) { b.outline(lines); })
+    type.outline = [](const void* block, Outline& lines) { Called<const Block>(block)->outline(lines); };
+  if constexpr (requires(Block b) { b.start(); })
+    type.start = [](void* block) { Called<Block>(block)->start(); };
+}
+
+/// Detects the functions that a block's struct defines.
+template <class Block>
+void find_functions(BlockType& type) {
+  find_phases<Block>(type);
+  find_events<Block>(type);
+  find_set_up<Block>(type);
+}
+
+}  // namespace detail
 
 /// Tag of a derived member that does not depend on the number of any parameter.
 enum class From { no_number };

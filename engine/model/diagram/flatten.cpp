@@ -3,24 +3,84 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "engine/base/hash/hash.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/yaml/yaml_text.hpp"
 #include "engine/model/diagram/block_keys.hpp"
-#include "engine/model/diagram/constant_blocks.hpp"
+#include "engine/model/diagram/diagram.hpp"
 #include "engine/model/diagram/element_index.hpp"
 #include "engine/model/diagram/external_input.hpp"
-#include "engine/model/diagram/left_out.hpp"
+#include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/written.hpp"
 
 namespace stepwire::diagram {
 
 namespace {
+
+/// Returns the number of a value that is the same for all elements; std::nullopt for other values.
+std::optional<double> number_of(const Value& value) {
+  if (const double* number = std::get_if<double>(&value.content)) return *number;
+  const auto* numbers = std::get_if<Eigen::VectorXd>(&value.content);
+  if (numbers && numbers->size() > 0 && (numbers->array() == (*numbers)[0]).all()) return (*numbers)[0];
+  return std::nullopt;
+}
+
+/// True for a number that the file omits and that equals the default of its type. An omitted gain is a pure
+/// number; a gain in the file may have any unit.
+bool is_left_out(const DiagramBlock& block, std::size_t parameter) {
+  const auto& marks = block.parameter_marks;
+  if (parameter < marks.size() && marks[parameter].line > 0) return false;
+  if (block.parameter_dimensions[parameter]) return false;
+  const ParameterSpec& spec = block.type().parameters[parameter];
+  const AnyBlock fresh(block.type());
+  const auto own = number_of(spec.get(block.block.get())), of_type = number_of(spec.get(fresh.get()));
+  return own && of_type && *own == *of_type;
+}
+
+bool is_triggered(const Diagram& diagram, const DiagramBlock& block) {
+  const auto trigger = static_cast<std::size_t>(guard_type().input("trigger"));
+  for (int guard = block.guard; guard >= 0; guard = diagram.blocks[static_cast<std::size_t>(guard)].guard)
+    if (!diagram.blocks[static_cast<std::size_t>(guard)].inputs[trigger].empty()) return true;
+  return false;
+}
+
+/// True where a block has a rate whatever it reads.
+bool has_rate(const Diagram& diagram, const DiagramBlock& block) {
+  const BlockType& type = block.type();
+  return type.timing != Timing::inherited || type.run_update || (block.every && !block.every_of_part) ||
+         &type == &guard_type() || is_triggered(diagram, block);
+}
+
+bool reads(const DiagramBlock& block, const std::vector<bool>& constant) {
+  return std::ranges::any_of(block.inputs, [&](const std::vector<Source>& sources) {
+    return std::ranges::any_of(sources, [&](const Source& source) {
+      return source.block >= 0 && !constant[static_cast<std::size_t>(source.block)];
+    });
+  });
+}
+
+/// Returns for each block whether it computes from constants alone. A period of its part does not act on such
+/// a block, and gives no rate to those that read it.
+std::vector<bool> constant_blocks(const Diagram& diagram) {
+  std::vector<bool> constant;
+  for (const DiagramBlock& block : diagram.blocks) constant.push_back(!has_rate(diagram, block));
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t b = 0; b < constant.size(); ++b)
+      if (constant[b] && reads(diagram.blocks[b], constant)) {
+        constant[b] = false;
+        changed = true;
+      }
+  }
+  return constant;
+}
 
 constexpr unit::Dimension time_dimension{{0.0, 0.0, 1.0}};
 

@@ -42,4 +42,30 @@ struct Guard {
   }
 };
 
+/// Output of a part or block with `outputs: reset`, as other blocks read it. It passes the output through
+/// while active, and has the value `off` otherwise.
+struct GuardedOutput {
+  PerElement off = 0.0;
+  Input<> u{};
+  Input<1> active{};
+  Output<> y{};
+
+  void outputs() {
+    const bool is_active = active != 0.0;
+    y.each([&](Index k) { return is_active ? u[k] : off[k]; });
+  }
+
+  static void declare(Declare<GuardedOutput>& is);
+};
+
+/// Block that makes a parameter recordable as a signal.
+struct ParameterValue {
+  PerElement value = 0.0;
+  Output<> y{};
+
+  void outputs() { y = value; }
+
+  static void declare(Declare<ParameterValue>& is);
+};
+
 }  // namespace stepwire::diagram

@@ -9,8 +9,6 @@
 #include "engine/model/block/declare.hpp"
 #include "engine/model/diagram/condition.hpp"
 #include "engine/model/diagram/guard.hpp"
-#include "engine/model/diagram/guarded_output.hpp"
-#include "engine/model/diagram/parameter_value.hpp"
 
 namespace stepwire::diagram {
 
@@ -106,12 +104,12 @@ const BlockType& condition_type() {
 }
 
 const BlockType& guarded_output_type() {
-  static const BlockType type = declared<GuardedOutput>("engine/model/diagram/guarded_output.hpp");
+  static const BlockType type = declared<GuardedOutput>("engine/model/diagram/guard.hpp");
   return type;
 }
 
 const BlockType& parameter_value_type() {
-  static const BlockType type = declared<ParameterValue>("engine/model/diagram/parameter_value.hpp");
+  static const BlockType type = declared<ParameterValue>("engine/model/diagram/guard.hpp");
   return type;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "engine/model/diagram/definitions.hpp"
 #include "engine/model/diagram/resolve.hpp"
 #include "engine/model/diagram/scope.hpp"
-#include "engine/model/diagram/settings.hpp"
 
 namespace stepwire::diagram {
 

@@ -4,20 +4,53 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <stdexcept>
 
 #include "engine/base/yaml/message.hpp"
+#include "engine/model/block/block_type.hpp"
+#include "engine/model/block/typed_by_file.hpp"
 #include "engine/model/diagram/block_keys.hpp"
 #include "engine/model/diagram/guard_keys.hpp"
 #include "engine/model/diagram/guard_types.hpp"
 #include "engine/model/diagram/keys.hpp"
 #include "engine/model/diagram/named_parameters.hpp"
+#include "engine/model/diagram/parameters.hpp"
 #include "engine/model/diagram/resolve.hpp"
 #include "engine/model/diagram/simulink_names.hpp"
-#include "engine/model/diagram/type_by_file.hpp"
 
 namespace stepwire::diagram {
 
 namespace {
+
+const BlockType* read(const BlockType& type, TypeOfFile of, const yaml::Entry& entry, const Scope& scope,
+                      Report& report) {
+  const ValueReader reader(scope.parameters, report, scope.index);
+  const std::string subject = scope.prefix + entry.key;
+  const yaml::Node& file = *entry.value.find("file");
+  const yaml::Node* interface = entry.value.find("interface");
+  const auto path = reader.read_for(*type.parameter("file"), {}, file, subject + ".file");
+  const auto word =
+      interface ? reader.fill_in(*interface, subject + ".interface") : std::optional<std::string>("");
+  if (!path || !word) return nullptr;
+  try {
+    return &of(*path->value.text(), *word);
+  } catch (const std::runtime_error& error) {
+    report.add(reader.at(file.mark), subject + ".file", yaml::fault_text("{}", error.what()));
+    return nullptr;
+  }
+}
+
+/// Returns the type of a block whose ports are described by the file under its key `file`; `type` itself for
+/// all others. For an unusable file it adds a fault with the line, marks the name as failed, and returns
+/// nullptr.
+const BlockType* type_by_file(const BlockType& type, const yaml::Entry& entry, Scope& scope, Report& report) {
+  const TypeOfFile of = find_typed_by_file(type.name);
+  if (!of || !type.parameter("file") || !entry.value.find("file")) return &type;
+  const BlockType* found = read(type, of, entry, scope, report);
+  if (!found) scope.failed.insert(entry.key);
+  return found;
+}
 
 yaml::Message no_block_type(const std::string& name, const Registry& registry) {
   const std::string message = fmt::format("there is no block '{}'", name);

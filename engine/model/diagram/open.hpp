@@ -10,7 +10,6 @@
 #include "engine/model/diagram/load.hpp"
 #include "engine/model/diagram/report.hpp"
 #include "engine/model/diagram/scope.hpp"
-#include "engine/model/diagram/settings.hpp"
 
 namespace stepwire::diagram {
 
@@ -110,7 +109,7 @@ class Opener {
     const Scope* scope;
   };
   std::vector<Within> within_;
-  std::deque<yaml::Node> made_;  ///< sources of hidden blocks
+  std::deque<yaml::Node> made_;     ///< sources of hidden blocks
   std::deque<yaml::Node> written_;  ///< sources of the fields of buses at inputs
   std::vector<std::string> open_files_;
   std::vector<std::string> block_words_;  ///< lists of names given to the block under construction

@@ -1,6 +1,6 @@
 // Keys of a sweep.
+#include "engine/model/diagram/head_distribution.hpp"
 #include "engine/model/diagram/head_keys.hpp"
-#include "engine/model/diagram/head_range.hpp"
 
 namespace stepwire::diagram {
 

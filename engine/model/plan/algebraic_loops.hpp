@@ -1,12 +1,25 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/model/plan/draft.hpp"
-#include "engine/model/plan/order_graph.hpp"
 
 namespace stepwire::plan {
+
+/// Dependence graph. Its nodes are computed outputs; an edge leads from an output to each output that depends
+/// on it at the same instant.
+struct OrderGraph {
+  std::vector<std::vector<std::size_t>> edges;              ///< readers of each node
+  std::vector<std::pair<std::size_t, std::size_t>> owners;  ///< block and output of each node
+  std::vector<std::size_t> first;                           ///< first node of each block; then their number
+
+  std::size_t count(std::size_t block) const { return first[block + 1] - first[block]; }
+  /// Returns the nodes that depend on a node at the same instant.
+  const std::vector<std::size_t>& readers(std::size_t node) const { return edges[node]; }
+};
 
 /// Nodes of a strongly connected component, in ascending order.
 using LoopNodes = std::vector<std::size_t>;

@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "engine/model/plan/port_shape.hpp"
 #include "engine/model/plan/port_sizes.hpp"
 
 namespace stepwire::plan {

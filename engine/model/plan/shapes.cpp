@@ -9,7 +9,7 @@
 #include "engine/model/plan/element_slot.hpp"
 #include "engine/model/plan/infer_list_widths.hpp"
 #include "engine/model/plan/matrix_lists.hpp"
-#include "engine/model/plan/port_shape.hpp"
+#include "engine/model/plan/port_sizes.hpp"
 #include "engine/model/plan/shape_checks.hpp"
 
 namespace stepwire::plan {

@@ -6,7 +6,6 @@
 
 #include "engine/base/hash/hash.hpp"
 #include "engine/simulate/codegen/between_ticks.hpp"
-#include "engine/simulate/codegen/cpp_words.hpp"
 #include "engine/simulate/codegen/literals.hpp"
 #include "engine/simulate/codegen/names.hpp"
 #include "engine/simulate/codegen/tuning_text.hpp"

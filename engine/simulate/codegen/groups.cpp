@@ -9,7 +9,7 @@
 #include <set>
 
 #include "engine/model/diagram/report.hpp"
-#include "engine/simulate/codegen/cpp_words.hpp"
+#include "engine/simulate/codegen/names.hpp"
 #include "engine/simulate/codegen/value_text.hpp"
 
 namespace stepwire::codegen {

@@ -34,4 +34,8 @@ inline std::string lane_text(const LanePlaces& lanes, bool differs) {
   return differs ? ".lane(l)" : ".lane(0)";
 }
 
+/// Returns the function that steps several runs, which uses evaluate() and advance() of the program. It
+/// checks for non-finite numbers and ends of runs, and writes the recorded rows.
+std::string lane_steps_text(const plan::Plan& plan, const LanePlaces& lanes);
+
 }  // namespace stepwire::codegen

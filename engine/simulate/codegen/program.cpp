@@ -3,17 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
+#include "engine/model/diagram/external_input.hpp"
 #include "engine/simulate/codegen/between_ticks.hpp"
 #include "engine/simulate/codegen/event_text.hpp"
-#include "engine/simulate/codegen/functions.hpp"
 #include "engine/simulate/codegen/guard_text.hpp"
 #include "engine/simulate/codegen/headers.hpp"
-#include "engine/simulate/codegen/lane_steps.hpp"
+#include "engine/simulate/codegen/lane_places.hpp"
 #include "engine/simulate/codegen/literals.hpp"
+#include "engine/simulate/codegen/names.hpp"
+#include "engine/simulate/codegen/runs.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
-#include "engine/simulate/codegen/stage_places.hpp"
-#include "engine/simulate/codegen/start_text.hpp"
+#include "engine/simulate/codegen/statements.hpp"
 #include "engine/simulate/codegen/workspace_text.hpp"
 #include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/solver.hpp"
@@ -21,6 +23,141 @@
 namespace stepwire::codegen {
 
 namespace {
+
+/// Generates functions from pieces of code. Long ones are split, since the compile time of a function grows
+/// faster than its length.
+class Functions {
+ public:
+  /// With `small`, functions are inlined, which pays if the compiler can then keep numbers in registers.
+  explicit Functions(bool small) : small_(small) {}
+
+  /// Adds a function with these parameters, which calls `code` at its due ticks.
+  void add(const std::string& name, const std::string& parameters, const std::string& arguments,
+           const std::vector<Code>& code);
+  void add_text(const std::string& text) { text_ += text; }
+  const std::string& text() const { return text_; }
+  /// Returns the attribute of a function that may be inlined.
+  std::string attribute() const;
+
+ private:
+  bool small_;
+  std::string text_;
+};
+
+constexpr std::size_t longest = 60;  // pieces of code per function
+
+std::string Functions::attribute() const {
+  return small_ ? "[[gnu::always_inline, gnu::flatten, maybe_unused]] inline"
+                : "[[gnu::noinline, gnu::flatten, maybe_unused]] inline";
+}
+
+void Functions::add(const std::string& name, const std::string& parameters, const std::string& arguments,
+                    const std::vector<Code>& code) {
+  if (code.size() <= longest || small_) {
+    text_ += fmt::format("{} void {}({}) {{\n{}}}\n\n", attribute(), name, parameters,
+                         with_conditions(code, 0, code.size()));
+    return;
+  }
+  std::string calls;
+  for (std::size_t first = 0, part = 1; first < code.size(); first += longest, ++part) {
+    text_ += fmt::format("{} void {}_{}({}) {{\n{}}}\n\n", attribute(), name, part, parameters,
+                         with_conditions(code, first, std::min(first + longest, code.size())));
+    calls += fmt::format("  {}_{}({});\n", name, part, arguments);
+  }
+  text_ += fmt::format("inline void {}({}) {{\n{}}}\n\n", name, parameters, calls);
+}
+
+/// Statements that set the numbers of the workspace before the first tick.
+class StartText {
+ public:
+  /// `places` maps places of variable numbers in the workspace to places in the table that they are read
+  /// from.
+  StartText(const plan::Plan& plan, const PlaceNames& names, const std::map<std::size_t, std::size_t>& places)
+      : plan_(plan), names_(names), places_(places) {}
+
+  /// Returns the statements for constants on wires.
+  std::string constants() const;
+  /// Returns the statements for all blocks; all other numbers must be 0 before.
+  std::vector<Code> initial() const;
+
+ private:
+  std::string number_at(std::size_t place, double number) const;
+  void add_initial(std::size_t block, std::vector<Code>& code) const;
+
+  const plan::Plan& plan_;
+  const PlaceNames& names_;
+  const std::map<std::size_t, std::size_t>& places_;
+};
+
+std::string StartText::constants() const {
+  std::string text;
+  for (std::size_t i = 0; i < plan_.constants.size(); ++i)
+    text += fmt::format("  w[{}] = {};\n", plan_.layout.constants + i,
+                        number_at(plan_.layout.constants + i, plan_.constants[i]));
+  return text;
+}
+
+std::vector<Code> StartText::initial() const {
+  std::vector<Code> code;
+  for (const int block : plan_.memory_order) add_initial(static_cast<std::size_t>(block), code);
+  return code;
+}
+
+/// Returns a number as a literal, or the table entry that it is read from.
+std::string StartText::number_at(std::size_t place, double number) const {
+  const auto found = places_.find(place);
+  return found == places_.end() ? number_text(number) : fmt::format("numbers[{}]", found->second);
+}
+
+void StartText::add_initial(std::size_t b, std::vector<Code>& code) const {
+  const diagram::DiagramBlock& block = plan_.diagram.blocks[b];
+  const plan::PlannedBlock& planned = plan_.blocks[b];
+  const auto assign = [&](const plan::SignalSlot& slot, bool always, const auto& value) {
+    std::string text;
+    for (Index k = 0; k < slot.size; ++k)
+      if (const std::string number = number_at(slot.offset + static_cast<std::size_t>(k), value(k));
+          always || number != "0.0")
+        text += fmt::format("  w[{} + {}] = {};\n", names_.at(slot.offset), k, number);
+    if (!text.empty()) code.push_back({std::move(text)});
+  };
+  for (std::size_t s = 0; s < planned.states.size(); ++s)
+    assign(planned.states[s], false, [&](Index) { return block.type().states[s].initial; });
+  for (const diagram::InitialValue& initial : block.initial)
+    assign(planned.states[static_cast<std::size_t>(initial.state)], true,
+           [&](Index k) { return initial.value[initial.value.size() == 1 ? 0 : k]; });
+  if (&block.type() == &diagram::external_input_type()) {
+    const PerElement& value = static_cast<const diagram::ExternalInput*>(block.block.get())->value;
+    assign(planned.outputs.front(), false, [&](Index k) { return value[k]; });
+  }
+}
+
+bool is_in(const plan::KernelCall& batch, const plan::Plan& plan, const plan::PlannedBlock& block) {
+  const auto index = static_cast<std::size_t>(&block - plan.blocks.data());
+  const Kernels& kernels = plan.diagram.blocks[index].type().run_outputs;
+  return block.memory >= batch.first && block.memory < batch.end && kernels.contains(batch.run);
+}
+
+/// Returns the places of a solver stage with numbers of its own: the signals that it computes, the time and
+/// the states are in `s`.
+Places stage_places(const plan::Plan& plan, Places places) {
+  places.fresh = "s";
+  places.is_fresh.assign(plan.layout.derivatives + plan.layout.state_count, false);
+  places.is_fresh[plan::Layout::time] = true;
+  for (std::size_t i = plan.layout.states; i < plan.layout.derivatives; ++i) places.is_fresh[i] = true;
+  for (const plan::KernelCall& batch : plan.stage)
+    for (const plan::PlannedBlock& block : plan.blocks)
+      if (batch.active < 0 && is_in(batch, plan, block))
+        for (const plan::SignalSlot& slot : block.outputs)
+          std::fill_n(places.is_fresh.begin() + static_cast<std::ptrdiff_t>(slot.offset), slot.size, true);
+  return places;
+}
+
+/// Returns the count of blocks that a table of a plan calls.
+std::size_t count_of(const std::vector<plan::KernelCall>& batches) {
+  std::size_t count = 0;
+  for (const plan::KernelCall& batch : batches) count += batch.count;
+  return count;
+}
 
 constexpr std::size_t max_inlined = 150;  // calls in a stage; larger ones lack registers
 

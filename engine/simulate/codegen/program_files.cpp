@@ -3,21 +3,344 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <optional>
 
-#include "engine/simulate/codegen/c_interface.hpp"
+#include "engine/base/table/table_file.hpp"
+#include "engine/model/plan/plan.hpp"
 #include "engine/simulate/codegen/compiler.hpp"
-#include "engine/simulate/codegen/cpp_words.hpp"
 #include "engine/simulate/codegen/diagram_struct.hpp"
+#include "engine/simulate/codegen/groups.hpp"
 #include "engine/simulate/codegen/headers.hpp"
+#include "engine/simulate/codegen/names.hpp"
 #include "engine/simulate/codegen/program.hpp"
-#include "engine/simulate/codegen/program_main.hpp"
+#include "engine/simulate/codegen/tuning_text.hpp"
 #include "engine/simulate/codegen/value_text.hpp"
+#include "engine/simulate/record/recorder.hpp"
 
 namespace stepwire::codegen {
 
 namespace {
+
+/// C interface of a generated program. Its names begin with `space`; those of macros are in capitals.
+struct CInterface {
+  std::string header;  ///< C99
+  std::string source;  ///< C++
+};
+
+/// Replaces every @ by the prefix of all names.
+std::string with_space(std::string text, const std::string& space) {
+  for (std::size_t at = 0; (at = text.find('@', at)) != std::string::npos; at += space.size())
+    text.replace(at, 1, space);
+  return text;
+}
+
+const char* const lifecycle =
+    "/** Makes the instance, at time 0, with the parameters of the file. Comes before all else. */\n"
+    "void @_init(@_instance* instance);\n"
+    "/** Puts everything at time 0. */\nvoid @_reset(@_instance* instance);\n"
+    "/** Reads the inputs and computes the outputs of this tick. */\n"
+    "void @_evaluate(@_instance* instance);\n"
+    "/** Goes on by a step. */\nvoid @_advance(@_instance* instance);\n"
+    "/** Both. */\nvoid @_step(@_instance* instance);\n"
+    "int64_t @_tick(const @_instance* instance);\n"
+    "/** Of this tick [s]. */\ndouble @_time(const @_instance* instance);\n"
+    "/** Is every signal and state a finite number? */\nbool @_finite(const @_instance* instance);\n"
+    "/** Why a block has ended the run; NULL while none has. */\n"
+    "const char* @_fault(const @_instance* instance);\n"
+    "/** Is the diagram's stop_when true? */\nbool @_stops(const @_instance* instance);\n"
+    "void @_save(const @_instance* instance, @_state* state);\n"
+    "/** False, and nothing happens, for a state of another diagram. */\n"
+    "bool @_restore(@_instance* instance, const @_state* state);\n";
+
+const char* const parameter_checks =
+    "/** Why these parameters would be refused; NULL where they would not. */\n"
+    "const char* @_check(const @_instance* instance, const @_parameters* parameters);\n"
+    "/** Why those that were set were refused at the last evaluate or reset; NULL where they hold. "
+    "Until they "
+    "are right\n    the former ones hold. */\n"
+    "const char* @_parameter_fault(const @_instance* instance);\n";
+
+class CText {
+ public:
+  CText(const plan::Plan& plan, const Tuning& tuning, const Groups& groups, const std::string& space)
+      : plan_(plan), tuning_(tuning), groups_(groups), space_(space) {}
+
+  std::string types() const {
+    std::string text;
+    for (const Group* group : shown()) text += type(*group);
+    return text +
+           with_space(
+               fmt::format("/** All that moves in a run: plain numbers, to be kept anywhere. */\n"
+                           "typedef struct {{\n  uint64_t layout; /**< of the diagram that it belongs to */\n"
+                           "  int64_t tick;\n  double numbers[{}];\n}} @_state;\n\n"
+                           "/** One running diagram; whoever uses it provides the memory. Its content is its "
+                           "own. */\n"
+                           "typedef struct {{\n  double memory[{}];\n}} @_instance;\n\n",
+                           plan_.layout.size, doubles()),
+               space_);
+  }
+
+  std::string declarations() const {
+    std::string text = lifecycle;
+    for (const Group* group : shown()) {
+      text += fmt::format("void @_get_{0}(const @_instance* instance, @_{0}* {0});\n", group->name);
+      if (is_written(*group))
+        text += fmt::format("void @_set_{0}(@_instance* instance, const @_{0}* {0});\n", group->name);
+    }
+    if (tunes()) text += parameter_checks;
+    return with_space(text, space_);
+  }
+
+  std::string definitions() const {
+    std::string text =
+        "void @_init(@_instance* instance) { ::new (static_cast<void*>(instance->memory)) Diagram; }\n"
+        "void @_reset(@_instance* instance) { of(instance).reset(); }\n"
+        "void @_evaluate(@_instance* instance) { of(instance).evaluate(); }\n"
+        "void @_advance(@_instance* instance) { of(instance).advance(); }\n"
+        "void @_step(@_instance* instance) { of(instance).step(); }\n"
+        "int64_t @_tick(const @_instance* instance) { return of(instance).tick; }\n"
+        "double @_time(const @_instance* instance) { return of(instance).time(); }\n"
+        "bool @_finite(const @_instance* instance) { return of(instance).finite(); }\n"
+        "const char* @_fault(const @_instance* instance) { return of(instance).fault(); }\n"
+        "bool @_stops(const @_instance* instance) { return of(instance).stops(); }\n"
+        "void @_save(const @_instance* instance, @_state* state) {\n"
+        "  Diagram::State own;\n  of(instance).save(own);\n  copy(own, *state);\n}\n"
+        "bool @_restore(@_instance* instance, const @_state* state) {\n"
+        "  Diagram::State own;\n  copy(*state, own);\n  return of(instance).restore(own);\n}\n";
+    for (const Group* group : shown()) text += access(*group);
+    if (tunes())
+      text +=
+          "const char* @_check(const @_instance* instance, const @_parameters* parameters) {\n"
+          "  Diagram::Parameters own;\n  copy(*parameters, own);\n  return of(instance).check(own);\n}\n"
+          "const char* @_parameter_fault(const @_instance* instance) { return "
+          "of(instance).parameter_fault(); }\n";
+    return with_space(text, space_);
+  }
+
+ private:
+  bool tunes() const { return !groups_.parameters.members.empty(); }
+  bool is_written(const Group& group) const {
+    return group.name == "inputs" || group.name == "parameters" || group.name == "states";
+  }
+
+  std::vector<const Group*> shown() const {
+    std::vector<const Group*> shown;
+    for (const Group* group :
+         {&groups_.inputs, &groups_.outputs, &groups_.recorded, &groups_.parameters, &groups_.states})
+      if (!group->members.empty()) shown.push_back(group);
+    return shown;
+  }
+
+  std::string type(const Group& group) const {
+    std::string text = fmt::format("/** {} */\ntypedef struct {{\n", group.doc);
+    for (const GroupMember& member : group.members)
+      text += fmt::format("  {}; /**< {} */\n", member.declaration(), cpp_comment(member.meaning));
+    return text + fmt::format("}} {}_{};\n\n", space_, group.name);
+  }
+
+  std::string access(const Group& group) const {
+    if (group.name == "states")
+      return "void @_get_states(const @_instance* instance, @_states* states) { copy(of(instance).states(), "
+             "*states); }\n"
+             "void @_set_states(@_instance* instance, const @_states* states) {\n"
+             "  Diagram::States own;\n  copy(*states, own);\n  of(instance).set_states(own);\n}\n";
+    std::string text = fmt::format(
+        "void @_get_{0}(const @_instance* instance, @_{0}* {0}) {{ copy(of(instance).{0}, *{0}); }}\n",
+        group.name);
+    if (is_written(group))
+      text += fmt::format(
+          "void @_set_{0}(@_instance* instance, const @_{0}* {0}) {{ copy(*{0}, of(instance).{0}); }}\n",
+          group.name);
+    return text;
+  }
+
+  static std::size_t doubles(const Group& group) {
+    std::size_t count = 0;
+    for (const GroupMember& member : group.members) count += member.count();
+    return count;
+  }
+
+  /// Returns the size of an instance in doubles; the source checks it at compile time.
+  std::size_t doubles() const {
+    constexpr std::size_t tick_and_pointer = 2;
+    std::size_t count = doubles(groups_.inputs) + doubles(groups_.outputs) + doubles(groups_.recorded) +
+                        plan_.layout.size + tick_and_pointer;
+    if (tunes())
+      count += 2 * doubles(groups_.parameters) + std::max<std::size_t>(tuning_.numbers.size(), 1) +
+               dependent_count(plan_, tuning_) / 8 + 1;
+    return count;
+  }
+
+  const plan::Plan& plan_;
+  const Tuning& tuning_;
+  const Groups& groups_;
+  const std::string& space_;
+};
+
+const char* const c_tools = R"text(namespace {
+
+Diagram& of(@_instance* instance) { return *std::launder(reinterpret_cast<Diagram*>(instance->memory)); }
+const Diagram& of(const @_instance* instance) {
+  return *std::launder(reinterpret_cast<const Diagram*>(instance->memory));
+}
+
+/// Between structs of C and C++ with the same members.
+template <class From, class To>
+void copy(const From& from, To& to) {
+  static_assert(sizeof from == sizeof to && std::is_trivially_copyable_v<From> && std::is_trivially_copyable_v<To>);
+  std::memcpy(static_cast<void*>(&to), &from, sizeof to);
+}
+
+static_assert(sizeof(Diagram) <= sizeof(@_instance) && alignof(Diagram) <= alignof(@_instance));
+static_assert(std::is_trivially_destructible_v<Diagram>);
+
+)text";
+
+std::string in_capitals(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// `header` is the name of the C++ header, `c_header` that of the C header.
+CInterface c_interface(const plan::Plan& plan, const Tuning& tuning, const Groups& groups,
+                       const std::string& space, const std::string& header, const std::string& c_header) {
+  const CText text(plan, tuning, groups, space);
+  const std::string guard = in_capitals(space) + "_C_H";
+  return {fmt::format("#ifndef {0}\n#define {0}\n\n#include <stdbool.h>\n#include <stdint.h>\n\n"
+                      "#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n",
+                      guard) +
+              text.types() + text.declarations() + "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n",
+          fmt::format("#include {}\n\n#include <cstring>\n#include <new>\n#include <type_traits>\n\n"
+                      "#include {}\n\nusing {}::Diagram;\n\n",
+                      cpp_string(c_header), cpp_string(header), space) +
+              with_space(c_tools, space) + text.definitions()};
+}
+
+const char* const tools = R"cpp(
+  /// Shortest digits that read back to the same bits.
+  void write_number(std::FILE* file, double value, char before) {
+    char digits[32];
+    const auto end = std::isnan(value) ? digits : std::to_chars(digits, digits + sizeof digits, value).ptr;
+    std::fputc(before, file);
+    if (end == digits) std::fputs("nan", file);
+    std::fwrite(digits, 1, static_cast<std::size_t>(end - digits), file);
+  }
+)cpp";
+
+/// Functions that write tables. A table has its name only once it is complete, so a full disk leaves older
+/// ones intact.
+const char* const table_functions = R"cpp(
+  /// A table that is written, until the end under the name `path`.part.
+  struct Table {
+    std::string path;
+    std::FILE* file;
+  };
+  std::vector<Table> tables;
+
+  /// Ends the program with the system's reason; tables of an earlier run keep their content.
+  [[noreturn]] void refuse(const std::string& path) {
+    std::perror(path.c_str());
+    for (const Table& table : tables) std::remove((table.path + ".part").c_str());
+    std::exit(3);
+  }
+
+  std::FILE* open(const std::string& folder, const char* name, const char* titles) {
+    const std::string path = folder + "/" + name;
+    tables.push_back({path, std::fopen((path + ".part").c_str(), "w")});
+    std::FILE* file = tables.back().file;
+    if (!file) refuse(path);
+    std::fputs(titles, file);
+    return file;
+  }
+
+  /// Gives the tables their names.
+  void finish() {
+    for (const Table& table : tables) {
+      const bool whole = !std::ferror(table.file);
+      if (std::fclose(table.file) != 0 || !whole) refuse(table.path);
+    }
+    for (const Table& table : tables)
+      if (std::rename((table.path + ".part").c_str(), table.path.c_str()) != 0) refuse(table.path);
+  }
+)cpp";
+
+/// Placeholders: opening of files, rows of a tick, last tick, check of loops.
+constexpr char main_form[] =
+    "}}  // namespace\n\n"
+    "/// Runs the diagram to its stop; what it records goes into the folder that is named, "
+    "or this one.\n"
+    "int main(int argc, char** argv) {{\n"
+    "  if (argc > 2 || (argc > 1 && argv[1][0] == '-')) {{\n"
+    "    std::fputs(\"usage: PROGRAM [FOLDER]; the recorded signals are written into FOLDER, "
+    "by default the current one\\n\", "
+    "stderr);\n"
+    "    return 2;\n  }}\n"
+    "  [[maybe_unused]] const std::string folder = argc > 1 ? argv[1] : \".\";\n"
+    "#ifdef SIGXFSZ\n  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full "
+    "disk\n#endif\n{0}"
+    "  static Diagram d;\n  const char* fault = nullptr;\n"
+    "  while (true) {{\n    d.evaluate();\n"
+    "    if (!d.finite()) fault = \"a signal is no longer a finite number\";\n{3}    if (fault) "
+    "break;\n    const bool last = d.tick >= {2} || d.stops();\n{1}"
+    "    last ? d.look_at_end() : d.advance();\n"
+    "    fault = d.fault();\n    if (last || fault) break;\n  }}\n  finish();\n"
+    "  if (!fault) return 0;\n"
+    "  std::fprintf(stderr, \"%s (at %g s); the run ends here\\n\", fault, d.time());\n  "
+    "return 2;\n}}\n";
+
+/// Returns a function that writes one row of a recording.
+std::string row_function(const diagram::RecordRequest& request, const plan::Plan& plan, std::size_t number) {
+  std::string text = fmt::format(
+      "void write_row_{}(std::FILE* file, const Diagram& d) {{\n"
+      "  char digits[32];\n"
+      "  std::fwrite(digits, 1, static_cast<std::size_t>(std::to_chars(digits, digits + "
+      "sizeof digits, d.time()).ptr - digits), file);\n",
+      number);
+  for (const diagram::RecordedSignal& signal : request.signals) {
+    const Index size = plan.slot(signal.signal).size;
+    for (Index k = 0; k < size; ++k)
+      text += fmt::format("  write_number(file, d.recorded.{}{}, ',');\n", recorded_member(signal),
+                          size == 1 ? "" : fmt::format("[{}]", k));
+  }
+  return text +
+         fmt::format("  std::fputc('\\n', file);\n  if (std::ferror(file)) refuse(tables[{}].path);\n}}\n\n",
+                     number);
+}
+
+std::string open_text(const diagram::RecordRequest& request, const plan::Plan& plan, std::size_t number) {
+  std::vector<table::Column> columns;
+  for (const record::RecordedColumn& column : record::recorded_columns(plan, request))
+    columns.push_back({column.name, column.dimension ? unit::si_name(*column.dimension) : "", {}});
+  std::string titles;
+  table::append_csv_head(titles, columns);
+  return fmt::format("  std::FILE* file_{0} = open(folder, {1}, {2});\n", number,
+                     cpp_string(io::numbered("signals", number, ".csv")), cpp_string(titles));
+}
+
+/// Returns the main() of a generated program. It runs the diagram to its stop time and writes the signals
+/// files as `stepwire run` does. The struct is in the header `header` and the namespace `space`.
+std::string main_text(const plan::Plan& plan, const std::string& header, const std::string& space) {
+  std::string text = fmt::format(
+      "#include <charconv>\n#include <cmath>\n#include <csignal>\n#include <cstdio>\n#include <cstdlib>\n"
+      "#include <string>\n#include <vector>\n\n#include {0}\n\nnamespace {{\n\nusing {1}::Diagram;\n",
+      cpp_string(header), space);
+  text += tools;
+  text += table_functions;
+  std::string opening, rows;
+  for (std::size_t i = 0; i < plan.diagram.records.size(); ++i) {
+    const diagram::RecordRequest& request = plan.diagram.records[i];
+    text += row_function(request, plan, i);
+    opening += open_text(request, plan, i);
+    const std::int64_t every = record::ticks_between_rows(plan, request);
+    rows += every == 1
+                ? fmt::format("    write_row_{0}(file_{0}, d);\n", i)
+                : fmt::format("    if (d.tick % {1} == 0 || last) write_row_{0}(file_{0}, d);\n", i, every);
+  }
+  return text + fmt::format(main_form, opening, rows, plan.steps,
+                            plan.loops.empty() ? "" : "    if (!fault) fault = d.unsolved();\n");
+}
 
 namespace fs = std::filesystem;
 

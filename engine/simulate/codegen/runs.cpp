@@ -9,13 +9,48 @@
 #include <utility>
 
 #include "engine/model/diagram/external_input.hpp"
-#include "engine/simulate/codegen/cpp_words.hpp"
+#include "engine/model/plan/plan.hpp"
 #include "engine/simulate/codegen/guard_text.hpp"
-#include "engine/simulate/codegen/late_text.hpp"
+#include "engine/simulate/codegen/names.hpp"
 
 namespace stepwire::codegen {
 
 namespace {
+
+// Late states as C++: states that updates of a table store until all updates are done (plan::LateStates).
+
+const plan::LateStates& late_of(const plan::Plan& plan, const plan::KernelCall& call) {
+  return plan.late[static_cast<std::size_t>(call.late)];
+}
+
+bool has_late(const std::vector<plan::KernelCall>& calls) {
+  return std::ranges::any_of(calls, [](const plan::KernelCall& call) { return call.late >= 0; });
+}
+
+/// Return the statements before and after the calls.
+std::string begin_late_text(const plan::Plan& plan, const std::vector<plan::KernelCall>& calls) {
+  std::string text;
+  for (const plan::KernelCall& call : calls) {
+    if (call.late < 0) continue;
+    const plan::LateStates& late = late_of(plan, call);
+    text += copy_text(late.state, late.before, late.size) + copy_text(late.state, late.after, late.size);
+  }
+  return text;
+}
+
+std::string end_late_text(const plan::Plan& plan, const std::vector<plan::KernelCall>& calls) {
+  std::string text;
+  for (const plan::KernelCall& call : calls)
+    if (call.late >= 0)
+      text += copy_text(late_of(plan, call).after, late_of(plan, call).state, late_of(plan, call).size);
+  return text;
+}
+
+/// Returns the statements after the call of a block with late states.
+std::string set_aside_text(const plan::Plan& plan, const plan::KernelCall& call) {
+  const plan::LateStates& late = late_of(plan, call);
+  return copy_text(late.state, late.after, late.size) + copy_text(late.before, late.state, late.size);
+}
 
 /// Returns the type of a column of such numbers; an empty text if `text` is not a number.
 std::string type_of_number(const std::string& text) {

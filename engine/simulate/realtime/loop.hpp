@@ -8,13 +8,11 @@
 
 #include "engine/simulate/realtime/deadlines.hpp"
 #include "engine/simulate/realtime/device.hpp"
+#include "engine/simulate/realtime/exchange.hpp"
 #include "engine/simulate/realtime/group_costs.hpp"
 #include "engine/simulate/realtime/loop_clock.hpp"
 #include "engine/simulate/realtime/loop_recorder.hpp"
 #include "engine/simulate/realtime/measurements.hpp"
-#include "engine/simulate/realtime/signal_tap.hpp"
-#include "engine/simulate/realtime/thread_counts.hpp"
-#include "engine/simulate/realtime/value_exchange.hpp"
 #include "engine/simulate/run/executor.hpp"
 #include "engine/simulate/run/observed_ticks.hpp"
 

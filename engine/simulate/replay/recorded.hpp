@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/base/table/table.hpp"
+#include "engine/base/table/table_file.hpp"
 #include "engine/simulate/record/recorder.hpp"
 
 namespace stepwire::replay {
@@ -56,5 +59,41 @@ bool has_columns(const table::Table& table, std::size_t first_signal, const plan
                  const diagram::RecordRequest& request);
 /// Throws Error for a table without these columns.
 void require_columns(const Recorded& recorded, const plan::Plan& plan, const diagram::RecordRequest& request);
+
+/// Returns the file of a folder that holds a recording: CSV, or HDF5 if there is no CSV. Throws Error without
+/// either, since other formats do not have all bits and column names.
+std::string recorded_file(const std::string& folder, std::size_t recording);
+
+/// Reads the table of such a file, with its first signal at this column. On entry `words` has the columns
+/// that may hold words, on return the words of those that do. Throws TableError, also for columns of
+/// different lengths; EnvironmentError.
+Recorded read_recorded(const std::string& file, std::size_t first_signal, table::ColumnWords& words);
+
+/// Iterator over the runs of a sweep in the file of a recording.
+class RecordedRuns {
+ public:
+  virtual ~RecordedRuns() = default;
+
+  /// Returns the rows of the next run, valid until the next call. Throws Error if they do not have the
+  /// columns of the plan's recording; TableError, EnvironmentError.
+  virtual RecordedRows next() = 0;
+  /// Marks the first `rows` rows of them as rows of the run.
+  virtual void take(std::size_t rows) = 0;
+  /// Returns a text on the first row that is in no run, with its place; an empty text without one.
+  virtual std::string left_over() = 0;
+};
+
+/// Recorded sweep: its plan, its parameters and the number of its runs.
+struct RecordedSweep {
+  const plan::Plan& plan;
+  const std::vector<std::string>& swept;  ///< columns, or values of each run
+  std::size_t runs;
+  const std::vector<std::size_t>* numbers = nullptr;  ///< indices of the runs, from 0; nullptr: all
+};
+
+/// Opens the file of a recording, recorded_file(), for a request of the plan. Text files are read as a whole,
+/// HDF5 files some runs at a time. The objects in `sweep` must outlive it. Throws as next() does.
+std::unique_ptr<RecordedRuns> open_recorded_runs(const std::string& file, std::size_t request,
+                                                 const RecordedSweep& sweep);
 
 }  // namespace stepwire::replay

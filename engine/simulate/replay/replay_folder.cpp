@@ -3,20 +3,71 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string_view>
 
 #include "engine/base/io/atomic_file_writer.hpp"
+#include "engine/base/io/file.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/text/characters.hpp"
 #include "engine/base/yaml/yaml_text.hpp"
 #include "engine/model/diagram/flatten.hpp"
-#include "engine/simulate/replay/data_copies.hpp"
 
 namespace stepwire::replay {
 
 namespace {
+
+/// Copies of data files, each with a unique name, to be written into one folder.
+class DataCopies {
+ public:
+  /// Returns the name of the file at this path in the folder. It is its own name, with a number if two are
+  /// the same, and with '_' for characters that a diagram file could misread. Throws EnvironmentError if it
+  /// cannot be read.
+  const std::string& name_of(const std::string& path);
+  /// Writes all copies; files that they replace have been read before. Throws EnvironmentError.
+  void write(const std::string& folder) const;
+
+ private:
+  struct Copy {
+    std::string name, content;
+  };
+  std::string free_name(const std::string& path) const;
+
+  std::map<std::string, Copy> copies_;  ///< by absolute path
+  std::set<std::string> taken_;
+};
+
+/// Returns the name with '_' for all but letters, digits, '.', '-' and '_'.
+std::string safe(std::string name) {
+  const auto is_safe = [](unsigned char c) { return std::isalnum(c) || c == '.' || c == '-' || c == '_'; };
+  std::replace_if(name.begin(), name.end(), std::not_fn(is_safe), '_');
+  return name;
+}
+
+const std::string& DataCopies::name_of(const std::string& path) {
+  const auto [copy, is_new] = copies_.try_emplace(diagram::absolute_path(path));
+  if (!is_new) return copy->second.name;
+  copy->second = {free_name(path), io::read_file(path)};
+  taken_.insert(copy->second.name);
+  return copy->second.name;
+}
+
+std::string DataCopies::free_name(const std::string& path) const {
+  const std::filesystem::path file(path);
+  std::string stem = safe(file.stem().string());
+  if (stem.starts_with('-') || stem.starts_with('.')) stem.insert(0, "_");  // no option, no hidden file
+  const std::string ending = safe(file.extension().string());
+  for (std::size_t index = 0;; ++index)
+    if (std::string name = io::numbered(stem, index, ending); !taken_.contains(name)) return name;
+}
+
+void DataCopies::write(const std::string& folder) const {
+  for (const auto& [path, copy] : copies_) io::write_file(folder + "/" + copy.name, copy.content);
+}
 
 std::string diagram_name(const run::Job& job, std::size_t member) {
   return job.family->size() == 1 ? flattened_name : fmt::format("diagrams/{:04}.yaml", member + 1);
@@ -72,7 +123,8 @@ class SweepTable {
       table::append_csv_word(rows_, cell);
     }
     rows_ += '\n';
-    if (widths_.empty() || widths_.back().second != cells_.size()) widths_.emplace_back(rows_.size(), cells_.size());
+    if (widths_.empty() || widths_.back().second != cells_.size())
+      widths_.emplace_back(rows_.size(), cells_.size());
     widths_.back().first = rows_.size();
   }
 

@@ -5,20 +5,138 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <numeric>
+#include <vector>
 
-#include "engine/simulate/replay/kept_replay.hpp"
-#include "engine/simulate/replay/loop_replay.hpp"
-#include "engine/simulate/replay/recorded_file.hpp"
-#include "engine/simulate/replay/recorded_runs.hpp"
+#include "engine/base/unit/unit.hpp"
+#include "engine/base/yaml/document.hpp"
+#include "engine/model/diagram/load.hpp"
+#include "engine/simulate/replay/recorded.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
-#include "engine/simulate/replay/run_note.hpp"
 #include "engine/simulate/replay/run_replay.hpp"
-#include "engine/simulate/replay/sweep_runs.hpp"
+#include "engine/simulate/run/executor.hpp"
 
 namespace stepwire::replay {
 
 namespace {
+
+/// Content of run.json.
+struct RunNote {
+  std::vector<std::string> swept{};  ///< swept parameters in the order of their columns
+  std::size_t runs = 1;
+  std::string keep{};                   ///< value of the sweep's `keep`
+  std::vector<std::size_t> recorded{};  ///< indices of runs whose rows are kept beside numbers of all runs
+  yaml::Node document{};                ///< the whole file
+};
+
+/// Returns the index of a run that a file numbers from 1.
+std::size_t run_number(const yaml::Node& node, std::size_t runs, const std::string& file) {
+  const auto number = unit::parse_quantity(node.text);
+  if (number && number->value >= 1.0 && number->value <= static_cast<double>(runs))
+    return static_cast<std::size_t>(number->value) - 1;
+  throw yaml::Error(
+      yaml::Fault{{file, node.mark}, "recorded_runs", "has a run that is none of those of 'runs'", {}});
+}
+
+/// Throws Error if the file lacks an entry that every run writes.
+RunNote read_run_note(const std::string& file) {
+  RunNote note;
+  note.document = yaml::read_document(file, wide_limits).root;  // JSON is a subset of YAML
+  const yaml::Node *sweep = note.document.find("sweep"), *runs = note.document.find("runs");
+  const auto count = runs ? unit::parse_quantity(runs->text) : std::nullopt;
+  if (!sweep || !count || !(count->value >= 1.0 && count->value < 1e9))
+    throw yaml::Error(yaml::Fault{{file, {}}, "", "does not say 'sweep' and 'runs', as every run does", {}});
+  note.runs = static_cast<std::size_t>(count->value);
+  for (const yaml::Node& axis : sweep->items)
+    if (const yaml::Node* parameter = axis.find("parameter")) note.swept.push_back(parameter->text);
+  if (const yaml::Node* keep = note.document.find("keep")) note.keep = keep->text;
+  if (const yaml::Node* recorded = note.document.find("recorded_runs"))
+    for (const yaml::Node& run : recorded->items) note.recorded.push_back(run_number(run, note.runs, file));
+  return note;
+}
+
+/// Runs of a sweep in its folder: the diagrams, and the values that each run sets in one of them.
+class SweepRuns {
+ public:
+  /// Throws Error if the table of the sweep is missing or does not have `runs` rows.
+  SweepRuns(std::string folder, std::size_t runs, const Registry& registry);
+  ~SweepRuns();
+
+  /// Returns the simulation of a run, at time 0. Throws Error if the diagram refuses the values.
+  run::Executor& begin(std::size_t run);
+
+ private:
+  struct Diagram;
+
+  Diagram& diagram_of(std::size_t run);
+  const std::string& text(std::size_t column, std::size_t run) const;
+
+  std::string folder_;
+  const Registry& registry_;
+  table::Table table_;
+  table::ColumnWords words_;
+  std::map<std::string, std::unique_ptr<Diagram>> diagrams_;  ///< by their names in the folder
+};
+
+/// Diagram of the folder, with its run.
+struct SweepRuns::Diagram {
+  Diagram(const std::string& path, const Registry& registry)
+      : plan(plan::make_plan(loaded(path, registry))), run(plan) {}
+
+  static stepwire::diagram::Diagram loaded(const std::string& path, const Registry& registry) {
+    return diagram::Loader(registry, wide_limits).load(path);
+  }
+
+  plan::Plan plan;
+  run::Executor run;
+};
+
+SweepRuns::SweepRuns(std::string folder, std::size_t runs, const Registry& registry)
+    : folder_(std::move(folder)), registry_(registry) {
+  const std::string path = folder_ + "/" + sweep_name;
+  for (const table::Column& column : table::read_csv_header(path).columns) words_[column.name];
+  table_ = table::read_csv(path, words_);
+  if (table_.rows() != runs)
+    throw yaml::Error(yaml::Fault{
+        {path, {}}, "", fmt::format("has {} rows, and run.json says {} runs", table_.rows(), runs), {}});
+}
+
+SweepRuns::~SweepRuns() = default;
+
+const std::string& SweepRuns::text(std::size_t column, std::size_t run) const {
+  const table::Column& of = table_.columns[column];
+  return words_.at(of.name)[static_cast<std::size_t>(of.values[run])];
+}
+
+SweepRuns::Diagram& SweepRuns::diagram_of(std::size_t run) {
+  const bool several = !table_.columns.empty() && table_.columns.front().name == diagram_column;
+  const std::string name = several ? text(0, run) : flattened_name;
+  auto& diagram = diagrams_[name];
+  if (!diagram) diagram = std::make_unique<Diagram>(folder_ + "/" + name, registry_);
+  return *diagram;
+}
+
+run::Executor& SweepRuns::begin(std::size_t run) {
+  Diagram& diagram = diagram_of(run);
+  const std::string place = folder_ + "/" + sweep_name;
+  const yaml::Mark mark{static_cast<int>(run) + 2, 1};
+  std::vector<diagram::Assignment> values;
+  std::vector<std::string> names;
+  for (std::size_t column = 0; column < table_.columns.size(); ++column) {
+    const std::string& name = table_.columns[column].name;
+    const std::string& value = text(column, run);
+    if (name == diagram_column || value.empty()) continue;
+    names.push_back(name);
+    values.push_back({name, diagram::value_of_text(value, place), place});
+    values.back().value.mark = mark;
+  }
+  if (diagram.run.set(diagram::Variation(diagram.plan.diagram, names), values) !=
+      run::Executor::Setting::done)
+    throw yaml::Error(yaml::Fault{{place, mark}, "", diagram.run.structure_change(), {}});
+  diagram.run.reset();
+  return diagram.run;
+}
 
 [[noreturn]] void refuse(const std::string& file, std::string message) {
   throw yaml::Error(yaml::Fault{{file, {}}, "", std::move(message), {}});

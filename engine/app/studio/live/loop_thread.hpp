@@ -12,7 +12,7 @@
 #include "engine/app/studio/live/run_control.hpp"
 #include "engine/model/plan/plan.hpp"
 #include "engine/simulate/realtime/device.hpp"
-#include "engine/simulate/realtime/latest_values.hpp"
+#include "engine/simulate/realtime/exchange.hpp"
 #include "engine/simulate/realtime/loop.hpp"
 #include "engine/simulate/realtime/loop_clock.hpp"
 #include "engine/simulate/realtime/real_time_thread.hpp"

@@ -6,7 +6,6 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "engine/base/fmi/archive_bytes.hpp"
 #include "engine/base/fmi/package.hpp"
 #include "engine/base/fmi/unit_error.hpp"
 #include "engine/base/io/file.hpp"

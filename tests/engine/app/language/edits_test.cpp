@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 #include "blocks/register.hpp"
-#include "engine/app/language/edit_json.hpp"
 #include "tests/engine/app/language/editing.hpp"
 
 namespace stepwire::language {

@@ -2,7 +2,7 @@
 
 #include "engine/app/language/file_uri.hpp"
 #include "engine/app/language/message_frames.hpp"
-#include "engine/app/language/splice.hpp"
+#include "engine/app/language/text_places.hpp"
 
 namespace stepwire::language {
 

@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "engine/app/studio/fault.hpp"
-#include "engine/app/studio/line_ends.hpp"
 #include "tests/engine/app/cli/program.hpp"
 
 namespace stepwire::studio {

@@ -1,4 +1,4 @@
-#include "engine/model/diagram/swept_values.hpp"
+#include "engine/model/diagram/sweep.hpp"
 
 #include <catch2/catch.hpp>
 #include <string>

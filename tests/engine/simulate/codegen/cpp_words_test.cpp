@@ -1,4 +1,4 @@
-#include "engine/simulate/codegen/cpp_words.hpp"
+#include "engine/simulate/codegen/names.hpp"
 
 #include <catch2/catch.hpp>
 #include <fstream>

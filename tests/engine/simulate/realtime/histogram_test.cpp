@@ -1,4 +1,4 @@
-#include "engine/simulate/realtime/histogram.hpp"
+#include "engine/simulate/realtime/measurements.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

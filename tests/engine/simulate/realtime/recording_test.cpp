@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "engine/base/table/table_file.hpp"
-#include "engine/simulate/realtime/row_writer.hpp"
+#include "engine/simulate/realtime/loop_recorder.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 #include "tests/engine/simulate/realtime/fakes.hpp"
 

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <thread>
 
-#include "engine/simulate/realtime/latest_values.hpp"
+#include "engine/simulate/realtime/exchange.hpp"
 #include "tests/engine/simulate/realtime/fakes.hpp"
 
 namespace stepwire::realtime {

@@ -1,5 +1,16 @@
-#include "engine/app/session/version.hpp"
 #include "engine/app/studio/calls.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "engine/app/session/version.hpp"
+#include "engine/app/studio/live/live_run.hpp"
+#include "engine/app/studio/live/pointer.hpp"
+#include "engine/app/studio/named_faults.hpp"
+#include "engine/base/text/characters.hpp"
 
 namespace stepwire::studio {
 
@@ -95,7 +106,73 @@ Json save(Desk& desk, int page, const Arguments& arguments) {
   return Json::object().set("hash", hash);
 }
 
+Json get(Desk& desk, const std::string& path) {
+  const std::lock_guard lock(desk.mutex);
+  const std::string layout = desk.store.layout(path);
+  return Json::object().set("state", layout.empty() ? Json() : Json::parse(layout));
+}
+
+Json put(Desk& desk, const std::string& path, std::size_t most, const Arguments& arguments) {
+  const std::string layout = arguments.any("state").text(-1);
+  if (layout.size() > most) throw Fault(fmt::format("what is kept here has {} kB at most", most >> 10u));
+  const std::lock_guard lock(desk.mutex);
+  desk.store.keep_layout(path, layout);
+  return Json::object();
+}
+
+/// Returns the names of calls that take long; all others act on the run without delay.
+const std::set<std::string>& slow_calls() {
+  static const std::set<std::string> names{"run.load", "figures",     "claims",  "fan",
+                                           "profile",  "data.export", "run.keep"};
+  return names;
+}
+
 }  // namespace
+
+void Arguments::refuse(const std::string& name, const std::string& kind) {
+  throw Fault(fmt::format("'{}' of this call is missing or is no {}", name, kind));
+}
+
+const Json& Arguments::any(const std::string& name) const {
+  const Json* found = message_.find(name);
+  if (!found) refuse(name, "value");
+  return *found;
+}
+
+int Arguments::whole(const std::string& name) const {
+  const Json* found = message_.find(name);
+  const auto number = found ? found->as_number() : std::nullopt;
+  const bool fits = number && *number >= 0 && *number <= std::numeric_limits<int>::max();
+  if (!fits || std::floor(*number) != *number) refuse(name, "whole number");
+  return static_cast<int>(*number);
+}
+
+std::string Arguments::text(const std::string& name) const {
+  const Json* found = message_.find(name);
+  if (!found || !found->as_text()) refuse(name, "text");
+  return *found->as_text();
+}
+
+bool Arguments::flag(const std::string& name) const {
+  const Json* found = message_.find(name);
+  if (!found || !found->as_flag()) refuse(name, "true or false");
+  return *found->as_flag();
+}
+
+std::span<const Json> Arguments::items(const std::string& name) const {
+  const Json* found = message_.find(name);
+  if (!found || !found->is_list()) refuse(name, "list");
+  return found->items();
+}
+
+std::vector<std::string> Arguments::texts(const std::string& name) const {
+  std::vector<std::string> words;
+  for (const Json& item : items(name)) {
+    if (!item.as_text()) refuse(name, "list of texts");
+    words.push_back(*item.as_text());
+  }
+  return words;
+}
 
 std::vector<Json> change_news(int file, const WrittenElsewhere& written) {
   const EditedText& text = written.now;
@@ -125,6 +202,39 @@ void add_file_calls(Calls& calls, Desk& desk) {
   calls["discard"] = {
       [&desk](int page, const Arguments& arguments) { return discard(desk, page, arguments); }};
   calls["save"] = {[&desk](int page, const Arguments& arguments) { return save(desk, page, arguments); }};
+}
+
+void add_state_calls(Calls& calls, Desk& desk) {
+  constexpr std::size_t most_of_file = 256u << 10u, most_of_user = 16u << 10u;
+  const std::string file = desk.files.path(0), user;
+  calls["state.get"] = {[&desk, file](int, const Arguments&) { return get(desk, file); }};
+  calls["user.get"] = {[&desk, user](int, const Arguments&) { return get(desk, user); }};
+  calls["state.put"] = {
+      [&desk, file](int, const Arguments& it) { return put(desk, file, most_of_file, it); }};
+  calls["user.put"] = {[&desk, user](int, const Arguments& it) { return put(desk, user, most_of_user, it); }};
+}
+
+void add_live_calls(Calls& calls, live::LiveRun& run) {
+  for (const std::string& name : live::LiveRun::call_names())
+    calls[name] = {
+        [&run, name](int page, const Arguments& arguments) { return run.call(page, name, arguments.all()); },
+        slow_calls().contains(name) ? CallRow::Where::slow : CallRow::Where::run};
+}
+
+live::Loading edited_model(Desk& desk, int file, bool hand) {
+  return with_names(desk, [&] {
+    const auto loader = std::make_shared<diagram::Loader>(desk.registry);
+    const std::string path = add_documents(desk, file, *loader);
+    session::LoadedModel model =
+        hand ? live::load_for_page(*loader, path) : session::load_model(*loader, path, {});
+    const auto again = [loader, path](const session::LoadOptions& options) {
+      return session::load_model(*loader, path, options);  // with the texts of the page
+    };
+    const auto document = [loader](const std::string& file) -> const yaml::Document& {
+      return loader->document(file);
+    };
+    return live::Loading(std::move(model), again, document);
+  });
 }
 
 }  // namespace stepwire::studio
