@@ -11,14 +11,14 @@ namespace stepwire::plot {
 namespace {
 
 constexpr double width = 680.0, row_height = 22.0, frame_height = 137.0;  // [pixels]
-constexpr double half_bar = 0.36, gap = 0.6;                              // [rows]
+constexpr double half_bar = 0.36, group_gap = 0.6;                        // [rows]
 
 /// Returns the centre of each bar, counted downwards in rows.
 std::vector<double> places(const std::vector<Bar>& bars) {
   std::vector<double> result;
   double place = 0.0;
   for (std::size_t i = 0; i < bars.size(); ++i) {
-    if (i > 0 && bars[i].aside && !bars[i - 1].aside) place += gap;
+    if (i > 0 && bars[i].aside && !bars[i - 1].aside) place += group_gap;
     result.push_back(place);
     place += 1.0;
   }

@@ -10,7 +10,7 @@
 namespace stepwire::plot {
 namespace {
 
-constexpr double cell = 44.0, letter = 7.2, head = 44.0, bar = 90.0;  // [px]
+constexpr double cell = 44.0, letter_width = 7.2, head = 44.0, bar = 90.0;  // [px]
 constexpr std::size_t max_with_numbers = 16;
 
 /// Returns cells as coloured rectangles: the known ones, or the others in grey.
@@ -59,7 +59,7 @@ PlotAxis names_of(const MatrixChart& chart, bool across) {
 double margin_of(const MatrixChart& chart) {
   std::size_t longest = 1;
   for (const std::string& name : chart.names) longest = std::max(longest, name.size());
-  return 20.0 + letter * static_cast<double>(longest);
+  return 20.0 + letter_width * static_cast<double>(longest);
 }
 
 double side_of(const MatrixChart& chart) {

@@ -7,7 +7,7 @@
 namespace stepwire::plot {
 namespace {
 
-constexpr std::size_t places = 240;  // along x
+constexpr std::size_t band_places = 240;  // along x
 
 /// Interpolates between two rows of a curve with increasing x; NaN outside of it.
 double value_at(const geometry::Curve& curve, double x) {
@@ -44,10 +44,10 @@ Band band_of(const geometry::Curves& all, std::size_t group, const std::vector<d
       for (const double x : curve.columns[0]) extent.add(x);
   Band band{{}, {}, std::vector<std::vector<double>>(shares.size()), {}};
   band.high = band.low;
-  for (std::size_t place = 0; place <= places; ++place) {
-    const double x = place == places ? extent.high
-                                     : extent.low + extent.width() * static_cast<double>(place) /
-                                                        static_cast<double>(places);
+  for (std::size_t place = 0; place <= band_places; ++place) {
+    const double x = place == band_places ? extent.high
+                                          : extent.low + extent.width() * static_cast<double>(place) /
+                                                             static_cast<double>(band_places);
     const std::vector<double> values = values_at(all, group, x);
     if (values.empty()) continue;
     band.x.push_back(x);

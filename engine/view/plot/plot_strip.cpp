@@ -6,13 +6,13 @@
 namespace stepwire::plot {
 namespace {
 
-constexpr std::size_t cells = 500;
+constexpr std::size_t strip_cells = 500;
 
 /// Cells of the strip: the mean of all values that pass over them; NaN without any.
 class Strip {
  public:
   explicit Strip(const geometry::Extent& extent)
-      : low_(extent.low), step_((extent.high - extent.low) / cells) {}
+      : low_(extent.low), step_((extent.high - extent.low) / strip_cells) {}
 
   /// Adds a segment between successive rows, with linear values.
   void pass(double x0, double value0, double x1, double value1) {
@@ -26,19 +26,21 @@ class Strip {
   }
 
   ImageMark image() const {
-    ImageMark image{low_ + 0.5 * step_, 0.5, step_, 1.0, cells, 1, {}};
-    for (std::size_t i = 0; i < cells; ++i)
+    ImageMark image{low_ + 0.5 * step_, 0.5, step_, 1.0, strip_cells, 1, {}};
+    for (std::size_t i = 0; i < strip_cells; ++i)
       image.values.push_back(counts_[i] > 0.0 ? sums_[i] / counts_[i] : query::nothing);
     return image;
   }
 
  private:
   std::size_t cell(double x) const {
-    return static_cast<std::size_t>(std::clamp((x - low_) / step_, 0.0, static_cast<double>(cells - 1)));
+    return static_cast<std::size_t>(
+        std::clamp((x - low_) / step_, 0.0, static_cast<double>(strip_cells - 1)));
   }
 
   double low_, step_;
-  std::vector<double> sums_ = std::vector<double>(cells, 0.0), counts_ = std::vector<double>(cells, 0.0);
+  std::vector<double> sums_ = std::vector<double>(strip_cells, 0.0),
+                      counts_ = std::vector<double>(strip_cells, 0.0);
 };
 
 ImageMark strip_of(const geometry::Curves& all, const geometry::Extent& extent) {

@@ -7,8 +7,8 @@
 namespace stepwire::plot {
 namespace {
 
-constexpr double row_height = 44.0, frame_height = 130.0;  // [pixels]
-constexpr double half_bar = 0.36;                          // [rows]
+constexpr double tornado_row = 44.0, tornado_frame = 130.0;  // [pixels]
+constexpr double half_tornado_bar = 0.36;                    // [rows]
 
 /// Value of a parameter, and the resulting outcome.
 struct Setting {
@@ -101,11 +101,11 @@ TextMark end_text(const Setting& setting, double base, double y) {
 /// Draws a swing. Each value has its share of the row's height, so that no bar hides another one.
 void draw_swing(const Swing& swing, double row, double base, std::vector<RectanglesMark>& bars,
                 PlotBuilder& plot) {
-  const double height = 2.0 * half_bar / static_cast<double>(swing.settings.size());
+  const double height = 2.0 * half_tornado_bar / static_cast<double>(swing.settings.size());
   for (std::size_t i = 0; i < swing.settings.size(); ++i) {
     const Setting& setting = swing.settings[i];
     RectanglesMark& bar = bars[i == 0 ? 0 : i + 1 == swing.settings.size() ? 1 : 2];
-    const double top = row - half_bar + static_cast<double>(i) * height;
+    const double top = row - half_tornado_bar + static_cast<double>(i) * height;
     bar.x_low.push_back(std::min(base, setting.outcome));
     bar.x_high.push_back(std::max(base, setting.outcome));
     bar.y_low.push_back(top);
@@ -149,7 +149,7 @@ void draw_tornado(const Panel& panel, std::span<const record::Recording> recordi
     for (const Setting& setting : swing.settings) extent.add(setting.outcome);
   plot.range("x", extent.padded(0.2));  // space for the texts of the values
   name_rows(swings, panel, plot.spec.y);
-  plot.height = frame_height + row_height * static_cast<double>(swings.size());
+  plot.height = tornado_frame + tornado_row * static_cast<double>(swings.size());
   draw_swings(swings, base->value(), plot);
 }
 
