@@ -89,6 +89,33 @@ TEST_CASE("an assertion that fails at the last row ends the run with its fault")
     }
 }
 
+/// Has `text` in its fault or in one of its diagnostics, with the time of the last row.
+bool tells_at(const RunResult& result, const std::string& text, double time) {
+  for (const RunFault& fault : result.faults)
+    if (fault.fault.text().find(text) != std::string::npos && fault.time == time) return true;
+  for (const RaisedDiagnostic& one : result.diagnostics)
+    if (one.text.find(text) != std::string::npos && one.time == time) return true;
+  return false;
+}
+
+TEST_CASE("what blocks find wrong at the last row alone is told") {
+  // 100 t leaves each range between the rows at 0.9 s and 1 s.
+  for (const auto& [block, text] : std::vector<std::pair<std::string, std::string>>{
+           {"{block: Interlock, u: 1, faults: [over], stop: true}", "the commands are cut off"},
+           {"{block: Interlock, u: 1, faults: [over]}", "the commands are cut off"},
+           {"{block: Sensor, u: x, upper: 95, seed: 1, every: 100 ms}", "range"},
+           {"{block: AnalogToDigital, u: x, range: 95 V, bits: 12, every: 100 ms}", "leaves the range"},
+           {"{block: TransportDelay, u: x, delay: d, longest: 1 s}", "the delay is below a step"}}) {
+    INFO(block << ": " << text);
+    const RunResult result = result_of(R"(blocks:
+  x: {block: Ramp, slope: 100}
+  over: {block: Compare, u: x, operator: ">", to: 95}
+  d: {block: Switch, control: over, then: 2.5 s, else: 0.5 s}
+  a: )" + block + "\nstep: 100 ms\nstop: 1 s\nrecord: [x]\n");
+    CHECK(tells_at(result, text, 1.0));
+  }
+}
+
 TEST_CASE("an assertion with a period is not judged at a last row between its ticks") {
   const RunResult result = result_of(R"(blocks:
   x: {block: Integrator, u: 1}
