@@ -116,6 +116,21 @@ TEST_CASE("what blocks find wrong at the last row alone is told") {
   }
 }
 
+TEST_CASE("a solver that a switch holds at its threshold names a cure that is not itself") {
+  // x' = -sign(x) + 0.5 reaches 0 at 0.4 s and stays there: between steps, x' has no value.
+  for (const std::string solver : {"radau", "rodas", "auto", "dormand_prince", "dop853"}) {
+    INFO(solver);
+    const std::string error = error_of("step: 0.1 s\nstop: 1 s\nsolver: {name: " + solver +
+                                       ", relative: 1e-6, max_steps: 300}\nblocks:\n"
+                                       "  s: {block: Sign, u: x}\n"
+                                       "  x: {block: Integrator, u: d, initial: 0.2}\n"
+                                       "  d: {block: Sum, u: [0.5, s], signs: \"+-\"}\nrecord: [x]\n");
+    CHECK_THAT(error, Catch::Contains("max_steps") && Catch::Contains("a hysteresis, a Friction block"));
+    const bool stiff = solver != "dormand_prince" && solver != "dop853";
+    CHECK((error.find("A stiff solver") == std::string::npos) == stiff);
+  }
+}
+
 TEST_CASE("an assertion with a period is not judged at a last row between its ticks") {
   const RunResult result = result_of(R"(blocks:
   x: {block: Integrator, u: 1}
