@@ -94,6 +94,18 @@ TEST_CASE("model exchange is left out with the reason where a diagram is more th
              Contains("There is no model exchange: the algebraic loop"));
 }
 
+TEST_CASE("a controller with limits of its output is exported for model exchange", "[full]") {
+  if (!there_is_a_compiler()) return;
+  const auto page_with = [](const std::string& keys) {
+    return page_of(head + "events: locate\nblocks:\n  t: {block: Clock}\n  a: {block: PID, u: t, " + keys +
+                   "}\nrecord: [a]\n");
+  };
+  CHECK_THAT(page_with("ki: 2, kd: 1, lower: -1, upper: 1, settled: false"), Contains("By model exchange"));
+  for (const char* keys : {"ki: 2, kd: 1, upper: 1", "ki: 2, integral_upper: 1, settled: false"})
+    CHECK_THAT(page_with(keys), Contains("There is no model exchange: a remembers at every step") &&
+                                    Contains("settled: false and without a reset"));
+}
+
 TEST_CASE("by model exchange inputs are those of the instant: the bits are those of the diagram itself",
           "[full]") {
   if (!there_is_a_compiler()) return;
