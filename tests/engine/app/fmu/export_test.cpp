@@ -106,6 +106,25 @@ TEST_CASE("a controller with limits of its output is exported for model exchange
                                     Contains("settled: false and without a reset"));
 }
 
+TEST_CASE("a controller with one limit of its output meets it by model exchange as in the diagram",
+          "[full]") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  // y = u + 2 int(u) with u = 1 meets its limit 2 at 0.5 s. From 0.73 s on u = -1, and y = -2 (t - 0.73 s).
+  const std::string path =
+      exported(folder, "a",
+               head +
+                   "events: locate\ninputs: {u: {default: 0}}\nblocks:\n"
+                   "  a: {block: PID, u: u, kp: 1, ki: 2, upper: 2, settled: false}\nrecord: [a]\n",
+               3);
+  const table::Table unit = run_text(
+      import_text(path, ", interface: model_exchange, u: wave") +
+      "  wave: {block: Step, time: 0.73 s, before: 1, after: -1}\nevents: locate\nrecord: [unit.a]\n");
+  CHECK(column(unit, "unit.a")[40] == Approx(1.8));
+  CHECK(column(unit, "unit.a")[70] == Approx(2.0));
+  CHECK(column(unit, "unit.a").back() == Approx(-0.54));
+}
+
 TEST_CASE("by model exchange inputs are those of the instant: the bits are those of the diagram itself",
           "[full]") {
   if (!there_is_a_compiler()) return;
