@@ -88,6 +88,7 @@ void PID::configure(Configure& is) {
   const bool has_limits = limits(lower, upper), of_integral = limits(integral_lower, integral_upper);
   if (plain && !has_limits && !of_integral) is.skip_crossings();
   if (!plain || of_integral) return;
+  if (!settled) is.remember_nothing();  // at_limit changes neither outputs nor derivatives
   if (settled || has_limits)
     is.update_keeps_outputs();
   else

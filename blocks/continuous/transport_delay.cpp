@@ -22,7 +22,8 @@ void TransportDelay::declare(Declare<TransportDelay>& is) {
        .timing = Timing::continuous,
        .delayed_by = "delay",
        .symbol = {.text = "e^-sT"},
-       .at_events = true});
+       .at_events = true,
+       .at_end = true});
   is.parameter<&TransportDelay::longest>({.unit = "s",
                                           .doc = "highest delay where it is a signal: as much is kept",
                                           .above = 0.0,

@@ -118,6 +118,7 @@ bool ContinuousFmu::at_present(fmi::Operation operation) const {
 void ContinuousFmu::outputs() {
   follow();
   if (at_present(fmi::Operation::outputs) || has_ended()) show(unit.exchange().outputs());
+  if (!unit.works()) unit_failed.raise(t);
 }
 
 void ContinuousFmu::derivatives() {

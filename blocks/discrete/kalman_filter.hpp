@@ -37,7 +37,7 @@ struct KalmanFilter : LinearSystem {
   void start() {
     home = x;
     begin();
-    find_gain();
+    if (!find_gain() && is_uncertain()) not_positive.raise(t);
     first_gain = K;
   }
 
@@ -54,6 +54,13 @@ struct KalmanFilter : LinearSystem {
   void begin() {
     for (Index k = 0; k < P.size(); ++k) P[k] = P0.elements().empty() ? 0.0 : P0.elements()[k];
     K = first_gain;
+  }
+
+  /// False if the initial covariance is 0. The gain is then 0, also of a measurement without noise.
+  bool is_uncertain() const {
+    for (Index k = 0; k < P.size(); ++k)
+      if (P[k] != 0.0) return true;
+    return false;
   }
 
   template <class Expected, class Gain>

@@ -37,7 +37,8 @@ void Interlock::declare(Declare<Interlock>& is) {
               "start, a reset and a press of the dead-man switch the commands come back evenly over the time "
               "`ramp`. With `stop` the run, or the real-time loop, ends with the first cause.",
        .source = "thesis 3.4, safety feature; the ramp, the dead-man switch and all causes but the force are "
-                 "additions"});
+                 "additions",
+       .at_end = true});
   is.parameter<&Interlock::causes>({.doc = "a name for each of `faults`; their numbers only where left out"});
   is.parameter<&Interlock::ramp>(
       {.unit = "s", .doc = "time in which the commands come back; 0: at once", .at_least = 0.0});

@@ -17,6 +17,7 @@ void PassivityObserver::declare(Declare<PassivityObserver>& is) {
               "those along which energy goes in, of any number of axes, with torques and angular velocities "
               "alike. It integrates as the solver does, or sums what is sampled.",
        .source = "B. Hannaford and J.-H. Ryu, IEEE Trans. Robotics and Automation 18 (2002) 1",
+       .at_end = true,
        .smooth = true});
   is.parameter<&PassivityObserver::judge>({.doc = "what must not be", .words = {"net", "fall"}});
   is.parameter<&PassivityObserver::budget>(

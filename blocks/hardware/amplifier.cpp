@@ -15,6 +15,7 @@ void Amplifier::declare(Declare<Amplifier>& is) {
                    "tau di/dt = wanted - i, wanted = gain u within the limits, and 0 while it is inhibited. "
                    "An explicit solver needs steps of at most 2 tau.",
             .source = "thesis 3.3",
+            .at_end = true,
             .smooth = true});
   is.parameter<&Amplifier::gain>({.unit = "A/'u", .doc = "current per command; 1 where the command is in A"});
   is.parameter<&Amplifier::lower>({.unit = "A", .doc = "lowest current; none where left out"});

@@ -12,7 +12,8 @@ void AnalogToDigital::declare(Declare<AnalogToDigital>& is) {
            "to range, and the last one beyond either end. It samples at its ticks (`every`). In a controller "
            "the same block turns a wanted voltage into counts for DigitalToAnalog, which is the way back.",
        .source = "thesis 3.2; datasheet of the Sensoray 626",
-       .timing = Timing::discrete});
+       .timing = Timing::discrete,
+       .at_end = true});
   is.parameter<&AnalogToDigital::range>({.unit = "V", .doc = "from -range to range", .above = 0.0});
   is.parameter<&AnalogToDigital::bits>({.doc = "of the converter", .at_least = 2.0, .at_most = 32.0});
   is.input<&AnalogToDigital::u>({.unit = "V", .doc = "voltage"});

@@ -12,7 +12,8 @@ void EncoderToAngle::declare(Declare<EncoderToAngle>& is) {
                    "have, are a fault: the angle stays where it was, until the counts are again within that "
                    "of the last ones that were believed. The first counts are taken from 0 the shorter way.",
             .source = "thesis 3.2",
-            .timing = Timing::discrete});
+            .timing = Timing::discrete,
+            .at_end = true});
   is.parameter<&EncoderToAngle::counts_per_revolution>(
       {.doc = "edges of both tracks, four for each line", .above = 0.0});
   is.parameter<&EncoderToAngle::zero>({.unit = "rad", .doc = "angle of count 0"});

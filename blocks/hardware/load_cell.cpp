@@ -20,7 +20,8 @@ void LoadCell::declare(Declare<LoadCell>& is) {
                    "offset and noise; beyond their range they stay at its end. It samples at its ticks "
                    "(`every`). LoadCellToWrench is the way back.",
             .source = "thesis 3.2; datasheet of the ATI Mini40",
-            .timing = Timing::discrete});
+            .timing = Timing::discrete,
+            .at_end = true});
   is.parameter<&LoadCell::calibration>(
       {.shape = "6 x 6", .doc = "rows [Fx, Fy, Fz, Tx, Ty, Tz] in N and N m, for a volt of each gauge"});
   is.parameter<&LoadCell::offset>({.unit = "V", .shape = "g", .doc = "what the gauges show without a load"});

@@ -37,7 +37,8 @@ void Sensor::declare(Declare<Sensor>& is) {
               "sensor without any shows what it is fed. The same seed gives the same noise on every "
               "machine.",
        .source = "thesis 2.4, 3.3; datasheets of the presets, see there for what is assumed",
-       .timing = Timing::discrete});
+       .timing = Timing::discrete,
+       .at_end = true});
   is.parameter<&Sensor::zero>(
       {.unit = "'u", .doc = "input at which the sensor itself shows 0: its mounting"});
   is.parameter<&Sensor::lower>({.unit = "'u", .doc = "lowest value, from zero; the sensor stays there"});

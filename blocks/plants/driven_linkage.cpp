@@ -32,6 +32,7 @@ void DrivenLinkage::declare(Declare<DrivenLinkage>& is) {
               "at constant speed whatever resists.",
        .source = "as Linkage",
        .timing = Timing::continuous,
+       .at_end = true,
        .smooth = true});
   declare_linkage(is, false);
   is.input<&DrivenLinkage::position>({.unit = "m", .shape = "d", .doc = "of the pin"});

@@ -46,6 +46,7 @@ void Linkage::declare(Declare<Linkage>& is) {
               "anchors. DrivenLinkage is the "
               "same mechanism along a given motion.",
        .source = "Lagrange's equations of the kinetic energy; thesis 2.4, 2.5",
+       .at_end = true,
        .smooth = true});
   declare_linkage(is, true);
   is.input<&Linkage::force>({.unit = "N",

@@ -17,6 +17,7 @@ void MRDamper::declare(Declare<MRDamper>& is) {
            "powers of the ampere are understood. Left out, a parameter is that of the RD-1097-01. "
            "Refused is what is no damper: A <= 0, |gamma| > beta, alpha or c negative within current_range.",
        .source = "thesis eq. 1, 2, 4-6; B. F. Spencer et al. 1997",
+       .at_end = true,
        .smooth = true});
   declare_mr_damper(is, {.displacement = "m",
                          .velocity = "m/s",

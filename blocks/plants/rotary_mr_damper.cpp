@@ -17,6 +17,7 @@ void RotaryMRDamper::declare(Declare<RotaryMRDamper>& is) {
            "current tested, its polynomials are used as they are (0.24 N m at 0 A). "
            "Refused is what is no damper: A <= 0, |gamma| > beta, alpha or c negative within current_range.",
        .source = "thesis eq. 8-10",
+       .at_end = true,
        .smooth = true});
   declare_mr_damper(is, {.displacement = "rad",
                          .velocity = "rad/s",

@@ -77,7 +77,8 @@ void FromFile::declare(Declare<FromFile>& is) {
            "rows "
            "to 2e-13 of its amplitude.",
        .symbol = {.text = "{file|record}"},
-       .at_events = true});
+       .at_events = true,
+       .at_end = true});
   is.parameter<&FromFile::file>(
       {.doc = "path of a .csv (.tsv, .txt, .dat), .mat, .h5 or .mcap file, beside the diagram or data/...",
        .required = true});

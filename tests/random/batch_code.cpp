@@ -59,8 +59,8 @@ std::string program_text(const plan::Plan& plan, const codegen::Tuning& tuning,
   const std::string space = "own_NUMBER";
   std::string definitions = codegen::struct_definitions(plan, tuning, groups, space);
   // One source has several programs.
-  definitions =
-      std::regex_replace(definitions, std::regex(R"( ::(reset|evaluate|advance)\()"), " made_NUMBER::$1(");
+  definitions = std::regex_replace(definitions, std::regex(R"( ::(reset|evaluate|advance|updates_at_end)\()"),
+                                   " made_NUMBER::$1(");
   definitions.insert(definitions.find("{\n") + 2, "using namespace made_NUMBER;\n");
   const std::string head = "extern \"C\" [[gnu::visibility(\"default\")]] ";
   return codegen::struct_text(plan, tuning, groups, space) + in_namespace(program.text) + definitions + head +

@@ -307,6 +307,9 @@ class DiagramUnit final : public ExportedUnit {
       return refuse("it has %zu event indicators, not %zu", crossing_count(), count);
     moving_.evaluate();
     if constexpr (requires(Diagram & d) { d.crossings(numbers); }) moving_.diagram.crossings(numbers);
+    // The distance to a limit that does not exist is infinite, which FMI does not allow.
+    for (std::size_t i = 0; i < count; ++i)
+      if (std::isinf(numbers[i])) numbers[i] = std::copysign(1.0, numbers[i]);
     return Status::ok;
   }
   Status complete_step(bool& terminates) override {

@@ -198,8 +198,8 @@ struct BlockOptions {
   /// Lets a block with memory act at located events as well, if it has no `every`. It must not rely on its
   /// period.
   bool at_events = false;
-  /// Calls update() at the last row of a run, too, where no step follows. It must change nothing but
-  /// diagnostics.
+  /// Calls update() at the last row of a run, too, where no step follows, since it judges the present values
+  /// and raises diagnostics. Nothing reads what else it changes there.
   bool at_end = false;
   /// Promises that outputs jump only where an input or a reset does, never by time alone.
   bool smooth = false;

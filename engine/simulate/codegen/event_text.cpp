@@ -9,6 +9,7 @@
 #include "engine/simulate/codegen/guard_text.hpp"
 #include "engine/simulate/codegen/solver_text.hpp"
 #include "engine/simulate/codegen/workspace_text.hpp"
+#include "engine/simulate/solve/error_control.hpp"
 #include "engine/simulate/solve/event_locator.hpp"
 #include "engine/simulate/solve/step_report.hpp"
 
@@ -19,11 +20,11 @@ namespace {
 /// Placeholders in order. Task: states, crossings, first signal, count of numbers, report, jumps of sources,
 /// limits of events and iterations. Then: step of the solver, update of time signals, report of the solver
 /// and its size, derivatives, calls before guards. At last: numbers that guards keep, stop condition, inner
-/// points of the task, updates before an instant, and whether loops are solved.
+/// points of the task, updates before an instant, whether loops are solved, and numbers of the error control.
 constexpr char locate_form[] =
     "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, {4}, {5}, {17}, "
     "{6}, "
-    "{7}, {16}, {19}, {21}, scratch}};\n"
+    "{7}, {16}, {19}, {21}, {22}, {23}, scratch}};\n"
     "  struct Between {{\n    double* w;\n    [[maybe_unused]] const double* numbers;\n    std::int64_t "
     "tick;\n"
     "    void advance([[maybe_unused]] double now, [[maybe_unused]] double end, "
@@ -63,9 +64,15 @@ std::size_t numbers_at_events(const plan::Plan& plan) {
   return plan.layout.diagnostics - plan.layout.signals;
 }
 
+/// Returns the count of numbers of the error control that change with each step.
+std::size_t control_count(const plan::Plan& plan) {
+  if (!plan.diagram.error_control) return 0;
+  return solve::ControlReport::count(plan.layout.state_count) - solve::ControlReport::next;
+}
+
 std::size_t scratch_size(const plan::Plan& plan) {
-  return solve::EventTask::scratch_size(plan.layout.state_count, plan.crossing_count,
-                                        numbers_at_events(plan));
+  return solve::EventTask::scratch_size(plan.layout.state_count, plan.crossing_count, numbers_at_events(plan),
+                                        control_count(plan));
 }
 
 std::string follow_time_text(const plan::Plan& plan) {
@@ -117,7 +124,7 @@ std::string between_text(const plan::Plan& plan, const PlaceNames& names) {
                     : "",
       events.looks_always(),
       plan.left_updates.empty() ? "" : "    before_instant(w, numbers, tick, w[at::time]);\n",
-      !plan.loops.empty());
+      !plan.loops.empty(), layout.report + solve::ControlReport::next, control_count(plan));
 }
 
 }  // namespace
@@ -186,7 +193,8 @@ std::string after_step_text(const plan::Plan& plan) {
   return fmt::format("  w[at::time] = {};\n", end_of_step_text(plan)) + follow_time_text(plan) +
          fmt::format(
              "  crossing_ends(w, numbers, tick);\n  look(w, numbers, tick, after);\n  w[{0}] = 1.0;\n"
-             "  if ({5}solve::sign_changes(before, after, {1})) [[unlikely]] {{\n    double scratch[{2}];\n"
+             "  if ({5}solve::sign_changes(before, after, {1}) || solve::almost_crosses(before, after, {1})) "
+             "[[unlikely]] {{\n    double scratch[{2}];\n"
              "    for (int i = 0; i < {3}; ++i) scratch[i] = origin[i];\n"
              "    for (int i = 0; i < {1}; ++i) scratch[{4} + i] = before[i];\n"
              "    locate(w, numbers, tick, scratch);\n    w[{6}] = solve::look_closer;\n  }}\n",

@@ -46,8 +46,8 @@ std::string text_of(const diagram::Events& events, double why, double at, double
   return fmt::format(
       "more than {} events in the step to {:.12g} s, the last of them here; the run ends here. Where they "
       "follow each "
-      "other ever faster (a ball that comes to rest) or a switch has no hysteresis, a threshold or a "
-      "hysteresis in "
+      "other ever faster (a ball that comes to rest) or a switch has no hysteresis, a threshold, a "
+      "hysteresis or a Friction block in "
       "the diagram helps, or 'events: {{max_per_step: ..}}'",
       events.max_per_step, tick_time);
 }

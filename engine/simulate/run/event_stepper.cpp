@@ -3,10 +3,21 @@
 #include <algorithm>
 
 #include "engine/simulate/run/whole_step.hpp"
+#include "engine/simulate/solve/error_control.hpp"
 #include "engine/simulate/solve/left_of.hpp"
 #include "engine/simulate/solve/watched_step.hpp"
 
 namespace stepwire::run {
+
+namespace {
+
+/// Returns the count of numbers of the error control that change with each step.
+std::size_t control_count(const plan::Plan& plan) {
+  if (!plan.diagram.error_control) return 0;
+  return solve::ControlReport::count(plan.layout.state_count) - solve::ControlReport::next;
+}
+
+}  // namespace
 
 /// Operations that the event locator needs for the way from one tick to the next.
 struct EventStepper::BetweenTicks {
@@ -77,7 +88,8 @@ EventStepper::EventStepper(BoundBlocks& blocks, Participants& who, Stepper& step
       end_states_(plan_.layout.state_count),
       tick_states_(plan_.layout.state_count),
       scratch_(solve::EventTask::scratch_size(plan_.layout.state_count, plan_.crossing_count,
-                                              plan_.layout.diagnostics - plan_.layout.signals)),
+                                              plan_.layout.diagnostics - plan_.layout.signals,
+                                              control_count(plan_))),
       states_change_(plan_.updates_continuous || who.guards) {}
 
 bool EventStepper::has_stopped() const {
@@ -124,7 +136,8 @@ bool EventStepper::is_eventful(const solve::TimeStep& step, double edge) const {
       solve::may_cross_twice(before_.data(), after_.data(), past, count, plan_.loops.empty(), step.length);
   const bool looks = events.looks_always() || (events.looks > 0 && near);
   const double end = plan_.jumps ? step.end : solve::left_of(step.end, step.length);
-  const bool eventful = edge < end || looks || solve::sign_changes(before_.data(), after_.data(), count);
+  const bool eventful = edge < end || looks || solve::sign_changes(before_.data(), after_.data(), count) ||
+                        solve::almost_crosses(before_.data(), after_.data(), count);
   if (eventful) past[0] = solve::look_closer;
   return eventful;
 }
@@ -199,6 +212,8 @@ solve::EventTask EventStepper::task() {
           events.looks,
           events.looks_always(),
           !plan_.loops.empty(),
+          layout.report + solve::ControlReport::next,
+          control_count(plan_),
           scratch};
 }
 

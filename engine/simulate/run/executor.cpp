@@ -117,8 +117,8 @@ void Executor::check_steps() {
 
 void Executor::look_at_end() {
   if (!healthy()) return;
-  if (!end_updates_.empty() && !has_stopped()) {
-    who_.find_due(workspace_.tick);
+  if (!end_updates_.empty() && !(events_ && events_->has_stopped())) {
+    if (!health_.has_ended()) who_.find_due(workspace_.tick);
     end_updates_.run_due();
   }
   check_steps();

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/simulate/run/faults.hpp"
@@ -30,26 +31,39 @@ std::string text_of_unstable(const diagram::Diagram& diagram, const double* repo
       longest > 0.0 ? fmt::format("A step of at most {:g} s", longest) : "A solver of higher order");
 }
 
+/// Cure where the solution slides along a jump of its derivatives, which no solver can follow.
+constexpr char cure_of_switches[] =
+    ". Where a switch without hysteresis changes back at once (a sign, a relay, Coulomb friction), a "
+    "hysteresis, a Friction block or fixed steps (solver: rk4) helps";
+
+/// True for a solver that takes stiff plants.
+bool is_stiff(const std::string& solver) {
+  static constexpr std::array names{"auto", "radau", "rodas", "rosenbrock", "sdirk"};
+  return std::ranges::find(names, solver) != names.end();
+}
+
 /// Returns the message on a step to the tick at `end` that has reached the time `now`.
 std::string text_of_step(const diagram::Diagram& diagram, const double* report, double now, double end) {
   if (report[0] == solve::StepReport::unsolved)
     return fmt::format(
         "the solver finds no solution for the step to {:.12g} s, where Newton's method still changes this "
-        "state by {:.2g} of its size; the run ends here. A smaller step, or a law without jumps, helps",
-        end, report[1]);
+        "state by {:.2g} of its size; the run ends here. A smaller step, or a law without jumps, helps{}",
+        end, report[1], cure_of_switches);
   if (report[0] == solve::StepReport::too_many_steps)
     return fmt::format(
         "the solver does not come from {:.12g} s to the tick at {:.12g} s within 'max_steps', or within "
         "steps that the time can tell apart: the error of this state is {:.2g} of what is allowed; the run "
-        "ends here. A stiff solver (radau, auto), a larger 'relative' or 'absolute', or a law without jumps "
-        "helps",
-        now, end, report[1]);
+        "ends here. {}, or a law without jumps helps{}",
+        now, end, report[1],
+        is_stiff(diagram.solver) ? "A larger 'relative' or 'absolute'"
+                                 : "A stiff solver (radau, auto), a larger 'relative' or 'absolute'",
+        cure_of_switches);
   if (report[0] == solve::StepReport::unstable) return text_of_unstable(diagram, report);
   return fmt::format(
       "the step to {:.12g} s errs by {:.2g} of the size of this state, and 'tolerance' is {:g}; the run ends "
-      "here. A smaller step{} helps",
+      "here. A smaller step{} helps{}",
       end, report[1], diagram.tolerance,
-      diagram.solver == "sdirk" ? " or solver: auto" : ", solver: sdirk or solver: auto");
+      diagram.solver == "sdirk" ? " or solver: auto" : ", solver: sdirk or solver: auto", cure_of_switches);
 }
 
 }  // namespace

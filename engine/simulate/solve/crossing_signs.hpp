@@ -19,6 +19,18 @@ inline bool sign_changes(const double* before, const double* after, std::size_t 
   return changes;
 }
 
+/// Part of a step after a tick. A crossing within it is one at the tick that rounding has delayed.
+constexpr double after_tick = 1e-9;
+
+/// True if a number has not changed its sign, and would do so within that part of the step at the same rate.
+inline bool almost_crosses(const double* before, const double* after, std::size_t count) {
+  bool almost = false;
+  for (std::size_t i = 0; i < count; ++i)
+    almost |= (std::abs(after[i]) < after_tick * std::abs(after[i] - before[i])) & (after[i] != 0.0) &
+              ((before[i] > 0.0) == (after[i] > 0.0));
+  return almost;
+}
+
 /// Returns the first zero among the secants of the numbers that change their sign, as a fraction of the
 /// interval from low to high. The scales weight the two ends. A number that leaves 0 is assumed to do so at
 /// once if `at_once` is set, else in the middle.

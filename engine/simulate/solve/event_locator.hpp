@@ -51,14 +51,11 @@ class EventLocator {
         kept_(end_ + task.state_count),
         ends_(kept_ + task.numbers),
         nearest_(ends_ + task.crossing_count),
-        looks_(nearest_ + task.crossing_count) {}
+        looks_(nearest_ + task.crossing_count),
+        control_(looks_ + task.crossing_count) {}
 
-  /// Follows no number to its turn: each step of a solver with error control changes the length of the next
-  /// one, so the order of the conditions would change the last bits.
-  void ignore_turns() { follows_turns_ = false; }
-
-  /// Integrates from `start` to `end` over `length`, event by event.
-  void advance(double start, double end, double length) {
+  /// Integrates from `start` to `end` over `length`, event by event. The end is a tick if `to_tick` is set.
+  void advance(double start, double end, double length, bool to_tick = true) {
     length_ = length;
     ever_faster_.begin(task_.crossing_count);
     std::copy_n(x_, task_.state_count, values_ + task_.states);
@@ -68,6 +65,7 @@ class EventLocator {
     std::int64_t crossed = 0;
     double at = start;
     while (at < end && go_on(at, start, end, crossed)) continue;
+    if (at == end && to_tick) look_beyond(end);
     if (at == end) values_[task_.time] = end;
     double* report = values_ + task_.report;
     report[EventReport::events] += static_cast<double>(crossed);
@@ -111,6 +109,27 @@ class EventLocator {
     return act() && (!crosses || turn_back(at, end));
   }
 
+  /// Moves the states at a tick beyond a crossing that follows at once, since it is one at the tick that
+  /// rounding has delayed. At the last tick of a run it would else be missed.
+  void look_beyond(double end) {
+    const double little = after_tick * length_;
+    if (run_.failed() || !almost_crosses(start_, high_, task_.crossing_count) || end + little == end) return;
+    std::copy_n(values_ + task_.states, task_.state_count, end_);
+    std::copy_n(values_ + task_.control, task_.control_count, control_);
+    std::copy_n(high_, task_.crossing_count, start_);
+    values_[task_.time] = task_.jumps ? left_of(end, length_) : end;
+    run_.begin();
+    keep();
+    go(end, end + little, little, high_);
+    if (!run_.failed() && sign_changes(start_, high_, task_.crossing_count))
+      locate(end, end + little, 1e-12 * length_);
+    else
+      std::copy_n(end_, task_.state_count, values_ + task_.states);
+    run_.forget_fault();
+    std::copy_n(control_, task_.control_count, values_ + task_.control);
+    arrive(end, length_, high_);
+  }
+
   /// Searches for crossings before `at` that the signs at both ends do not show: interpolates each state by a
   /// parabola, and confirms a sign change by a step of the solver. A number that turns back between two looks
   /// is followed to its turn.
@@ -127,7 +146,7 @@ class EventLocator {
       at = from + part;
       return true;
     }
-    if (follows_turns_ && crosses_at_turn(from, length, at)) return true;
+    if (crosses_at_turn(from, length, at)) return true;
     if (!failed) run_.forget_fault();
     std::copy_n(end_, task_.state_count, values_ + task_.states);
     arrive(at, length_of_, high_);
@@ -171,16 +190,24 @@ class EventLocator {
   }
 
   /// Follows the numbers that are nearest to 0 between the ends of the interval. Returns true with the first
-  /// time at which one has crossed.
+  /// time at which one has crossed. Each step of a solver with error control changes the length of the next
+  /// one. So each step of the search begins with the same numbers of this control, and the order of the
+  /// numbers changes no bit.
   bool crosses_at_turn(double from, double length, double& at) {
+    std::copy_n(values_ + task_.control, task_.control_count, control_);
     double first = length;
     for (std::size_t i = 0; i < task_.crossing_count; ++i)
       if (looks_[i] > 0.0 && std::abs(nearest_[i]) < std::abs(ends_[i]) &&
           sign_of(ends_[i]) == sign_of(start_[i]))
         first = std::min(first, turn(i, from, length));
-    if (first == length || !crosses_at(from, first)) return false;
-    at = from + first;
-    return true;
+    const bool found = first != length && crosses_anew(from, first);
+    std::copy_n(control_, task_.control_count, values_ + task_.control);
+    if (found) at = from + first;
+    return found;
+  }
+  bool crosses_anew(double from, double part) {
+    std::copy_n(control_, task_.control_count, values_ + task_.control);
+    return crosses_at(from, part);
   }
 
   /// Returns how long after the start a number has crossed near its turn; `length` if it does not. The turn
@@ -191,7 +218,7 @@ class EventLocator {
     const double side = start_[i] > 0.0 ? 1.0 : -1.0;
     bool crosses = false;
     const auto sample = [&](double part) {
-      crosses = crosses || (part < length && crosses_at(from, part));
+      crosses = crosses || (part < length && crosses_anew(from, part));
       return Sample{part, side * (part < length ? high_[i] : ends_[i])};
     };
     const auto look = static_cast<std::int64_t>(looks_[i]);
@@ -430,11 +457,11 @@ class EventLocator {
   double *x_, *slopes_;                    ///< after the last event
   double *start_, *high_, *low_, *trial_;  ///< crossing functions there, beyond, before, between
   EverFaster ever_faster_;
-  double* end_;               ///< states at the end of the interval
-  double* kept_;              ///< signals and states before an iteration
-  double* ends_;              ///< crossing functions at the end of the interval
-  double *nearest_, *looks_;  ///< numbers nearest to 0, and the looks that have found them
-  bool follows_turns_ = true;
+  double* end_;                            ///< States at the end of the interval.
+  double* kept_;                           ///< Signals and states before an iteration.
+  double* ends_;                           ///< Crossing functions at the end of the interval.
+  double *nearest_, *looks_;               ///< Numbers nearest to 0, and their looks.
+  double* control_;                        ///< Numbers of the error control before a search.
   double length_ = 0.0, length_of_ = 0.0;  ///< length of the step, and of the interval up to the next event
   static constexpr int most_turns = 10;
   int turns_ = 0;  ///< Repetitions of turn_back() at one crossing.

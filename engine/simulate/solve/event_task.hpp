@@ -33,10 +33,12 @@ struct EventTask {
   std::int64_t looks;          ///< Inner points that are checked for double crossings.
   bool looks_always;           ///< True if they are always checked.
   bool loops;                  ///< True if algebraic loops are solved, so crossing functions have noise.
-  double* scratch;             ///< Memory for scratch_size() numbers.
+  std::size_t control, control_count;  ///< Range of the numbers of a solver's error control.
+  double* scratch;                     ///< Memory for scratch_size() numbers.
 
-  static constexpr std::size_t scratch_size(std::size_t states, std::size_t crossings, std::size_t numbers) {
-    return 3 * states + 13 * crossings + numbers;  // layout of EventLocator
+  static constexpr std::size_t scratch_size(std::size_t states, std::size_t crossings, std::size_t numbers,
+                                            std::size_t control) {
+    return 3 * states + 13 * crossings + numbers + control;  // layout of EventLocator
   }
   static constexpr std::size_t before(std::size_t states) { return 2 * states; }
 };

@@ -37,10 +37,8 @@ class WatchedStep {
       const Here here(*this, reached);
       run_.advance_watched(from, task_.jumps ? left_of(end, length) : end,
                            from == start ? length : end - from, here);
-      if (reached == end && !is_eventful(end)) return;
-      EventLocator locator(task_, values_, run_);
-      locator.ignore_turns();
-      locator.advance(open_, reached, reached - open_);
+      if (reached == end && !is_eventful(end, true)) return;
+      EventLocator(task_, values_, run_).advance(open_, reached, reached - open_, reached == end);
       if (has_ended()) return;
       from = reached;
       run_.follow();
@@ -80,7 +78,7 @@ class WatchedStep {
   /// so the interval is extended beyond such an edge.
   bool ends_at_edge(double at) const { return edge_ <= at && edge_ >= left_of(at, at - open_); }
 
-  bool is_eventful(double at) {
+  bool is_eventful(double at, bool at_tick = false) {
     const double length = at - open_;
     double* const past = values_ + task_.report + EventReport::count;
     values_[task_.time] = task_.jumps ? left_of(at, length) : at;
@@ -88,7 +86,9 @@ class WatchedStep {
     run_.crossings(after_);
     const bool near = may_cross_twice(before_, after_, past, task_.crossing_count, false, length);
     const bool looks = task_.looks_always || (task_.looks > 0 && near);
-    if (edge_ < left_of(at, length) || looks || sign_changes(before_, after_, task_.crossing_count)) {
+    const bool crosses = sign_changes(before_, after_, task_.crossing_count) ||
+                         (at_tick && almost_crosses(before_, after_, task_.crossing_count));
+    if (edge_ < left_of(at, length) || looks || crosses) {
       past[0] = look_closer;
       return true;
     }

@@ -77,6 +77,19 @@ record: [kf.estimate]
             .find("positive definite") != std::string::npos);
 }
 
+TEST_CASE("A Kalman filter whose first covariance is none ends the run at its first tick") {
+  // The innovation has the variance P0 + R = -0.5; the gain of the first tick does not exist.
+  CHECK(error_of(R"(
+step: 0.1 s
+stop: 2 s
+solver: euler
+blocks:
+  kf: {block: KalmanFilter, measured: 3, A: [[1]], C: [[1]], Q: [[2]], R: [[0.5]], P0: [[-1]]}
+record: [kf.estimate]
+)")
+            .find("(at 0 s)") != std::string::npos);
+}
+
 TEST_CASE("A discrete state space is its recursion") {
   const table::Table table = run_text(R"(
 step: 10 ms

@@ -32,9 +32,9 @@ std::vector<double> played(const std::string& file, const std::string& keys, con
                 "y");
 }
 
-std::string refused(const std::string& file, const std::string& keys) {
-  return error_of("step: 0.1 s\nstop: 0.3 s\nblocks:\n  y: {block: FromFile, file: '" + file + "', " + keys +
-                  "}\nrecord: [y]\n");
+std::string refused(const std::string& file, const std::string& keys, const std::string& stop = "0.3 s") {
+  return error_of("step: 0.1 s\nstop: " + stop + "\nblocks:\n  y: {block: FromFile, file: '" + file + "', " +
+                  keys + "}\nrecord: [y]\n");
 }
 
 void require_near(const std::vector<double>& values, const std::vector<double>& expected) {
@@ -232,6 +232,12 @@ TEST_CASE("columns of a MAT file that differ in length are refused") {
 TEST_CASE("a run that is longer than its record ends after its last row and says so") {
   const Folder folder;
   REQUIRE_THAT(refused(folder.file("short.csv", "time,x\n0,1\n0.1,2\n"), "column: x"),
+               Catch::Contains("y: the record is over") && Catch::Contains("at 0.2 s"));
+}
+
+TEST_CASE("a run whose last row is beyond its record says so") {
+  const Folder folder;
+  REQUIRE_THAT(refused(folder.file("short.csv", "time,x\n0,1\n0.1,2\n"), "column: x", "0.2 s"),
                Catch::Contains("y: the record is over") && Catch::Contains("at 0.2 s"));
 }
 

@@ -89,6 +89,48 @@ TEST_CASE("an assertion that fails at the last row ends the run with its fault")
     }
 }
 
+/// Has `text` in its fault or in one of its diagnostics, with the time of the last row.
+bool tells_at(const RunResult& result, const std::string& text, double time) {
+  for (const RunFault& fault : result.faults)
+    if (fault.fault.text().find(text) != std::string::npos && fault.time == time) return true;
+  for (const RaisedDiagnostic& one : result.diagnostics)
+    if (one.text.find(text) != std::string::npos && one.time == time) return true;
+  return false;
+}
+
+TEST_CASE("what blocks find wrong at the last row alone is told") {
+  // 100 t leaves each range between the rows at 0.9 s and 1 s.
+  for (const auto& [block, text] : std::vector<std::pair<std::string, std::string>>{
+           {"{block: Interlock, u: 1, faults: [over], stop: true}", "the commands are cut off"},
+           {"{block: Interlock, u: 1, faults: [over]}", "the commands are cut off"},
+           {"{block: Sensor, u: x, upper: 95, seed: 1, every: 100 ms}", "range"},
+           {"{block: AnalogToDigital, u: x, range: 95 V, bits: 12, every: 100 ms}", "leaves the range"},
+           {"{block: TransportDelay, u: x, delay: d, longest: 1 s}", "the delay is below a step"}}) {
+    INFO(block << ": " << text);
+    const RunResult result = result_of(R"(blocks:
+  x: {block: Ramp, slope: 100}
+  over: {block: Compare, u: x, operator: ">", to: 95}
+  d: {block: Switch, control: over, then: 2.5 s, else: 0.5 s}
+  a: )" + block + "\nstep: 100 ms\nstop: 1 s\nrecord: [x]\n");
+    CHECK(tells_at(result, text, 1.0));
+  }
+}
+
+TEST_CASE("a solver that a switch holds at its threshold names a cure that is not itself") {
+  // x' = -sign(x) + 0.5 reaches 0 at 0.4 s and stays there: between steps, x' has no value.
+  for (const std::string solver : {"radau", "rodas", "auto", "dormand_prince", "dop853"}) {
+    INFO(solver);
+    const std::string error = error_of("step: 0.1 s\nstop: 1 s\nsolver: {name: " + solver +
+                                       ", relative: 1e-6, max_steps: 300}\nblocks:\n"
+                                       "  s: {block: Sign, u: x}\n"
+                                       "  x: {block: Integrator, u: d, initial: 0.2}\n"
+                                       "  d: {block: Sum, u: [0.5, s], signs: \"+-\"}\nrecord: [x]\n");
+    CHECK_THAT(error, Catch::Contains("max_steps") && Catch::Contains("a hysteresis, a Friction block"));
+    const bool stiff = solver != "dormand_prince" && solver != "dop853";
+    CHECK((error.find("A stiff solver") == std::string::npos) == stiff);
+  }
+}
+
 TEST_CASE("an assertion with a period is not judged at a last row between its ticks") {
   const RunResult result = result_of(R"(blocks:
   x: {block: Integrator, u: 1}

@@ -1,4 +1,5 @@
 // Cases of others: what is read, counted and reset at one instant.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -142,9 +143,11 @@ TEST_CASE("three crossings in one step are all found") {
   }
 }
 
-TEST_CASE("two crossings within less than a fifth of a step are found, with fixed steps") {
+TEST_CASE("two crossings within less than a fifth of a step are found, with every solver") {
   // (t - 45.2 ms)^2 is below (0.4 ms)^2 for 0.8 ms of a step of 10 ms.
-  for (const char* solver : {"heun", "rk4", "dormand_prince", "rosenbrock", "sdirk"}) {
+  for (const char* solver :
+       {"heun", "rk4", "dormand_prince", "rosenbrock", "sdirk", "dop853", "radau", "rodas", "auto",
+        "{name: dormand_prince, relative: 1e-7}", "{name: bogacki_shampine, relative: 1e-7}"}) {
     INFO(solver);
     const table::Table run =
         run_text(with(std::string("events: locate\nstep: 10 ms\nstop: 0.1 s\nsolver: ") + solver + "\n",
@@ -159,6 +162,30 @@ TEST_CASE("two crossings within less than a fifth of a step are found, with fixe
   }
 }
 
+TEST_CASE("an event at the stop time belongs to the run, with every solver") {
+  // x = t meets its threshold at the last tick, where rounding leaves it below or above.
+  for (const char* solver : {"euler", "heun", "rk4", "dormand_prince", "rosenbrock", "sdirk", "dop853",
+                             "radau", "rodas", "auto", "{name: dormand_prince, relative: 1e-6}"})
+    for (const auto& [step, stop] : std::vector<std::pair<std::string, std::string>>{
+             {"0.1 s", "1 s"}, {"0.1 s", "0.3 s"}, {"10 ms", "0.7 s"}, {"1 ms", "1.1 s"}}) {
+      INFO(solver << " " << step << " " << stop);
+      const table::Table run = run_text(
+          with("events: locate\nstep: " + step + "\nstop: " + stop + "\nsolver: " + solver + "\n",
+               "  x: {block: Integrator, u: 1}\n"
+               "  c: {block: Compare, u: x, operator: '>=', to: " +
+                   stop + "}\n  n: {block: Counter, u: c}\n  z: {block: Integrator, u: 1, reset: c}\n",
+               "{signals: [c, n, z], instants: true}"));
+      const std::vector<double> c = column(run, "c"), time = column(run, "time");
+      const auto row = static_cast<std::size_t>(std::ranges::find(c, 1.0) - c.begin());
+      REQUIRE(row < c.size());
+      CHECK(time[row] == Approx(time.back()).epsilon(1e-12));
+      CHECK(time[row - 1] == time[row]);
+      CHECK(last(run, "c") == 1.0);
+      CHECK(last(run, "n") == 1.0);
+      CHECK(last(run, "z") == Approx(0.0).margin(1e-12));
+    }
+}
+
 TEST_CASE("short turns of an oscillation and of a signal of time alone are found") {
   // sin(2 pi t) exceeds cos(2 pi 0.3 ms) for 0.6 ms about its maximum at 0.25 s, and at each second after.
   const std::string of_time = "  x: {block: Sine, frequency: 1 Hz}\n";
@@ -166,10 +193,17 @@ TEST_CASE("short turns of an oscillation and of a signal of time alone are found
       "  v: {block: Integrator, u: a, initial: 6.283185307179586 1/s}\n"
       "  a: {block: Gain, u: x, gain: -39.47841760435743 1/s^2}\n"
       "  x: {block: Integrator, u: v}\n";
-  for (const std::string& signal : {of_time, of_states}) {
-    INFO(signal);
+  const std::string fine = ", relative: 1e-11, absolute: 1e-12}";
+  for (const auto& [signal, solver] :
+       std::vector<std::pair<std::string, std::string>>{{of_time, "dormand_prince"},
+                                                        {of_states, "dormand_prince"},
+                                                        {of_time, "{name: dop853" + fine},
+                                                        {of_states, "{name: dop853" + fine},
+                                                        {of_states, "{name: dormand_prince" + fine},
+                                                        {of_states, "{name: radau" + fine}}) {
+    INFO(signal << solver);
     const table::Table run =
-        run_text(with("events: locate\nstep: 7 ms\nstop: 4.9 s\nsolver: dormand_prince\n",
+        run_text(with("events: locate\nstep: 7 ms\nstop: 4.9 s\nsolver: " + solver + "\n",
                       signal + "  c: {block: Compare, u: x, operator: '>', to: 0.9999982234720354}\n"
                                "  n: {block: Counter, u: c}\n"
                                "  i: {block: Integrator, u: c}\n",
