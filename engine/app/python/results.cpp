@@ -93,7 +93,7 @@ std::string figure(const Results& of, std::size_t index) {
   return svg;
 }
 
-void write(const Results& of, const std::string& folder) {
+void write_results(const Results& of, const std::string& folder) {
   call_checked([&] {
     const auto owned = session::own_results(folder, *of.model);
     replay::write_replay(folder, of.model->job);
@@ -116,7 +116,7 @@ void add_ends(py::class_<Results, std::shared_ptr<Results>>& results) {
       .def_property_readonly(
           "figures", [](const Results& of) { return of.outcome.early() ? 0 : of.model->figures.size(); })
       .def("figure", figure)
-      .def("write", write)
+      .def("write", write_results)
       .def_property_readonly(
           "json", [](const Results& of) { return session::run_json(*of.model, of.outcome).text(); })
       .def_property_readonly("raised", [](const Results& of) { return object_or_none(of.raised); })

@@ -12,7 +12,7 @@
 namespace stepwire::yaml {
 namespace {
 
-constexpr std::size_t longest_line = 100;  // [characters] of a value in brackets
+constexpr std::size_t longest_in_brackets = 100;  // [characters] of a value in brackets
 
 bool is_null(const std::string& text) {
   return text == "null" || text == "Null" || text == "NULL" || text == "~";
@@ -55,7 +55,7 @@ class Writer {
 
   std::string write(const Node& root) {
     if (root.entries.empty() && root.items.empty()) {
-      in_brackets(root, longest_line);
+      in_brackets(root, longest_in_brackets);
     } else {
       lines(root, 0);
     }
@@ -73,7 +73,7 @@ class Writer {
     text_.append(indent, ' ') += start;
     const std::size_t before = text_.size();
     text_ += ' ';
-    if (in_brackets(node, before + longest_line)) return;
+    if (in_brackets(node, before + longest_in_brackets)) return;
     text_.resize(before);
     lines(node, indent + 2);
   }

@@ -227,7 +227,7 @@ void refuse_swept_names(Report& report) {
 }
 
 /// True for the time, and for the name of a block or an input of a scope.
-bool names_signal(const Scope& scope, const std::string& name) {
+bool is_signal_in(const Scope& scope, const std::string& name) {
   return name == "time" || !scope.start_of(name).empty() || !scope.input_of(name).empty();
 }
 
@@ -247,7 +247,7 @@ void read_stop_condition(const Scope& scope, const Resolver& resolver, Report& r
   const ValueReader reader(scope.parameters, report, scope.index);
   yaml::Node written = *node;
   if (written.text.starts_with('=')) written.text[0] = ' ';
-  const auto is_signal = [&](std::string_view view) { return names_signal(scope, std::string(view)); };
+  const auto is_signal = [&](std::string_view view) { return is_signal_in(scope, std::string(view)); };
   written.text = name_parameters(written.text, scope.parameters, is_signal);
   const auto text = reader.fill_in(written, "stop_when");
   if (!text) return;
