@@ -60,6 +60,7 @@ diagram::Diagram without_blocks(diagram::Diagram diagram) {
   diagram.output_dimensions.clear();
   diagram.state_dimensions.clear();
   diagram.element_dimensions.clear();
+  diagram.zeros_if_kelvin.clear();
   return diagram;
 }
 

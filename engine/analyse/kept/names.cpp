@@ -152,8 +152,10 @@ query::SymbolTable names_of(const run::Job& job) {
   add_swept_names(job, names);
   for (std::size_t r = 0; r < diagram.records.size(); ++r) {
     const auto columns = record::recorded_columns(job.plan, diagram.records[r]);
-    for (std::size_t i = 1; i < columns.size(); ++i)
+    for (std::size_t i = 1; i < columns.size(); ++i) {
       names.columns.push_back({columns[i].name, columns[i].dimension, r});
+      names.columns.back().zeros_if_kelvin = columns[i].zeros_if_kelvin;
+    }
   }
   add_words(diagram, names);
   for (const diagram::DiagramParameter& parameter : diagram.parameters)

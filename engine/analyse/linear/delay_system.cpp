@@ -332,6 +332,53 @@ std::optional<int> count_if_one_loop(const StateSpace& system, bool& is_one) {
   return count_in_one_loop({system, gain, chain->time + system.delays[0].time, gain.crossovers()});
 }
 
+/// Returns how many steps of one length each delay has; empty if no such step fits into them few times.
+std::vector<Eigen::Index> common_steps(const std::vector<InnerDelay>& delays) {
+  constexpr double most_in_shortest = 16.0, most = 400.0, rounding = 1e-9;
+  const double shortest = std::ranges::min(delays, {}, &InnerDelay::time).time;
+  for (double in_shortest = 1.0; in_shortest <= most_in_shortest; in_shortest += 1.0) {
+    std::vector<Eigen::Index> steps;
+    double all = 0.0;
+    for (const InnerDelay& delay : delays) {
+      const double count = delay.time / shortest * in_shortest;
+      if (std::abs(count - std::round(count)) > rounding * count || (all += count) > most) break;
+      steps.push_back(std::lround(count));
+    }
+    if (steps.size() == delays.size()) return steps;
+  }
+  return {};
+}
+
+/// Returns the growth per step of what runs in the delays alone, which are lines of steps of one length.
+double growth_in_lines(const Eigen::MatrixXd& direct, const std::vector<Eigen::Index>& steps) {
+  std::vector<Eigen::Index> ends;
+  Eigen::Index all = 0;
+  for (const Eigen::Index count : steps) ends.push_back((all += count) - 1);
+  Eigen::MatrixXd lines = Eigen::MatrixXd::Zero(all, all);
+  for (Eigen::Index k = 0; k < direct.rows(); ++k) {
+    const Eigen::Index last = ends[static_cast<std::size_t>(k)],
+                       first = last + 1 - steps[static_cast<std::size_t>(k)];
+    for (Eigen::Index i = first; i < last; ++i) lines(i + 1, i) = 1.0;
+    for (Eigen::Index from = 0; from < direct.cols(); ++from)
+      lines(first, ends[static_cast<std::size_t>(from)]) += direct(k, from);
+  }
+  double largest = 0.0;
+  for (const Complex& value : eigenvalues(lines)) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// Returns whether what runs in the delays alone dies out: direct gains below 1 around each loop of them.
+/// Without a common step of the delays it does for any of their times, or this is not known.
+std::optional<bool> echoes_die(const StateSpace& system) {
+  constexpr double rounding = 1e-12;
+  const auto delays = std::ssize(system.delays);
+  const Eigen::MatrixXd direct = system.D.bottomRightCorner(delays, delays);
+  if (spectral_radius(direct.cwiseAbs()) < 1.0 - rounding) return true;
+  const auto steps = common_steps(system.delays);
+  if (!steps.empty()) return growth_in_lines(direct, steps) < 1.0 - rounding;
+  return delays == 1 ? std::optional(false) : std::nullopt;
+}
+
 /// Returns the number of poles of a system without delays that are not on the left.
 int count_right(const Eigen::MatrixXd& A) {
   const std::vector<Complex> poles = eigenvalues(A);
@@ -458,6 +505,9 @@ std::vector<Complex> delay_poles(const StateSpace& system) {
 std::optional<int> count_unstable(const StateSpace& system) {
   const StateSpace loops = with_loops_only(system);
   if (loops.delays.empty()) return count_right(system.A);
+  const auto die = echoes_die(loops);
+  if (die == false) return infinitely_many;
+  if (die && system.A.rows() == 0) return 0;
   bool is_one = false;
   const auto count = count_if_one_loop(loops, is_one);
   return is_one ? count : count_by_turns(loops, scales_of(loops));

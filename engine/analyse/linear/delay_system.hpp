@@ -38,10 +38,13 @@ StateSpace with_lines_below(const StateSpace& system, double longest, Eigen::Ind
 /// is left out.
 std::vector<Complex> delay_poles(const StateSpace& system);
 
+inline constexpr int infinitely_many = 1'000'000'000;
+
 /// Returns the number of poles to the right of the imaginary axis, or on it. By the argument principle it is
 /// the number of turns of the determinant det(1 - exp(-s T) G(s)) about 0 along the axis. G is the system
-/// between its delays. All poles count, however far from 0. Returns std::nullopt if the determinant passes 0,
-/// if a loop of delays alone has a gain of 1 or more, or if several loops turn too often to be followed.
+/// between its delays. All poles count, however far from 0; a loop of delays alone with a gain of 1 or more
+/// has `infinitely_many`. Returns std::nullopt if the determinant passes 0, or if several loops turn too
+/// often to be followed.
 std::optional<int> count_unstable(const StateSpace& system);
 
 }  // namespace stepwire::linear

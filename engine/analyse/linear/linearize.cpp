@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/analyse/linear/slopes.hpp"
@@ -227,11 +228,29 @@ void note_motion(const WorkingPoint& point, Linearization& result) {
                                      point.sampled() ? " in a base period" : " per s"));
 }
 
+/// Throws Error for more states than matrices can have.
+void refuse_too_many(const WorkingPoint& point, const plan::Plan& plan) {
+  constexpr std::size_t most = 4000;
+  if (point.states().size() <= most) return;
+  const auto states_of = [&](const diagram::DiagramBlock& block) {
+    return std::ranges::count_if(point.states(), [&](const StatePlace& state) {
+      return state.channel.name.starts_with(block.name + ".");
+    });
+  };
+  const diagram::DiagramBlock& block = *std::ranges::max_element(plan.diagram.blocks, {}, states_of);
+  throw yaml::Error(plan.diagram.fault(
+      block.origin, block.name,
+      fmt::format("a linear system has at most {} states, and this block alone {}; give it a longer period "
+                  "'every', or take a TransportDelay among continuous blocks, which needs none",
+                  most, states_of(block))));
+}
+
 }  // namespace
 
 Linearization linearize(diagram::Diagram diagram, const Request& request) {
   const PreparedDiagram prepared = prepare(std::move(diagram), request);
   WorkingPoint point(prepared, request);
+  refuse_too_many(point, prepared.plan);
   Columns columns(point, request);
   const std::vector<Slopes> all = columns.take();
   Linearization result;

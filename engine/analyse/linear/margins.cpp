@@ -173,8 +173,7 @@ void judge_stability(const StateSpace& closed, Margins& margins) {
   if (!margins.knows_stability)
     margins.notes.push_back(
         "the growing modes of the closed loop could not be counted: a pole is on the border within rounding, "
-        "a "
-        "loop of delays has a gain of 1 or more, or the delays turn too often below the highest crossover");
+        "or the delays turn too often below the highest crossover");
 }
 
 /// Returns the first frequency beyond a grid at which a monotone function is negative; nan if `falls` but

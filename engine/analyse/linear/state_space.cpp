@@ -1,5 +1,6 @@
 #include "engine/analyse/linear/state_space.hpp"
 
+#include <Eigen/QR>
 #include <Eigen/SVD>
 #include <cmath>
 #include <utility>
@@ -38,17 +39,21 @@ using Svd = Eigen::JacobiSVD<Eigen::MatrixXd>;
 
 /// Returns the dimension of the controllable subspace: the range of B, then step by step the states that it
 /// drives.
+///
+/// Each step turns A by as many reflections as B has columns, so that n steps cost n^3.
 Eigen::Index staircase(Eigen::MatrixXd A, Eigen::MatrixXd B) {
   Eigen::Index reached = 0;
   while (A.rows() > 0 && B.cols() > 0) {
-    const Svd svd(B, Eigen::ComputeFullU);
+    const Svd svd(B, Eigen::ComputeThinV);
     const Eigen::Index rank = (svd.singularValues().array() > tolerance).count();
     reached += rank;
     if (rank == 0 || rank == A.rows()) break;
-    const Eigen::MatrixXd turned = svd.matrixU().transpose() * A * svd.matrixU();
+    const Eigen::HouseholderQR<Eigen::MatrixXd> range(B * svd.matrixV().leftCols(rank));
+    A.applyOnTheLeft(range.householderQ().adjoint());
+    A.applyOnTheRight(range.householderQ());
     const Eigen::Index rest = A.rows() - rank;
-    B = turned.bottomLeftCorner(rest, rank);
-    A = turned.bottomRightCorner(rest, rest).eval();
+    B = A.bottomLeftCorner(rest, rank);
+    A = A.bottomRightCorner(rest, rest).eval();
   }
   return reached;
 }
@@ -57,7 +62,9 @@ std::vector<double> singular_values(const Eigen::MatrixXd& A, const Eigen::Matri
   Eigen::MatrixXd all(A.rows(), A.rows() * B.cols()), next = B;
   for (Eigen::Index k = 0; k < A.rows(); ++k, next = (A * next).eval())
     all.middleCols(k * B.cols(), B.cols()) = next;
-  const Eigen::VectorXd values = Svd(all).singularValues();
+  constexpr Eigen::Index many = 100;  // for which rotations of pairs of columns take seconds
+  const Eigen::VectorXd values =
+      A.rows() > many ? Eigen::BDCSVD<Eigen::MatrixXd>(all).singularValues() : Svd(all).singularValues();
   return {values.begin(), values.end()};
 }
 

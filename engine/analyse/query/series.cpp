@@ -16,21 +16,43 @@ namespace {
 /// Returns the message for a value that cannot be drawn in a unit of its dimension; empty if it can.
 std::string drawn_fault(const unit::Dimension& given, const unit::Dimension& wanted) {
   const std::string other = unit::other_meaning(given, wanted);
-  if (other.empty()) return "";
+  const bool scales =
+      given.zeros && !unit::are_zeros(*given.zeros, 0.0) && !unit::are_zeros(*given.zeros, 1.0);
+  if (other.empty() || (scales && unit::is_temperature(wanted))) return other;
   return other + "; " + (unit::is_temperature(wanted) ? "draw it in K" : unit::cure_of_rate(wanted));
+}
+
+/// Returns the dimension of a formula without a known unit whose columns are made of temperatures;
+/// std::nullopt for others.
+std::optional<unit::Dimension> dimension_if_kelvin(const Formula& formula, const SymbolTable& names) {
+  std::vector<expression::Measure> measures;
+  for (const std::string& name : formula.expression.variables()) {
+    const RecordedName& column = *names.find(name);
+    measures.push_back({column.dimension, column.dimension.has_value()});
+    if (column.dimension || !column.zeros_if_kelvin) continue;
+    unit::Dimension kelvin{{0, 0, 0, 0, 1}};
+    kelvin.zeros = column.zeros_if_kelvin;
+    measures.back() = {kelvin, true};
+  }
+  try {
+    return formula.expression.measure(measures).dimension;
+  } catch (const expression::ExpressionError&) {
+    return std::nullopt;  // its columns are in other units
+  }
 }
 
 /// Reads the unit after " in " and checks that the formula can be drawn in it.
 bool read_unit(const yaml::Node& node, std::string_view text, std::size_t offset, Series& series,
                const SymbolTable& names, const std::string& subject, yaml::Faults& faults) {
   const auto unit = unit::parse_unit(text);
-  const auto& dimension = series.formula.dimension;
+  const auto& known = series.formula.dimension;
+  const auto dimension = known ? known : dimension_if_kelvin(series.formula, names);
   std::string message;
   if (!unit)
     message = fmt::format("'{}' is no unit", text);
-  else if (dimension && *dimension != unit->dimension)
+  else if (known && *known != unit->dimension)
     message = fmt::format("'{}' is in {} and cannot be drawn in {}", series.formula.text,
-                          unit::si_name(*dimension), text);
+                          unit::si_name(*known), text);
   else if (const std::string other = dimension ? drawn_fault(*dimension, unit->dimension) : "";
            !other.empty())
     message = fmt::format("'{}' {}", series.formula.text, other);

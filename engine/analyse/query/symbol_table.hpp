@@ -32,6 +32,7 @@ struct RecordedName {
   std::vector<double> values{};  ///< Values of a swept parameter with few of them, SI, ascending; else empty.
   std::string unit{};        ///< Unit in which the file writes the values of a swept parameter; else empty.
   std::string expression{};  ///< Expression that the name replaces in the text of the file; else empty.
+  std::optional<double> zeros_if_kelvin{};  ///< Of a column without a known unit, see diagram::Diagram.
 };
 
 /// A parameter of the diagram, used in figures and claims as "$name".

@@ -25,12 +25,14 @@ ExitCode code_of(const session::Outcome& outcome) {
 
 ExitCode code_of(const estimation::FitResult& result) {
   if (result.interrupted) return ExitCode::interrupted;
-  return result.refused ? ExitCode::wrong : ExitCode::done;
+  if (result.refused) return ExitCode::wrong;
+  return result.converged ? ExitCode::done : ExitCode::fails;
 }
 
 ExitCode code_of(const tuning::TuneResult& result) {
   if (result.interrupted) return ExitCode::interrupted;
-  return result.feasible ? ExitCode::done : ExitCode::wrong;
+  if (!result.feasible) return ExitCode::wrong;
+  return result.converged ? ExitCode::done : ExitCode::fails;
 }
 
 void print_faults(const run::RunResult& result) {

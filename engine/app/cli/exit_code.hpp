@@ -12,7 +12,7 @@ namespace stepwire::cli {
 /// Exit codes, which scripts rely on. If several apply, the greatest wins.
 enum class ExitCode {
   done = 0,          ///< Success; all claims hold.
-  fails = 1,         ///< Failed claim, replay with differences, or a loop stopped after misses.
+  fails = 1,         ///< Failed claim, search without convergence, replay with differences, loop that missed.
   wrong = 2,         ///< Fault in the diagram or the call, also one that only the run reveals.
   surroundings = 3,  ///< Disk full, gnuplot missing, data folder absent, no permission.
   interrupted = 130
@@ -24,9 +24,9 @@ inline ExitCode worst(ExitCode a, ExitCode b) {
 
 /// Returns the code of a run: failed claims, unexpected verdicts, faults, interruption.
 ExitCode code_of(const session::Outcome& outcome);
-/// Returns interrupted, wrong if the diagram refused the fit, or done.
+/// Returns interrupted, wrong if the diagram refused the fit, fails if it has not converged, or done.
 ExitCode code_of(const estimation::FitResult& result);
-/// Returns interrupted, wrong if no point satisfies all claims, or done.
+/// Returns interrupted, wrong if no point satisfies all claims, fails without convergence, or done.
 ExitCode code_of(const tuning::TuneResult& result);
 
 /// Runs an action that may throw, prints exceptions on the standard error (one line per fault), and returns

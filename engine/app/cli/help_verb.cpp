@@ -73,8 +73,8 @@ std::string man_page(const VerbWords& program, const std::vector<VerbWords>& ver
   text += ".SH VERBS\n";
   for (const VerbWords& verb : verbs) text += section(verb);
   return text +
-         ".SH EXIT STATUS\n.TP\n0\ndone, all claims hold\n.TP\n1\na claim fails, or what is verified "
-         "differs\n"
+         ".SH EXIT STATUS\n.TP\n0\ndone, all claims hold\n.TP\n1\na claim fails, what is verified "
+         "differs, or a search has not converged\n"
          ".TP\n2\nthe diagram or the call is wrong\n.TP\n3\nthe surroundings are: a full disk, a missing "
          "program "
          "or folder\n.TP\n130\ninterrupted; what was recorded is kept\n";

@@ -203,12 +203,16 @@ class FileRun {
   ExitCode carry_out(session::LoadedModel& model, const std::string& folder, Json& results) {
     if (call_.part) return run_share(model);
     const ExitCode fitted = model.fit ? fit(model, folder, results) : ExitCode::done;
-    if (fitted != ExitCode::done) return fitted;
+    if (ends(fitted)) return fitted;
     const bool tunes = call_.requires_section == "tune";
     const ExitCode tuned = tunes ? tune(model, folder, results) : ExitCode::done;
-    if (tuned != ExitCode::done) return tuned;
-    return model.study ? study(model, folder, results) : run(model, folder, results);
+    if (ends(tuned)) return tuned;
+    const ExitCode done = model.study ? study(model, folder, results) : run(model, folder, results);
+    return worst(worst(fitted, tuned), done);
   }
+
+  /// True for a search whose result cannot be run. One without convergence can.
+  static bool ends(ExitCode search) { return search != ExitCode::done && search != ExitCode::fails; }
 
   ExitCode run_share(const session::LoadedModel& model) {
     KeptRun kept(model, use_, *call_.part);
@@ -247,7 +251,7 @@ class FileRun {
       results.push(Json::object().set("tune", session::tune_json(model, result)));
     else
       put_report(report::tune_text(result), code != ExitCode::done);
-    if (code == ExitCode::done) model = session_.tuned(model, result);
+    if (!ends(code)) model = session_.tuned(model, result);
     return code;
   }
 
@@ -262,12 +266,12 @@ class FileRun {
       return session_.fit(model, call);
     }();
     if (!folder.empty() && !result.records.empty()) session::write_fit(folder, model, result);
+    const ExitCode code = code_of(result);
     if (call_.models.json)
       results.push(Json::object().set("fit", session::fit_json(model, result)));
     else
-      put_report(report::fit_text(result), result.refused);
-    const ExitCode code = code_of(result);
-    if (code == ExitCode::done) model = session_.fitted(model, result);
+      put_report(report::fit_text(result), code != ExitCode::done);
+    if (!ends(code)) model = session_.fitted(model, result);
     return code;
   }
 

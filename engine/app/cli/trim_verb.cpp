@@ -52,7 +52,9 @@ Action declare_trim(CLI::App& verb) {
 
 Verb trim_verb() {
   return {"trim", "find an operating point of a diagram, where it stands still",
-          "Example:\n  stepwire trim pendulum.yaml --out out/upright", declare_trim};
+          "Example:\n  stepwire trim pendulum.yaml --out out/upright\n"
+          "The exit code is 1 without convergence; all files are written.",
+          declare_trim};
 }
 
 }  // namespace stepwire::cli

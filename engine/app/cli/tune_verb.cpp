@@ -30,7 +30,9 @@ Action declare_tune(CLI::App& verb) {
 
 Verb tune_verb() {
   return {"tune", "find parameters that make an objective small while claims hold, then run with them",
-          "Example:\n  stepwire tune loop.yaml --starts 8 --out out/loop", declare_tune};
+          "Example:\n  stepwire tune loop.yaml --starts 8 --out out/loop\n"
+          "The exit code is 1 without convergence; all files are written.",
+          declare_tune};
 }
 
 }  // namespace stepwire::cli

@@ -245,6 +245,8 @@ struct Diagram {
   PortUnits output_dimensions;               ///< see infer_units
   PortUnits state_dimensions;                ///< of the states
   std::vector<ElementDimensions> element_dimensions;  ///< if output_dimensions has no common unit
+  /// Zeros of outputs without a known unit if they are in K: 2 for twice a temperature. See Dimension::zeros.
+  std::vector<std::vector<std::optional<double>>> zeros_if_kelvin;
   std::optional<Sweep> sweep;
   std::optional<StopCondition> stop_when;
   yaml::Node figure, claims, invariants;  ///< as written, read by view/plot and analyse/claim

@@ -19,4 +19,10 @@ std::optional<unit::Dimension> dimension_of(const Diagram& diagram, const Signal
   return std::nullopt;
 }
 
+std::optional<double> zeros_if_kelvin(const Diagram& diagram, const SignalRef& signal) {
+  const auto block = static_cast<std::size_t>(signal.block);
+  if (signal.output < 0 || block >= diagram.zeros_if_kelvin.size()) return std::nullopt;
+  return diagram.zeros_if_kelvin[block][static_cast<std::size_t>(signal.output)];
+}
+
 }  // namespace stepwire::diagram

@@ -34,6 +34,7 @@ struct Known {
   Origin origin;
   std::string port, what;
   double zeros = 0.0;
+  bool sure = true;  ///< false: only if its signal is in K
 };
 
 /// Known ports of one unit of one block.
@@ -44,11 +45,13 @@ class Temperatures {
   explicit Temperatures(Report& report) : report_(report), diagram_(report.diagram()) {}
 
   void run() {
+    diagram_.zeros_if_kelvin.resize(diagram_.blocks.size());
+    for (std::size_t i = 0; i < diagram_.blocks.size(); ++i)
+      diagram_.zeros_if_kelvin[i].assign(diagram_.output_dimensions[i].size(), std::nullopt);
+    // A unit that the file gives to an output does not change what the block computes.
+    spread_all();
     for (const UnitDemand& demand : diagram_.unit_demands) take(demand);
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (std::size_t i = 0; i < diagram_.blocks.size(); ++i) changed = spread(i) || changed;
-    }
+    spread_all();
     for (std::size_t i = 0; i < diagram_.blocks.size(); ++i) check(i);
     for (const UnitDemand& demand : diagram_.unit_demands) check(demand);
     check_ends();
@@ -64,17 +67,38 @@ class Temperatures {
           demand.dimension.zeros);
   }
 
+  void spread_all() {
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t i = 0; i < diagram_.blocks.size(); ++i) changed = spread(i) || changed;
+    }
+  }
+
   bool set(std::size_t block, std::size_t output, const Zeros& zeros) {
-    auto& dimension = diagram_.output_dimensions[block][output];
-    if (!zeros || !dimension || !unit::is_temperature(*dimension) || dimension->zeros) return false;
-    dimension->zeros = zeros;
+    Zeros* const place = place_of_zeros(block, output);
+    if (!zeros || !place || *place) return false;
+    *place = zeros;
     return true;
+  }
+
+  /// Returns where the zeros of an output are kept; nullptr for an output that is in another unit than K.
+  Zeros* place_of_zeros(std::size_t block, std::size_t output) {
+    auto& dimension = diagram_.output_dimensions[block][output];
+    if (!dimension) return &diagram_.zeros_if_kelvin[block][output];
+    return unit::is_temperature(*dimension) ? &dimension->zeros : nullptr;
   }
 
   Zeros zeros_of_source(const Source& source) const {
     if (source.block < 0) return zeros_of(source.dimension);
-    return zeros_of(diagram_.output_dimensions[static_cast<std::size_t>(source.block)]
-                                              [static_cast<std::size_t>(source.output)]);
+    const auto block = static_cast<std::size_t>(source.block),
+               output = static_cast<std::size_t>(source.output);
+    const auto& dimension = diagram_.output_dimensions[block][output];
+    return dimension ? dimension->zeros : diagram_.zeros_if_kelvin[block][output];
+  }
+
+  bool has_unit(const Source& source) const {
+    return source.block < 0 || diagram_.output_dimensions[static_cast<std::size_t>(source.block)]
+                                                         [static_cast<std::size_t>(source.output)];
   }
 
   std::string name_of(const Source& source) const {
@@ -91,7 +115,7 @@ class Temperatures {
       if (const InputSpec& spec = block.type().inputs[i]; spec.unit == unit)
         for (const Source& source : block.inputs[i])
           if (const Zeros zeros = zeros_of_source(source))
-            group.push_back({source.origin, spec.name, name_of(source), *zeros});
+            group.push_back({source.origin, spec.name, name_of(source), *zeros, has_unit(source)});
     for (std::size_t i = 0; i < block.type().parameters.size(); ++i)
       if (const Zeros zeros = zeros_of(block.parameter_dimensions[i]);
           zeros && block.type().parameters[i].unit == unit)
@@ -110,8 +134,7 @@ class Temperatures {
     bool changed = false;
     const auto& outputs = block(index).type().outputs;
     for (std::size_t o = 0; o < outputs.size(); ++o)
-      if (const auto& dimension = diagram_.output_dimensions[index][o];
-          dimension && unit::is_temperature(*dimension) && !dimension->zeros)
+      if (const Zeros* const place = place_of_zeros(index, o); place && !*place)
         changed = set(index, o, zeros_of_output(index, outputs[o])) || changed;
     return changed;
   }
@@ -228,7 +251,8 @@ class Temperatures {
   }
 
   void check_group(std::size_t index, const std::string& unit) {
-    const Group group = known(index, unit);
+    Group group = known(index, unit);
+    std::erase_if(group, [](const Known& one) { return !one.sure; });
     if (group.empty()) return;
     const auto usual = std::ranges::find_if(group, [](const Known& one) {
       return unit::are_zeros(one.zeros, 0.0) || unit::are_zeros(one.zeros, 1.0);
@@ -245,10 +269,10 @@ class Temperatures {
     const BlockType& type = block.type();
     for (std::size_t p = 0; p < type.parameters.size(); ++p) {
       const std::string& unit = type.parameters[p].unit;
-      const auto has_unit = [&](const auto& spec) { return spec.unit == unit; };
+      const auto has_its_unit = [&](const auto& spec) { return spec.unit == unit; };
       const Zeros zeros = zeros_of(block.parameter_dimensions[p]);
-      if (zeros && unit.find('\'') != std::string::npos && std::ranges::none_of(type.inputs, has_unit) &&
-          std::ranges::none_of(type.outputs, has_unit))
+      if (zeros && unit.find('\'') != std::string::npos && std::ranges::none_of(type.inputs, has_its_unit) &&
+          std::ranges::none_of(type.outputs, has_its_unit))
         complain(
             {{block.origin.scope, block.parameter_marks[p]}, type.parameters[p].name, "the number", *zeros},
             0.0, index);
@@ -281,6 +305,11 @@ class Temperatures {
   void check_ends() {
     std::vector<std::vector<bool>> goes_on(diagram_.blocks.size());
     for (std::size_t i = 0; i < goes_on.size(); ++i) goes_on[i].resize(diagram_.output_dimensions[i].size());
+    // A unit that the file gives is checked at its place.
+    for (const UnitDemand& demand : diagram_.unit_demands)
+      if (demand.source.block >= 0 && demand.dimension.zeros)
+        goes_on[static_cast<std::size_t>(demand.source.block)]
+               [static_cast<std::size_t>(demand.source.output)] = true;
     for (std::size_t i = 0; i < diagram_.blocks.size(); ++i)
       for (const auto& sources : block(i).inputs)
         for (const Source& source : sources)

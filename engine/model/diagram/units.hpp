@@ -28,4 +28,7 @@ PortUnits infer_input_units(Report& report);
 std::optional<unit::Dimension> dimension_of(const Diagram& diagram, const SignalRef& signal,
                                             const OutputShape& shape = {});
 
+/// Returns Diagram::zeros_if_kelvin of a signal; std::nullopt for states.
+std::optional<double> zeros_if_kelvin(const Diagram& diagram, const SignalRef& signal);
+
 }  // namespace stepwire::diagram

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/model/diagram/units.hpp"
 #include "engine/model/plan/element_slot.hpp"
 
 namespace stepwire::record {
@@ -15,9 +16,9 @@ std::vector<RecordedColumn> recorded_columns(const plan::Plan& plan, const diagr
   for (const diagram::RecordedSignal& signal : request.signals) {
     const plan::SignalSlot slot = plan.slot(signal.signal);
     for (Eigen::Index k = 0; k < slot.size; ++k)
-      columns.push_back({plan::element_name(signal.name, slot, k),
-                         plan.dimension(plan::element_of(signal.signal, slot, k)),
-                         slot.offset + static_cast<std::size_t>(k)});
+      columns.push_back(
+          {plan::element_name(signal.name, slot, k), plan.dimension(plan::element_of(signal.signal, slot, k)),
+           slot.offset + static_cast<std::size_t>(k), diagram::zeros_if_kelvin(plan.diagram, signal.signal)});
   }
   return columns;
 }

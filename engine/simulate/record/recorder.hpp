@@ -15,6 +15,7 @@ struct RecordedColumn {
   std::string name;  ///< "time", or a signal; a vector signal p has p.1, p.2, ...
   std::optional<unit::Dimension> dimension;
   std::size_t offset;
+  std::optional<double> zeros_if_kelvin{};  ///< see Diagram::zeros_if_kelvin
 };
 /// Returns the columns in order, the time first.
 std::vector<RecordedColumn> recorded_columns(const plan::Plan& plan, const diagram::RecordRequest& request);

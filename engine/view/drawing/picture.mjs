@@ -5,7 +5,7 @@ import {grouped} from "./groups.mjs";
 import {outputId} from "./layout.mjs";
 import {mirrored} from "./mirror.mjs";
 import {nodesAndWires} from "./nodes.mjs";
-import {rowsOf, secondRow, stacked} from "./rows.mjs";
+import {rowNumbers, rowsOf, stacked, turnsAtEnds} from "./rows.mjs";
 import {keptOf} from "./steady.mjs";
 import {openLength, sizeOf, sizes} from "./symbol.mjs";
 import {widthOf} from "./text.mjs";
@@ -18,6 +18,8 @@ const widest = (1400 * sizes.port) / 9;
 const hopeless = 3;
 /** Two rows are drawn where they are that much less wide than one. */
 const worthwhile = 0.85;
+/** Beyond so many rows nothing is gained. */
+const mostRows = 20;
 const band = {width: 1000, ratio: 3.5};
 const unbounded = {whole: Infinity, frame: Infinity};
 
@@ -134,12 +136,24 @@ async function inOneRow({nodes, wires}, elk, like) {
   return picture;
 }
 
-/** The picture of a graph in two rows; nothing where it cannot be divided. */
-async function inTwoRows(graph, {nodes, wires}, elk, isRoot, known, room) {
-  const second = secondRow(nodes, wires), rows = [];
-  if (second.size === 0) return undefined;
-  for (const row of rowsOf(graph, second)) rows.push(await inOneRow(await sizedNodes(row, isRoot, elk, known, room), elk));
+/** The picture of a graph in rows; nothing where it cannot be divided. */
+async function inRows(count, graph, {nodes, wires}, elk, isRoot, known, room) {
+  const numbers = rowNumbers(nodes, wires, count), rows = [];
+  if (!numbers || !turnsAtEnds(graph, numbers)) return undefined;
+  for (const row of rowsOf(graph, numbers)) rows.push(await inOneRow(await sizedNodes(row, isRoot, elk, known, room), elk));
   return stacked(rows);
+}
+
+/** The picture of a chain of blocks in as few rows as are `wanted` wide, where the wires lead from the end of each row to the next. */
+async function inMoreRows(width, wanted, ...graph) {
+  const least = Math.max(3, Math.ceil(width / wanted));
+  let best;
+  for (let count = least; count <= Math.min(least + 3, mostRows); ++count) {
+    const picture = await inRows(count, ...graph);
+    if (picture && !(best?.width <= picture.width)) best = picture;
+    if (best?.width <= wanted) break;
+  }
+  return best;
 }
 
 /** Is a picture wider than it may be, or a band that leaves most of a page empty? */
@@ -148,7 +162,7 @@ const isTooWide = ({width, height}, room) => width > room || (width > band.width
 /**
  * The picture of a graph: {width, height, blocks, wires}. A block is a node with x, y, width, height and ports that
  * have a side and a place on it; a wire has the corners that it goes through. What lies in frames names them in `within`.
- * Frames that become wider than `room.frame` are drawn in two rows, and so is the whole beyond `room.whole`.
+ * Frames that become wider than `room.frame` are drawn in rows, and so is the whole beyond `room.whole`.
  */
 async function arrangeIn(graph, elk, isRoot, known, room) {
   if (room.like) return inOneRow(await sizedNodes(graph, isRoot, elk, known, room), elk, room.like);
@@ -157,7 +171,10 @@ async function arrangeIn(graph, elk, isRoot, known, room) {
   if (widthAtMost(task.nodes) > limit) {
     const size = await sizeOfLayout(task.nodes, task.wires, elk);
     if (isRoot ? isTooWide(size, room.whole) : size.width > room.frame) {
-      const two = await inTwoRows(whole, task, elk, isRoot, known, room);
+      const two = await inRows(2, whole, task, elk, isRoot, known, room);
+      const wanted = isRoot ? room.whole : room.frame, isPlain = task.nodes.every((node) => !node.graph);
+      const more = two && two.width > wanted && isPlain ? await inMoreRows(size.width, wanted, whole, task, elk, isRoot, known, room) : undefined;
+      if (more && more.width < worthwhile * two.width) return more;
       if (two && two.width < worthwhile * size.width) return two;
     }
   }

@@ -1,5 +1,5 @@
-// A picture in two rows, for what is too wide for one: the second row lies below the first and goes from right to left, as a
-// way back does. Wires from row to row go around the ends of the rows.
+// A picture in rows, for what is too wide for one: every second row goes from right to left, as a way back does. Wires from
+// row to row go around the ends of the rows.
 
 import {startsOf} from "./feedback_edges.mjs";
 import {mirrored} from "./mirror.mjs";
@@ -7,34 +7,75 @@ import {netOf, straightened} from "./wires.mjs";
 
 const track = {first: 14, step: 9}, between = 16;
 
-/** The nodes of the second row, so chosen that the wider of both is as little wide as can be; none where all stand abreast. */
-export function secondRow(nodes, wires) {
+/** The nodes that can be divided, from left to right, with the left and right end of each. */
+function inOrder(nodes, wires) {
   const starts = startsOf(nodes, wires), own = nodes.filter(({id}) => !id.startsWith(":"));
-  const order = own.map(({id}) => id).sort((a, b) => starts.get(a) - starts.get(b)), byId = new Map(own.map((node) => [node.id, node]));
-  const reach = (ids) => {
-    const from = Math.min(...ids.map((id) => starts.get(id))), to = Math.max(...ids.map((id) => starts.get(id) + byId.get(id).width));
-    return to - from;
-  };
-  let best = {width: Infinity, row: new Set()};
-  for (let count = 1; count < order.length; ++count) {
-    if (starts.get(order[count]) === starts.get(order[count - 1])) continue;
-    const width = Math.max(reach(order.slice(0, count)), reach(order.slice(count)));
-    if (width < best.width) best = {width, row: new Set(order.slice(count))};
-  }
-  return best.row;
+  return own.map(({id, width}) => ({id, from: starts.get(id), to: starts.get(id) + width})).sort((a, b) => a.from - b.from);
 }
 
-/** The graphs of both rows. What is cut has a port of its own in each, which is marked. */
-export function rowsOf(graph, second) {
-  const rowOf = ({node}) => (second.has(node) ? 1 : 0), cuts = [[], []];
+const reach = (nodes) => Math.max(...nodes.map(({to}) => to)) - Math.min(...nodes.map(({from}) => from));
+
+/** The row of each node of two, so chosen that the wider of both is as little wide as can be; none where all stand abreast. */
+function inTwo(order) {
+  let best = {width: Infinity};
+  for (let count = 1; count < order.length; ++count) {
+    if (order[count].from === order[count - 1].from) continue;
+    const width = Math.max(reach(order.slice(0, count)), reach(order.slice(count)));
+    if (width < best.width) best = {width, rows: [order.slice(0, count), order.slice(count)]};
+  }
+  return best.rows;
+}
+
+/** Rows that are no wider than a limit where that can be had. */
+function within(order, limit) {
+  const rows = [];
+  for (const node of order) {
+    const row = rows.at(-1);
+    if (row && (node.from === row.at(-1).from || reach([...row, node]) <= limit)) row.push(node);
+    else rows.push([node]);
+  }
+  return rows;
+}
+
+/** So many rows, of which the widest is as little wide as can be. */
+function inMany(order, count) {
+  let low = 0, high = reach(order);
+  while (high - low > 1) {
+    const limit = (low + high) / 2;
+    if (within(order, limit).length <= count) high = limit;
+    else low = limit;
+  }
+  return within(order, high);
+}
+
+/** The row of each node, by its id; nothing where the nodes cannot be divided into so many rows. */
+export function rowNumbers(nodes, wires, count) {
+  const order = inOrder(nodes, wires), rows = count === 2 ? inTwo(order) : inMany(order, count);
+  return rows?.length === count ? new Map(rows.flatMap((row, i) => row.map(({id}) => [id, i]))) : undefined;
+}
+
+/** The first row begins with what comes from outside. */
+const rowIn = (numbers) => ({node}) => numbers.get(node) ?? 0;
+
+/** Does each wire between rows begin at the end of its row where the other one begins? */
+export function turnsAtEnds({wires}, numbers) {
+  const rowOf = rowIn(numbers);
+  return wires.every(({from, to}) => from.constant !== undefined || rowOf(from) === rowOf(to) || (rowOf(from) + rowOf(to)) % 2 === 1);
+}
+
+/** The graphs of all rows. What is cut has a port of its own in each, which is marked. */
+export function rowsOf(graph, numbers) {
+  const rowOf = rowIn(numbers), cuts = Array.from({length: Math.max(...numbers.values()) + 1}, () => []);
   const isCut = ({from, to}) => from.constant === undefined && rowOf(from) !== rowOf(to);
   for (const {from, to} of graph.wires.filter(isCut)) {
     const known = cuts[rowOf(to)].some((cut) => cut.net === netOf({from}));
     if (!known) cuts[rowOf(to)].push({net: netOf({from}), from, isCut: true, port: `cut ${rowOf(to)} ${cuts[rowOf(to)].length}`});
   }
   // At either end what leaves one row highest reaches the other lowest, so that the ways nest.
-  const entering = [cuts[0], [...cuts[1]].reverse()], leaving = [cuts[1], [...cuts[0]].reverse()];
-  return [0, 1].map((row) => ({
+  const isBelow = (row) => row % 2 === 1, reversed = (list, is) => (is ? [...list].reverse() : list);
+  const entering = cuts.map((own, row) => reversed(own, isBelow(row)));
+  const leaving = cuts.map((_, row) => cuts.flatMap((own, to) => reversed(own.filter(({from}) => rowOf(from) === row), !isBelow(to))));
+  return cuts.map((_, row) => ({
     inputs: [...(row === 0 ? graph.inputs : []), ...entering[row]], outputs: [...(row === 0 ? graph.outputs : []), ...leaving[row]],
     nodes: graph.nodes.filter(({id}) => rowOf({node: id}) === row),
     wires: [
@@ -74,8 +115,8 @@ function tracksOf(spans) {
   return new Map(placed.map(({cut, place}) => [cut, track.first + track.step * place]));
 }
 
-/** What leads to the lower row does so at the right end of the rows, what comes from it at the left one. */
-const leadsDown = (cut) => cut.startsWith("cut 1");
+/** What leads to a row that goes to the left does so at the right end of the rows, what comes from it at the left one. */
+const leadsDown = (cut) => Number(cut.split(" ")[1]) % 2 === 1;
 
 /** The pieces of the wires that were cut: {cut, leaving, entering: [wire]}. */
 function cutWires(wires) {
@@ -91,15 +132,20 @@ function spanOf({cut, leaving, entering}) {
   return {cut, low: Math.min(...ys), high: Math.max(...ys)};
 }
 
-/** Both rows as one picture; the second one goes to the left. */
-export function stacked([upper, below]) {
-  const lower = mirrored(below), width = Math.max(upper.width, lower.width);
-  const room = (picture) => {
-    const count = cutWires(picture.wires).length;
+/** All rows as one picture; every second one goes to the left. */
+export function stacked(pictures) {
+  const turned = pictures.map((picture, i) => (i % 2 === 1 ? mirrored(picture) : picture)), width = Math.max(...turned.map((one) => one.width));
+  const room = (down) => {
+    const count = cutWires(turned.flatMap((one) => one.wires)).filter(({cut}) => leadsDown(cut) === down).length;
     return count > 0 ? track.first + track.step * count : 0;
   };
-  const left = room(lower), right = room(upper), end = left + width;
-  const rows = [shift(upper, left, 0), shift(lower, end - lower.width, upper.height + between)];
+  const left = room(false), right = room(true), end = left + width;
+  let top = -between;
+  const rows = turned.map((picture, i) => {
+    const y = top + between;
+    top = y + picture.height;
+    return shift(picture, i % 2 === 1 ? end - picture.width : left, y);
+  });
   const wires = rows.flatMap((row) => row.wires), cuts = cutWires(wires), pieces = new Set(cuts.flatMap((one) => [one.leaving, ...one.entering]));
   const tracks = [true, false].map((down) => tracksOf(cuts.filter(({cut}) => leadsDown(cut) === down).map(spanOf)));
   const ways = cuts.flatMap(({cut, leaving, entering}) => {
@@ -107,7 +153,7 @@ export function stacked([upper, below]) {
     return entering.map((wire) => ({...wire, from: leaving.from, points: joined(leaving, wire, x)}));
   });
   return {
-    width: end + right, height: upper.height + between + lower.height,
+    width: end + right, height: top,
     blocks: rows.flatMap((row) => row.blocks).filter((block) => block.within || !block.id.includes(":cut ")),
     wires: [...wires.filter((wire) => !pieces.has(wire)), ...ways],
   };

@@ -124,13 +124,22 @@ void check_points(const yaml::Node& node, const Panel& panel, const query::Names
   }
 }
 
+/// Returns the dimension of what is drawn along an axis; std::nullopt if it is unknown.
+std::optional<unit::Dimension> dimension_along(const std::string& axis, const Panel& panel) {
+  const query::Series* drawn = panel.find(axis);
+  if (!drawn) return std::nullopt;
+  const bool has_unit = !drawn->unit_text.empty() && !drawn->formula.dimension;
+  return has_unit ? drawn->unit.dimension : drawn->formula.dimension;
+}
+
 /// Returns the names of the panel's plane: x and y are its coordinates, even if columns of these names are
 /// recorded.
-query::SymbolTable plane_of(const query::SymbolTable& names) {
+query::SymbolTable plane_of(const query::SymbolTable& names, const Panel& panel) {
   query::SymbolTable plane = names;
   std::erase_if(plane.columns,
                 [](const query::RecordedName& one) { return one.name == "x" || one.name == "y"; });
-  plane.columns.insert(plane.columns.begin(), {{"x", {}, {}}, {"y", {}, {}}});
+  plane.columns.insert(plane.columns.begin(),
+                       {{"x", dimension_along("x", panel), {}}, {"y", dimension_along("y", panel), {}}});
   plane.signals.clear();
   plane.unknown = "is no coordinate of the plane, nor recorded";
   return plane;
@@ -201,7 +210,7 @@ void read_texts(const yaml::Node& node, Panel& panel, const query::NamesReading&
 }
 
 void read_boundaries(const yaml::Node& node, Panel& panel, const query::NamesReading& read) {
-  const query::SymbolTable names = plane_of(read.names);
+  const query::SymbolTable names = plane_of(read.names, panel);
   const query::NamesReading plane(read.subject, names, read.faults);
   for (const yaml::Node& item : node.as_list()) {
     auto formula = plane.formula(item);

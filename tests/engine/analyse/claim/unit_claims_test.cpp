@@ -9,6 +9,13 @@ unit::Dimension of(const char* unit) {
   return unit::parse_unit(unit)->dimension;
 }
 
+/// A signal without a known unit, twice a temperature where it is in kelvin.
+query::RecordedName twice_a_room() {
+  query::RecordedName name{"twice", {}, 0};
+  name.zeros_if_kelvin = 2.0;
+  return name;
+}
+
 query::SymbolTable rooms() {
   return {"d.yaml",
           {{"time", of("s"), {}},
@@ -17,7 +24,8 @@ query::SymbolTable rooms() {
            {"heat", of("K"), 0},
            {"speed", of("rpm"), 0},
            {"beat", of("Hz"), 0},
-           {"guess", {}, 0}},
+           {"guess", {}, 0},
+           twice_a_room()},
           {{"allowed", 273.25, of("degC"), "degC"}}};
 }
 
@@ -79,6 +87,17 @@ TEST_CASE("what is at fault is named: a sum, a share or a divisor") {
   CHECK(fault("final: gap/1 K, at_most: 2").empty());
   CHECK(fault("fit: [room, gap], at_least: 90") != "");
   CHECK(fault("final: speed + beat, at_most: 100 rad/s") != "");
+}
+
+TEST_CASE("twice a temperature is shown in no degC, half of it is") {
+  // 2 * 293.15 K is no 40 degC, which is 313.15 K.
+  CHECK_THAT(
+      fault("final: twice in degC, at_most: 40 degC"),
+      Catch::Contains("'twice' adds or scales temperatures in degC") && Catch::Contains("take their mean"));
+  CHECK(fault("final: twice/2 in degC, at_most: 40 degC").empty());
+  CHECK(fault("final: twice in K, at_most: 600 K") != "");
+  CHECK(fault("final: twice in V, at_most: 600 V").empty());
+  CHECK(fault("final: guess in degC, at_most: 40 degC").empty());
 }
 
 TEST_CASE("a parameter in degC is shown in degC") {

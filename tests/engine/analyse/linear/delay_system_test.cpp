@@ -143,6 +143,41 @@ TEST_CASE("an echo is stable below a gain of 1 and not above") {
   CHECK(count_unstable(echo(-0.9, 0.1)) == 0);
   CHECK(is_stable(echo(0.5, 0.1)));
   CHECK_FALSE(is_stable(echo(1.1, 0.1)));
+  // s = (ln|a| + i ...)/time is on the axis or to its right, without end.
+  for (const double a : {1.0, -1.0, 1.5, -3.0}) CHECK(count_unstable(echo(a, 0.1)) == infinitely_many);
+  CHECK(count_unstable(echo(0.9995, 0.1)) == 0);
+}
+
+TEST_CASE("a closed loop of a gain and a delay is judged without doubt") {
+  const auto closed = [](double gain) {
+    StateSpace loop = echo(0.0, 0.1);
+    loop.D << 0.0, gain, 1.0, 0.0;  // y = gain u(t - 0.1 s)
+    return margins_of(loop, -1.0);
+  };
+  for (const double gain : {0.5, -0.5, 0.99}) CHECK((closed(gain).stable && closed(gain).knows_stability));
+  for (const double gain : {1.0, 1.5, -2.0}) CHECK((!closed(gain).stable && closed(gain).knows_stability));
+}
+
+TEST_CASE("two echoes are judged by the roots of their polynomial") {
+  // y = a y(t - T1) + b y(t - T2): the roots z of 1 = a/z^n + b/z^m, by numpy.roots. For T1 = 2 T2 and
+  // (a, b) = (-0.5, 0.6): z^2 - 0.6 z + 0.5, |z| = 0.7071. For (0.5, 0.6): 1.0681. (-0.6, 0.6): 0.7746.
+  const auto two = [](double a, double b, double first, double second) {
+    StateSpace system{Eigen::MatrixXd(0, 0),
+                      Eigen::MatrixXd(0, 3),
+                      Eigen::MatrixXd(3, 0),
+                      Eigen::MatrixXd(3, 3),
+                      {},
+                      {{"u", ""}},
+                      {{"y", ""}},
+                      0.0,
+                      {{first, {"d.u", ""}, {"d.y", ""}}, {second, {"e.u", ""}, {"e.y", ""}}}};
+    system.D << 1.0, a, b, 1.0, a, b, 1.0, a, b;
+    return count_unstable(system);
+  };
+  CHECK(two(-0.5, 0.6, 0.2, 0.1) == 0);
+  CHECK(two(0.5, 0.6, 0.2, 0.1) == infinitely_many);
+  CHECK(two(-0.6, 0.6, 0.2, 0.1) == 0);
+  CHECK(two(0.4, 0.5, 0.2, 0.1 * std::numbers::pi) == 0);
 }
 
 TEST_CASE("a step comes out of an integrator with delayed feedback as the method of steps has it") {
@@ -385,7 +420,7 @@ TEST_CASE("two delays that echo are stable below a gain of 1 around both") {
   };
   CHECK(echoes(5.0, 0.19) == 0);
   CHECK(echoes(0.19, 5.0) == 0);
-  CHECK_FALSE(echoes(5.0, 0.21).has_value());
+  CHECK(echoes(5.0, 0.21) == infinitely_many);
 }
 
 }  // namespace stepwire::linear

@@ -303,4 +303,13 @@ blocks:
                     Contains("late: TransportDelay cannot be linearised here") && Contains("put a Delay"));
 }
 
+TEST_CASE("a delay of too many samples for matrices is refused at its block") {
+  const std::string loop =
+      "step: 1 ms\nstop: 10 s\ninputs: {u: {unit: \"1\", default: 0}}\nblocks:\n"
+      "  late: {block: Delay, u: u, delay: 5 s, every: 1 ms}\n";
+  CHECK_THROWS_WITH(linear(loop, {"u"}, {"late"}),
+                    Contains("a.yaml:7:") && Contains("late: a linear system") &&
+                        Contains("at most 4000 states") && Contains("a longer period 'every'"));
+}
+
 }  // namespace stepwire::linear

@@ -106,4 +106,23 @@ TEST_CASE("a chain of integrators of far different rates is controllable as a wh
   }
 }
 
+TEST_CASE("a loop with a thousand samples of delay has all of its ranks within seconds") {
+  // x[k+1] = x[k] + u[k], and x passes through a line of 1000 samples: [B, A B, ...] is triangular.
+  constexpr Eigen::Index n = 1001;
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+  A(0, 0) = 1.0;
+  for (Eigen::Index i = 1; i < n; ++i) A(i, i - 1) = 1.0;
+  StateSpace system{A,
+                    Eigen::VectorXd::Unit(n, 0),
+                    Eigen::RowVectorXd::Unit(n, n - 1),
+                    Eigen::MatrixXd::Zero(1, 1),
+                    {},
+                    {{"u", ""}},
+                    {{"y", ""}},
+                    1e-3};
+  system.states.resize(n);
+  CHECK(controllability(system).rank == n);
+  CHECK(observability(system).rank == n);
+}
+
 }  // namespace stepwire::linear

@@ -82,6 +82,21 @@ TEST_CASE("a fit says of a constant record that it is constant, and Ceres says n
   CHECK_THAT(done.out, !Contains("e+") && !Contains("nan"));
 }
 
+TEST_CASE("a fit that has not converged ends with 1, and all its files are written") {
+  const Scratch folder;
+  std::string text = fit_yaml;
+  text.replace(text.find("  compare:"), 0, "  iterations: 1\n");
+  text.erase(text.find("claims:"));
+  folder.file("a.yaml", text);
+  const Done done = run_program(folder, {"fit", "a.yaml", "--out", "out"});
+  INFO(done.err << done.out);
+  CHECK(done.code == 1);
+  CHECK_THAT(done.out, Contains("not converged: allow more 'iterations'"));
+  CHECK(json_file(folder, "out/fit.json")["converged"] == false);
+  CHECK_THAT(content_of(folder.path("out/parameters.yaml")), Contains("tau"));
+  CHECK_FALSE(content_of(folder.path("out/signals.csv")).empty());
+}
+
 TEST_CASE("any diagram takes what a fit wrote") {
   const Scratch folder;
   folder.file("a.yaml", fit_yaml);

@@ -148,3 +148,16 @@ record: [both, apart]
                            Contains("\n    deviations from bound to bound: a 20, b 20\n") &&
                            Contains("\n    deviations from bound to bound: a 100, b -100\n"));
 }
+
+TEST_CASE("a tuning that has not converged ends with 1, and all its files are written") {
+  const Scratch folder;
+  std::string text = tune_yaml();
+  text.erase(text.find("claims:\n"));
+  folder.file("a.yaml", text);
+  const Done done = run_program(folder, {"tune", "a.yaml", "--evaluations", "5", "--out", "out"});
+  INFO(done.err << done.out);
+  CHECK(done.code == 1);
+  CHECK_THAT(done.out, Contains("not converged: allow more 'evaluations'"));
+  CHECK(json_of(folder, "out/tune.json")["parameters"].size() == 1);
+  CHECK_FALSE(content_of(folder.path("out/signals.csv")).empty());
+}

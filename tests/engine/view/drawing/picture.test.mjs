@@ -32,6 +32,17 @@ for (const loop of [true, false])
     assert.ok(at(1).x > at(0).x && at(15).x < at(14).x && at(15).y > at(0).y + 40);
   });
 
+test("a chain of 60 blocks is drawn in rows that go to and fro, and is readable on a page", async () => {
+  const graph = chain(60, false), picture = await arrange(graph, elk);
+  check(picture);
+  assert.equal(picture.wires.filter((one) => one.to).length, graph.wires.length);
+  assert.ok((1400 / picture.width) * 10.5 >= 9, "its smallest text is not 9 px high at 1400 px");
+  const rows = new Map();
+  for (const {x, y} of picture.blocks) rows.set(y, [...(rows.get(y) ?? []), x]);
+  assert.ok(rows.size > 3, "it has few rows");
+  [...rows.values()].forEach((xs, row) => xs.slice(1).forEach((x, i) => assert.equal(x > xs[i], row % 2 === 0)));
+});
+
 test("a short chain stays in one row", async () => {
   const {blocks} = await arrange(chain(4, false), elk);
   assert.ok(blocks.every(({x}, i) => i === 0 || x > blocks[i - 1].x));

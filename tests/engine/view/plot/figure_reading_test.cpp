@@ -114,6 +114,9 @@ TEST_CASE("what a figure asks wrongly is told with its place") {
   CHECK(faults_of("{plot: map, x: time, y: time, color: time, boundary: z}") ==
         "d.yaml:1:54: figure.boundary: 'z' is no coordinate of the plane, nor recorded; there are: x, y, "
         "time, current, rig.x, rig.v, push.force, slow\n");
+  CHECK_THAT(faults_of("{plot: path, x: rig.x, y: time, color: time, boundary: y - 0.1 m}"),
+             Catch::StartsWith("d.yaml:1:58: figure.boundary: ") && Catch::Contains("s"));
+  CHECK(faults_of("{plot: path, x: rig.x in mm, y: time, color: time, boundary: x - 1 mm}").empty());
   CHECK_THAT(faults_of("{plot: lines, x: time, y: rig.x, colour: 3}"),
              Catch::StartsWith(
                  "d.yaml:1:34: figure: a plot 'lines' has no 'colour'; it has: plot, x, y, low, high, by, "));
