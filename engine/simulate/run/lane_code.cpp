@@ -7,7 +7,7 @@ namespace stepwire::run {
 namespace {
 
 // Measured compile times of g++ 12 [s].
-constexpr double for_headers = 0.7, for_a_block = 40e-3;
+constexpr double for_lane_headers = 0.7, for_a_lane_block = 40e-3;
 constexpr double patience = 0.2;   // Time [s] until the speed of the runs is measurable.
 constexpr std::size_t fewest = 3;  // Smallest number of runs of a plan that is worth a compilation.
 
@@ -21,7 +21,7 @@ BackgroundCompilation::Prospect prospect(const std::vector<PlanOfRuns>& members,
   BackgroundCompilation::Prospect prospect{0.0, 0.0, patience};
   for (const PlanOfRuns& member : members) {
     const auto blocks = static_cast<double>(member.plan->blocks.size());
-    if (source && is_sought(member, use)) prospect.seconds += for_headers + for_a_block * blocks;
+    if (source && is_sought(member, use)) prospect.seconds += for_lane_headers + for_a_lane_block * blocks;
     if (!member.runs) prospect.ticks.reset();
     if (prospect.ticks)
       *prospect.ticks += static_cast<double>(*member.runs) * static_cast<double>(member.plan->steps);
