@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "engine/analyse/query/number.hpp"
 #include "engine/base/text/characters.hpp"
+#include "engine/base/unit/unit.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/plan/element_slot.hpp"
 
@@ -23,6 +25,21 @@ std::string verdict_line(const claim::Verdict& verdict) {
                          : fmt::format("; {}: {}", verdict.word(), text::visible(verdict.disagrees)));
 }
 
+/// Returns a line for each parameter that a call sets by a number without unit, which is taken in SI.
+std::string settings_text(const diagram::Diagram& diagram) {
+  std::string text;
+  for (const diagram::DiagramParameter& parameter : diagram.parameters) {
+    const double* number = std::get_if<double>(&parameter.value.content);
+    const auto quantity = unit::parse_quantity(parameter.text);
+    if (!parameter.set || !number || !parameter.dimension || *parameter.dimension == unit::Dimension{} ||
+        !quantity || quantity->dimension || *number == 0.0)
+      continue;
+    text += fmt::format("  set  {} = {} {}\n", parameter.name, query::short_number(*number),
+                        unit::si_name(*parameter.dimension));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string outcome_text(const session::LoadedModel& model, const session::Outcome& outcome) {
@@ -32,7 +49,8 @@ std::string outcome_text(const session::LoadedModel& model, const session::Outco
       fmt::format("{}\n  {}: {} blocks, {}{} ticks, {:.3g} s\n",
                   text::visible(diagram.title.empty() ? model.file : diagram.title),
                   text::visible(model.file), diagram.blocks.size(),
-                  runs > 1 ? fmt::format("{} runs, ", runs) : "", outcome.result.ticks, outcome.seconds);
+                  runs > 1 ? fmt::format("{} runs, ", runs) : "", outcome.result.ticks, outcome.seconds) +
+      settings_text(diagram);
   std::size_t held = 0;
   for (const claim::Verdict& verdict : outcome.verdicts) {
     if (verdict.kind == claim::Claim::Kind::invariant && verdict.holds)
