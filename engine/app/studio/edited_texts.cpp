@@ -27,7 +27,7 @@ struct Line {
   std::string_view end;  ///< empty for a last line without end
 };
 
-std::vector<Line> lines_of(std::string_view text) {
+std::vector<Line> lines_with_ends(std::string_view text) {
   std::vector<Line> lines;
   while (!text.empty()) {
     const std::size_t at = text.find('\n');
@@ -158,7 +158,7 @@ std::filesystem::file_time_type time_of(const std::string& path) {
 }  // namespace
 
 std::string with_line_ends_of(const std::string& file, const std::string& text) {
-  const std::vector<Line> before = lines_of(file), now = lines_of(text);
+  const std::vector<Line> before = lines_with_ends(file), now = lines_with_ends(text);
   const std::string_view usual = usual_end(before);
   if (std::ranges::all_of(before, [&](const Line& line) { return line.end.empty() || line.end == usual; }) &&
       usual == "\n")

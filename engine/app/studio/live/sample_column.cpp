@@ -20,8 +20,8 @@ namespace {
       fmt::format("{}: the samples of the run cannot be {}: {}", folder, what, std::strerror(errno)));
 }
 
-constexpr std::uint64_t left_free = std::uint64_t{1} << 30;       // bytes of free disk space
-constexpr std::uint64_t between_looks = std::uint64_t{64} << 20;  // bytes written between checks of the disk
+constexpr std::uint64_t left_free = std::uint64_t{1} << 30;        // bytes of free disk space
+constexpr std::uint64_t between_checks = std::uint64_t{64} << 20;  // bytes written between checks of the disk
 
 int open_without_name(const std::string& folder) {
   const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
@@ -66,7 +66,7 @@ SpillFile::SpillFile(const std::string& folder, std::size_t chunk)
 
 std::uint64_t SpillFile::write(std::span<const double> chunk) {
   const bool again = !free_.empty();
-  if (!again && end_ % between_looks == 0) leave_room();
+  if (!again && end_ % between_checks == 0) leave_room();
   const std::uint64_t place = again ? free_.back() : end_;
   const char* bytes = reinterpret_cast<const char*>(chunk.data());
   for (std::size_t done = 0; done < chunk.size_bytes();) {
