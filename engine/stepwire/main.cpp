@@ -1,6 +1,6 @@
 // Build tool that writes the headers which are installed: main SOURCES OUT HEADER... takes the public headers
 // in an order in which each includes only those before it. An internal header becomes a part of the first
-// public header that needs it; the later ones include that one. What is installed thus has no other header
+// public header that needs it; the later ones include that one. Thus the package has no other header
 // of this library.
 
 #include <cstdio>
