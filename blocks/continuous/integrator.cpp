@@ -26,8 +26,8 @@ void Integrator::declare(Declare<Integrator>& is) {
   is.state<&Integrator::stop>(
       {.doc = "1 at the upper and -1 at the lower limit at the last tick, 0 between", .settable = false});
   declare_reset(is, "'u s", "the integral");
-  is.crossing("the integral reaches its lower limit");
-  is.crossing("it reaches its upper limit");
+  is.crossing<&Integrator::u>("the integral meets or leaves its lower limit");
+  is.crossing<&Integrator::u>("it meets or leaves its upper limit");
   is.derived<&Integrator::slope_is_input, From::no_number>();
   is.derived<&Integrator::limited, From::no_number>();
 }

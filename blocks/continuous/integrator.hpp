@@ -42,11 +42,12 @@ struct Integrator : Resettable {
     remember_reset();
   }
 
+  /// A limit is met where the integral reaches it, and left where the input turns inward.
   void crossings(Crossings& zero) const {
     Resettable::crossings(zero);
     for (Index i = 0; i < x.size(); ++i) {
-      zero.add(x[i] - lower[i]);
-      zero.add(x[i] - upper[i]);
+      zero.add(stop[i] < 0.0 ? u[i] : x[i] - lower[i]);
+      zero.add(stop[i] > 0.0 ? u[i] : x[i] - upper[i]);
     }
   }
 

@@ -67,12 +67,16 @@ void PID::declare(Declare<PID>& is) {
       {.doc = "limit that the output would exceed at the last instant: 2 or 1 the upper, -2 or "
               "-1 the lower, 0 none",
        .settable = false});
+  is.state<&PID::stop>({.doc =
+                            "1 if the integral part was at its upper and -1 at its lower limit at the last "
+                            "instant, else 0",
+                        .settable = false});
   declare_reset(is, "'k 'u", "the integral part");
   is.crossing<&PID::automatic>("the controller takes over, or the hand", "1");
   is.crossing<&PID::u, &PID::reference, &PID::manual>("the output meets or leaves its lower limit");
   is.crossing<&PID::u, &PID::reference, &PID::manual>("it meets or leaves its upper limit");
-  is.crossing("the integral part meets or leaves its lower limit");
-  is.crossing("it meets or leaves its upper limit");
+  is.crossing<&PID::u, &PID::reference, &PID::actual>("the integral part meets or leaves its lower limit");
+  is.crossing<&PID::u, &PID::reference, &PID::actual>("it meets or leaves its upper limit");
   is.derived<&PID::plain, From::no_number>();
 }
 
@@ -88,7 +92,7 @@ void PID::configure(Configure& is) {
   const bool has_limits = limits(lower, upper), of_integral = limits(integral_lower, integral_upper);
   if (plain && !has_limits && !of_integral) is.skip_crossings();
   if (!plain || of_integral) return;
-  if (!settled) is.remember_nothing();  // at_limit changes neither outputs nor derivatives
+  if (!settled && anti_windup != AntiWindup::clamping) is.remember_nothing();  // nothing depends on at_limit
   if (settled || has_limits)
     is.update_keeps_outputs();
   else

@@ -25,6 +25,7 @@ struct PID : Resettable {
   // Limit that the output wants to exceed, as of the last instant: 2 the upper and -2 the lower one, if so
   // since a tick; 1 and -1 after an event between two ticks; else 0.
   DiscreteState<> at_limit{};
+  DiscreteState<> stop{};  // 1 if the integral part was at its upper and -1 at its lower limit then, else 0
 
   bool plain = true;  // true if only u and reference are used
 
@@ -65,8 +66,10 @@ struct PID : Resettable {
     zero.add(automatic.connected() ? automatic : 0.0);
     for (Index i = 0; i < y.size(); ++i) zero.add(at_limit[i] == -1.0 ? 1.0 : command(i) - lower[i]);
     for (Index i = 0; i < y.size(); ++i) zero.add(at_limit[i] == 1.0 ? 1.0 : upper[i] - command(i));
-    for (Index i = 0; i < y.size(); ++i) zero.add(integral[i] - integral_lower[i]);
-    for (Index i = 0; i < y.size(); ++i) zero.add(integral_upper[i] - integral[i]);
+    for (Index i = 0; i < y.size(); ++i)
+      zero.add(stop[i] < 0.0 ? free_rate(i) : integral[i] - integral_lower[i]);
+    for (Index i = 0; i < y.size(); ++i)
+      zero.add(stop[i] > 0.0 ? -free_rate(i) : integral_upper[i] - integral[i]);
   }
 
   void configure(Configure& is);
@@ -86,8 +89,10 @@ struct PID : Resettable {
       for (Index i = 0; i < filter.size(); ++i) filter[i] = at_instant(i).filter;
     }
     begun = 1.0;
-    for (Index i = 0; i < integral.size(); ++i)
+    for (Index i = 0; i < integral.size(); ++i) {
       integral[i] = std::clamp(integral[i], integral_lower[i], integral_upper[i]);
+      stop[i] = integral[i] >= integral_upper[i] ? 1.0 : integral[i] <= integral_lower[i] ? -1.0 : 0.0;
+    }
   }
 
   /// Returns the output without its limits.
@@ -102,8 +107,14 @@ struct PID : Resettable {
   /// starts at 0.
   Parts at_instant(Index i) const {
     const bool back = !plain && resetting();
+    if (hand > 0.0 && !by_hand() && !back) return handed_over(i);
     if (!back && !(settled && begun == 0.0)) return here(i);
     return {back ? target(i) : integral[i], settled ? weighted(weight_d, i) : back ? 0.0 : filter[i]};
+  }
+  /// Returns the states with which the controller begins at the output of the hand.
+  Parts handed_over(Index i) const {
+    const Parts now = here(i);
+    return {limited(manual[i], i) - (wanted(i, now) - now.integral), now.filter};
   }
   /// Returns the error with a weighted reference.
   double weighted(const PerElement& weight, Index i) const {
@@ -119,25 +130,29 @@ struct PID : Resettable {
   /// Applies a reset. In manual mode, tracks the manual command with the integral part, for a bumpless
   /// transfer.
   STEPWIRE_RARE void take_over() {
-    hand = by_hand() ? 1.0 : 0.0;
     for (Index i = 0; i < integral.size(); ++i) {
       const Parts parts = at_instant(i);
       const double others = wanted(i, parts) - parts.integral;
-      integral[i] = hand > 0.0 ? limited(manual[i], i) - others : parts.integral;
+      integral[i] = by_hand() ? limited(manual[i], i) - others : parts.integral;
       filter[i] = parts.filter;
     }
+    hand = by_hand() ? 1.0 : 0.0;
     remember_reset();
   }
 
-  double integral_rate(Index i) const {
+  /// Returns the rate of the integral part without its own limits. Clamping stops it between two instants, or
+  /// not at all.
+  double free_rate(Index i) const {
     double rate = ki[i] * u[i];
     const double want = wanted(i, here(i)), give = limited(want, i);
-    if (anti_windup == AntiWindup::clamping && (want - give) * rate > 0.0) rate = 0.0;
+    if (anti_windup == AntiWindup::clamping && at_limit[i] * rate > 0.0) rate = 0.0;
     if (anti_windup == AntiWindup::back_calculation) rate += (give - want) / tracking[i];
     if (actual.connected()) rate += (actual[i] - give) / tracking[i];
-    const bool outward =
-        (rate > 0.0 && integral[i] >= integral_upper[i]) || (rate < 0.0 && integral[i] <= integral_lower[i]);
-    return outward ? 0.0 : rate;
+    return rate;
+  }
+  double integral_rate(Index i) const {
+    const double rate = free_rate(i);
+    return stop[i] * rate > 0.0 ? 0.0 : rate;
   }
 };
 

@@ -10,7 +10,7 @@ void EdgeDetect::declare(Declare<EdgeDetect>& is) {
       {.doc = "1 at the one tick at which the input becomes true (rising), false (falling), or either; 0 "
               "at all others. True is above 0. There is no edge at the first tick. With `events: locate` an "
               "edge "
-              "between two ticks is 1 from its own instant up to the next tick.",
+              "between two ticks is 1 from its own instant through the next tick, up to the tick after that.",
        .symbol = {.curve = "M-1 -.7H0V.7H1M-.3 -.1L0 .3L.3 -.1"},
        .steady = true});
   is.parameter<&EdgeDetect::edge>({.doc = "which edges", .words = {"rising", "falling", "either"}});

@@ -12,7 +12,7 @@ struct EdgeDetect {
   Input<> u{};
   Output<> y{};
   DiscreteState<> side{};   // -1 false, 1 true, 0 unknown
-  DiscreteState<> found{};  // 1 from an edge between two ticks up to the next tick
+  DiscreteState<> found{};  // 1 from an edge between two ticks through the next tick
 
   void outputs() {
     for (Index i = 0; i < y.size(); ++i) y[i] = found[i] > 0.0 || detected(i) ? 1.0 : 0.0;

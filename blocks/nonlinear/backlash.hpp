@@ -27,6 +27,11 @@ struct Backlash : Resettable {
   void crossings(Crossings& zero) const {
     Resettable::crossings(zero);
     for (Index i = 0; i < u.size(); ++i) {
+      if (width[i] == 0.0) {  // the gap is never open
+        zero.add(1.0);
+        zero.add(1.0);
+        continue;
+      }
       const double rounding = epsilon * (std::abs(u[i]) + std::abs(last[i]) + width[i]);
       zero.add(u[i] - width[i] / 2.0 - last[i] + rounding);
       zero.add(last[i] - u[i] - width[i] / 2.0 + rounding);

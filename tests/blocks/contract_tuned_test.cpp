@@ -58,7 +58,7 @@ std::string source_of(const std::vector<Made>& all) {
     const std::string space = fmt::format("tuned_{}", i), made = fmt::format("made_{}", i);
     std::string text = codegen::struct_definitions(plan, tuning, groups, space);
     // One source contains several programs, so these calls name the namespace of their program.
-    text = std::regex_replace(text, std::regex(R"( ::(reset|evaluate|advance)\()"), " " + made + "::$1(");
+    text = std::regex_replace(text, std::regex(R"( ::(reset|evaluate|advance|updates_at_end)\()"), " " + made + "::$1(");
     text.insert(text.find("{\n") + 2, "using namespace " + made + ";\n");
     body += codegen::struct_text(plan, tuning, groups, space) +
             fmt::format("namespace {} {{\nnamespace {{\nusing namespace stepwire;\n{}}}\n}}\n", made,

@@ -65,8 +65,8 @@ std::string why_ticks_only(const plan::Plan& plan) {
   if (const diagram::DiagramBlock* block = first_that_remembers(plan))
     return fmt::format("{} remembers at every step{}", block->name,
                        block->type().parameter("settled")
-                           ? ", which it does not with settled: false and without a reset, a command by hand "
-                             "and limits of its integral part"
+                           ? ", which it does not with settled: false and without a reset, a command by "
+                             "hand, limits of its integral part and clamping (anti_windup: none)"
                            : "");
   if (!plan.loops.empty())
     return fmt::format("the algebraic loop {} is solved on from its last solution", plan.loops.front().path);

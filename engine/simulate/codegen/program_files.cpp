@@ -196,6 +196,8 @@ void copy(const From& from, To& to) {
 static_assert(sizeof(Diagram) <= sizeof(@_instance) && alignof(Diagram) <= alignof(@_instance));
 static_assert(std::is_trivially_destructible_v<Diagram>);
 
+}  // namespace
+
 )text";
 
 std::string in_capitals(std::string text) {

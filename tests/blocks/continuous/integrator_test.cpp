@@ -131,3 +131,17 @@ TEST_CASE("An integrator refuses crossed limits and a value without a reset") {
   CHECK_THAT(error_of(head + "  x: {block: Integrator, u: 1, value: 2}\n"),
              Catch::Contains("'reset' is missing"));
 }
+
+TEST_CASE("An integrator leaves its limit where its input turns, with every solver") {
+  const std::string solver =
+      GENERATE("heun", "bogacki_shampine", "rk4", "dormand_prince", "rosenbrock", "sdirk", "rodas");
+  INFO(solver);
+  // u = 1.0874 - 2 t turns at 0.5437 s; from there on x = 0.21 - (t - 0.5437)^2, and upside down.
+  const table::Table run = run_text("events: locate\nstep: 100 ms\nstop: 1 s\nsolver: " + solver +
+                                    "\nblocks:\n  u: {block: Ramp, slope: -2, initial: 1.0874}\n"
+                                    "  v: {block: Gain, u: u, gain: -1}\n"
+                                    "  x: {block: Integrator, u: u, upper: 0.21}\n"
+                                    "  y: {block: Integrator, u: v, lower: -0.21}\nrecord: [x, y]\n");
+  CHECK(column(run, "x").back() == Approx(0.21 - 0.4563 * 0.4563).epsilon(1e-9));
+  CHECK(column(run, "y").back() == Approx(0.4563 * 0.4563 - 0.21).epsilon(1e-9));
+}

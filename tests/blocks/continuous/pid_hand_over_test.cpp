@@ -79,3 +79,14 @@ TEST_CASE("manual and automatic belong together") {
                  "  c: {block: PID, u: 1, manual: m}\nrecord: [c]\n")
             .find("automatic") != std::string::npos);
 }
+
+TEST_CASE("The hand-over between two ticks has no bump") {
+  // By hand until 0.5437 s, then 0.2 + 3 (e(t) - e(0.5437 s)) with e = 1 - t.
+  const table::Table run = run_text(
+      "events: locate\nstep: 100 ms\nstop: 1 s\nsolver: rk4\nblocks:\n"
+      "  e: {block: Ramp, slope: -1, initial: 1}\n  auto: {block: Step, time: 0.5437 s}\n"
+      "  c: {block: PID, u: e, kp: 3, ki: 0, manual: 0.2, automatic: auto}\nrecord: [c]\n");
+  CHECK(column(run, "c")[5] == Approx(0.2));
+  CHECK(column(run, "c")[6] == Approx(0.2 - 3.0 * (0.6 - 0.5437)));
+  CHECK(column(run, "c").back() == Approx(0.2 - 3.0 * (1.0 - 0.5437)));
+}

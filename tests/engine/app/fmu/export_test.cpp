@@ -99,8 +99,10 @@ TEST_CASE("a controller with limits of its output is exported for model exchange
     return page_of(head + "events: locate\nblocks:\n  t: {block: Clock}\n  a: {block: PID, u: t, " + keys +
                    "}\nrecord: [a]\n");
   };
-  CHECK_THAT(page_with("ki: 2, kd: 1, lower: -1, upper: 1, settled: false"), Contains("By model exchange"));
-  for (const char* keys : {"ki: 2, kd: 1, upper: 1", "ki: 2, integral_upper: 1, settled: false"})
+  CHECK_THAT(page_with("ki: 2, kd: 1, lower: -1, upper: 1, settled: false, anti_windup: none"),
+             Contains("By model exchange"));
+  for (const char* keys : {"ki: 2, kd: 1, upper: 1", "ki: 2, upper: 1, settled: false",
+                           "ki: 2, integral_upper: 1, settled: false"})
     CHECK_THAT(page_with(keys), Contains("There is no model exchange: a remembers at every step") &&
                                     Contains("settled: false and without a reset"));
 }
@@ -109,19 +111,20 @@ TEST_CASE("a controller with one limit of its output meets it by model exchange 
           "[full]") {
   if (!there_is_a_compiler()) return;
   const Scratch folder;
-  // y = u + 2 int(u) with u = 1 meets its limit 2 at 0.5 s. From 0.73 s on u = -1, and y = -2 (t - 0.73 s).
-  const std::string path =
-      exported(folder, "a",
-               head +
-                   "events: locate\ninputs: {u: {default: 0}}\nblocks:\n"
-                   "  a: {block: PID, u: u, kp: 1, ki: 2, upper: 2, settled: false}\nrecord: [a]\n",
-               3);
+  // y = u + 2 int(u) with u = 1 meets its limit 2 at 0.5 s. From 0.73 s on u = -1, and y = 0.46 - 2 (t - 0.73
+  // s).
+  const std::string path = exported(
+      folder, "a",
+      head +
+          "events: locate\ninputs: {u: {default: 0}}\nblocks:\n"
+          "  a: {block: PID, u: u, kp: 1, ki: 2, upper: 2, settled: false, anti_windup: none}\nrecord: [a]\n",
+      3);
   const table::Table unit = run_text(
       import_text(path, ", interface: model_exchange, u: wave") +
       "  wave: {block: Step, time: 0.73 s, before: 1, after: -1}\nevents: locate\nrecord: [unit.a]\n");
   CHECK(column(unit, "unit.a")[40] == Approx(1.8));
   CHECK(column(unit, "unit.a")[70] == Approx(2.0));
-  CHECK(column(unit, "unit.a").back() == Approx(-0.54));
+  CHECK(column(unit, "unit.a").back() == Approx(-0.08));
 }
 
 TEST_CASE("by model exchange inputs are those of the instant: the bits are those of the diagram itself",
