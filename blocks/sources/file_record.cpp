@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "blocks/records/row_order.hpp"
 #include "engine/base/unit/unit.hpp"
@@ -116,9 +117,39 @@ const table::Column* time_column(const FromFile& asked, const Configure& is,
   return &column;
 }
 
+/// Rounding of the times in a file, over the mean interval of its rows.
+double rounding_of(const std::vector<double>& values, const std::vector<std::size_t>& rows) {
+  if (rows.size() < 2) return 0.0;
+  const double first = values[rows.front()], last = values[rows.back()];
+  const double interval = (last - first) / static_cast<double>(rows.size() - 1);
+  return std::max(std::abs(first), std::abs(last)) * std::numeric_limits<double>::epsilon() / interval;
+}
+
+/// Returns the beginning that is taken off the times of a file, in their unit. It is 0, except for times such
+/// as those since 1970, whose rounding in seconds would move rows. Refuses times whose own rounding does;
+/// whole numbers have none.
+double beginning_of(const FromFile& asked, const Configure& is, const table::Column& column,
+                    const std::vector<std::size_t>& rows, std::vector<std::string>& notes) {
+  constexpr double moves = 1e-6, is_lost = 1e-4;
+  const double rounding = rounding_of(column.values, rows);
+  if (!(rounding > moves)) return 0.0;
+  const double first = column.values[rows.front()];
+  const bool whole = std::ranges::all_of(
+      rows, [&](std::size_t row) { return column.values[row] == std::round(column.values[row]); });
+  if (!whole && rounding > is_lost)
+    is.refuse<&FromFile::time>(
+        fmt::format("{}: the times from {:.17g} {} on have too few digits for rows that are this close; let "
+                    "them begin at "
+                    "0, or give sample_time",
+                    asked.file.string(), first, column.unit.empty() ? "s" : column.unit));
+  notes.push_back(fmt::format("times count from the first row in use, {:.17g} {}", first,
+                              column.unit.empty() ? "s" : column.unit));
+  return first;
+}
+
 /// Returns the times of rows [s]. A column without a unit is in seconds.
 std::vector<double> times(const FromFile& asked, const Configure& is, const table::Column* column,
-                          const std::vector<std::size_t>& rows) {
+                          const std::vector<std::size_t>& rows, std::vector<std::string>& notes) {
   std::vector<double> result;
   result.reserve(rows.size());
   if (!column) {
@@ -129,7 +160,8 @@ std::vector<double> times(const FromFile& asked, const Configure& is, const tabl
   if (unit.dimension != time_dimension)
     is.refuse<&FromFile::time>(
         fmt::format("column '{}' is in {}, not in a unit of time", column->name, column->unit));
-  for (const std::size_t row : rows) result.push_back(unit.to_si(column->values[row]));
+  const double beginning = beginning_of(asked, is, *column, rows, notes);
+  for (const std::size_t row : rows) result.push_back(unit.to_si(column->values[row] - beginning));
   return result;
 }
 
@@ -237,7 +269,7 @@ FileRecord read_file_record(const FromFile& asked, const Configure& is, const ta
   record.time_name = time_name(asked, table);
   record.table = &table;
   record.hold_missing = asked.missing == FromFile::Missing::hold;
-  const CutRows rows = cut(asked, is, times(asked, is, time, order.rows), order.rows, record);
+  const CutRows rows = cut(asked, is, times(asked, is, time, order.rows, order.notes), order.rows, record);
   for (std::size_t i = 0; i < columns.size(); ++i)
     record.columns.push_back(read_column(asked, is, record, *columns[i], i, rows));
   note_held(record, columns, order.notes);

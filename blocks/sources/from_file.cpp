@@ -94,7 +94,8 @@ void FromFile::declare(Declare<FromFile>& is) {
   is.parameter<&FromFile::time>(
       {.doc = "column with the times, which must increase, where two rows of one time "
               "are a jump; in s unless its header "
-              "says else; ISO 8601 counts from the first row. Left out: `time`, in the "
+              "says else; ISO 8601 counts from the first row, as do times whose rounding in seconds would "
+              "move rows (ms since 1970). Left out: `time`, in the "
               "column's group where there is none else, or `t`"});
   is.parameter<&FromFile::sample_time>(
       {.unit = "s",

@@ -70,7 +70,7 @@ text::TextTable pairs_table(const statistics::WithinSubjects& within, const std:
       "Comparisons of pairs" + of,
       {"pair", "mean difference", "t", "P", "P (Holm)", "signed-rank V", "P", "P (Holm)"},
       {},
-      {fmt::format("First minus second: above 0 the second has the smaller error. Paired t test with {} "
+      {fmt::format("First minus second: above 0 the second is smaller. Paired t test with {} "
                    "degrees of freedom, Wilcoxon's signed-rank test ({}); P (Holm): {}.",
                    within.table.subjects.size() - 1,
                    within.table.subjects.size() > 50 ? "normal approximation" : "exact",

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "engine/base/data_file/reading_log.hpp"
@@ -155,4 +156,14 @@ TEST_CASE("a step of preparation takes the rows that are in use, in their order"
   require_near(played(text, "column: x, sort: true, missing: skip, prepare: [{trim: m}]", "0.1 s"), {4, 5});
   CHECK(refused("t,x,m\n0,1,0\n0.1,2,\n0.2,3,1\n", "column: x, prepare: [{trim: m}]")
             .starts_with("press.csv:3: m has no value; say `missing: hold`"));
+}
+
+TEST_CASE("times since 1970 count from the first row, and rows stay where they are") {
+  // Whole milliseconds are exact. In seconds they would be rounded to 0.24 us.
+  const std::string text = "t [ms],x\n1790000000000,0\n1790000000001,1\n1790000000201,201\n";
+  require_near(played(text, "column: x", "0.2 s"), {0, 100, 200});
+  const std::vector<std::string> notes = done(text, "column: x");
+  CHECK(std::ranges::find(notes, "times count from the first row in use, 1790000000000 ms") != notes.end());
+  CHECK_THAT(refused("t,x\n1790000000.0000,0\n1790000000.0001,1\n1790000000.0003,3\n", "column: x"),
+             Catch::Contains("have too few digits for rows that are this close"));
 }
