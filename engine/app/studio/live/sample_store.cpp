@@ -7,7 +7,7 @@ namespace stepwire::live {
 
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double missing_sample = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t samples_per_pixel = 2;  // up to which all samples are shown
 
 std::string folder_of(const StoreOptions& options) {
@@ -33,8 +33,8 @@ void append_extremes(const SampleColumn& column, const SampleRange& range, std::
   for (const std::int64_t tick : ticks) {
     const std::int64_t next = (tick / width + 1) * width;
     const Extremes found = column.extremes(tick, std::min(next, range.to));
-    least.push_back(found.none() ? nothing : found.least);
-    most.push_back(found.none() ? nothing : found.most);
+    least.push_back(found.none() ? missing_sample : found.least);
+    most.push_back(found.none() ? missing_sample : found.most);
   }
   columns.push_back(std::move(most));
 }
@@ -52,7 +52,9 @@ class Sums {
   }
 
   SampleStatistics statistics() const {
-    if (count_ == 0) return {nothing, nothing, nothing, nothing, nothing, nothing, nothing};
+    if (count_ == 0)
+      return {missing_sample, missing_sample, missing_sample, missing_sample,
+              missing_sample, missing_sample, missing_sample};
     const auto n = static_cast<double>(count_);
     const double mean = y_ / n, spread = xx_ - x_ * x_ / n;
     const double square = yy_ / n + 2.0 * start_ * mean + start_ * start_;
@@ -60,7 +62,7 @@ class Sums {
             extremes_.most,
             start_ + mean,
             std::sqrt(std::max(0.0, square)),
-            spread > 0.0 ? (xy_ - x_ * mean) / spread : nothing,
+            spread > 0.0 ? (xy_ - x_ * mean) / spread : missing_sample,
             first_,
             last_};
   }
