@@ -332,7 +332,8 @@ std::optional<int> count_if_one_loop(const StateSpace& system, bool& is_one) {
   return count_in_one_loop({system, gain, chain->time + system.delays[0].time, gain.crossovers()});
 }
 
-/// Returns how many steps of one length each delay has; empty if no such step fits into them few times.
+/// Returns the number of steps of one common length in each delay; empty without such a length of which the
+/// shortest delay has at most 16 and all together have at most 400.
 std::vector<Eigen::Index> common_steps(const std::vector<InnerDelay>& delays) {
   constexpr double most_in_shortest = 16.0, most = 400.0, rounding = 1e-9;
   const double shortest = std::ranges::min(delays, {}, &InnerDelay::time).time;

@@ -24,7 +24,7 @@ function stepOf(node, wire, lines) {
   return {piece: [[start[0], corner[1]], corner], by: corner[1] - start[1], rest};
 }
 
-/** Would words of a frame change their order, or stand closer than ports of a block? */
+/** True if words of a frame would change their order, or stand closer than ports of a block. */
 function crowds(node, by, nodes, places) {
   if (node.outline !== "text" || !node.own) return false;
   const {y} = places.get(node.id), others = nodes.filter((other) => other !== node && other.own === node.own);
@@ -34,7 +34,7 @@ function crowds(node, by, nodes, places) {
   });
 }
 
-/** Is the way free for a node at its new place, and for the piece of wire at it? */
+/** True if the way is free for a node at its new place, and for the piece of wire at it. */
 function isFree(node, wire, {piece, by}, {nodes, places, lines}) {
   const {x, y} = places.get(node.id), box = grown(extent(node, {x, y: y + by}), apart.node), way = areaOf(piece);
   const farEnd = wire.from.node === node.id ? wire.to.node : wire.from.node;

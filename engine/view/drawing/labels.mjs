@@ -73,7 +73,7 @@ function farFrom(box, [[ax, ay], [bx, by]]) {
   }));
 }
 
-/** Would a reader take the name of a link for that of another one, which is nearer? */
+/** True if another link is nearer to the name of a link, so that a reader would take it for the name of that one. */
 const isNearerToAnother = (box, own, others) => others.some((other) => farFrom(box, other) < 1.25 * farFrom(box, own));
 
 /** A line from the name of a link to it, where it is not close by. */
@@ -108,7 +108,7 @@ function mirrored({at: [x, y], anchor, foot, rank}, [[ax]], [[bx]]) {
 
 const nameBox = ({name}, {at, anchor}) => boxOf(at, anchor, widthOfName(name));
 
-/** Can a link have its name at a place, and its mirror image at the mirrored one? */
+/** True if a link can have its name at a place, and its mirror image at the mirrored one. */
 function suitInPair(link, image, place, suits) {
   const other = mirrored(place, link.at, image.at);
   return suits(link, place) && suits(image, other) && !overlaps(grown(nameBox(link, place), apart), nameBox(image, other));

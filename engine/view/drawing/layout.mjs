@@ -134,7 +134,7 @@ function linesOf(laid, wires, reversed) {
   return lines;
 }
 
-/** Does a wire lie between blocks, neither at a port of the file nor at a constant? */
+/** True for a wire between blocks, neither at a port of the file nor at a constant. */
 const isInner = ({from, to}) => ![from, to].some(({node}) => node.startsWith(":"));
 
 /**

@@ -156,7 +156,7 @@ async function inMoreRows(width, wanted, ...graph) {
   return best;
 }
 
-/** Is a picture wider than it may be, or a band that leaves most of a page empty? */
+/** True if a picture is wider than it may be, or a band that leaves most of a page empty. */
 const isTooWide = ({width, height}, room) => width > room || (width > band.width && width > band.ratio * height);
 
 /**

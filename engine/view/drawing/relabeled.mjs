@@ -28,7 +28,7 @@ function structureOf({nodes, wires}) {
   ]);
 }
 
-/** Is there room for what stands beside a port? */
+/** True if there is room for the words beside a port. */
 function hasRoom(old, {mark, unit}) {
   const width = (mark ? widthOfPieces(mark, sizes.mark) + markGap : 0) + (unit ? widthOf(unit, sizes.unit) + markGap : 0);
   return width === 0 || (old.noteAt !== undefined && width <= old.noteAt[2] + slack);

@@ -15,12 +15,12 @@ function shifted(points, at, [x, y], level) {
   return points.map((point, i) => (i !== at && i !== at + 1 ? point : level ? [point[0], y] : [x, point[1]]));
 }
 
-/** Does a piece keep its direction, and enough of its length for an arrow? */
+/** True if a piece keeps its direction, and enough of its length for an arrow. */
 function keepsShape(before, after) {
   return Math.sign(reach(before)) === Math.sign(reach(after)) && Math.abs(reach(after)) >= shortest;
 }
 
-/** Lies a piece where no node is, and along no other wire? */
+/** True if a piece is beside all nodes, and along no other wire. */
 function isFree(piece, wire, {nodes, places, lines}) {
   const way = areaOf(piece), ends = [wire.from.node, wire.to.node];
   const meetsNode = nodes.some((node) => overlap(grown(way, ends.includes(node.id) ? 0 : apart), extent(node, places.get(node.id))));

@@ -141,7 +141,7 @@ const hull = (points) => {
   return {left: Math.min(...xs), right: Math.max(...xs), top: Math.min(...ys), bottom: Math.max(...ys)};
 };
 
-/** Does a name stand in its box? */
+/** True if a name is in its box. */
 function isInside({name, kind, at}) {
   if (!name || kind !== "box") return false;
   const {left, right, top, bottom} = hull(at);

@@ -57,7 +57,7 @@ export function rowNumbers(nodes, wires, count) {
 /** The first row begins with what comes from outside. */
 const rowIn = (numbers) => ({node}) => numbers.get(node) ?? 0;
 
-/** Does each wire between rows begin at the end of its row where the other one begins? */
+/** True if each wire between rows leads from the end of its row to the end where the other row begins. */
 export function turnsAtEnds({wires}, numbers) {
   const rowOf = rowIn(numbers);
   return wires.every(({from, to}) => from.constant !== undefined || rowOf(from) === rowOf(to) || (rowOf(from) + rowOf(to)) % 2 === 1);
@@ -100,7 +100,7 @@ function joined(leaving, entering, x) {
   return straightened([...out, [x, out.at(-1)[1]], [x, into[0][1]], ...into]);
 }
 
-/** Do lines that stand upright at the same end of the rows have heights in common? */
+/** True if upright lines at the same end of the rows have heights in common. */
 const meet = (a, b) => a.low < b.high + track.step && b.low < a.high + track.step;
 
 /** How far from the rows each of the upright lines at one end stands: short ones nearer. */

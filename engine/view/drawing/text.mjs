@@ -32,7 +32,7 @@ export const lowered = {size: 0.78, by: 0.28};
 export const widthOfPieces = (text, size) =>
   piecesOf(text).reduce((sum, piece) => sum + widthOf(piece.text, piece.low ? lowered.size * size : size), 0);
 
-/** Is this the name of a quantity, F_e or x, and no word? */
+/** True for the name of a quantity, F_e or x, and not for a word. */
 export const isQuantity = (name) => /^\p{L}{1,2}(_(\{[^}]*\}|[\p{L}\p{N}]+))?$/u.test(name);
 
 /** Size of names in a mechanism; those of quantities are larger. */

@@ -43,7 +43,7 @@ export function forks(wires) {
   return [...found.values()];
 }
 
-/** Does an upright segment cross a level one, not only touch it? */
+/** True if an upright segment crosses a level one, and does not only touch it. */
 function cross([[ax, ay], [bx, by]], [[cx, cy], [dx, dy]]) {
   if (ax === bx) return cy === dy && inside(cx, dx, ax) && inside(ay, by, cy);
   return cx === dx && inside(ax, bx, cx) && inside(cy, dy, ay);
@@ -60,7 +60,7 @@ function crossings(wires) {
 
 const length = (points) => segmentsOf(points).reduce((sum, [a, b]) => sum + Math.abs(a[0] - b[0]) + Math.abs(a[1] - b[1]), 0);
 
-/** Does a wire that leads back keep below its ends, as a reader expects? */
+/** True if a wire that leads back keeps below its ends, as a reader expects. */
 export function passesBelow({points}) {
   const level = segmentsOf(points).filter(([a, b]) => a[1] === b[1]);
   const longest = level.reduce((best, one) => (length(one) > length(best) ? one : best), level[0]);
