@@ -9,6 +9,7 @@
 #include "engine/analyse/estimation/model_runs.hpp"
 #include "engine/analyse/estimation/residuals.hpp"
 #include "engine/base/messages/items.hpp"
+#include "engine/base/result/record.hpp"
 #include "engine/simulate/record/recording.hpp"
 
 namespace stepwire::estimation {
@@ -65,6 +66,7 @@ struct FittedStart {
 };
 
 struct FitResult {
+  std::string file{};  ///< Diagram file.
   std::vector<FittedNumber> numbers;
   Eigen::MatrixXd correlation;  ///< Correlation of the numbers.
   std::vector<FittedRecord> records;
@@ -93,6 +95,9 @@ struct FitResult {
 /// start. Without a finished run (interrupted) the result has no records.
 FitResult fit(const ModelSource& source, const run::Job& job, const FitRequest& request,
               const FitOptions& options = {});
+
+/// Declares the fields of fit.json.
+void declare(result::Record<FitResult>& is);
 
 /// Returns sentences on doubtful results. A standard error is more than a hundred times its value. A record
 /// is described no better than by its mean. Residuals are correlated, but the standard errors assume

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/analyse/linear/linearize.hpp"
 #include "engine/analyse/linear/margins.hpp"
 #include "engine/analyse/linear/state_space.hpp"
+#include "engine/base/result/record.hpp"
 
 namespace stepwire::linear {
 
@@ -20,6 +22,7 @@ struct ChannelAnalysis {
 
 /// Poles, zeros, ranks and margins of a linear system.
 struct Analysis : Linearization {
+  std::string file{};          ///< Diagram file.
   std::vector<Mode> modes;     ///< Poles with frequency and damping.
   std::vector<Complex> zeros;  ///< Transmission zeros of the whole system.
   bool stable = false;         ///< Stability of the system itself, without closing the loop.
@@ -29,5 +32,8 @@ struct Analysis : Linearization {
 
 /// Analyses a linear system. A `feedback`, +1 or -1, replaces that of the linearization.
 Analysis analyse(Linearization linearization, std::optional<double> feedback = {});
+
+/// Declares the fields of linear.json.
+void declare(result::Record<Analysis>& is);
 
 }  // namespace stepwire::linear

@@ -7,6 +7,7 @@
 #include "engine/analyse/linear/request.hpp"
 #include "engine/analyse/linear/state_space.hpp"
 #include "engine/analyse/query/names_reading.hpp"
+#include "engine/base/result/record.hpp"
 #include "engine/model/plan/plan.hpp"
 
 namespace stepwire::linear {
@@ -36,6 +37,7 @@ struct TrimmedValue {
 };
 
 struct TrimResult {
+  std::string file{};  ///< Diagram file.
   std::vector<TrimmedValue> states, inputs, outputs;
   std::vector<std::pair<Channel, double>> residuals;  ///< Derivatives, and outputs minus their targets.
   double largest = 0.0;  ///< Largest residual, each as a share of 1 or of its number.
@@ -52,5 +54,8 @@ TrimRequest read_trim(const yaml::Node& node, const query::SymbolTable& names, c
 /// Finds the operating point by the Levenberg-Marquardt method within the bounds. If blocks act at ticks, the
 /// point must repeat after a base period. Throws Error.
 TrimResult trim(const diagram::Diagram& diagram, const TrimRequest& request);
+
+/// Declares the fields of trim.json.
+void declare(result::Record<TrimResult>& is);
 
 }  // namespace stepwire::linear

@@ -9,6 +9,7 @@
 #include "engine/analyse/tuning/evaluation.hpp"
 #include "engine/analyse/tuning/tune_runs.hpp"
 #include "engine/base/messages/items.hpp"
+#include "engine/base/result/record.hpp"
 
 namespace stepwire::tuning {
 
@@ -58,6 +59,8 @@ struct TunedStart {
 };
 
 struct TuneResult {
+  std::string file{};      ///< Diagram file.
+  std::string minimise{};  ///< Expression of the objective.
   std::vector<TunedNumber> numbers;
   double objective = 0.0;        ///< Objective at the optimum.
   double start_objective = 0.0;  ///< Objective at the given start; nan if it cannot be run.
@@ -91,5 +94,8 @@ struct TuneOptions {
 /// start can be run. Without a finished run (interrupted) the result has no numbers.
 TuneResult tune(const TuneSource& source, const run::Job& job, const TuneRequest& request,
                 const TuneOptions& options = {});
+
+/// Declares the fields of tune.json.
+void declare(result::Record<TuneResult>& is);
 
 }  // namespace stepwire::tuning

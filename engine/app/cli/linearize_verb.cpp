@@ -51,11 +51,11 @@ ExitCode linearize(const LinearizeCall& call, const Registry& registry) {
   session::LoadOptions options = load_options(call.words);
   if (call.trim) add_trimmed(call.file, registry, options);
   const linear::Analysis analysis = session::linearize_file(registry, call.file, options, linear);
-  if (!call.out.empty()) session::write_linear(call.out, call.file, analysis);
+  if (!call.out.empty()) session::write_linear(call.out, analysis);
   if (call.json)
-    put_json(session::linear_json(call.file, analysis));
+    put_json(result::json_of(analysis));
   else
-    put_text(report::linear_text(call.file, analysis));
+    put_text(report::linear_text(analysis));
   if (!call.out.empty() && !call.json) say("  written to {}\n", call.out);
   return ExitCode::done;
 }

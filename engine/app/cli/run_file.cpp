@@ -248,7 +248,7 @@ class FileRun {
     if (!folder.empty() && !result.history.empty()) session::write_tune(folder, model, result);
     const ExitCode code = code_of(result);
     if (call_.models.json)
-      results.push(Json::object().set("tune", session::tune_json(model, result)));
+      results.push(Json::object().set("tune", result::json_of(result)));
     else
       put_report(report::tune_text(result), code != ExitCode::done);
     if (!ends(code)) model = session_.tuned(model, result);
@@ -268,7 +268,7 @@ class FileRun {
     if (!folder.empty() && !result.records.empty()) session::write_fit(folder, model, result);
     const ExitCode code = code_of(result);
     if (call_.models.json)
-      results.push(Json::object().set("fit", session::fit_json(model, result)));
+      results.push(Json::object().set("fit", result::json_of(result)));
     else
       put_report(report::fit_text(result), code != ExitCode::done);
     if (!ends(code)) model = session_.fitted(model, result);

@@ -24,11 +24,11 @@ struct TrimCall {
 
 ExitCode find_point(const TrimCall& call, const Registry& registry) {
   const linear::TrimResult result = session::trim_file(registry, call.file, load_options(call.words));
-  if (!call.out.empty()) session::write_trim(call.out, call.file, result);
+  if (!call.out.empty()) session::write_trim(call.out, result);
   if (call.json)
-    put_json(session::trim_json(call.file, result));
+    put_json(result::json_of(result));
   else
-    put_report(report::trim_text(call.file, result), !result.converged);
+    put_report(report::trim_text(result), !result.converged);
   if (!call.out.empty() && !call.json) say("  written to {}\n", call.out);
   return result.converged ? ExitCode::done : ExitCode::fails;
 }

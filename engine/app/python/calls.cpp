@@ -75,8 +75,8 @@ py::tuple linearize(const Shared& of, const session::LinearCall& linear, bool tr
     }
     const linear::Analysis analysis =
         session::linearize_file(session.registry(), of->call().file, options, linear);
-    json = session::linear_json(of->call().file, analysis).text();
-    words = report::linear_text(of->call().file, analysis);
+    json = result::json_of(analysis).text();
+    words = report::linear_text(analysis);
   });
   call.throw_if_raised();
   return py::make_tuple(json, words);

@@ -62,7 +62,7 @@ std::shared_ptr<Found> fit_call(const File& of, const session::FitCall& request,
   return found(of, model.fit.has_value(), "has no section 'fit'; it names parameters and records", progress,
                [&](session::Session& session, Found& found) {
                  const estimation::FitResult result = session.fit(model, request);
-                 found.json = session::fit_json(model, result).text();
+                 found.json = result::json_of(result).text();
                  found.words = report::fit_text(result);
                  found.settings = session::with_fitted({}, result).settings;
                  if (!result.records.empty()) found.pictures = session::fit_pictures(*model.fit, result);
@@ -74,7 +74,7 @@ std::shared_ptr<Found> tune_call(const File& of, const session::TuneCall& reques
   return found(of, model.tune.has_value(), "has no section 'tune'; it names parameters and what is minimised",
                progress, [&](session::Session& session, Found& found) {
                  const tuning::TuneResult result = session.tune(model, request);
-                 found.json = session::tune_json(model, result).text();
+                 found.json = result::json_of(result).text();
                  found.words = report::tune_text(result);
                  found.settings = result.settings;
                  found.pictures = {{"tune-history", session::tune_figure(model, result)}};

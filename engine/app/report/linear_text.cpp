@@ -168,11 +168,11 @@ void add_rows(const char* kind, const std::vector<linear::TrimmedValue>& values,
 
 }  // namespace
 
-std::string linear_text(const std::string& file, const linear::Analysis& analysis) {
+std::string linear_text(const linear::Analysis& analysis) {
   const linear::StateSpace& system = analysis.system;
   std::string text = fmt::format(
-      "{} at {} s: {} states, {} inputs, {} outputs, {}\n{}\n\n", file, short_number(analysis.time, 6),
-      system.states.size(), system.inputs.size(), system.outputs.size(),
+      "{} at {} s: {} states, {} inputs, {} outputs, {}\n{}\n\n", analysis.file,
+      short_number(analysis.time, 6), system.states.size(), system.inputs.size(), system.outputs.size(),
       system.is_sampled() ? fmt::format("sampled at {} s", short_number(system.sample_time, 6))
                           : "continuous",
       analysis.method);
@@ -193,13 +193,13 @@ std::string linear_text(const std::string& file, const linear::Analysis& analysi
   return text;
 }
 
-std::string trim_text(const std::string& file, const linear::TrimResult& result) {
+std::string trim_text(const linear::TrimResult& result) {
   text::TextTable table;
   table.columns = {"", "name", "value", "", "set by"};
   add_rows("state", result.states, table);
   add_rows("input", result.inputs, table);
   add_rows("output", result.outputs, table);
-  std::string text = fmt::format("{}: {} after {} steps, largest residual {}\n\n{}", file,
+  std::string text = fmt::format("{}: {} after {} steps, largest residual {}\n\n{}", result.file,
                                  result.converged ? "found" : "NOT found", result.iterations,
                                  query::short_number(result.largest, 3), text::text(table));
   if (result.converged) return text;

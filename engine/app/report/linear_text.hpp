@@ -8,9 +8,9 @@
 namespace stepwire::report {
 
 /// Returns a linear analysis as text: matrices with names, poles, zeros, margins, ranks and notes.
-std::string linear_text(const std::string& file, const linear::Analysis& analysis);
+std::string linear_text(const linear::Analysis& analysis);
 
 /// Returns an operating point as text: its numbers, residuals, and whether it was found.
-std::string trim_text(const std::string& file, const linear::TrimResult& result);
+std::string trim_text(const linear::TrimResult& result);
 
 }  // namespace stepwire::report

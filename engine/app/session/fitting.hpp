@@ -7,7 +7,6 @@
 #include "engine/analyse/estimation/fit.hpp"
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/app/session/monitor.hpp"
-#include "engine/base/json/json.hpp"
 #include "engine/view/plot/plot_spec.hpp"
 
 namespace stepwire::session {
@@ -54,9 +53,7 @@ std::vector<std::string> write_fit(const std::string& folder, const LoadedModel&
 
 /// Formats the agreement of model and record in percent; it is undefined for a constant record.
 std::string agreement_text(const estimation::ComparedRows& rows, int width = 0);
-/// Returns all results of a fit as JSON.
-json::Json fit_json(const LoadedModel& model, const estimation::FitResult& result);
 /// Returns the shared fitted values as text of a file for --set-from.
-std::string parameters_text(const LoadedModel& model, const estimation::FitResult& result);
+std::string parameters_text(const estimation::FitResult& result);
 
 }  // namespace stepwire::session

@@ -7,7 +7,6 @@
 #include "engine/analyse/linear/analysis.hpp"
 #include "engine/analyse/linear/trim.hpp"
 #include "engine/app/session/loaded_model.hpp"
-#include "engine/base/json/json.hpp"
 
 namespace stepwire::session {
 
@@ -28,20 +27,15 @@ linear::Analysis linearize_file(const Registry& registry, const std::string& fil
 linear::TrimResult trim_file(const Registry& registry, const std::string& file, const LoadOptions& options);
 /// Returns the operating point as settings of --set.
 std::vector<diagram::Setting> settings_of(const linear::TrimResult& result);
-json::Json trim_json(const std::string& file, const linear::TrimResult& result);
 /// Writes trim.json and parameters.yaml, a file for --set-from. Throws EnvironmentError.
-void write_trim(const std::string& folder, const std::string& file, const linear::TrimResult& result);
+void write_trim(const std::string& folder, const linear::TrimResult& result);
 
 /// Performs the analyses of the section `linear` and returns one recording each for figures and claims, with
 /// all points of a sweep. What could not be determined is added to `diagnostics`. Throws Error.
 std::vector<record::Recording> linear_recordings(const LoadedModel& model,
                                                  std::vector<run::RaisedDiagnostic>& diagnostics);
 
-/// Returns all results of an analysis as JSON: matrices as lists of rows, complex numbers as [re, im],
-/// infinity as null.
-json::Json linear_json(const std::string& file, const linear::Analysis& analysis);
-
 /// Writes linear.json and linear.mat into a folder. Throws EnvironmentError.
-void write_linear(const std::string& folder, const std::string& file, const linear::Analysis& analysis);
+void write_linear(const std::string& folder, const linear::Analysis& analysis);
 
 }  // namespace stepwire::session

@@ -1,5 +1,9 @@
 #include "engine/app/session/search_parts.hpp"
 
+#include <fmt/format.h>
+
+#include "engine/base/text/characters.hpp"
+
 namespace stepwire::session {
 
 namespace {
@@ -19,6 +23,15 @@ std::vector<diagram::Setting> call_settings(const LoadOptions& options) {
   std::vector<diagram::Setting> settings = options.settings;
   if (options.stop) settings.push_back({"stop", *options.stop, "--stop " + *options.stop});
   return settings;
+}
+
+std::string parameters_text(const std::string& origin, const std::string& file,
+                            const std::vector<diagram::Setting>& settings) {
+  std::string text =
+      fmt::format("# {} {}; stepwire run FILE --set-from takes this file.\n", origin, text::visible(file));
+  for (const diagram::Setting& setting : settings)
+    text += fmt::format("{}: {}\n", setting.name, setting.value);
+  return text;
 }
 
 SearchParts::SearchParts(const Registry& registry, const LoadedModel& model, run::ExecutionMode engine,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "engine/app/session/loaded_model.hpp"
@@ -10,6 +11,10 @@ namespace stepwire::session {
 
 /// Returns the settings of the call, with the stop time as one of them.
 std::vector<diagram::Setting> call_settings(const LoadOptions& options);
+
+/// Returns settings as text of a file for --set-from. `origin` begins its comment: "Found by a trim of".
+std::string parameters_text(const std::string& origin, const std::string& file,
+                            const std::vector<diagram::Setting>& settings);
 
 /// Loader, code and settings for the runs of a search over parameter values, in a fit or an optimisation.
 struct SearchParts {

@@ -23,8 +23,6 @@
 
 namespace stepwire::session {
 
-using json::Json;
-
 namespace {
 
 /// Study within an optimisation: performs the experiments with given parameter values. Subjects, noises and
@@ -162,63 +160,6 @@ struct TuneParts : SearchParts {
   std::string take_problem() { return study ? study->take_problem() : code.take_problem(); }
 };
 
-Json dimension_json(const std::optional<unit::Dimension>& dimension) {
-  return dimension ? Json(unit::si_name(*dimension)) : Json();
-}
-
-Json tuned_json(const tuning::TunedNumber& number) {
-  return Json::object()
-      .set("name", number.name)
-      .set("value", number.value)
-      .set("unit", dimension_json(number.dimension))
-      .set("start", number.start)
-      .set("bounds", Json::list({number.lower, number.upper}))
-      .set("interval", number.interval ? Json::list({(*number.interval)[0], (*number.interval)[1]}) : Json())
-      .set("at_bound", number.at_bound);
-}
-
-/// Returns the targets with their derivatives by the parameters, in deviations per range from bound to bound.
-Json tuned_targets_json(const tuning::TuneResult& result) {
-  Json list = Json::list();
-  const auto& jacobian = result.resolution.jacobian;
-  for (std::size_t i = 0; i < result.targets.size(); ++i) {
-    const tuning::TunedTarget& target = result.targets[i];
-    list.push(Json::object()
-                  .set("that", target.verdict.that)
-                  .set("check", target.verdict.check)
-                  .set("value", target.verdict.value)
-                  .set("off", target.off)
-                  .set("start", target.start)
-                  .set("derivatives", i < jacobian.size() ? Json::list_of(jacobian[i]) : Json::list()));
-  }
-  return list;
-}
-
-Json tuned_claims_json(const tuning::TuneResult& result) {
-  Json list = Json::list();
-  for (const tuning::TunedClaim& claim : result.claims)
-    list.push(Json::object()
-                  .set("that", claim.verdict.that)
-                  .set("check", claim.verdict.check)
-                  .set("value", claim.verdict.value)
-                  .set("shown", claim.verdict.shown)
-                  .set("start", claim.start)
-                  .set("margin", claim.margin)
-                  .set("holds", claim.verdict.holds)
-                  .set("active", claim.active));
-  return list;
-}
-
-Json tuned_starts_json(const tuning::TuneResult& result) {
-  Json list = Json::list();
-  for (const tuning::TunedStart& start : result.starts)
-    list.push(Json::object()
-                  .set("objective", start.objective ? Json(*start.objective) : Json())
-                  .set("converged", start.converged)
-                  .set("evaluations", start.evaluations));
-  return list;
-}
-
 std::string unit_text(const std::optional<unit::Dimension>& dimension) {
   return dimension && *dimension != unit::Dimension{} ? unit::si_name(*dimension) : "";
 }
@@ -305,6 +246,8 @@ tuning::TuneResult tune_model(const Registry& registry, const LoadedModel& model
   TuneParts parts(registry, model, call, monitor);
   tuning::TuneResult result =
       tuning::tune(parts.source, model.job, parts.request, {call.threads, monitor.progress, call.workers});
+  result.file = model.file;
+  result.minimise = model.tune->objective_text();
   monitor.note_interpreted(parts.take_problem());
   return result;
 }
@@ -332,40 +275,13 @@ LoadOptions with_tuned(LoadOptions options, const tuning::TuneResult& result) {
 }
 
 void write_tune(const std::string& folder, const LoadedModel& model, const tuning::TuneResult& result) {
-  io::write_file(folder + "/tune.json", tune_json(model, result).text() + "\n");
+  io::write_file(folder + "/tune.json", result::json_of(result).text() + "\n");
   io::write_file(folder + "/tune-history.csv", history_csv(model, result));
   if (result.feasible && !result.numbers.empty())
-    io::write_file(folder + "/parameters.yaml", parameters_text(model, result));
+    io::write_file(folder + "/parameters.yaml", parameters_text("Tuned by", model.file, result.settings));
   // An interruption would also end the renderer.
   if (!result.numbers.empty() && !result.interrupted)
     render::write_figure(folder, "tune-history", tune_figure(model, result));
-}
-
-json::Json tune_json(const LoadedModel& model, const tuning::TuneResult& result) {
-  Json numbers = Json::list();
-  for (const tuning::TunedNumber& number : result.numbers) numbers.push(tuned_json(number));
-  return Json::object()
-      .set("file", model.file)
-      .set("minimise", model.tune->objective_text())
-      .set("parameters", std::move(numbers))
-      .set("objective", result.objective)
-      .set("unit", dimension_json(result.dimension))
-      .set("start_objective", result.start_objective)
-      .set("worst", result.worst.empty() ? Json() : Json(result.worst))
-      .set("targets", tuned_targets_json(result))
-      .set("singular_values", Json::list_of(result.resolution.singular_values))
-      .set("claims", tuned_claims_json(result))
-      .set("starts", tuned_starts_json(result))
-      .set("findings", Json::list_of(result.findings))
-      .set("method", result.method)
-      .set("evaluations", result.history.size())
-      .set("failed_evaluations", result.bad)
-      .set("runs", result.runs)
-      .set("feasible", result.feasible)
-      .set("converged", result.converged)
-      .set("interrupted", result.interrupted)
-      .set("compiled", result.compiled)
-      .set("duration", result.seconds);
 }
 
 std::string history_csv(const LoadedModel& model, const tuning::TuneResult& result) {
@@ -389,14 +305,6 @@ std::string history_csv(const LoadedModel& model, const tuning::TuneResult& resu
       table.columns[i].values.push_back(cells[i]);
   }
   return table::csv_text(table, {{"state", {"holds", "fails", "no objective"}}});
-}
-
-std::string parameters_text(const LoadedModel& model, const tuning::TuneResult& result) {
-  std::string text = fmt::format("# Tuned by {}; stepwire run FILE --set-from takes this file.\n",
-                                 text::visible(model.file));
-  for (const diagram::Setting& setting : result.settings)
-    text += fmt::format("{}: {}\n", setting.name, setting.value);
-  return text;
 }
 
 plot::FigureSpec tune_figure(const LoadedModel& model, const tuning::TuneResult& result) {

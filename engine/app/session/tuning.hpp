@@ -7,7 +7,6 @@
 #include "engine/analyse/tuning/tune.hpp"
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/app/session/monitor.hpp"
-#include "engine/base/json/json.hpp"
 #include "engine/view/plot/plot_spec.hpp"
 
 namespace stepwire::session {
@@ -44,12 +43,8 @@ plot::FigureSpec tune_figure(const LoadedModel& model, const tuning::TuneResult&
 /// unless interrupted. Throws EnvironmentError.
 void write_tune(const std::string& folder, const LoadedModel& model, const tuning::TuneResult& result);
 
-/// Returns all results of an optimisation as JSON.
-json::Json tune_json(const LoadedModel& model, const tuning::TuneResult& result);
 /// Returns a row for each evaluation: its start, two flags (it ran, it is feasible), the parameters, the
 /// objective and the margin of each claim. Missing values are NaN.
 std::string history_csv(const LoadedModel& model, const tuning::TuneResult& result);
-/// Returns the optimised values as text of a file for --set-from.
-std::string parameters_text(const LoadedModel& model, const tuning::TuneResult& result);
 
 }  // namespace stepwire::session

@@ -28,11 +28,12 @@ _note_package()
 from .blocks import block  # noqa: E402
 from .errors import EnvironmentError, Error, Fault, Interrupted, RunError  # noqa: E402
 from .model import Input, Model, Parameter, Signal, load  # noqa: E402
-from .results import Claim, Fit, FittedParameter, Linear, Notice, Run, Study, Tuning  # noqa: E402
+from .records import FittedParameter, Record  # noqa: E402
+from .results import Claim, Fit, Linear, Notice, Run, Study, Tuning  # noqa: E402
 from .show import Picture  # noqa: E402
 from .simulation import Inputs, Simulation  # noqa: E402
 
 __version__: str = _core.version()
 __all__ = ["Claim", "EnvironmentError", "Error", "Fault", "Fit", "FittedParameter", "Input", "Inputs", "Interrupted",
-           "Linear", "Model", "Notice", "Parameter", "Picture", "Run", "RunError", "Signal", "Simulation", "Study",
+           "Linear", "Model", "Notice", "Parameter", "Picture", "Record", "Run", "RunError", "Signal", "Simulation", "Study",
            "Tuning", "block", "load"]

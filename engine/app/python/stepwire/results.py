@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from . import _core, show
 from .errors import Fault, Interrupted, RunError
+from .records import FitResult, FittedParameter, LinearResult, TuneResult
 
 if TYPE_CHECKING:
     import numpy as np
@@ -244,24 +245,12 @@ class Study(Run):
         return dict(json.loads(self._results.study))
 
 
-@dataclass(frozen=True)
-class FittedParameter:
-    """A number that a fit found, in SI."""
-
-    name: str
-    value: float
-    unit: str
-    standard_error: float  #: nan where the records do not tell
-    interval: tuple[float, float]  #: 95 %
-    at_bound: bool
-    record: str = ""  #: whose own it is; empty where all records share it
-
-
 class _Found:
     """What a search for parameters found: `data` as the JSON file of its verb has it, and `model`, which has what was
     found. Derived classes set `parameters`, by name."""
 
     parameters: dict[str, Any]
+    result: Any
     _deed = ""  #: what is done to a parameter, in messages
 
     def __init__(self, found: _core.Found, model: Model):
@@ -281,12 +270,12 @@ class _Found:
 
     @property
     def converged(self) -> bool:
-        return bool(self.data["converged"])
+        return bool(self.result.converged)
 
     @property
     def findings(self) -> list[str]:
         """What cannot be known, is at a bound, in the way or refused, or could not be run."""
-        return list(self.data["findings"])
+        return list(self.result.findings)
 
     @property
     def model(self) -> Model:
@@ -308,21 +297,17 @@ class _Found:
 
 
 class Fit(_Found):
-    """What the fit of a file found. `parameters` by name, `data` as fit.json of `stepwire fit` has it, `figures`
-    of records and residuals, and `model`, which has what was found."""
+    """What the fit of a file found. `parameters` by name, `result` with all fields, `data` as fit.json of
+    `stepwire fit` has them, `figures` of records and residuals, and `model`, which has what was found."""
 
     parameters: dict[str, FittedParameter]
+    result: FitResult
     _deed = "fitted"
 
     def __init__(self, fit: _core.Found, model: Model):
         super().__init__(fit, model)
-        self.parameters = {}
-        for number in self.data["parameters"]:
-            record = number.get("record", "")
-            low, high = (_number(end) for end in number["interval"])
-            self.parameters[number["name"] + (f" of {record}" if record else "")] = FittedParameter(
-                number["name"], _number(number["value"]), number["unit"] or "", _number(number["standard_error"]),
-                (low, high), number["at_bound"], record)
+        self.result = FitResult.read(self.data)
+        self.parameters = {one.name + (f" of {one.record}" if one.record else ""): one for one in self.result.parameters}
 
     @staticmethod
     def _value(parameter: FittedParameter) -> float:
@@ -343,16 +328,19 @@ class Fit(_Found):
 
 class Tuning(_Found):
     """What the tuning of a file found. `parameters` by name in SI, `objective`, `feasible` (do all claims hold?),
-    `data` as tune.json of `stepwire tune` has it, and `model`, which has what was found."""
+    `result` with all fields, `data` as tune.json of `stepwire tune` has them, and `model`, which has what was
+    found."""
 
     parameters: dict[str, float]
+    result: TuneResult
     _deed = "tuned"
 
     def __init__(self, tuning: _core.Found, model: Model):
         super().__init__(tuning, model)
-        self.parameters = {one["name"]: _number(one["value"]) for one in self.data["parameters"]}
-        self.objective: float = _number(self.data["objective"])
-        self.feasible: bool = self.data["feasible"]
+        self.result = TuneResult.read(self.data)
+        self.parameters = {one.name: one.value for one in self.result.parameters}
+        self.objective = self.result.objective
+        self.feasible = self.result.feasible
 
     def history(self) -> pd.DataFrame:
         """Each evaluation as a row of a DataFrame: the parameters, `objective`, `margin.1` and on of the claims,
@@ -371,32 +359,27 @@ class Tuning(_Found):
         return show.table(("parameter", "value (SI)"), rows)
 
 
-def _number(value: float | None) -> float:
-    return float("nan") if value is None else value
-
-
 class Linear:
     """A linear system near a point of a run: x' = A x + B u, y = C x + D u as arrays (n, n), (n, m), (p, n),
-    (p, m) in SI; sampled where `sample_time` [s] is above 0. `data` has all that was found, as linear.json of
-    `stepwire linearize` has it."""
+    (p, m) in SI; sampled where `sample_time` [s] is above 0. `result` has all fields, `data` those of linear.json
+    of `stepwire linearize`."""
 
     def __init__(self, text: str, words: str):
         import numpy as np
         self.data: dict[str, Any] = json.loads(text)
         self._words = words
-        self.states: list[str] = self.data["states"]
-        self.inputs: list[str] = self.data["inputs"]
-        self.outputs: list[str] = self.data["outputs"]
+        self.result = LinearResult.read(self.data)
+        self.states, self.inputs, self.outputs = self.result.states, self.result.inputs, self.result.outputs
         n, m, p = len(self.states), len(self.inputs), len(self.outputs)
         shapes = {"A": (n, n), "B": (n, m), "C": (p, n), "D": (p, m)}
-        self.A, self.B, self.C, self.D = (np.array(self.data[name], dtype=float).reshape(shape)
+        self.A, self.B, self.C, self.D = (np.array(getattr(self.result, name), dtype=float).reshape(shape)
                                           for name, shape in shapes.items())
-        self.poles = np.array([complex(*pole) for pole in self.data["poles"]])
-        self.sample_time: float = self.data["sample_time"] or 0.0
+        self.poles = np.array(self.result.poles)
+        self.sample_time = self.result.sample_time
 
     @property
     def stable(self) -> bool:
-        return bool(self.data["stable"])
+        return self.result.stable
 
     def scipy(self) -> Any:
         """The system as scipy.signal.StateSpace."""

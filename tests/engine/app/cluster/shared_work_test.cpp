@@ -114,7 +114,7 @@ TEST_CASE("searches of a fit find the same elsewhere") {
   const estimation::FitResult by_others = session.fit(model, call);
   CHECK(workers.count >= 5);
   CHECK(workers.count <= session::most_searches(model, call));
-  CHECK(session::parameters_text(model, alone) == session::parameters_text(model, by_others));
+  CHECK(session::parameters_text(alone) == session::parameters_text(by_others));
   REQUIRE(alone.starts.size() == by_others.starts.size());
   for (std::size_t i = 0; i < alone.starts.size(); ++i) {
     CHECK(alone.starts[i].cost == by_others.starts[i].cost);

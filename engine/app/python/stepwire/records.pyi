@@ -1,0 +1,416 @@
+"""Records of results, printed by 'stepwire format --python'."""
+
+from typing import Any, ClassVar, Mapping, Optional, TypeVar
+
+_R = TypeVar("_R", bound="Record")
+
+class Record:
+    """Named values of a result. A missing number is nan, a missing text empty."""
+    field_units: ClassVar[dict[str, str]]
+    """the unit of each field that has one"""
+    field_docs: ClassVar[dict[str, str]]
+    """the meaning of each field"""
+    @classmethod
+    def read(cls: type[_R], data: Mapping[str, Any]) -> _R:
+        """The record of an object of the JSON file."""
+    def to_dict(self) -> dict[str, Any]:
+        """The fields by name, those of inner records, too."""
+
+class FittedParameter(Record):
+    """A number that a fit found, in SI."""
+    name: str
+    """name of the parameter"""
+    record: str
+    """record with this value; missing if all records share it"""
+    value: float
+    """value [SI]"""
+    unit: str
+    """SI unit; null if unknown"""
+    start: float
+    """value at the start [SI]"""
+    standard_error: float
+    """error of the interval; null if undetermined [SI]"""
+    standard_error_classical: float
+    """error for independent rows [SI]"""
+    standard_error_serial: float
+    """error for correlated rows of a time series [SI]"""
+    interval: tuple[float, float]
+    """95 % interval [SI]"""
+    at_bound: bool
+    """true at a bound of the file"""
+
+class FittedRecord(Record):
+    """Agreement of the model with a record."""
+    record: str
+    """label of the record"""
+    held_out: bool
+    """true if the fit does not use it"""
+    rows: int
+    """number of compared rows"""
+    fit: list[float]
+    """agreement of each comparison; null for a constant record [%]"""
+
+class FittedCurve(Record):
+    """A function of the fitted parameters with its 95 % interval, in SI."""
+    curve: str
+    """label of the function"""
+    unit: str
+    """SI unit of the function; null if unknown"""
+    at: list[float]
+    """values of the variable [SI]"""
+    value: list[float]
+    """values of the function [SI]"""
+    low: list[float]
+    """lower ends of the interval [SI]"""
+    high: list[float]
+    """upper ends of the interval [SI]"""
+    data_range: list[float]
+    """range of the variable in the records; empty if unknown [SI]"""
+
+class FittedStart(Record):
+    """Result of the search from one start."""
+    cost: float
+    """final cost; null if nothing could be evaluated"""
+    finished: bool
+    """false if others were ahead and it was given up"""
+    iterations: int
+    """number of iterations"""
+
+class FitResult(Record):
+    """The result of a fit: fit.json."""
+    file: str
+    """diagram file"""
+    parameters: list[FittedParameter]
+    """fitted numbers"""
+    correlation: list[list[float]]
+    """correlation of the fitted numbers"""
+    cost: float
+    """half of the sum of squares of the residuals after the loss"""
+    deviation: float
+    """standard deviation of a weighted residual"""
+    degrees_of_freedom: float
+    """rows minus fitted numbers"""
+    standard_errors: str
+    """kind of the standard errors of the intervals"""
+    rows_in_time: bool
+    """true if the rows are a time series"""
+    residuals_together: int
+    """number of consecutive rows over which residuals are correlated"""
+    records: list[FittedRecord]
+    """agreement with each record"""
+    curves: list[FittedCurve]
+    """functions of the fitted parameters"""
+    starts: list[FittedStart]
+    """searches"""
+    findings: list[str]
+    """undetermined parameters, bounds, refused values"""
+    converged: bool
+    """true at a minimum"""
+    limited: bool
+    """true if the diagram refuses values of a lower cost"""
+    interrupted: bool
+    """true if it was interrupted"""
+    compiled: bool
+    """true if one compilation served all runs"""
+    in_part: bool
+    """true if only the blocks that the parameters affect ran"""
+    duration: float
+    """duration of the fit [s]"""
+
+class TunedParameter(Record):
+    """A number that an optimisation found, in SI."""
+    name: str
+    """name of the parameter"""
+    value: float
+    """value [SI]"""
+    unit: str
+    """SI unit; null if unknown"""
+    start: float
+    """value at the start [SI]"""
+    bounds: tuple[float, float]
+    """bounds [SI]"""
+    interval: Optional[tuple[float, float]]
+    """95 % interval; null in a free direction and without targets [SI]"""
+    at_bound: bool
+    """true at a bound"""
+
+class TunedTarget(Record):
+    """A target at the optimum."""
+    that: str
+    """statement"""
+    check: str
+    """condition"""
+    value: float
+    """value at the optimum [SI]"""
+    off: float
+    """error in units of its deviation"""
+    start: float
+    """the same at the start"""
+    derivatives: list[float]
+    """derivatives by the parameters, in deviations per range from bound to bound"""
+
+class TunedClaim(Record):
+    """A claim at the optimum."""
+    that: str
+    """statement"""
+    check: str
+    """condition"""
+    value: float
+    """value at the optimum [SI]"""
+    shown: str
+    """value with its unit"""
+    start: float
+    """value at the start [SI]"""
+    margin: float
+    """margin at the optimum; negative if the claim fails [SI]"""
+    holds: bool
+    """true if it holds"""
+    active: bool
+    """true if the claim limits the objective"""
+
+class TunedStart(Record):
+    """Result of the search from one start."""
+    objective: float
+    """objective; null if no point satisfies all claims [SI]"""
+    converged: bool
+    """true if the search converged"""
+    evaluations: int
+    """number of evaluations"""
+
+class TuneResult(Record):
+    """The result of an optimisation: tune.json."""
+    file: str
+    """diagram file"""
+    minimise: str
+    """expression of the objective"""
+    parameters: list[TunedParameter]
+    """optimised numbers"""
+    objective: float
+    """objective at the optimum [SI]"""
+    unit: str
+    """SI unit of the objective; null if unknown"""
+    start_objective: float
+    """objective at the start [SI]"""
+    worst: str
+    """run with the largest objective; null for a single run"""
+    targets: list[TunedTarget]
+    """targets in the order of the file"""
+    singular_values: list[float]
+    """singular values of the derivatives of the targets; below 1 a direction is free"""
+    claims: list[TunedClaim]
+    """claims of the section"""
+    starts: list[TunedStart]
+    """searches"""
+    findings: list[str]
+    """bounds, violated claims, failed evaluations"""
+    method: str
+    """method of the search"""
+    evaluations: int
+    """number of evaluations"""
+    failed_evaluations: int
+    """number of evaluations without an objective"""
+    runs: int
+    """number of runs per evaluation"""
+    feasible: bool
+    """true if all claims hold"""
+    converged: bool
+    """true if the search converged"""
+    interrupted: bool
+    """true if it was interrupted"""
+    compiled: bool
+    """true if runs were compiled"""
+    duration: float
+    """duration of the optimisation [s]"""
+
+class InnerDelay(Record):
+    """A delay from an additional output to an additional input of the system."""
+    time: float
+    """delay [s]"""
+    output: str
+    """output into the delay"""
+    input: str
+    """input out of the delay"""
+
+class ChannelUnits(Record):
+    """SI units of states, inputs and outputs."""
+    states: list[str]
+    """of the states"""
+    inputs: list[str]
+    """of the inputs"""
+    outputs: list[str]
+    """of the outputs"""
+
+class Mode(Record):
+    """A pole with its frequency and damping."""
+    pole: complex
+    """pole [rad/s]"""
+    natural_frequency: float
+    """natural frequency [rad/s]"""
+    damping: float
+    """damping ratio"""
+
+class Rank(Record):
+    """Number of state directions that inputs control, or that outputs observe."""
+    rank: int
+    """number of directions"""
+    singular_values: list[float]
+    """singular values, the largest first"""
+
+class Crossing(Record):
+    """A change of gain or phase that puts the closed loop on the border of stability."""
+    frequency: float
+    """frequency; null for a direct path [rad/s]"""
+    margin: float
+    """factor of the gain, angle [rad] of the phase, or distance from -1"""
+
+class Margins(Record):
+    """Margins of the loop that feedback closes."""
+    feedback: float
+    """sign of the feedback, +1 or -1"""
+    stable: Optional[bool]
+    """stability of the closed loop; null if undetermined"""
+    gain: Optional[Crossing]
+    """crossing with the factor nearest to 1"""
+    phase: Optional[Crossing]
+    """crossing with the angle nearest to 0"""
+    delay: float
+    """least delay that uses up the phase margin [s]"""
+    modulus: Optional[Crossing]
+    """least distance of the loop gain from -1"""
+    gain_crossings: list[Crossing]
+    """all crossings of the gain"""
+    phase_crossings: list[Crossing]
+    """all crossings of the phase"""
+    closed_poles: list[complex]
+    """poles of the closed loop [rad/s]"""
+    not_determined: list[str]
+    """a sentence on each undetermined value"""
+
+class ChannelAnalysis(Record):
+    """Analysis of one input and one output."""
+    input: str
+    """name of the input"""
+    output: str
+    """name of the output"""
+    zeros: list[complex]
+    """zeros; null for a system with delays [rad/s]"""
+    gain_at_rest: float
+    """gain at frequency 0 [SI]"""
+    bandwidth: float
+    """bandwidth [rad/s]"""
+    margins: Margins
+    """margins of the loop of this channel"""
+
+class OperatingPoint(Record):
+    """Values at which a diagram is linearized."""
+    time: float
+    """time [s]"""
+    states: dict[str, float]
+    """states [SI]"""
+    rates: list[float]
+    """derivatives of the states, or their change in a sample time [SI]"""
+    inputs: dict[str, float]
+    """inputs [SI]"""
+    outputs: dict[str, float]
+    """outputs [SI]"""
+
+class MatrixErrors(Record):
+    """Estimated errors of the matrices."""
+    A: list[list[float]]
+    """error of the matrix from the states to their derivatives [SI]"""
+    B: list[list[float]]
+    """error of the matrix from the inputs to the derivatives [SI]"""
+    C: list[list[float]]
+    """error of the matrix from the states to the outputs [SI]"""
+    D: list[list[float]]
+    """error of the matrix from the inputs to the outputs [SI]"""
+
+class LinearResult(Record):
+    """The result of a linear analysis: linear.json."""
+    file: str
+    """diagram file"""
+    A: list[list[float]]
+    """matrix from the states to their derivatives [SI]"""
+    B: list[list[float]]
+    """matrix from the inputs to the derivatives [SI]"""
+    C: list[list[float]]
+    """matrix from the states to the outputs [SI]"""
+    D: list[list[float]]
+    """matrix from the inputs to the outputs [SI]"""
+    states: list[str]
+    """names of the states"""
+    inputs: list[str]
+    """names of the inputs, then those of the delays"""
+    outputs: list[str]
+    """names of the outputs, then those of the delays"""
+    delays: list[InnerDelay]
+    """delays within the system"""
+    units: ChannelUnits
+    """SI units"""
+    sample_time: float
+    """sample time; 0 for a continuous system [s]"""
+    poles: list[complex]
+    """poles [rad/s]"""
+    zeros: list[complex]
+    """transmission zeros; null for a system with delays [rad/s]"""
+    modes: list[Mode]
+    """poles with frequency and damping"""
+    stable: bool
+    """stability without feedback"""
+    controllability: Optional[Rank]
+    """states that the inputs control; null for a system with delays"""
+    observability: Optional[Rank]
+    """states that the outputs observe; null for a system with delays"""
+    channels: list[ChannelAnalysis]
+    """each output of the first input, then of the second, ..."""
+    margins: Optional[Margins]
+    """margins of the only channel; missing with several"""
+    point: OperatingPoint
+    """operating point"""
+    error: MatrixErrors
+    """estimated errors"""
+    method: str
+    """sentence on the method"""
+    notes: list[str]
+    """kinks, held values, a point that is no equilibrium"""
+
+class TrimmedValue(Record):
+    """A number of the operating point."""
+    name: str
+    """name of the state, input or output"""
+    value: float
+    """value [SI]"""
+    unit: str
+    """SI unit; null if unknown or dimensionless"""
+    free: bool
+    """true if the search determines it"""
+    at_bound: bool
+    """true at a bound"""
+    setting: str
+    """name for --set; null if no file can set it"""
+
+class Residual(Record):
+    """A derivative, or an output minus its target."""
+    name: str
+    """name of the state or output"""
+    value: float
+    """residual [SI]"""
+
+class TrimResult(Record):
+    """The result of a trim: trim.json."""
+    file: str
+    """diagram file"""
+    converged: bool
+    """true at an operating point"""
+    iterations: int
+    """number of iterations"""
+    residual: float
+    """largest residual, each as a share of 1 or of its number"""
+    states: list[TrimmedValue]
+    """states"""
+    inputs: list[TrimmedValue]
+    """inputs"""
+    outputs: list[TrimmedValue]
+    """outputs"""
+    residuals: list[Residual]
+    """derivatives, and outputs minus their targets"""
