@@ -7,7 +7,7 @@
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/reference/format_page.hpp"
 #include "engine/app/reference/result_page.hpp"
-#include "engine/app/session/results.hpp"
+#include "engine/app/report/results.hpp"
 #include "engine/base/text/characters.hpp"
 #include "engine/base/yaml/error.hpp"
 
@@ -24,21 +24,21 @@ const std::string of_results = "results.";
 
 std::string list_of_all() {
   std::string list = reference::format_list();
-  for (const session::JobResult& one : session::job_results())
+  for (const report::JobResult& one : report::job_results())
     list += fmt::format("  {:<20}  {}\n", of_results + one.job, one.type.doc);
   return list;
 }
 
 std::string all_markdown() {
   std::string page = reference::formats_markdown() + "\n# The results of jobs\n";
-  for (const session::JobResult& one : session::job_results())
+  for (const report::JobResult& one : report::job_results())
     page += "\n" + reference::result_markdown(one.type, 2);
   return page;
 }
 
 /// Returns the page of a section or of a result; "" if there is none of this name.
 std::string page_of(const FormatCall& call) {
-  for (const session::JobResult& one : session::job_results())
+  for (const report::JobResult& one : report::job_results())
     if (of_results + one.job == call.section)
       return call.markdown ? reference::result_markdown(one.type) : reference::result_page(one.type);
   const reference::Section* section = reference::find_section(call.section);
@@ -49,7 +49,7 @@ std::string page_of(const FormatCall& call) {
 ExitCode refuse(const std::string& section) {
   std::vector<std::string> names;
   for (const reference::Section& one : reference::format_sections()) names.push_back(one.name);
-  for (const session::JobResult& one : session::job_results()) names.push_back(of_results + one.job);
+  for (const report::JobResult& one : report::job_results()) names.push_back(of_results + one.job);
   complain("there is no section '{}'{}\n", text::visible(section),
            yaml::did_you_mean(section, names, "'stepwire format' lists them").text());
   return ExitCode::wrong;
@@ -57,7 +57,7 @@ ExitCode refuse(const std::string& section) {
 
 ExitCode show_format(const FormatCall& call) {
   if (call.python || call.typescript) {
-    put_data(call.python ? session::results_stub() : session::results_typescript());
+    put_data(call.python ? report::results_stub() : report::results_typescript());
     return ExitCode::done;
   }
   const std::string page = !call.section.empty() ? page_of(call)

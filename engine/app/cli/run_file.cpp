@@ -22,6 +22,7 @@
 #include "engine/app/report/tune_text.hpp"
 #include "engine/app/session/partial_signals.hpp"
 #include "engine/app/session/run_files.hpp"
+#include "engine/app/session/run_result.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
@@ -32,6 +33,12 @@ namespace stepwire::cli {
 using json::Json;
 
 namespace {
+
+/// Returns the result of a run with its claims, as --json has it.
+Json run_json(const session::LoadedModel& model, const session::Outcome& outcome) {
+  return result::json_of(session::RunReport{&model, &outcome})
+      .set("claims", result::json_of(session::judged_claims(model, outcome)));
+}
 
 void require_section(const RunCall& call, const session::LoadedModel& model) {
   const auto refuse = [&](const char* message) {
@@ -282,8 +289,8 @@ class FileRun {
     const std::optional<profile::Profile> profile = wanted_profile(model);
     if (profile && !folder.empty()) write_profile(folder, model, *profile);
     if (call_.models.json) {
-      Json result = session::run_json(model, outcome).set("claims", session::claims_json(model, outcome));
-      if (profile) result.set("profile", report::profile_json(*profile));
+      Json result = run_json(model, outcome);
+      if (profile) result.set("profile", result::json_of(report::ProfileReport{*profile}));
       results.push(std::move(result));
       return code_of(outcome);
     }
@@ -378,7 +385,7 @@ class FileRun {
       session::write_study(folder, model, *experiments, outcome);
     }
     if (call_.models.json) {
-      Json result = session::run_json(model, outcome).set("claims", session::claims_json(model, outcome));
+      Json result = run_json(model, outcome);
       results.push(result.set("study", session::study_json(model, *experiments)));
       return code_of(outcome);
     }

@@ -7,7 +7,7 @@
 #include "engine/app/python/observing.hpp"
 #include "engine/app/python/results.hpp"
 #include "engine/app/python/stepping.hpp"
-#include "engine/app/session/results.hpp"
+#include "engine/app/report/results.hpp"
 #include "engine/base/io/resources.hpp"
 #include "engine/stepwire/generate.hpp"
 
@@ -23,5 +23,5 @@ PYBIND11_MODULE(_core, module) {
   python::add_stepping(module.ptr());
   module.def("note_package", stepwire::io::note_package);
   module.def("version", stepwire::version);
-  module.def("results", [] { return stepwire::session::results_description().text(-1); });
+  module.def("results", [] { return stepwire::report::results_description().text(-1); });
 }

@@ -7,6 +7,7 @@
 #include "engine/app/python/faults.hpp"
 #include "engine/app/python/watched_call.hpp"
 #include "engine/app/session/run_files.hpp"
+#include "engine/app/session/run_result.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/simulate/run/pooling.hpp"
 #include "engine/view/render/render.hpp"
@@ -49,13 +50,12 @@ py::dict categories(const Results& of, std::size_t recording) {
   return all;
 }
 
-py::list claims(const Results& of) {
-  py::list all;
-  for (const claim::Verdict& verdict : of.outcome.verdicts)
-    all.append(py::make_tuple(verdict.that, verdict.check, verdict.value, verdict.shown, verdict.holds,
-                              verdict.fails(), verdict.disagrees, verdict.note, verdict.worst,
-                              verdict.kind == claim::Claim::Kind::invariant));
-  return all;
+/// Returns the judged claims as JSON, with the fields that no file has.
+std::string claims(const Results& of) {
+  json::Json list = json::Json::list();
+  for (const session::JudgedClaim& claim : session::judged_claims(*of.model, of.outcome))
+    list.push(result::record_type<session::JudgedClaim>().json_of(&claim, true));
+  return list.text(-1);
 }
 
 py::list faults(const Results& of) {
@@ -64,13 +64,6 @@ py::list faults(const Results& of) {
     const auto tuples = py::reinterpret_steal<py::list>(fault_tuples({fault.fault}));
     all.append(py::make_tuple(fault.block, fault.port, fault.time, tuples[0]));
   }
-  return all;
-}
-
-py::list notices(const Results& of) {
-  py::list all;
-  for (const run::RaisedDiagnostic& raised : of.outcome.result.diagnostics)
-    all.append(py::make_tuple(raised.block, raised.text, raised.time));
   return all;
 }
 
@@ -117,8 +110,10 @@ void add_ends(py::class_<Results, std::shared_ptr<Results>>& results) {
           "figures", [](const Results& of) { return of.outcome.early() ? 0 : of.model->figures.size(); })
       .def("figure", figure)
       .def("write", write_results)
-      .def_property_readonly(
-          "json", [](const Results& of) { return session::run_json(*of.model, of.outcome).text(); })
+      .def_property_readonly("json",
+                             [](const Results& of) {
+                               return result::json_of(session::RunReport{of.model.get(), &of.outcome}).text();
+                             })
       .def_property_readonly("raised", [](const Results& of) { return object_or_none(of.raised); })
       .def_property_readonly("cause", [](const Results& of) { return object_or_none(of.cause); })
       .def_readonly("notes", &Results::notes)
@@ -141,7 +136,6 @@ void add_results(_object* module) {
            [](const Results& of, std::size_t recording) { return recording_of(of, recording).starts; })
       .def_property_readonly("claims", claims)
       .def_property_readonly("faults", faults)
-      .def_property_readonly("notices", notices)
       .def_property_readonly("points", points);
 }
 

@@ -23,7 +23,8 @@ std::vector<ReferenceTable> tables_of(const result::RecordType& type) {
   for (const result::RecordType* record : result::records_of({&type})) {
     ReferenceTable table{
         fmt::format("{}: {}", record->name, record->doc), {"field", "type", "unit", "meaning"}, {}};
-    for (const result::FieldType& field : record->fields) table.rows.push_back(row_of(field));
+    for (const result::FieldType& field : record->fields)
+      if (!field.hidden) table.rows.push_back(row_of(field));
     tables.push_back(std::move(table));
   }
   std::ranges::rotate(tables, tables.end() - 1);

@@ -11,7 +11,7 @@
 
 namespace stepwire::report {
 
-using json::Json;
+using result::Record;
 
 namespace {
 
@@ -135,28 +135,60 @@ std::string profile_csv(const profile::Profile& profile) {
   return text;
 }
 
-Json profile_json(const profile::Profile& profile) {
-  Json blocks = Json::list();
-  for (const profile::BlockCost& block : profile.blocks) {
-    Json phases = Json::object();
-    for (std::size_t phase = 0; phase < profile::phase_count; ++phase)
-      phases.set(
-          profile::phase_names[phase],
-          Json::object().set("calls", block.phases[phase].calls).set("seconds", block.phases[phase].seconds));
-    Json one = Json::object().set("name", block.name).set("type", block.type);
-    one.set("calls", block.total().calls).set("self", block.self()).set("total", block.total().seconds);
-    blocks.push(one.set("phases", std::move(phases)));
-  }
-  Json others = Json::list();
-  for (const profile::RunCost& other : profile.others)
-    others.push(Json::object()
-                    .set("name", other.name)
-                    .set("calls", other.cost.calls)
-                    .set("seconds", other.cost.seconds));
-  Json json = Json::object().set("ticks", profile.ticks).set("seconds", profile.seconds);
-  json.set("blocks", std::move(blocks)).set("others", std::move(others));
-  json.set("algebraic_loops", session::algebraic_loops_json(profile.loops));
-  return json.set("left", profile.left());
+/// Cost of the calls of a phase.
+struct PhaseCost : profile::Cost {};
+
+/// Cost of a block.
+struct CostOfBlock : profile::BlockCost {};
+
+/// Cost of the run itself.
+struct OtherCost : profile::RunCost {};
+
+static void declare(Record<PhaseCost>& is) {
+  is.named("PhaseCost", "Calls of a block in a phase of the run.");
+  is.field("calls", &PhaseCost::calls, "number of calls");
+  is.field("seconds", &PhaseCost::seconds, "their time", "s");
+}
+
+static void declare(Record<CostOfBlock>& is) {
+  is.named("BlockCost", "Cost of a block, or of all blocks in a part.");
+  is.field("name", &CostOfBlock::name, "name of the block or the part");
+  is.field("type", &CostOfBlock::type, "type of the block, or part");
+  is.field("calls", result::path(&CostOfBlock::total, &profile::Cost::calls), "number of calls");
+  is.field("self", &CostOfBlock::self, "time of the block itself; 0 for a part", "s");
+  is.field("total", result::path(&CostOfBlock::total, &profile::Cost::seconds), "time of all calls", "s");
+  is.field(
+      "phases",
+      [](const CostOfBlock& of) {
+        result::Map<PhaseCost> phases;
+        for (std::size_t phase = 0; phase < profile::phase_count; ++phase)
+          phases.push_back({profile::phase_names[phase], {of.phases[phase]}});
+        return phases;
+      },
+      "calls in the phases timed, outputs, stages, derivatives and updates");
+}
+
+static void declare(Record<OtherCost>& is) {
+  is.named("OtherCost", "Cost of the run outside of blocks.");
+  is.field("name", &OtherCost::name, "work of the run");
+  is.field("calls", result::path(&OtherCost::cost, &profile::Cost::calls), "number of calls");
+  is.field("seconds", result::path(&OtherCost::cost, &profile::Cost::seconds), "their time", "s");
+}
+
+void declare(Record<ProfileReport>& is) {
+  is.named("Profile", "Distribution of the time of a run: run --profile.");
+  is.field("ticks", &ProfileReport::ticks, "ticks of the run");
+  is.field("seconds", &ProfileReport::seconds, "time of all steps", "s");
+  is.field(
+      "blocks", [](const ProfileReport& of) { return result::as<CostOfBlock>(of.blocks); },
+      "blocks and parts, the most expensive first");
+  is.field(
+      "others", [](const ProfileReport& of) { return result::as<OtherCost>(of.others); },
+      "costs outside of blocks");
+  is.field(
+      "algebraic_loops", [](const ProfileReport& of) { return result::as<session::AlgebraicLoop>(of.loops); },
+      "costs of algebraic loops, whose repeated calls are not counted above");
+  is.field("left", &ProfileReport::left, "time in none of the other numbers", "s");
 }
 
 plot::FigureSpec profile_figure(const session::LoadedModel& model, const profile::Profile& profile) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/app/session/run_files.hpp"
+#include "engine/app/session/run_result.hpp"
 #include "engine/app/session/version.hpp"
 #include "engine/base/io/file.hpp"
 #include "engine/base/io/owned_folder.hpp"
@@ -203,7 +204,7 @@ Json loop_json(const LoopOutcome& outcome) {
       .set("steps", loop.steps())
       .set("ticks", loop.simulation().tick())
       .set("deadlines", deadlines_json(outcome))
-      .set("algebraic_loops", algebraic_loops_json(loop.simulation().loop_costs()))
+      .set("algebraic_loops", result::json_of(result::as<AlgebraicLoop>(loop.simulation().loop_costs())))
       .set("resolution", realtime::Histogram::resolution)
       .set("wake_up", times_json(loop.measurements().wake_up()))
       .set("response", times_json(loop.measurements().response()))

@@ -8,7 +8,6 @@
 #include "engine/app/session/outcome.hpp"
 #include "engine/app/session/signal_files.hpp"
 #include "engine/base/io/owned_folder.hpp"
-#include "engine/base/json/json.hpp"
 #include "engine/view/render/picture_kind.hpp"
 
 namespace stepwire::session {
@@ -19,15 +18,6 @@ namespace stepwire::session {
 std::vector<std::string> write_outputs(const std::string& folder, const LoadedModel& model,
                                        const Outcome& outcome, const FileKinds& kinds = usual_files,
                                        const render::PictureKinds& drawn = render::usual_pictures);
-
-/// Returns the verdicts as a list of {file, figure, that, check, value, holds, disagrees?, note?}.
-json::Json claims_json(const LoadedModel& model, const Outcome& outcome);
-/// Returns the costs of algebraic loops as a list of {loop, unknowns, instants, iterations, max_iterations,
-/// unsolved, first_unsolved}.
-json::Json algebraic_loops_json(const std::vector<run::LoopCost>& loops);
-/// Returns the description of a run: hash of the flattened diagram, parameters, step, solver, version,
-/// compiler, duration.
-json::Json run_json(const LoadedModel& model, const Outcome& outcome);
 
 /// Takes ownership of the folder of a model's results, and removes results of earlier runs. Inputs of the
 /// model in the folder stay, and so do journals of experiments, which the next call continues.

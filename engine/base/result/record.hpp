@@ -121,6 +121,24 @@ inline std::optional<std::string> text_if_any(const std::string& text) {
   return text.empty() ? std::nullopt : std::optional(text);
 }
 
+/// Returns a function of a struct that follows members, or functions, one after the other, as in
+/// `path(&TunedClaim::verdict, &Verdict::that)`. Pointers and inner structs are followed alike.
+template <class First, class... Rest>
+auto path(First first, Rest... rest) {
+  if constexpr (sizeof...(rest) == 0)
+    return [first](const auto& object) { return std::invoke(first, object); };
+  else
+    return [first, next = path(rest...)](const auto& object) { return next(std::invoke(first, object)); };
+}
+
+/// Returns structs that are declared in the place of those of a room without JSON, from which they derive.
+template <class Declared, class Struct>
+std::vector<Declared> as(const std::vector<Struct>& structs) {
+  std::vector<Declared> all;
+  for (const Struct& one : structs) all.push_back({one});
+  return all;
+}
+
 /// Declaration of the fields of a struct. The value of a field is a member, or a function of the struct:
 ///   void declare(result::Record<Crossing>& is) {
 ///     is.named("Crossing", "margin at a frequency");
@@ -147,6 +165,14 @@ class Record {
   FieldType& omitted(std::string name, Get get, std::string doc, std::string unit = "") {
     FieldType& added = field(std::move(name), get, std::move(doc), std::move(unit));
     added.omitted = true;
+    return added;
+  }
+
+  /// Declares a field for programs, which no file has.
+  template <class Get>
+  FieldType& hidden(std::string name, Get get, std::string doc, std::string unit = "") {
+    FieldType& added = field(std::move(name), get, std::move(doc), std::move(unit));
+    added.hidden = true;
     return added;
   }
 

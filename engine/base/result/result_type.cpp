@@ -89,9 +89,10 @@ std::string member_text(const FieldType& field) {
 
 }  // namespace
 
-json::Json RecordType::json_of(const void* object) const {
+json::Json RecordType::json_of(const void* object, bool hidden) const {
   json::Json json = json::Json::object();
   for (const FieldType& field : fields) {
+    if (field.hidden && !hidden) continue;
     json::Json value = field.value(object);
     if (!field.omitted || !value.is_null()) json.set(field.name, std::move(value));
   }
@@ -131,7 +132,8 @@ std::string typescript_of(const std::vector<const RecordType*>& roots) {
   std::string text;
   for (const RecordType* record : records_of(roots)) {
     text += fmt::format("\n/** {} */\nexport interface {} {{\n", record->doc, record->name);
-    for (const FieldType& field : record->fields) text += member_text(field);
+    for (const FieldType& field : record->fields)
+      if (!field.hidden) text += member_text(field);
     text += "}\n";
   }
   return text;
@@ -141,9 +143,12 @@ std::string python_stub_of(const std::vector<const RecordType*>& roots) {
   std::string text;
   for (const RecordType* record : records_of(roots)) {
     text += fmt::format("\nclass {}(Record):\n    \"\"\"{}\"\"\"\n", record->name, record->doc);
-    for (const FieldType& field : record->fields)
+    for (const FieldType& field : record->fields) {
+      ValueType type = field.type;
+      if (field.omitted && type.kind == Kind::flag) type.optional = false;
       text += fmt::format("    {}: {}\n    \"\"\"{}\"\"\"\n", attribute_of(field.name),
-                          words_of(field.type, python), doc_of(field));
+                          words_of(type, python), doc_of(field));
+    }
   }
   return text;
 }

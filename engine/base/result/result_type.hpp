@@ -38,6 +38,7 @@ struct FieldType {
   std::string unit;  ///< empty: none, or given by another field
   ValueType type;
   bool omitted = false;                            ///< true: no member of the JSON object without a value
+  bool hidden = false;                             ///< true: for programs, in no file
   std::vector<std::string> choices{};              ///< all words of a text; empty: any text
   std::function<json::Json(const void*)> value{};  ///< value of the field of an object
 };
@@ -48,7 +49,8 @@ struct RecordType {
   std::string doc;
   std::vector<FieldType> fields;
 
-  json::Json json_of(const void* object) const;
+  /// Returns the fields of an object; with `hidden` also those that are in no file.
+  json::Json json_of(const void* object, bool hidden = false) const;
 };
 
 /// Describes a type in words: "list of FittedParameter", "number or null".

@@ -28,8 +28,8 @@ _note_package()
 from .blocks import block  # noqa: E402
 from .errors import EnvironmentError, Error, Fault, Interrupted, RunError  # noqa: E402
 from .model import Input, Model, Parameter, Signal, load  # noqa: E402
-from .records import FittedParameter, Record  # noqa: E402
-from .results import Claim, Fit, Linear, Notice, Run, Study, Tuning  # noqa: E402
+from .records import Claim, FittedParameter, Notice, Record  # noqa: E402
+from .results import Fit, Linear, Run, Study, Tuning  # noqa: E402
 from .show import Picture  # noqa: E402
 from .simulation import Inputs, Simulation  # noqa: E402
 

@@ -21,7 +21,8 @@ class Record:
 
     @classmethod
     def read(cls, data: Mapping[str, Any]) -> Any:
-        return cls(**{attribute: _value(kind, data.get(name)) for attribute, (name, kind) in cls._fields.items()})
+        return cls(**{attribute: _value(kind, data.get(name, False if kind["kind"] == "flag" else None))
+                      for attribute, (name, kind) in cls._fields.items()})
 
     def to_dict(self) -> dict[str, Any]:
         return dataclasses.asdict(self)  # type: ignore[call-overload, no-any-return]

@@ -16,6 +16,221 @@ class Record:
     def to_dict(self) -> dict[str, Any]:
         """The fields by name, those of inner records, too."""
 
+class RunParameter(Record):
+    """A parameter of the file."""
+    name: str
+    """name"""
+    value: Any
+    """number in SI, or text"""
+    unit: str
+    """SI unit; null if unknown"""
+    written: str
+    """value as written or set"""
+    assumed: bool
+    """true if the file marks it as assumed"""
+    set: bool
+    """true if the call sets it"""
+
+class SweepAxis(Record):
+    """An axis of a sweep."""
+    parameter: str
+    """swept parameter"""
+    count: int
+    """number of values"""
+    values: list[str]
+    """values; empty for more than 10,000, which sweep.csv has"""
+
+class Lanes(Record):
+    """Runs that were stepped together."""
+    count: int
+    """number of lanes"""
+    ticks: int
+    """ticks in lanes"""
+    why_not: str
+    """reason for runs without lanes"""
+
+class AlgebraicLoop(Record):
+    """Cost of an algebraic loop."""
+    loop: str
+    """blocks of the loop"""
+    unknowns: int
+    """numbers at which the loop is torn"""
+    instants: int
+    """ticks and stages at which it was solved"""
+    iterations: int
+    """passes through its blocks"""
+    max_iterations: int
+    """largest number of passes at an instant"""
+    unsolved: int
+    """instants without a solution"""
+    first_unsolved: float
+    """time of the first of them [s]"""
+
+class SolverSteps(Record):
+    """Steps of a solver with error control."""
+    relative: float
+    """relative tolerance"""
+    absolute: float
+    """absolute tolerance [SI]"""
+    accepted: int
+    """accepted steps"""
+    rejected: int
+    """rejected steps"""
+    largest_error: float
+    """of the accepted steps, relative to the tolerance"""
+    stiff: Optional[bool]
+    """true if 'auto' has switched to the stiff method; null for another solver"""
+
+class LocatedEvents(Record):
+    """Events that were located between ticks."""
+    located: int
+    """number of events"""
+    most_in_a_step: int
+    """largest number in a step"""
+
+class Notice(Record):
+    """A sentence that a block raised during the run."""
+    block: str
+    """block"""
+    time: float
+    """first time [s]"""
+    text: str
+    """sentence"""
+
+class RunResult(Record):
+    """The result of a run or a sweep: run.json."""
+    file: str
+    """diagram file"""
+    title: str
+    """title"""
+    hash: str
+    """hash of the diagram and its data"""
+    parameters: list[RunParameter]
+    """parameters of the file"""
+    step: float
+    """step [s]"""
+    stop: float
+    """end [s]"""
+    solver: str
+    """solver; null if the file names none"""
+    sweep: list[SweepAxis]
+    """axes of the sweep; null for a single run"""
+    keep: str
+    """kind of data that a sweep keeps: rows, final or numbers"""
+    kept: dict[str, str]
+    """expressions of the kept numbers; null without"""
+    recorded_runs: list[int]
+    """runs whose rows are kept beside the numbers, from 1"""
+    runs: int
+    """number of runs"""
+    ticks: int
+    """ticks of all runs"""
+    compiled_ticks: int
+    """ticks in compiled code"""
+    lanes: Optional[Lanes]
+    """runs that were stepped together; null for a single run"""
+    blocks: int
+    """number of blocks"""
+    block_folders: list[str]
+    """folders of external blocks"""
+    algebraic_loops: list[AlgebraicLoop]
+    """costs of algebraic loops"""
+    solver_steps: Optional[SolverSteps]
+    """steps of the solver; null without error control"""
+    events: Optional[LocatedEvents]
+    """located events; null without event location"""
+    notices: list[Notice]
+    """sentences that blocks raised"""
+    findings: list[str]
+    """sentences on the figures"""
+    faults: list[str]
+    """faults that ended runs early"""
+    interrupted: bool
+    """true if it was interrupted"""
+    version: str
+    """version of the program"""
+    compiler: str
+    """compiler of the program"""
+    duration: float
+    """duration of the run [s]"""
+
+class Claim(Record):
+    """A claim of the file, judged: an entry of claims.json."""
+    file: str
+    """diagram file"""
+    figure: Optional[int]
+    """figure of a publication that the file reproduces; null without"""
+    that: str
+    """statement"""
+    check: str
+    """condition"""
+    value: float
+    """value; null if it could not be judged [SI]"""
+    holds: bool
+    """true if it holds"""
+    invariant: bool
+    """true for an invariant"""
+    disagrees: str
+    """reason in the file for a known failure"""
+    interval: Optional[tuple[float, float]]
+    """confidence interval of a reduction over several runs [SI]"""
+    confidence: float
+    """confidence of the interval"""
+    worst: str
+    """settings of the run that gave the value"""
+    note: str
+    """reason why it could not be judged"""
+    shown: str
+    """value with its unit"""
+    fails: bool
+    """true if it fails and the file does not expect that"""
+
+class PhaseCost(Record):
+    """Calls of a block in a phase of the run."""
+    calls: int
+    """number of calls"""
+    seconds: float
+    """their time [s]"""
+
+class BlockCost(Record):
+    """Cost of a block, or of all blocks in a part."""
+    name: str
+    """name of the block or the part"""
+    type: str
+    """type of the block, or part"""
+    calls: int
+    """number of calls"""
+    self: float
+    """time of the block itself; 0 for a part [s]"""
+    total: float
+    """time of all calls [s]"""
+    phases: dict[str, PhaseCost]
+    """calls in the phases timed, outputs, stages, derivatives and updates"""
+
+class OtherCost(Record):
+    """Cost of the run outside of blocks."""
+    name: str
+    """work of the run"""
+    calls: int
+    """number of calls"""
+    seconds: float
+    """their time [s]"""
+
+class Profile(Record):
+    """Distribution of the time of a run: run --profile."""
+    ticks: int
+    """ticks of the run"""
+    seconds: float
+    """time of all steps [s]"""
+    blocks: list[BlockCost]
+    """blocks and parts, the most expensive first"""
+    others: list[OtherCost]
+    """costs outside of blocks"""
+    algebraic_loops: list[AlgebraicLoop]
+    """costs of algebraic loops, whose repeated calls are not counted above"""
+    left: float
+    """time in none of the other numbers [s]"""
+
 class FittedParameter(Record):
     """A number that a fit found, in SI."""
     name: str

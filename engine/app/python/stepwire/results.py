@@ -7,12 +7,11 @@ import itertools
 import json
 import warnings
 from collections.abc import Iterator, KeysView
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from . import _core, show
 from .errors import Fault, Interrupted, RunError
-from .records import FitResult, FittedParameter, LinearResult, TuneResult
+from .records import Claim, FitResult, FittedParameter, LinearResult, Notice, RunResult, TuneResult
 
 if TYPE_CHECKING:
     import numpy as np
@@ -20,31 +19,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from .model import Model
-
-
-@dataclass(frozen=True)
-class Claim:
-    """A claim of the file, judged."""
-
-    that: str  #: the statement
-    check: str  #: its condition
-    value: float  #: SI; nan where it could not be judged
-    shown: str  #: the value with its unit
-    holds: bool
-    fails: bool  #: it does not hold, and the file does not say so
-    disagrees: str  #: why it is known not to hold; else empty
-    note: str  #: why it could not be judged; else empty
-    worst: str  #: which run of several the value is of
-    invariant: bool
-
-
-@dataclass(frozen=True)
-class Notice:
-    """Something that a block had to say during the run."""
-
-    block: str
-    text: str
-    time: float  #: [s]
 
 
 class Run:
@@ -141,7 +115,7 @@ class Run:
     @property
     def claims(self) -> list[Claim]:
         """The claims and invariants of the file, judged."""
-        return [Claim(*claim) for claim in self._results.claims]
+        return [Claim.read(claim) for claim in json.loads(self._results.claims)]
 
     @property
     def ok(self) -> bool:
@@ -164,7 +138,7 @@ class Run:
     @property
     def notices(self) -> list[Notice]:
         """What blocks had to say."""
-        return [Notice(*notice) for notice in self._results.notices]
+        return list(self.result.notices)
 
     @property
     def early(self) -> bool:
@@ -189,6 +163,11 @@ class Run:
     def seconds(self) -> float:
         """How long the run itself took [s]."""
         return self._results.seconds
+
+    @functools.cached_property
+    def result(self) -> RunResult:
+        """The fields of run.json of `stepwire run`."""
+        return RunResult.read(self.info)
 
     @property
     def info(self) -> dict[str, Any]:

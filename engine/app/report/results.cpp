@@ -1,11 +1,13 @@
-#include "engine/app/session/results.hpp"
+#include "engine/app/report/results.hpp"
 
 #include "engine/analyse/estimation/fit.hpp"
 #include "engine/analyse/linear/analysis.hpp"
 #include "engine/analyse/linear/trim.hpp"
 #include "engine/analyse/tuning/tune.hpp"
+#include "engine/app/report/profile_report.hpp"
+#include "engine/app/session/run_result.hpp"
 
-namespace stepwire::session {
+namespace stepwire::report {
 
 namespace {
 
@@ -37,7 +39,10 @@ class Record:
 }  // namespace
 
 const std::vector<JobResult>& job_results() {
-  static const std::vector<JobResult> all{{"fit", result::record_type<estimation::FitResult>()},
+  static const std::vector<JobResult> all{{"run", result::record_type<session::RunReport>()},
+                                          {"claims", result::record_type<session::JudgedClaim>()},
+                                          {"profile", result::record_type<ProfileReport>()},
+                                          {"fit", result::record_type<estimation::FitResult>()},
                                           {"tune", result::record_type<tuning::TuneResult>()},
                                           {"linearize", result::record_type<linear::Analysis>()},
                                           {"trim", result::record_type<linear::TrimResult>()}};
@@ -58,4 +63,4 @@ std::string results_typescript() {
          result::typescript_of(types());
 }
 
-}  // namespace stepwire::session
+}  // namespace stepwire::report

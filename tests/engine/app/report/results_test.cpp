@@ -1,16 +1,9 @@
-#include "engine/app/session/results.hpp"
+#include "engine/app/report/results.hpp"
 
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "engine/base/io/file.hpp"
-
-namespace stepwire::session {
-
-TEST_CASE("the stub of Python is that of the declarations") {
-  INFO("write it again: ./stepwire format --python > engine/app/python/stepwire/records.pyi");
-  CHECK(io::read_file(STEPWIRE_SOURCE_DIR "/engine/app/python/stepwire/records.pyi") == results_stub());
-}
+namespace stepwire::report {
 
 TEST_CASE("each field of a result has a meaning and a name of its own in Python") {
   std::vector<const result::RecordType*> roots;
@@ -29,4 +22,4 @@ TEST_CASE("each field of a result has a meaning and a name of its own in Python"
   }
 }
 
-}  // namespace stepwire::session
+}  // namespace stepwire::report

@@ -5,7 +5,7 @@
 
 #include "engine/base/result/result_type.hpp"
 
-namespace stepwire::session {
+namespace stepwire::report {
 
 /// Result of a kind of job.
 struct JobResult {
@@ -18,9 +18,9 @@ const std::vector<JobResult>& job_results();
 
 /// Returns the fields of all results as JSON, from which Python makes classes.
 json::Json results_description();
-/// Returns the file engine/app/python/stepwire/records.pyi.
+/// Returns the Python stub of all results: records.pyi of the package.
 std::string results_stub();
 /// Returns the types of all results as a module of TypeScript.
 std::string results_typescript();
 
-}  // namespace stepwire::session
+}  // namespace stepwire::report
