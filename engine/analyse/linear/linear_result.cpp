@@ -38,19 +38,17 @@ Map<double> values_of(const std::vector<PointValue>& values) {
 }  // namespace
 
 /// Margins with the sign of the feedback.
-struct LoopMargins {
-  const Margins& of;
+struct LoopMargins : Margins {
   double feedback;
 
   std::optional<Crossing> nearest(const std::optional<Crossing>& crossing, bool known) const {
-    return known && of.knows_stability ? crossing : std::nullopt;
+    return known && knows_stability ? crossing : std::nullopt;
   }
 };
 
 /// Analysis of a channel, with that of the system.
-struct ChannelOf {
-  const ChannelAnalysis& of;
-  const Analysis& all;
+struct ChannelOf : ChannelAnalysis {
+  const Analysis* all;
 };
 
 static void declare(Record<Mode>& is) {
@@ -71,55 +69,40 @@ static void declare(Record<LoopMargins>& is) {
   is.field("feedback", &LoopMargins::feedback, "sign of the feedback, +1 or -1");
   is.field(
       "stable",
-      [](const LoopMargins& is) {
-        return is.of.knows_stability ? std::optional(is.of.stable) : std::nullopt;
-      },
+      [](const LoopMargins& is) { return is.knows_stability ? std::optional(is.stable) : std::nullopt; },
       "stability of the closed loop; null if undetermined");
   is.field(
-      "gain", [](const LoopMargins& is) { return is.nearest(is.of.worst_gain(), is.of.knows_gain); },
+      "gain", [](const LoopMargins& is) { return is.nearest(is.worst_gain(), is.knows_gain); },
       "crossing with the factor nearest to 1");
   is.field(
-      "phase", [](const LoopMargins& is) { return is.nearest(is.of.worst_phase(), is.of.knows_phase); },
+      "phase", [](const LoopMargins& is) { return is.nearest(is.worst_phase(), is.knows_phase); },
       "crossing with the angle nearest to 0");
-  is.field(
-      "delay", [](const LoopMargins& is) { return is.of.delay(); },
-      "least delay that uses up the phase margin", "s");
+  is.field("delay", &LoopMargins::delay, "least delay that uses up the phase margin", "s");
   is.field(
       "modulus",
       [](const LoopMargins& is) {
-        return is.of.knows_modulus ? std::optional(Crossing{is.of.modulus_frequency, is.of.modulus})
-                                   : std::nullopt;
+        return is.knows_modulus ? std::optional(Crossing{is.modulus_frequency, is.modulus}) : std::nullopt;
       },
       "least distance of the loop gain from -1");
-  is.field(
-      "gain_crossings", [](const LoopMargins& is) { return is.of.gain; }, "all crossings of the gain");
-  is.field(
-      "phase_crossings", [](const LoopMargins& is) { return is.of.phase; }, "all crossings of the phase");
-  is.field(
-      "closed_poles", [](const LoopMargins& is) { return is.of.closed_poles; }, "poles of the closed loop",
-      "rad/s");
-  is.field(
-      "not_determined", [](const LoopMargins& is) { return is.of.notes; },
-      "a sentence on each undetermined value");
+  is.field("gain_crossings", &LoopMargins::gain, "all crossings of the gain");
+  is.field("phase_crossings", &LoopMargins::phase, "all crossings of the phase");
+  is.field("closed_poles", &LoopMargins::closed_poles, "poles of the closed loop", "rad/s");
+  is.field("not_determined", &LoopMargins::notes, "a sentence on each undetermined value");
 }
 
 static void declare(Record<ChannelOf>& is) {
   is.named("ChannelAnalysis", "Analysis of one input and one output.");
+  is.field("input", &ChannelOf::input, "name of the input");
+  is.field("output", &ChannelOf::output, "name of the output");
   is.field(
-      "input", [](const ChannelOf& is) { return is.of.input; }, "name of the input");
-  is.field(
-      "output", [](const ChannelOf& is) { return is.of.output; }, "name of the output");
-  is.field(
-      "zeros", [](const ChannelOf& is) { return without_delays(is.all, is.of.zeros); },
+      "zeros", [](const ChannelOf& is) { return without_delays(*is.all, is.zeros); },
       "zeros; null for a system with delays", "rad/s");
-  is.field(
-      "gain_at_rest", [](const ChannelOf& is) { return is.of.gain_at_rest; }, "gain at frequency 0", "SI");
-  is.field(
-      "bandwidth", [](const ChannelOf& is) { return is.of.bandwidth; }, "bandwidth", "rad/s");
+  is.field("gain_at_rest", &ChannelOf::gain_at_rest, "gain at frequency 0", "SI");
+  is.field("bandwidth", &ChannelOf::bandwidth, "bandwidth", "rad/s");
   is.field(
       "margins",
       [](const ChannelOf& is) {
-        return LoopMargins{is.of.margins, is.all.feedback};
+        return LoopMargins{is.margins, is.all->feedback};
       },
       "margins of the loop of this channel");
 }
@@ -133,10 +116,8 @@ static void declare(Record<Rank>& is) {
 static void declare(Record<InnerDelay>& is) {
   is.named("InnerDelay", "A delay from an additional output to an additional input of the system.");
   is.field("time", &InnerDelay::time, "delay", "s");
-  is.field(
-      "output", [](const InnerDelay& of) { return of.out.name; }, "output into the delay");
-  is.field(
-      "input", [](const InnerDelay& of) { return of.in.name; }, "input out of the delay");
+  is.field("output", result::path(&InnerDelay::out, &Channel::name), "output into the delay");
+  is.field("input", result::path(&InnerDelay::in, &Channel::name), "input out of the delay");
 }
 
 static void declare(Record<StateSpace>& is) {
@@ -150,14 +131,10 @@ static void declare(Record<StateSpace>& is) {
 }
 
 /// Error of the matrices.
-struct MatrixErrors {
-  const StateSpace& of;
-};
+struct MatrixErrors : StateSpace {};
 
 /// Operating point of an analysis.
-struct PointOf {
-  const Linearization& of;
-};
+struct PointOf : Linearization {};
 
 namespace {
 
@@ -179,29 +156,26 @@ void add_matrices(Record<Struct>& is, Get of, const std::string& what) {
 static void declare(Record<MatrixErrors>& is) {
   is.named("MatrixErrors", "Estimated errors of the matrices.");
   add_matrices(
-      is, [](const MatrixErrors& is) -> const StateSpace& { return is.of; }, "error of the matrix ");
+      is, [](const MatrixErrors& is) -> const StateSpace& { return is; }, "error of the matrix ");
 }
 
 static void declare(Record<PointOf>& is) {
   is.named("OperatingPoint", "Values at which a diagram is linearized.");
+  is.field("time", &PointOf::time, "time", "s");
   is.field(
-      "time", [](const PointOf& is) { return is.of.time; }, "time", "s");
+      "states", [](const PointOf& is) { return values_of(is.states); }, "states", "SI");
+  is.field("rates", &PointOf::rates, "derivatives of the states, or their change in a sample time", "SI");
   is.field(
-      "states", [](const PointOf& is) { return values_of(is.of.states); }, "states", "SI");
+      "inputs", [](const PointOf& is) { return values_of(is.inputs); }, "inputs", "SI");
   is.field(
-      "rates", [](const PointOf& is) { return is.of.rates; },
-      "derivatives of the states, or their change in a sample time", "SI");
-  is.field(
-      "inputs", [](const PointOf& is) { return values_of(is.of.inputs); }, "inputs", "SI");
-  is.field(
-      "outputs", [](const PointOf& is) { return values_of(is.of.outputs); }, "outputs", "SI");
+      "outputs", [](const PointOf& is) { return values_of(is.outputs); }, "outputs", "SI");
 }
 
 namespace {
 
 std::vector<ChannelOf> channels_of(const Analysis& analysis) {
   std::vector<ChannelOf> channels;
-  for (const ChannelAnalysis& channel : analysis.channels) channels.push_back({channel, analysis});
+  for (const ChannelAnalysis& channel : analysis.channels) channels.push_back({channel, &analysis});
   return channels;
 }
 
@@ -216,13 +190,10 @@ void add_system(Record<Analysis>& is) {
   is.field(
       "outputs", [](const Analysis& of) { return names_of(of.system.all_outputs()); },
       "names of the outputs, then those of the delays");
-  is.field(
-      "delays", [](const Analysis& of) { return of.system.delays; }, "delays within the system");
-  is.field(
-      "units", [](const Analysis& of) { return of.system; }, "SI units");
-  is.field(
-      "sample_time", [](const Analysis& of) { return of.system.sample_time; },
-      "sample time; 0 for a continuous system", "s");
+  is.field("delays", result::path(&Analysis::system, &StateSpace::delays), "delays within the system");
+  is.field("units", &Analysis::system, "SI units");
+  is.field("sample_time", result::path(&Analysis::system, &StateSpace::sample_time),
+           "sample time; 0 for a continuous system", "s");
 }
 
 std::vector<Complex> pole_list(const Analysis& analysis) {
@@ -266,8 +237,8 @@ void declare(Record<Analysis>& is) {
 
 static void declare(Record<TrimmedValue>& is) {
   is.named("TrimmedValue", "A number of the operating point.");
-  is.field(
-      "name", [](const TrimmedValue& of) { return of.channel.name; }, "name of the state, input or output");
+  is.field("name", result::path(&TrimmedValue::channel, &Channel::name),
+           "name of the state, input or output");
   is.field("value", &TrimmedValue::value, "value", "SI");
   is.field(
       "unit", [](const TrimmedValue& of) { return result::text_if_any(of.channel.unit); },

@@ -11,12 +11,9 @@ namespace {
 /// Adds the fields of a verdict that begin those of a target and of a claim.
 template <class Judged>
 void add_verdict(Record<Judged>& is) {
-  is.field(
-      "that", [](const Judged& of) { return of.verdict.that; }, "statement");
-  is.field(
-      "check", [](const Judged& of) { return of.verdict.check; }, "condition");
-  is.field(
-      "value", [](const Judged& of) { return of.verdict.value; }, "value at the optimum", "SI");
+  is.field("that", result::path(&Judged::verdict, &claim::Verdict::that), "statement");
+  is.field("check", result::path(&Judged::verdict, &claim::Verdict::check), "condition");
+  is.field("value", result::path(&Judged::verdict, &claim::Verdict::value), "value at the optimum", "SI");
 }
 
 }  // namespace
@@ -40,7 +37,7 @@ static void declare(Record<TunedNumber>& is) {
 
 /// A target with its row of the Jacobian.
 struct TargetRow {
-  const claim::Verdict& verdict;
+  claim::Verdict verdict;
   double off, start;
   std::vector<double> derivatives;
 };
@@ -57,12 +54,10 @@ static void declare(Record<TargetRow>& is) {
 static void declare(Record<TunedClaim>& is) {
   is.named("TunedClaim", "A claim at the optimum.");
   add_verdict(is);
-  is.field(
-      "shown", [](const TunedClaim& of) { return of.verdict.shown; }, "value with its unit");
+  is.field("shown", result::path(&TunedClaim::verdict, &claim::Verdict::shown), "value with its unit");
   is.field("start", &TunedClaim::start, "value at the start", "SI");
   is.field("margin", &TunedClaim::margin, "margin at the optimum; negative if the claim fails", "SI");
-  is.field(
-      "holds", [](const TunedClaim& of) { return of.verdict.holds; }, "true if it holds");
+  is.field("holds", result::path(&TunedClaim::verdict, &claim::Verdict::holds), "true if it holds");
   is.field("active", &TunedClaim::active, "true if the claim limits the objective");
 }
 
@@ -100,9 +95,8 @@ void declare(Record<TuneResult>& is) {
       "worst", [](const TuneResult& of) { return result::text_if_any(of.worst); },
       "run with the largest objective; null for a single run");
   is.field("targets", target_rows, "targets in the order of the file");
-  is.field(
-      "singular_values", [](const TuneResult& of) { return of.resolution.singular_values; },
-      "singular values of the derivatives of the targets; below 1 a direction is free");
+  is.field("singular_values", result::path(&TuneResult::resolution, &Resolution::singular_values),
+           "singular values of the derivatives of the targets; below 1 a direction is free");
   is.field("claims", &TuneResult::claims, "claims of the section");
   is.field("starts", &TuneResult::starts, "searches");
   is.field("findings", &TuneResult::findings, "bounds, violated claims, failed evaluations");

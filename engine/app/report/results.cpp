@@ -5,6 +5,7 @@
 #include "engine/analyse/linear/trim.hpp"
 #include "engine/analyse/tuning/tune.hpp"
 #include "engine/app/report/profile_report.hpp"
+#include "engine/app/session/loop_run.hpp"
 #include "engine/app/session/run_result.hpp"
 
 namespace stepwire::report {
@@ -40,6 +41,7 @@ class Record:
 
 const std::vector<JobResult>& job_results() {
   static const std::vector<JobResult> all{{"run", result::record_type<session::RunReport>()},
+                                          {"loop", result::record_type<session::LoopOutcome>()},
                                           {"claims", result::record_type<session::JudgedClaim>()},
                                           {"profile", result::record_type<ProfileReport>()},
                                           {"fit", result::record_type<estimation::FitResult>()},

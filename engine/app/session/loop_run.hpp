@@ -7,7 +7,7 @@
 #include "engine/app/session/loaded_model.hpp"
 #include "engine/app/session/loop_settings.hpp"
 #include "engine/app/session/monitor.hpp"
-#include "engine/base/json/json.hpp"
+#include "engine/base/result/record.hpp"
 #include "engine/simulate/realtime/cyclictest.hpp"
 #include "engine/simulate/realtime/loop.hpp"
 #include "engine/simulate/realtime/serve.hpp"
@@ -33,6 +33,9 @@ struct LoopOutcome {
   std::optional<LoopRows> rows;  ///< std::nullopt if no rows were recorded
   std::optional<realtime::Cyclictest> baseline;
 };
+
+/// Declares the fields of loop.json.
+void declare(result::Record<LoopOutcome>& is);
 
 /// Options of a real-time loop.
 struct LoopCall {

@@ -154,6 +154,195 @@ class RunResult(Record):
     duration: float
     """duration of the run [s]"""
 
+class LoopDiagram(Record):
+    """Diagram of the loop."""
+    file: str
+    """file"""
+    title: str
+    """title"""
+    hash: str
+    """hash"""
+    blocks: int
+    """number of blocks"""
+    states: int
+    """number of states"""
+    step_s: float
+    """step [s]"""
+    engine: str
+    """engine"""
+
+class Deadlines(Record):
+    """Counts of deadlines."""
+    planned: int
+    """planned deadlines"""
+    passed: int
+    """deadlines that have passed"""
+    missed: int
+    """late and dropped ones"""
+    late: int
+    """late ones"""
+    dropped: int
+    """dropped ones"""
+    longest_row: int
+    """longest row of missed ones"""
+
+class LoopTimes(Record):
+    """Distribution of measured times."""
+    count: int
+    """number of times"""
+    min: int
+    """shortest [ns]"""
+    mean: float
+    """mean [ns]"""
+    p50: int
+    """median [ns]"""
+    p99: int
+    """not exceeded by 99 % [ns]"""
+    p99_9: int
+    """not exceeded by 99.9 % [ns]"""
+    max: int
+    """longest [ns]"""
+    histogram: list[list[int]]
+    """begin [ns] and count of each bin that is not empty"""
+
+class LoopWorst(Record):
+    """Longest times in equal intervals of the run."""
+    stretch_s: float
+    """length of an interval [s]"""
+    wake_up: list[int]
+    """longest delay of a wake-up [ns]"""
+    response: list[int]
+    """longest response [ns]"""
+    step: list[int]
+    """longest step [ns]"""
+
+class TypeCost(Record):
+    """Cost of the blocks of a type."""
+    type: str
+    """type"""
+    blocks: int
+    """number of blocks"""
+    mean: float
+    """mean time of a tick; null without samples [ns]"""
+    samples: int
+    """number of samples"""
+
+class TypeCosts(Record):
+    """Sampled cost of the block types."""
+    how: str
+    """method"""
+    types: list[TypeCost]
+    """types"""
+
+class LoopThread(Record):
+    """Thread of the loop."""
+    policy: str
+    """effective policy"""
+    cpu: Optional[int]
+    """processor; null if the thread is not bound"""
+    spin: int
+    """time awake before a deadline [ns]"""
+    refused: list[str]
+    """requests that the system refused"""
+    minor_faults: int
+    """pages that were mapped"""
+    major_faults: int
+    """pages that were read from a disk"""
+    allocations: Optional[int]
+    """memory requests; null if not counted"""
+    voluntary_switches: int
+    """switches while the thread waited"""
+    involuntary_switches: int
+    """switches to another thread"""
+
+class LoopRows(Record):
+    """Recorded rows."""
+    written: int
+    """written rows"""
+    lost_to_ring: int
+    """rows that a slow writer lost"""
+    lost_to_disk: int
+    """rows that the disk refused"""
+
+class Cyclictest(Record):
+    """Wake-ups by cyclictest at the rate and policy of the loop."""
+    command: str
+    """command"""
+    count: int
+    """number of wake-ups"""
+    p50_us: int
+    """median [us]"""
+    p99_us: int
+    """not exceeded by 99 % [us]"""
+    p99_9_us: int
+    """not exceeded by 99.9 % [us]"""
+    max_us: int
+    """longest [us]"""
+
+class Machine(Record):
+    """Machine of the loop. Unknown texts are null."""
+    processor: str
+    """processor"""
+    processors: int
+    """number of processors"""
+    virtual: bool
+    """true for a virtual machine"""
+    kernel: str
+    """kernel"""
+    kernel_command_line: str
+    """boot command line"""
+    governor: str
+    """frequency governor"""
+    clock_source: str
+    """clock source"""
+    isolated: str
+    """processors that the scheduler does not use"""
+
+class LoopResult(Record):
+    """The result of a real-time loop: loop.json."""
+    diagram: LoopDiagram
+    """diagram"""
+    end: str
+    """reason of the end"""
+    faults: list[str]
+    """fault that ended the loop"""
+    rate_hz: float
+    """wake-ups in a second [Hz]"""
+    duration_s: float
+    """planned duration [s]"""
+    steps: int
+    """steps"""
+    ticks: int
+    """ticks"""
+    deadlines: Deadlines
+    """deadlines"""
+    algebraic_loops: list[AlgebraicLoop]
+    """costs of algebraic loops"""
+    resolution: float
+    """width of a bin as a share of its times"""
+    wake_up: LoopTimes
+    """delay of the wake-ups"""
+    response: LoopTimes
+    """time until outputs are written"""
+    step: LoopTimes
+    """time of a step"""
+    worst: LoopWorst
+    """longest times over the run"""
+    block_types: TypeCosts
+    """cost of the block types"""
+    thread: LoopThread
+    """thread"""
+    rows: Optional[LoopRows]
+    """recorded rows; null if none are recorded"""
+    cyclictest: Optional[Cyclictest]
+    """measurement beside the loop; null without --baseline"""
+    machine: Machine
+    """machine"""
+    version: str
+    """version of the program"""
+    compiler: str
+    """compiler of the program"""
+
 class Claim(Record):
     """A claim of the file, judged: an entry of claims.json."""
     file: str
