@@ -386,7 +386,7 @@ class FileRun {
     }
     if (call_.models.json) {
       Json result = run_json(model, outcome);
-      results.push(result.set("study", session::study_json(model, *experiments)));
+      results.push(result.set("study", result::json_of(session::StudyReport{&model, experiments.get()})));
       return code_of(outcome);
     }
     put_text(report::study_text(model, *experiments));

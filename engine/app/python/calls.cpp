@@ -52,7 +52,7 @@ std::shared_ptr<Results> study(const Shared& of, const std::string& engine, unsi
   call.make([&](session::Session& session) {
     const auto experiments = session.study(of->model(), {mode_of(engine), threads, {}});
     results->outcome = session::study_outcome(*model, *experiments);
-    results->study = session::study_json(*model, *experiments).text();
+    results->study = result::json_of(session::StudyReport{model.get(), experiments.get()}).text();
     results->words = report::study_text(*model, *experiments);
   });
   take_over(call, *results);

@@ -7,6 +7,7 @@
 #include "engine/app/report/profile_report.hpp"
 #include "engine/app/session/loop_run.hpp"
 #include "engine/app/session/run_result.hpp"
+#include "engine/app/session/studies.hpp"
 
 namespace stepwire::report {
 
@@ -42,6 +43,7 @@ class Record:
 const std::vector<JobResult>& job_results() {
   static const std::vector<JobResult> all{{"run", result::record_type<session::RunReport>()},
                                           {"loop", result::record_type<session::LoopOutcome>()},
+                                          {"study", result::record_type<session::StudyReport>()},
                                           {"claims", result::record_type<session::JudgedClaim>()},
                                           {"profile", result::record_type<ProfileReport>()},
                                           {"fit", result::record_type<estimation::FitResult>()},

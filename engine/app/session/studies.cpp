@@ -25,8 +25,6 @@
 
 namespace stepwire::session {
 
-using json::Json;
-
 namespace {
 
 study::Experiments make_experiments(const Registry& registry, const LoadedModel& model, const StudyCall& call,
@@ -53,76 +51,6 @@ diagram::Sweep axes_of(const LoadedModel& model) {
   sweep.axes.push_back({"subject", diagram::SweptValues(request.subject_names()), {}});
   sweep.axes.push_back({"condition", diagram::SweptValues(request.condition_names()), {}});
   return sweep;
-}
-
-Json settings_json(const std::vector<diagram::Setting>& settings) {
-  Json json = Json::object();
-  for (const diagram::Setting& setting : settings) json.set(setting.name, without_quotes(setting.value));
-  return json;
-}
-
-Json trials_json(const study::Experiment& experiment) {
-  Json list = Json::list();
-  for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
-    const study::PathError& row = experiment.errors.rows[i];
-    Json trial = Json::object()
-                     .set("subject", row.subject)
-                     .set("condition", row.condition)
-                     .set("error", row.error)
-                     .set("normalised", row.normalised)
-                     .set("raw", row.raw)
-                     .set("deviation", row.deviation)
-                     .set("length", row.length)
-                     .set("duration", row.duration)
-                     .set("points", row.points);
-    if (!experiment.runs.empty()) {
-      trial.set("order", experiment.runs[i].order)
-          .set("attempts", experiment.runs[i].attempts)
-          .set("sets", settings_json(experiment.runs[i].point.own));
-    }
-    list.push(std::move(trial));
-  }
-  return list;
-}
-
-Json orders_json(const study::Experiment& experiment, const study::StudyRequest& request) {
-  Json orders = Json::object();
-  for (const std::size_t subject : request.subjects) {
-    Json names = Json::list();
-    for (const std::size_t condition : study::order_of_conditions(request, experiment.seed, subject))
-      names.push(request.conditions[condition].name);
-    orders.set(std::to_string(subject), std::move(names));
-  }
-  return orders;
-}
-
-Json analysis_json(const study::TaskAnalysis& analysis, const study::StudyRequest& request,
-                   std::uint64_t seed) {
-  Json means = Json::object();
-  for (const study::NamedValue& mean : analysis.means) means.set(mean.name, mean.value);
-  Json both = Json::list();
-  for (const study::SideBySide& one : study::compare(request.published, analysis, request.factored()))
-    both.push(study::side_by_side_json(one));
-  return Json::object()
-      .set("means", std::move(means))
-      .set("anova", study::anova_json(analysis.additive))
-      .set("anova_with_subject", study::anova_json(analysis.with_subject))
-      .set("repeated_measures",
-           analysis.repeated ? study::anova_json(*analysis.repeated) : Json(analysis.not_repeated))
-      .set("within_subjects",
-           analysis.within ? study::comparisons_json(*analysis.within, seed) : Json(analysis.not_within))
-      .set("side_by_side", std::move(both));
-}
-
-/// Returns the outcomes of each experiment.
-Json experiments_json(const study::Experiment& experiment, const study::StudyRequest& request) {
-  Json list = Json::list();
-  for (const study::ExperimentOutcome& one : study::outcomes(experiment, request)) {
-    Json json = Json::object().set("seed", one.seed);
-    for (const study::NamedValue& value : one.values) json.set(value.name, value.value);
-    list.push(std::move(json));
-  }
-  return list;
 }
 
 /// Returns the number of columns, after the time, with swept values.
@@ -169,19 +97,6 @@ std::string errors_csv(const LoadedModel& model, const study::Experiments& exper
       if (one.column != "subject" && one.column != "condition")
         words[one.column].push_back(without_quotes(text));
   return table::csv_text(table, words);
-}
-
-/// Adds the results of one experiment.
-Json add_experiment(Json json, const study::Experiment& experiment, const study::StudyRequest& request) {
-  json.set("rule", experiment.errors.rule)
-      .set("remarks", Json::list_of(experiment.remarks))
-      .set("trials", trials_json(experiment));
-  if (!experiment.runs.empty())
-    json.set("seed", experiment.seed).set("orders", orders_json(experiment, request));
-  if (!experiment.others.empty()) json.set("experiments", experiments_json(experiment, request));
-  if (experiment.analysis)
-    json.set("analysis", analysis_json(*experiment.analysis, request, experiment.seed));
-  return json;
 }
 
 bool is_probability(const std::string& name) {
@@ -319,7 +234,7 @@ void write_study(const std::string& folder, const LoadedModel& model, const stud
   for (std::size_t i = 0; i < experiments.size(); ++i)
     io::write_file(folder + "/" + io::numbered("trials", i, ".csv"), trials_text(model, experiments[i]));
   io::write_file(folder + "/errors.csv", errors_text(model, experiments, outcome));
-  io::write_file(folder + "/study.json", study_json(model, experiments).text() + "\n");
+  io::write_file(folder + "/study.json", result::json_of(StudyReport{&model, &experiments}).text() + "\n");
   io::write_file(folder + "/tables.txt", tables_text(model));
   if (model.study->experiments > 1 && experiments.size() == 1)
     render::write_figure(folder, "experiments",
@@ -339,22 +254,6 @@ std::string tables_text(const LoadedModel& model) {
     if (model.study->experiments > 1 || !one.name.starts_with("experiments"))
       all += (all.empty() ? "" : "\n") + text::text(*one.table);
   return all;
-}
-
-Json study_json(const LoadedModel& model, const study::Experiments& experiments) {
-  const study::StudyRequest& request = *model.study;
-  Json json = Json::object()
-                  .set("file", model.file)
-                  .set("task", request.task)
-                  .set("trials_of", request.trials.empty() ? "simulated operators" : request.trials);
-  if (experiments.front().sets.empty()) return add_experiment(std::move(json), experiments.front(), request);
-  Json points = Json::list();
-  for (std::size_t i = 0; i < experiments.size(); ++i)
-    points.push(add_experiment(Json::object()
-                                   .set("sets", settings_json(experiments[i].sets))
-                                   .set("trials_file", io::numbered("trials", i, ".csv")),
-                               experiments[i], request));
-  return json.set("points", std::move(points));
 }
 
 plot::FigureSpec repetition_figure(const std::vector<study::ExperimentOutcome>& experiments,

@@ -9,7 +9,7 @@
 #include "engine/analyse/study/distribution.hpp"
 #include "engine/analyse/study/experiment.hpp"
 #include "engine/app/session/outcome.hpp"
-#include "engine/base/json/json.hpp"
+#include "engine/base/result/record.hpp"
 #include "engine/base/messages/items.hpp"
 #include "engine/view/plot/plot_spec.hpp"
 
@@ -61,8 +61,12 @@ std::string errors_text(const LoadedModel& model, const study::Experiments& expe
                         const Outcome& outcome);
 std::string tables_text(const LoadedModel& model);
 
-/// Returns all results of a study as JSON.
-json::Json study_json(const LoadedModel& model, const study::Experiments& experiments);
+/// Result of a study: study.json.
+struct StudyReport {
+  const LoadedModel* model;
+  const study::Experiments* experiments;
+};
+void declare(result::Record<StudyReport>& is);
 
 /// Returns a key of everything that determines the experiment of a model. The seeds, which determine the
 /// subjects, are optional.

@@ -343,6 +343,94 @@ class LoopResult(Record):
     compiler: str
     """compiler of the program"""
 
+class StudyTrial(Record):
+    """A scored trial. Units of errors are those of the study's task."""
+    subject: str
+    """person"""
+    condition: str
+    """condition"""
+    error: float
+    """error of the path"""
+    normalised: float
+    """error over the largest one"""
+    raw: float
+    """error before resampling"""
+    deviation: float
+    """error that does not depend on sampling and length"""
+    length: float
+    """length of the scored path [m]"""
+    duration: float
+    """duration of the scored path [s]"""
+    points: int
+    """number of scored points"""
+    order: Optional[int]
+    """number among the person's trials, from 1"""
+    attempts: Optional[int]
+    """number of attempts"""
+    sets: dict[str, str]
+    """settings of the run"""
+
+class StudyAnalysis(Record):
+    """Analysis of the errors of a study."""
+    means: dict[str, float]
+    """mean normalised error of each condition"""
+    anova: Any
+    """analysis of variance over the factors of the conditions"""
+    anova_with_subject: Any
+    """the same with the subject as a factor"""
+    repeated_measures: Any
+    """repeated measures over the factors, or the reason why there are none"""
+    within_subjects: Any
+    """comparisons of conditions, or the reason why there are none"""
+    side_by_side: list[Any]
+    """published values beside ours"""
+
+class StudyPoint(Record):
+    """Experiment at a point of the file's sweep."""
+    sets: dict[str, str]
+    """swept values"""
+    trials_file: str
+    """file of its trials"""
+    rule: str
+    """rule of scoring"""
+    remarks: list[str]
+    """trials that were repeated, left out or too long"""
+    trials: list[StudyTrial]
+    """trials"""
+    seed: Optional[int]
+    """seed of the experiment; missing for recorded trials"""
+    orders: dict[str, list[str]]
+    """order of the conditions of each person; missing for recorded trials"""
+    experiments: list[Any]
+    """seed and values of each experiment; missing for a single one"""
+    analysis: Optional[StudyAnalysis]
+    """analysis of the errors; missing if they cannot be analysed"""
+
+class StudyResult(Record):
+    """The result of a study: study.json."""
+    file: str
+    """diagram file"""
+    task: str
+    """task"""
+    trials_of: str
+    """file of the recorded trials, or simulated operators"""
+    rule: str
+    """rule of scoring"""
+    remarks: list[str]
+    """trials that were repeated, left out or too long"""
+    trials: list[StudyTrial]
+    """trials"""
+    seed: Optional[int]
+    """seed of the experiment; missing for recorded trials"""
+    orders: dict[str, list[str]]
+    """order of the conditions of each person; missing for recorded trials"""
+    experiments: list[Any]
+    """seed and values of each experiment; missing for a single one"""
+    analysis: Optional[StudyAnalysis]
+    """analysis of the errors; missing if they cannot be analysed"""
+    points: list[StudyPoint]
+    """points of the file's sweep, in the place of the fields of one experiment"""
+
 class Claim(Record):
     """A claim of the file, judged: an entry of claims.json."""
     file: str

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from . import _core, show
 from .errors import Fault, Interrupted, RunError
-from .records import Claim, FitResult, FittedParameter, LinearResult, Notice, RunResult, TuneResult
+from .records import Claim, FitResult, FittedParameter, LinearResult, Notice, RunResult, StudyResult, TuneResult
 
 if TYPE_CHECKING:
     import numpy as np
@@ -218,6 +218,11 @@ def _distinct(words: list[str] | None) -> bool:
 class Study(Run):
     """What the study of a file gave: a run whose runs are the trials. `data` has all that was found, as
     study.json of `stepwire study` has it."""
+
+    @functools.cached_property
+    def study(self) -> StudyResult:
+        """The fields of study.json; those of run.json are `result`."""
+        return StudyResult.read(self.data)
 
     @property
     def data(self) -> dict[str, Any]:
