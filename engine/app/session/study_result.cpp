@@ -142,36 +142,39 @@ std::optional<ErrorAnalysis> analysis_of(const StudyPoint& of) {
   return ErrorAnalysis{*of.experiment->analysis, of.request, of.experiment->seed};
 }
 
-/// Declares the fields of an experiment. `point` returns its point; std::nullopt where there is none.
+std::optional<std::uint64_t> seed_of(const StudyPoint& of) {
+  return of.experiment->runs.empty() ? std::nullopt : std::optional(of.experiment->seed);
+}
+
+std::optional<Map<std::vector<std::string>>> orders_if_simulated(const StudyPoint& of) {
+  if (of.experiment->runs.empty()) return std::nullopt;
+  return orders_of(*of.experiment, *of.request);
+}
+
+/// Declares a field of an experiment. `point` returns its point; std::nullopt where there is none.
+template <class Struct, class Point, class Get>
+void add_field(Record<Struct>& is, Point point, const char* name, Get get, const char* doc) {
+  using Value = std::remove_cvref_t<std::invoke_result_t<Get, const StudyPoint&>>;
+  const auto value = [point, get](const Struct& object) -> decltype(std::optional(std::declval<Value>())) {
+    const std::optional<StudyPoint> of = point(object);
+    if (!of) return std::nullopt;
+    return get(*of);
+  };
+  is.omitted(name, value, doc);
+}
+
 template <class Struct, class Point>
 void add_experiment(Record<Struct>& is, Point point) {
-  const auto add = [&](const char* name, auto get, const char* doc) {
-    using Value = decltype(get(std::declval<const StudyPoint&>()));
-    is.omitted(
-        name,
-        [point, get](const Struct& object) -> Value {
-          const std::optional<StudyPoint> of = point(object);
-          return of ? get(*of) : std::nullopt;
-        },
-        doc);
-  };
-  const auto simulated = [](auto get) {
-    return [get](const StudyPoint& of) {
-      return of.experiment->runs.empty() ? std::nullopt : std::optional(get(of));
-    };
-  };
-  add(
-      "rule", [](const StudyPoint& of) { return std::optional(of.experiment->errors.rule); },
+  const auto add = [&](const char* name, auto get, const char* doc) { add_field(is, point, name, get, doc); };
+  using study::Experiment;
+  add("rule", path(&StudyPoint::experiment, &Experiment::errors, &study::PathErrors::rule),
       "rule of scoring");
-  add(
-      "remarks", [](const StudyPoint& of) { return std::optional(of.experiment->remarks); },
+  add("remarks", path(&StudyPoint::experiment, &Experiment::remarks),
       "trials that were repeated, left out or too long");
   add(
-      "trials", [](const StudyPoint& of) { return std::optional(trials_of(*of.experiment)); }, "trials");
-  add("seed", simulated([](const StudyPoint& of) { return of.experiment->seed; }),
-      "seed of the experiment; missing for recorded trials");
-  add("orders", simulated([](const StudyPoint& of) { return orders_of(*of.experiment, *of.request); }),
-      "order of the conditions of each person; missing for recorded trials");
+      "trials", [](const StudyPoint& of) { return trials_of(*of.experiment); }, "trials");
+  add("seed", seed_of, "seed of the experiment; missing for recorded trials");
+  add("orders", orders_if_simulated, "order of the conditions of each person; missing for recorded trials");
   add("experiments", outcomes_if_several, "seed and values of each experiment; missing for a single one");
   add("analysis", analysis_of, "analysis of the errors; missing if they cannot be analysed");
 }

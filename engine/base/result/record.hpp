@@ -48,6 +48,15 @@ template <std::integral Integer>
 struct ValueOf<Integer> : PlainValue<ValueType::Kind::count> {};
 template <>
 struct ValueOf<double> : PlainValue<ValueType::Kind::number> {};
+/// Number that is never missing.
+struct Finite {
+  double value;
+};
+template <>
+struct ValueOf<Finite> {
+  static ValueType type() { return {ValueType::Kind::finite}; }
+  static json::Json json(Finite number) { return number.value; }
+};
 template <>
 struct ValueOf<std::string> : PlainValue<ValueType::Kind::text> {};
 template <>

@@ -16,20 +16,20 @@ namespace {
 /// Words of one language for each kind of values, in the order of Kind. The words of a list and of a map have
 /// a place for those of their items, `none` for those of the value.
 struct Language {
-  std::array<const char*, 11> words;
+  std::array<const char*, 12> words;
   const char* none;
 };
 
-constexpr Language english{{"flag", "count", "number", "text", "[re, im]", "[low, high]", "list of rows",
-                            "list of {}", "{} by name", "", "JSON"},
+constexpr Language english{{"flag", "count", "number", "number", "text", "[re, im]", "[low, high]",
+                            "list of rows", "list of {}", "{} by name", "", "JSON"},
                            "{} or null"};
 // JSON has no number for what is not finite.
 constexpr Language typescript{
-    {"boolean", "number", "number | null", "string", "[number, number]", "[number | null, number | null]",
-     "(number | null)[][]", "({})[]", "Record<string, {}>", "", "unknown"},
+    {"boolean", "number", "number", "number | null", "string", "[number, number]",
+     "[number | null, number | null]", "(number | null)[][]", "({})[]", "Record<string, {}>", "", "unknown"},
     "{} | null"};
 // In Python a missing number is nan and a missing text is empty.
-constexpr Language python{{"bool", "int", "float", "str", "complex", "tuple[float, float]",
+constexpr Language python{{"bool", "int", "float", "float", "str", "complex", "tuple[float, float]",
                            "list[list[float]]", "list[{}]", "dict[str, {}]", "", "Any"},
                           "Optional[{}]"};
 
@@ -65,8 +65,8 @@ bool is_name(const std::string& text) {
 }
 
 json::Json type_json(const ValueType& type) {
-  static const char* const kinds[] = {"flag",   "count", "number", "text",   "complex", "pair",
-                                      "matrix", "list",  "map",    "record", "any"};
+  static const char* const kinds[] = {"flag", "count",  "number", "number", "text",   "complex",
+                                      "pair", "matrix", "list",   "map",    "record", "any"};
   json::Json json = json::Json::object().set("kind", kinds[static_cast<std::size_t>(type.kind)]);
   if (type.record) json.set("record", type.record().name);
   if (!type.item.empty()) json.set("item", type_json(type.item[0]));

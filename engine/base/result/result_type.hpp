@@ -15,6 +15,7 @@ struct ValueType {
   enum class Kind {
     flag,
     count,
+    finite,  ///< number that is never null
     number,  ///< null in JSON if it is not finite
     text,
     complex,  ///< [re, im] in JSON

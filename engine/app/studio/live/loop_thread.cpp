@@ -18,8 +18,10 @@ std::size_t numbers_of(const std::vector<std::vector<double>>& defaults) {
   return count;
 }
 
-using json::Json;
 using realtime::Histogram;
+using result::Finite;
+using result::path;
+using result::Record;
 
 constexpr double per_octave = 4.0, ns = 1e-9;
 constexpr double shortest = 64.0;  // [ns] upper edge of the first bin
@@ -34,58 +36,118 @@ std::size_t bin_of(double time) {
   return std::min(bins - 1, 1 + static_cast<std::size_t>(per_octave * std::log2(time / shortest)));
 }
 
-/// Returns the histogram without empty bins at both ends.
-Json bins_json(const Histogram& times) {
+/// Bins of a histogram without the empty ones at both ends.
+struct Bins {
+  std::vector<Finite> edges;  ///< [s]
+  std::vector<std::int64_t> counts;
+};
+
+Bins bins_of(const Histogram& times) {
   std::vector<std::int64_t> counts(bins, 0);
   for (std::size_t fine = 0; fine < Histogram::bins(); ++fine)
     counts[bin_of(static_cast<double>(Histogram::begin_of(fine)))] += times.count_in(fine);
   const auto is_full = [](std::int64_t count) { return count > 0; };
   const auto first = std::ranges::find_if(counts, is_full);
   const auto end = std::find_if(counts.rbegin(), counts.rend(), is_full).base();
-  Json edges = Json::list(), full = Json::list();
+  Bins full;
   for (auto count = first; count < end; ++count) {
-    if (count == first) edges.push(ns * edge(static_cast<std::size_t>(first - counts.begin())));
-    edges.push(ns * edge(static_cast<std::size_t>(count - counts.begin()) + 1));
-    full.push(*count);
+    if (count == first) full.edges.push_back({ns * edge(static_cast<std::size_t>(first - counts.begin()))});
+    full.edges.push_back({ns * edge(static_cast<std::size_t>(count - counts.begin()) + 1)});
+    full.counts.push_back(*count);
   }
-  return Json::object().set("edges", std::move(edges)).set("counts", std::move(full));
+  return full;
 }
 
-Json times_json(const Histogram& times) {
-  const auto quantile = [&](double share) { return ns * static_cast<double>(times.quantile(share)); };
-  return bins_json(times)
-      .set("count", times.count())
-      .set("p50", quantile(0.5))
-      .set("p99", quantile(0.99))
-      .set("p999", quantile(0.999))
-      .set("max", ns * static_cast<double>(times.max()));
+}  // namespace
+
+/// Distribution of times in a loop.
+struct LiveTimes {
+  const Histogram* of;
+
+  auto quantile(double share) const { return Finite{ns * static_cast<double>(of->quantile(share))}; }
+};
+
+/// Cost of the blocks of a type.
+struct LiveCost {
+  std::string type;
+  std::size_t blocks;
+  double mean;  ///< [ns]
+};
+
+static void declare(Record<LiveTimes>& is) {
+  is.named("Histogram", "Histogram of times with bins of a quarter octave.");
+  is.field(
+      "edges", [](const LiveTimes& of) { return bins_of(*of.of).edges; }, "edges, one more than counts", "s");
+  is.field(
+      "counts", [](const LiveTimes& of) { return bins_of(*of.of).counts; }, "counts of the bins");
+  is.field("count", path(&LiveTimes::of, &Histogram::count), "number of times");
+  is.field(
+      "p50", [](const LiveTimes& of) { return of.quantile(0.5); }, "median", "s");
+  is.field(
+      "p99", [](const LiveTimes& of) { return of.quantile(0.99); }, "not exceeded by 99 %", "s");
+  is.field(
+      "p999", [](const LiveTimes& of) { return of.quantile(0.999); }, "not exceeded by 99.9 %", "s");
+  is.field(
+      "max", [](const LiveTimes& of) { return Finite{ns * static_cast<double>(of.of->max())}; }, "longest",
+      "s");
 }
 
-Json costs_json(const realtime::Loop& loop) {
-  Json costs = Json::list();
-  for (const realtime::GroupCost& cost : loop.group_costs())
-    if (cost.samples > 0)
-      costs.push(
-          Json::object().set("type", cost.type).set("blocks", cost.blocks).set("mean", ns * cost.mean));
+static void declare(Record<LiveCost>& is) {
+  is.named("LiveCost", "Cost of the blocks of a type.");
+  is.field("type", &LiveCost::type, "type");
+  is.field("blocks", &LiveCost::blocks, "number of blocks");
+  is.field(
+      "mean", [](const LiveCost& of) { return Finite{ns * of.mean}; }, "mean time of a tick", "s");
+}
+
+namespace {
+
+const realtime::Deadlines& deadlines_of(const LoopNews& of) {
+  return of.loop->deadlines();
+}
+
+/// Returns a function that gives one of the measured distributions.
+auto times(const Histogram& (realtime::Measurements::*of)() const) {
+  return [of](const LoopNews& news) { return LiveTimes{&(news.loop->measurements().*of)()}; };
+}
+
+std::vector<LiveCost> costs_of(const LoopNews& of) {
+  std::vector<LiveCost> costs;
+  for (const realtime::GroupCost& cost : of.loop->group_costs())
+    if (cost.samples > 0) costs.push_back({cost.type, cost.blocks, cost.mean});
   return costs;
 }
 
-/// Returns the timing of a loop, which may be running: counts of deadlines, histograms, and the cost of each
-/// block type. Histograms of lateness, response and step have bins of a quarter octave. All times in s.
-Json timing_of(const realtime::Loop& loop, const session::LoopSettings& settings) {
-  const realtime::Deadlines& deadlines = loop.deadlines();
-  return Json::object()
-      .set("period", 1.0 / settings.rate)
-      .set("served", loop.steps())
-      .set("missed", deadlines.missed())
-      .set("late", deadlines.late())
-      .set("dropped", deadlines.dropped())
-      .set("longest", deadlines.longest_row())
-      .set("lateness", times_json(loop.measurements().wake_up()))
-      .set("response", times_json(loop.measurements().response()))
-      .set("step", times_json(loop.measurements().step()))
-      .set("costs", costs_json(loop));
+}  // namespace
+
+void declare(Record<LoopNews>& is) {
+  using realtime::Deadlines;
+  using realtime::Measurements;
+  is.named("LoopNews", "Timing of a real-time loop, which may be running.");
+  is.field(
+      "period", [](const LoopNews& of) { return Finite{1.0 / of.rate}; }, "period", "s");
+  is.field("served", path(&LoopNews::loop, &realtime::Loop::steps), "number of executed steps");
+  is.field("missed", path(deadlines_of, &Deadlines::missed), "late and dropped deadlines");
+  is.field("late", path(deadlines_of, &Deadlines::late), "late deadlines");
+  is.field("dropped", path(deadlines_of, &Deadlines::dropped), "dropped deadlines");
+  is.field("longest", path(deadlines_of, &Deadlines::longest_row), "longest run of successive misses");
+  is.field("lateness", times(&Measurements::wake_up), "delay of the wake-up");
+  is.field("response", times(&Measurements::response), "time until outputs are written");
+  is.field("step", times(&Measurements::step), "duration of a whole wake-up");
+  is.field("costs", costs_of, "cost by block type, most expensive first");
+  is.field("run", &LoopNews::run, "number of the run");
+  is.field("lost", &LoopNews::lost, "ticks that were lost on the way to the page");
+  is.field("policy", &LoopNews::policy, "effective policy");
+  is.field("refused", &LoopNews::refused, "requests that the system refused");
 }
+
+std::string loop_news_typescript() {
+  return "// Types of the news 'loop', which follow from the declaration in loop_thread.cpp. A test compares "
+         "them.\n" +
+         result::typescript_of({&result::record_type<LoopNews>()});
+}
+
+namespace {
 
 constexpr double unknown_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double between_hub_looks = 4e-3, hub_idle = 0.05;     // [s]
@@ -389,10 +451,9 @@ void LoopThread::describe(RunStatus& status) const {
 
 std::optional<json::Json> LoopThread::timing() {
   return commands_.ask([&] {
-    json::Json timing = timing_of(life_->loop, options_.settings).set("run", lives_);
-    timing.set("lost", life_->tap.lost());
     const std::lock_guard lock(status_mutex_);
-    return std::optional(timing.set("policy", policy_).set("refused", json::Json::list_of(refused_)));
+    const LoopNews news{&life_->loop, options_.settings.rate, lives_, life_->tap.lost(), policy_, refused_};
+    return std::optional(result::json_of(news));
   });
 }
 

@@ -10,6 +10,7 @@
 
 #include "engine/app/session/loop_settings.hpp"
 #include "engine/app/studio/live/run_control.hpp"
+#include "engine/base/result/record.hpp"
 #include "engine/model/plan/plan.hpp"
 #include "engine/simulate/realtime/device.hpp"
 #include "engine/simulate/realtime/exchange.hpp"
@@ -18,6 +19,19 @@
 #include "engine/simulate/realtime/real_time_thread.hpp"
 
 namespace stepwire::live {
+
+/// Timing of a real-time loop for the page: the news `loop`.
+struct LoopNews {
+  const realtime::Loop* loop;
+  double rate;  ///< [Hz]
+  std::uint32_t run;
+  std::int64_t lost;
+  std::string policy;
+  std::vector<std::string> refused;
+};
+void declare(result::Record<LoopNews>& is);
+/// Returns the types of the news `loop` in TypeScript: loop_news.ts of the page.
+std::string loop_news_typescript();
 
 /// Device of a real-time loop whose inputs are written by pages. An input has the value of the last page that
 /// wrote it, until that value expires; then it has its default. The loop thread checks the expiry itself, so

@@ -1,6 +1,7 @@
 // A real-time loop under pages. No test looks at how well it keeps time: that is the machine's.
 #include "engine/app/studio/live/loop_thread.hpp"
 
+#include "engine/base/io/file.hpp"
 #include "engine/simulate/run/run.hpp"
 #include "tests/engine/app/studio/live/live_studio.hpp"
 
@@ -64,6 +65,12 @@ std::vector<double> replayed(const plan::Plan& plan, const EventLog& log, std::s
 }
 
 }  // namespace
+
+TEST_CASE("the page's types of a loop's news are those of the declaration") {
+  const std::string file = STEPWIRE_SOURCE_DIR "/engine/app/studio/page/src/loop/loop_news.ts";
+  INFO("the content of " << file << " should be the text on the right");
+  CHECK(io::read_file(file) == loop_news_typescript());
+}
 
 TEST_CASE("a loop stands still until it is played, and goes on beyond the file's stop", "[full]") {
   Rig rig;

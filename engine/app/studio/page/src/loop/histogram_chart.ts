@@ -1,5 +1,6 @@
 import {svg} from "../shell/dom";
-import {type Histogram, timeText} from "./loop_types";
+import type {Histogram} from "./loop_news";
+import {timeText} from "./time_text";
 
 const width = 640, height = 220, left = 46, right = 26, top = 14, bottom = 34;
 

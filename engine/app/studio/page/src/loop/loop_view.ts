@@ -2,7 +2,8 @@ import {Fault} from "../connection/connection";
 import type {Context, View} from "../shell/context";
 import {h} from "../shell/dom";
 import {HistogramChart} from "./histogram_chart";
-import {type Histogram, type LoopNews, timeText} from "./loop_types";
+import type {Histogram, LoopNews} from "./loop_news";
+import {timeText} from "./time_text";
 import "./loop.css";
 
 const kinds: [keyof Pick<LoopNews, "lateness" | "response" | "step">, string, string][] = [
@@ -79,7 +80,7 @@ export class LoopView implements View {
   private showCosts({costs, period}: LoopNews): void {
     const rows = costs.slice(0, many), most = Math.max(...rows.map(({mean}) => mean), 1e-12);
     this.costs.replaceChildren(...rows.map(({type, blocks, mean}) => {
-      const bar = h("span", {class: "loop-share", "aria-hidden": true}), names = typeof blocks === "number" ? String(blocks) : blocks.join(", ");
+      const bar = h("span", {class: "loop-share", "aria-hidden": true}), names = String(blocks);
       bar.style.setProperty("--share", `${(100 * mean) / most}%`);
       return h("tr", {}, h("th", {scope: "row"}, type), h("td", {class: "loop-blocks", title: names}, names), h("td", {}, timeText(mean)), h("td", {}, bar, ` ${((100 * mean) / period).toPrecision(2)} % of the period`));
     }), ...(rows.length === 0 ? [h("tr", {}, h("td", {colspan: 4}, "nothing was measured yet"))] : []));
