@@ -96,11 +96,12 @@ std::vector<double> read_numbers(py::handle of, const InputInfo& input) {
 
 std::vector<double> numbers_in(_object* value, const InputInfo& input) {
   std::vector<double> numbers = read_numbers(value, input);
-  const auto nan = std::ranges::find_if(numbers, [](double number) { return std::isnan(number); });
-  if (nan == numbers.end()) return numbers;
-  throw py::value_error(numbers.size() == 1 ? input.name + " takes a number, not nan"
-                                            : fmt::format("{} takes numbers, and element {} is nan", input.name,
-                                                          nan - numbers.begin() + 1));
+  const auto is_finite = [](double number) { return std::isfinite(number); };
+  const auto wrong = std::ranges::find_if_not(numbers, is_finite);
+  if (wrong == numbers.end()) return numbers;
+  throw py::value_error(numbers.size() == 1 ? fmt::format("{} takes a number, not {}", input.name, *wrong)
+                                            : fmt::format("{} takes numbers, and element {} is {}",
+                                                          input.name, wrong - numbers.begin() + 1, *wrong));
 }
 
 yaml::Node node_of(_object* value) {

@@ -21,7 +21,7 @@ _object* object_of(const Value& value);
 
 /// Converts a number, a list or an array in SI, or texts with units such as "3 mm". A text must match the
 /// unit of the input, unless that is unknown. A matrix must have the shape (rows, columns).
-/// Throws TypeError and ValueError of Python, the latter also for NaN.
+/// Throws TypeError and ValueError of Python, the latter also for NaN and infinity.
 std::vector<double> numbers_in(_object* value, const InputInfo& input);
 
 /// Converts a dictionary of dictionaries, lists and texts to the tree that YAML text would give.

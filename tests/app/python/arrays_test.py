@@ -97,6 +97,14 @@ def test_nan_given_as_an_input_names_the_input(load):
         load().run(observers=[watch])
 
 
+def test_infinity_given_as_an_input_names_the_input(load):
+    simulation = load().simulation()
+    with pytest.raises(ValueError, match="push takes a number, not -inf"):
+        simulation.inputs["push"] = -float("inf")
+    with pytest.raises(ValueError, match="wrench takes numbers, and element 3 is inf"):
+        simulation.inputs["wrench"] = np.array([1, 2, np.inf])
+
+
 def test_a_copy_of_a_run_is_the_run_since_it_never_changes(load):
     run = load().run()
     assert copy.copy(run) is run and copy.deepcopy(run) is run

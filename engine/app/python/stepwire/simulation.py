@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 class Inputs(Mapping[str, "float | NDArray[np.float64]"]):
     """The inputs of a simulation. Writing one, ``inputs["push"] = 3.0``, holds from the next tick on until it is
     written again; numbers are SI, a text has its unit ("3 mm"), and of an input of n numbers it is a list or an
-    array, of a matrix an array (rows, columns). NaN is refused. Reading one gives its numbers at the tick that is
-    shown."""
+    array, of a matrix an array (rows, columns). NaN and infinity are refused. Reading one gives its numbers at the
+    tick that is shown."""
 
     def __init__(self, simulation: Simulation, names: list[str]):
         self._simulation = simulation
