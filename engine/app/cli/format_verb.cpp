@@ -70,11 +70,16 @@ ExitCode show_format(const FormatCall& call) {
 
 Action declare_format(CLI::App& verb) {
   const auto call = std::make_shared<FormatCall>();
-  verb.add_option("SECTION", call->section,
-                  "a section, a kind of plot: figure.lines, or a result: results.fit");
-  verb.add_flag("--markdown", call->markdown, "as Markdown");
-  verb.add_flag("--typescript", call->typescript, "types of all results in TypeScript");
-  verb.add_flag("--python", call->python, "types of all results in Python, as a stub");
+  CLI::Option* section = verb.add_option("SECTION", call->section,
+                                         "a section, a kind of plot: figure.lines, or a result: results.fit");
+  CLI::Option* markdown = verb.add_flag("--markdown", call->markdown, "as Markdown");
+  CLI::Option* typescript =
+      verb.add_flag("--typescript", call->typescript, "types of all results in TypeScript");
+  typescript->excludes(section)->excludes(markdown);
+  verb.add_flag("--python", call->python, "types of all results in Python, as a stub")
+      ->excludes(section)
+      ->excludes(markdown)
+      ->excludes(typescript);
   return [call](const Registry&) { return show_format(*call); };
 }
 

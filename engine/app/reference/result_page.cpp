@@ -34,14 +34,14 @@ std::vector<ReferenceTable> tables_of(const result::RecordType& type) {
 }  // namespace
 
 std::string result_page(const result::RecordType& type) {
-  std::string page = type.doc + "\n";
+  std::string page;
   for (const ReferenceTable& table : tables_of(type)) page += table_text(table);
   return page;
 }
 
 std::string result_markdown(const result::RecordType& type, int level) {
   const std::string marks(static_cast<std::size_t>(level), '#');
-  std::string page = fmt::format("{} {}\n\n{}\n", marks, type.name, escaped(type.doc));
+  std::string page = fmt::format("{} {}\n", marks, type.name);
   for (const ReferenceTable& table : tables_of(type)) page += table_markdown(table, marks);
   return page;
 }

@@ -53,6 +53,9 @@ TEST_CASE("what is wrong in the call ends with 2 and one line on standard error"
   refused({"blocks", "Foo"},
           "there is no block 'Foo', and no page has this word. 'stepwire blocks' lists them");
   refused({"format", "calims"}, "there is no section 'calims'; did you mean 'claims'?");
+  refused({"format", "results.fitt"}, "did you mean 'results.fit'?");
+  refused({"format", "--python", "--typescript"}, "excludes");
+  refused({"format", "results.fit", "--python"}, "excludes");
   refused({"run"}, "FILE");
   refused({"run", "lag.yaml", "--fast"}, "--fast");
   refused({"run", "lag.yaml", "--stop"}, "--stop");
