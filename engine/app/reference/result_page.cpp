@@ -36,7 +36,7 @@ std::vector<ReferenceTable> tables_of(const result::RecordType& type) {
 std::string result_page(const result::RecordType& type) {
   std::string page;
   for (const ReferenceTable& table : tables_of(type)) page += table_text(table);
-  return page;
+  return page.substr(page.find_first_not_of('\n'));
 }
 
 std::string result_markdown(const result::RecordType& type, int level) {
