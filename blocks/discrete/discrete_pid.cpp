@@ -82,6 +82,8 @@ void DiscretePID::declare(Declare<DiscretePID>& is) {
   is.state<&DiscretePID::integral>({.unit = "'k 'u", .doc = "integral part"});
   is.state<&DiscretePID::rate>({.unit = "'u/s", .doc = "D at the last tick", .settable = false});
   is.state<&DiscretePID::last>({.unit = "'u", .doc = "error in D at the last tick", .settable = false});
+  is.state<&DiscretePID::hand>(
+      {.shape = "1", .doc = "1 while the command is given by hand", .settable = false});
   is.state<&DiscretePID::begun>(
       {.doc = "0 before the first tick, then 1", .settable = false, .marks_start = true});
   declare_reset(is, "'k 'u", "the integral part");

@@ -21,6 +21,7 @@ struct DiscretePID : Resettable {
   Input<> u{}, reference{};
   Output<> y{};
   DiscreteState<> integral{}, rate{}, last{};
+  DiscreteState<1> hand{};   // 1 while the command is given by hand
   DiscreteState<1> begun{};  // 1 after the first tick
   Period period{};
 
@@ -35,16 +36,18 @@ struct DiscretePID : Resettable {
   }
 
   void update() {
-    const bool hand = by_hand();
+    const bool manually = by_hand();
     integral.each([&](Index i) {
       const double change = slope(i), want = kp[i] * weighted(weight_p, i) + integral_now(i) + kd[i] * change;
-      const double next = hand ? taken_over(want, i) : next_integral(want, i);
+      const double next = manually ? taken_over(i) : next_integral(want, i);
       rate[i] = change;
       last[i] = weighted(weight_d, i);
       return next;
     });
     begun = 1.0;
-    if (!plain) remember_reset();
+    if (plain) return;
+    hand = manually ? 1.0 : 0.0;
+    remember_reset();
   }
 
   void configure(Configure& is);
@@ -57,7 +60,11 @@ struct DiscretePID : Resettable {
  private:
   bool by_hand() const { return !plain && manual.connected() && !(automatic > 0.0); }
   bool put_back() const { return !plain && resetting(); }
-  double integral_before(Index i) const { return put_back() ? target(i) : integral[i]; }
+  /// True at the first tick after those by hand: the output is then still that of the hand.
+  bool handed_over() const { return !plain && hand > 0.0 && !by_hand() && !put_back(); }
+  double integral_before(Index i) const {
+    return put_back() ? target(i) : handed_over() ? taken_over(i) : integral[i];
+  }
   /// Returns the error with a weighted reference.
   double weighted(const PerElement& weight, Index i) const {
     return reference.connected() ? u[i] - (1.0 - weight[i]) * reference[i] : u[i];
@@ -68,7 +75,8 @@ struct DiscretePID : Resettable {
   }
   double increment(Index i) const { return ki[i] * period * u[i]; }
   double integral_now(Index i) const {
-    return before == 0.0 ? integral_before(i) : within(integral_before(i) + before * increment(i), i);
+    return before == 0.0 || handed_over() ? integral_before(i)
+                                          : within(integral_before(i) + before * increment(i), i);
   }
   /// Returns the backward difference of tau D' + D = e'; without a filter (e[k] - e[k-1]) / T.
   double slope(Index i) const {
@@ -79,9 +87,9 @@ struct DiscretePID : Resettable {
   }
   double wanted(Index i) const { return kp[i] * weighted(weight_p, i) + integral_now(i) + kd[i] * slope(i); }
 
-  /// Returns the integral part that tracks the manual command, for a bumpless transfer.
-  double taken_over(double want, Index i) const {
-    return within(limited(manual[i], i) - (want - integral_now(i)), i);
+  /// Returns the integral part with which the output is the manual command, for a bumpless transfer.
+  double taken_over(Index i) const {
+    return within(limited(manual[i], i) - kp[i] * weighted(weight_p, i) - kd[i] * slope(i), i);
   }
 
   double next_integral(double want, Index i) const {

@@ -74,6 +74,21 @@ record: [c]
   }
 }
 
+TEST_CASE("a sampled controller begins at the command by hand, however fast its error moves") {
+  const table::Table table = run_text(R"(
+step: 10 ms
+stop: 3 s
+blocks:
+  e: {block: Ramp, slope: 7}
+  auto: {block: Pulse, period: 10 s, width: 0.2, delay: 1 s}
+  c: {block: DiscretePID, every: 10 ms, u: e, kp: 2, manual: 4, automatic: auto}
+record: [c]
+)");
+  const auto& y = column(table, "c");
+  for (std::size_t k = 0; k <= 200; ++k)
+    CHECK(y[k] == Approx(k < 100 ? 4.0 : 4.0 + 2.0 * 0.07 * static_cast<double>(k - 100)));
+}
+
 TEST_CASE("manual and automatic belong together") {
   CHECK(error_of("step: 1 ms\nstop: 1 s\nsolver: rk4\nblocks:\n  m: {block: Constant, value: 1}\n"
                  "  c: {block: PID, u: 1, manual: m}\nrecord: [c]\n")
