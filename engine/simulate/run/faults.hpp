@@ -29,4 +29,8 @@ std::optional<RunFault> fault_of_step(const plan::Plan& plan, const double* valu
 /// tolerance, since this allows an error above 1 % of it. A state that is 0 throughout has none.
 std::vector<RaisedDiagnostic> notes_on_small_states(const plan::Plan& plan, const double* values);
 
+/// Returns a note for each block with continuous states whose reset follows from these states and is true at
+/// both last ticks: the state has gone on beyond the condition. A run with located events has none.
+std::vector<RaisedDiagnostic> notes_on_held_resets(const plan::Plan& plan, const double* values);
+
 }  // namespace stepwire::run

@@ -171,6 +171,7 @@ std::vector<RaisedDiagnostic> Health::diagnostics() const {
     }
   }
   std::ranges::move(notes_on_small_states(plan_, values_), std::back_inserter(raised));
+  std::ranges::move(notes_on_held_resets(plan_, values_), std::back_inserter(raised));
   return raised;
 }
 
