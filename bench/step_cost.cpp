@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/agreement.hpp"
+#include "bench/event_cost.hpp"
 #include "bench/lane_cost.hpp"
 #include "bench/load_cost.hpp"
 #include "bench/look_up.hpp"
@@ -55,6 +56,7 @@ int main(int argc, char** argv) {
   for (const Result& result : measure_sweeps()) results.push_back(result);
   for (const Result& result : measure_w1_sweep()) results.push_back(result);
   for (const Result& result : measure_lanes()) results.push_back(result);
+  for (const Result& result : measure_events()) results.push_back(result);
   for (const Result& result : measure_look_up(7)) results.push_back(result);
   for (const Result& result : results)
     fmt::print("{}: {:.3g} {}\n", result.workload, result.value, result.unit);
