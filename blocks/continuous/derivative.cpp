@@ -8,6 +8,7 @@ void Derivative::configure(Configure& is) {
   const bool given = is.initial_given<&Derivative::x>() || is.connected<&Derivative::initial_>();
   follows = settled && !given;
   if (configure_reset(*this, is)) return;
+  is.skip_instants(!follows);
   if (follows)
     is.update_keeps_outputs();
   else

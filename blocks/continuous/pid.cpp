@@ -72,7 +72,7 @@ void PID::declare(Declare<PID>& is) {
                             "instant, else 0",
                         .settable = false});
   declare_reset(is, "'k 'u", "the integral part");
-  is.crossing<&PID::automatic>("the controller takes over, or the hand", "1");
+  is.crossing_of<&PID::automatic>("the controller takes over, or the hand");
   is.crossing<&PID::u, &PID::reference, &PID::manual>("the output meets or leaves its lower limit");
   is.crossing<&PID::u, &PID::reference, &PID::manual>("it meets or leaves its upper limit");
   is.crossing<&PID::u, &PID::reference, &PID::actual>("the integral part meets or leaves its lower limit");
@@ -89,6 +89,7 @@ void PID::configure(Configure& is) {
   if (by_hand) is.require<&PID::automatic>("a command by hand is wired");
   if (is.connected<&PID::automatic>()) is.require<&PID::manual>("it says when the command is given by hand");
   plain = !configure_reset(*this, is) && !by_hand;
+  is.skip_instants(plain && (!settled || all_are(kd, 0.0)));
   const bool has_limits = limits(lower, upper), of_integral = limits(integral_lower, integral_upper);
   if (plain && !has_limits && !of_integral) is.skip_crossings();
   if (!plain || of_integral) return;

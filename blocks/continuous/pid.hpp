@@ -63,7 +63,7 @@ struct PID : Resettable {
   /// the integral part slide along the limit, it would else meet and leave it without end.
   void crossings(Crossings& zero) const {
     Resettable::crossings(zero);
-    zero.add(automatic.connected() ? automatic : 0.0);
+    zero.add_connected(automatic);
     for (Index i = 0; i < y.size(); ++i) zero.add(at_limit[i] == -1.0 ? 1.0 : command(i) - lower[i]);
     for (Index i = 0; i < y.size(); ++i) zero.add(at_limit[i] == 1.0 ? 1.0 : upper[i] - command(i));
     for (Index i = 0; i < y.size(); ++i)

@@ -26,8 +26,8 @@ void Counter::declare(Declare<Counter>& is) {
   is.input<&Counter::u>(
       {.unit = "*", .doc = "what is counted; ticks where nothing is wired", .optional = true});
   is.input<&Counter::down>({.unit = "*", .doc = "above 0: counts downwards", .optional = true});
-  is.crossing<&Counter::reset>("the reset signal becomes true or false", "1");
-  is.crossing<&Counter::u>("u becomes true or false", "1");
+  is.crossing_of<&Counter::reset>("the reset signal becomes true or false");
+  is.crossing_of<&Counter::u>("u becomes true or false");
   is.output<&Counter::y>({.doc = "the count, this tick's included"});
   is.state<&Counter::count>({.doc = "the count so far"});
   is.state<&Counter::last>(

@@ -26,7 +26,7 @@ struct Counter : Resettable {
 
   void crossings(Crossings& zero) const {
     Resettable::crossings(zero);
-    zero.add(u);
+    zero.add_connected(u);
   }
 
   void configure(Configure& is);

@@ -14,7 +14,7 @@ void Backlash::declare(Declare<Backlash>& is) {
        .symbol = {.curve = "M-1 -.8H-.1L.9 .8M1 .8H.1L-.9 -.8", .axes = true}});
   is.parameter<&Backlash::width>({.unit = "delta 'u", .doc = "the whole gap", .at_least = 0.0});
   is.input<&Backlash::u>({.unit = "'u", .doc = "position of the driving side"});
-  is.crossing<&Backlash::reset>("the reset signal becomes true or false", "1");
+  is.crossing_of<&Backlash::reset>("the reset signal becomes true or false");
   is.crossing<&Backlash::u>("the gap closes on the upper side");
   is.crossing<&Backlash::u>("on the lower side");
   is.output<&Backlash::y>({.unit = "'u", .doc = "position of the driven side"});

@@ -22,7 +22,7 @@ void Mass::declare(Declare<Mass>& is) {
   is.input<&Mass::reset>({.unit = "*", .doc = "sets the velocity", .feedthrough = false, .optional = true});
   is.state<&Mass::side>({.doc = "last reset signal: -1 false, 1 true, 0 none yet", .settable = false});
   is.derived<&Mass::resets, From::no_number>();
-  is.crossing<&Mass::reset>("the reset signal becomes true or false", "1");
+  is.crossing_of<&Mass::reset>("the reset signal becomes true or false");
   is.input<&Mass::value>({.unit = "m/s",
                           .doc = "velocity that a reset sets; the initial one where nothing is wired",
                           .feedthrough = false,

@@ -17,6 +17,10 @@ class Crossings {
  public:
   explicit Crossings(double* numbers) : next_(numbers) {}
   void add(double number) { *next_++ = number; }
+  /// Adds a signal that was declared by crossing_of().
+  void add_connected(const Input<1>& signal) {
+    if (signal.connected()) add(signal);
+  }
 
  private:
   double* next_;

@@ -113,7 +113,7 @@ class Configure {
   /// This instance has no crossings.
   void skip_crossings() { answers_.skips_crossings = true; }
   /// The outputs of this instance are the same at an instant as in the solver's stages.
-  void skip_instants() { answers_.skips_instants = true; }
+  void skip_instants(bool skips = true) { answers_.skips_instants = skips; }
   /// This instance acts only at ticks, although its type acts at events as well.
   void keep_to_ticks() { answers_.keeps_to_ticks = true; }
   /// The outputs of this instance are constant between its crossings.

@@ -517,6 +517,14 @@ class Declare {
     type_.crossings.push_back({std::move(doc), std::move(shape), {std::string(member_name<inputs>())...}});
   }
 
+  /// Declares the crossing of an input of one element: it becomes true or false. It has no number where the
+  /// input is not connected; crossings() adds it by add_connected().
+  template <auto input>
+  void crossing_of(std::string doc) {
+    crossing<input>(std::move(doc), "1");
+    type_.crossings.back().if_connected = true;
+  }
+
   /// Declares a member that is bound to the time, or to the time between updates.
   template <auto member>
   void clock() {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <type_traits>
 
 #include "engine/model/block/declare.hpp"
 #include "engine/model/block/resettable.hpp"
@@ -25,7 +24,7 @@ void declare_reset_input(Declare<Block>& is, const std::string& what = "the stat
       {.doc = "last reset signal: -1 false, 1 true, 0 none yet", .settable = false});
   is.template derived<&Block::resets, From::no_number>();
   if (is.has_continuous_state())
-    is.template crossing<&Block::reset>("the reset signal becomes true or false", "1");
+    is.template crossing_of<&Block::reset>("the reset signal becomes true or false");
 }
 
 /// Declares the members of Resettable, with the unit and shape of the reset state.
@@ -45,18 +44,9 @@ void declare_reset(Declare<Block>& is, const std::string& unit, const std::strin
   is.template state<&Block::home>({.unit = unit, .shape = shape, .doc = "initial value", .settable = false});
 }
 
-/// Drops the crossing of the reset if it is not connected and the block has no crossings of its own.
-template <class Block>
-void configure_reset_crossing(Configure& is) {
-  using Inherited = void (ResetInput::*)(Crossings&) const;
-  if (std::is_same_v<decltype(&Block::crossings), Inherited> && !is.connected<&Block::reset>())
-    is.skip_crossings();
-}
-
 /// Determines in configure() whether a reset is connected. Without one, start() and update() can be skipped.
 template <class Block>
 bool configure_reset_input(Block& block, Configure& is) {
-  configure_reset_crossing<Block>(is);
   block.resets = is.connected<&Block::reset>();
   return block.resets;
 }
@@ -65,8 +55,8 @@ template <class Block>
 bool configure_reset(Block& block, Configure& is) {
   if (!is.connected<&Block::reset>() && is.connected<&Block::value>())
     is.require<&Block::reset>("a value to reset to is wired");
-  configure_reset_crossing<Block>(is);
   block.resets = is.connected<&Block::reset>() || is.connected<&Block::initial_>();
+  is.skip_instants(!block.resets);
   return block.resets;
 }
 

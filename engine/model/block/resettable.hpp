@@ -21,7 +21,7 @@ struct ResetInput {
   /// the whole step: a change within a step would degrade the solver's order.
   bool held() const { return resets && trigger == Trigger::level && reset.connected() && side > 0.0; }
   /// Adds the crossing that declare_reset() declares; a block with crossings of its own calls it first.
-  void crossings(Crossings& zero) const { zero.add(reset.connected() ? reset : 0.0); }
+  void crossings(Crossings& zero) const { zero.add_connected(reset); }
   /// Stores the truth of the reset signal; called last in update().
   void remember_reset() {
     if (resets) side = reset.connected() && reset > 0.0 ? 1.0 : -1.0;

@@ -115,6 +115,7 @@ struct DiagnosticSpec {
 struct CrossingSpec {
   std::string doc, shape;
   std::vector<std::string> inputs;  ///< inputs that it depends on
+  bool if_connected = false;        ///< true if it has numbers only where the first of them is connected
 };
 
 /// Binding of a member that holds the time, or the time between updates.

@@ -247,7 +247,7 @@ void plan_layout(Draft& draft, const CallOrder& order) {
   }
   LayoutMaker(draft).run();
   place_loops(plan, order);
-  if (plan.splits_steps()) plan.layout.size += Layout::event_count + 1 + plan.crossing_count;
+  if (plan.splits_steps()) plan.layout.size += Layout::event_count + 1 + 4 * plan.crossing_count;
 }
 
 }  // namespace stepwire::plan

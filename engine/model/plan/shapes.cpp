@@ -189,8 +189,12 @@ class Shapes {
       made.state_sizes.push_back(size(spec.shape));
       made.state_columns.push_back(columns(spec.shape));
     }
-    if (!made.says.skips_crossings)
-      for (const CrossingSpec& spec : block.type().crossings) made.crossings += size(spec.shape);
+    const auto has_numbers = [&](const CrossingSpec& spec) {
+      return !spec.if_connected ||
+             !block.inputs[static_cast<std::size_t>(block.type().input(spec.inputs.front()))].empty();
+    };
+    for (const CrossingSpec& spec : block.type().crossings)
+      if (!made.says.skips_crossings && has_numbers(spec)) made.crossings += size(spec.shape);
     for (const InputSpec& spec : block.type().inputs) made.input_sizes.push_back(size(spec.shape));
     for (const SizeSpec& spec : block.type().sizes) {
       draft_.plan.blocks[index].sizes.push_back(factor(index, spec.symbol));

@@ -183,22 +183,17 @@ std::string after_step_text(const plan::Plan& plan) {
   const std::size_t past = plan.layout.events + solve::EventReport::count;
   const std::size_t ahead = plan.layout.events + solve::EventReport::ahead;
   if (watches(plan)) return fmt::format("  locate(w, numbers, tick, scratch);\n  w[{}] = 0.0;\n", ahead);
-  std::string reasons = plan.edges.empty() ? "" : "has_edge || ";
-  if (plan.diagram.events.looks_always())
-    reasons = "true || ";
-  else if (plan.diagram.events.looks > 0)
-    reasons = fmt::format("solve::may_cross_twice(before, after, w + {}, {}, {}, step) || ", past, crossings,
-                          plan.loops.empty()) +
-              reasons;
+  const diagram::Events& events = plan.diagram.events;
   return fmt::format("  w[at::time] = {};\n", end_of_step_text(plan)) + follow_time_text(plan) +
          fmt::format(
              "  crossing_ends(w, numbers, tick);\n  look(w, numbers, tick, after);\n  w[{0}] = 1.0;\n"
-             "  if ({5}solve::sign_changes(before, after, {1}) || solve::almost_crosses(before, after, {1})) "
+             "  if (solve::is_eventful(before, after, {{w + {6}, {1}}}, {{step, {5}, true, {7}, {8}}})) "
              "[[unlikely]] {{\n    double scratch[{2}];\n"
              "    for (int i = 0; i < {3}; ++i) scratch[i] = origin[i];\n"
              "    for (int i = 0; i < {1}; ++i) scratch[{4} + i] = before[i];\n"
-             "    locate(w, numbers, tick, scratch);\n    w[{6}] = solve::look_closer;\n  }}\n",
-             ahead, crossings, scratch_size(plan), states, solve::EventTask::before(states), reasons, past);
+             "    locate(w, numbers, tick, scratch);\n  }}\n",
+             ahead, crossings, scratch_size(plan), states, solve::EventTask::before(states),
+             plan.edges.empty() ? "false" : "has_edge", past, events.looks > 0, events.looks_always());
 }
 
 std::string end_of_step_text(const plan::Plan& plan) {

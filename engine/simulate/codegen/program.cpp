@@ -374,8 +374,8 @@ class Maker {
         fmt::format("[[gnu::flatten]] inline void advance({}) {{\n{}}}\n\n", state_parameters(), body));
   }
 
-  /// Adds the crossing functions and the event iteration. They run rarely and are not inlined.
-  void add_events() {
+  /// Adds the outputs and updates of events.
+  void add_event_calls() {
     const auto add = [&](const char* name, const std::vector<Code>& code) {
       functions_.add(name, state_parameters(), state_arguments, code);
     };
@@ -386,7 +386,14 @@ class Maker {
     if (!plan_.event_befores.empty()) add("event_befores", outputs_of(plan_.event_befores));
     add("event_outputs", outputs_of(plan_.event_outputs));
     add("event_updates", calls_of(plan_, statements_, plan_.event_updates, Phase::update, at_tick()));
-    const std::string often = functions_.attribute(), rarely = "[[gnu::noinline, gnu::cold]] inline";
+  }
+
+  /// Adds the crossing functions and the event iteration. The latter is compiled apart from the step, and for
+  /// speed as well: a step with an event takes many steps of the solver.
+  void add_events() {
+    add_event_calls();
+    const std::string often = functions_.attribute(), apart = "[[gnu::noinline]] inline",
+                      whole = "[[gnu::noinline, gnu::flatten]] inline";
     const auto add_text = [&](const std::string& head, const std::string& parameters,
                               const std::string& body) {
       functions_.add_text(fmt::format("{}({}) {{\n{}}}\n\n", head, parameters, body));
@@ -395,12 +402,11 @@ class Maker {
     add_text(often + " void look", at_state + ", double* z", look_text(plan_, statements_, at_tick()));
     add_text(often + " double next_edge", at_state, edge_text(plan_, statements_, at_tick()));
     if (plan_.layout.state_count > 0)
-      add_text(rarely + " void slopes_in_place", "double* w, [[maybe_unused]] const double* numbers",
+      add_text(whole + " void slopes_in_place", "double* w, [[maybe_unused]] const double* numbers",
                "  slopes(w, numbers, w, w + first_derivative);\n");
-    add_text(rarely + " void follow_crossings", at_state, "  crossing_ends(" + state_arguments + ");\n");
-    if (plan_.updates_continuous)
-      add_text(rarely + " bool settle_tick", at_state, settle_text(plan_, names_));
-    add_text(rarely + " void locate", at_state + ", double* scratch", locate_text(plan_, names_));
+    add_text(whole + " void follow_crossings", at_state, "  crossing_ends(" + state_arguments + ");\n");
+    if (plan_.updates_continuous) add_text(apart + " bool settle_tick", at_state, settle_text(plan_, names_));
+    add_text(apart + " void locate", at_state + ", double* scratch", locate_text(plan_, names_));
   }
 
   static void append(std::vector<Code>& to, std::vector<Code> more) {

@@ -129,17 +129,11 @@ void EventStepper::follow_crossings() {
 
 /// True if the step must be split. `edge` is the time of the next edge at the start of the step.
 bool EventStepper::is_eventful(const solve::TimeStep& step, double edge) const {
-  double* const past = &report(solve::EventReport::count);
-  const std::size_t count = plan_.crossing_count;
+  const solve::CrossingPast past(&report(solve::EventReport::count), plan_.crossing_count);
   const diagram::Events& events = plan_.diagram.events;
-  const bool near =
-      solve::may_cross_twice(before_.data(), after_.data(), past, count, plan_.loops.empty(), step.length);
-  const bool looks = events.looks_always() || (events.looks > 0 && near);
   const double end = plan_.jumps ? step.end : solve::left_of(step.end, step.length);
-  const bool eventful = edge < end || looks || solve::sign_changes(before_.data(), after_.data(), count) ||
-                        solve::almost_crosses(before_.data(), after_.data(), count);
-  if (eventful) past[0] = solve::look_closer;
-  return eventful;
+  return solve::is_eventful(before_.data(), after_.data(), past,
+                            {step.length, edge < end, true, events.looks > 0, events.looks_always()});
 }
 
 void EventStepper::keep_states() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace stepwire::solve {
 
@@ -48,31 +49,97 @@ inline double first_secant(const double* start, const double* low, const double*
   return first;
 }
 
-/// Value of past[0] in may_cross_twice() after a step with events.
-constexpr double look_closer = -1.0;
+/// Past of the crossing functions: the length of the last step, and four numbers for each function. A band
+/// holds the last values of a number that is far from 0 compared with its changes. For other numbers the band
+/// is empty, with its lower end above its upper one; `change` is that within the last step, and `bend` is the
+/// difference of the last two changes. The length is 0 as long as nothing is known: at the start of a run and
+/// after events.
+struct CrossingPast {
+  CrossingPast(double* numbers, std::size_t functions)
+      : length(numbers[0]),
+        low(numbers + 1),
+        high(low + functions),
+        change(high + functions),
+        bend(change + functions),
+        count(functions) {}
+  static constexpr std::size_t size(std::size_t count) { return 1 + 4 * count; }
 
-/// True if a number may have passed 0 twice within a step, with the same sign at both ends.
-///
-/// The test is a parabola through the number at the start of the last step and at both ends of this one. It
-/// reports a number if its vertex is within the step and comes within half of its rise of 0. After events,
-/// and with `from_start` in the first step, there is no parabola and the answer is true. Argument `past`
-/// holds the length of the last step and the numbers at its start. Its first entry is look_closer after
-/// events and 0 at the start of a run. The numbers at the start of this step are stored in `past`.
-inline bool may_cross_twice(const double* before, const double* after, double* past, std::size_t count,
-                            bool from_start, double length) {
-  bool may = past[0] == look_closer || (past[0] == 0.0 && from_start);
-  const double last = past[0] > 0.0 ? past[0] / length : 1.0, scale = 2.0 / (last * (last + 1.0));
-  for (std::size_t i = 0; i < count; ++i) {
-    const double start = before[i], rise = after[i] - start;
-    const double bend = scale * ((past[i + 1] - start) + last * rise), tilt = 2.0 * rise - bend;
-    const double least = start - tilt * tilt / (8.0 * bend), side = start > 0.0 ? 1.0 : -1.0;
-    const double turn = std::max(std::abs(start - least), std::abs(after[i] - least));
-    may |= (tilt * bend < 0.0) & (std::abs(tilt) < 2.0 * std::abs(bend)) & (side * bend > 0.0) &
-           (side * least <= 0.5 * turn);
-    past[i + 1] = start;
+  void forget() {
+    length = 0.0;
+    std::fill_n(low, count, 1.0);
+    std::fill_n(high, count, -1.0);
   }
-  past[0] = length;
+
+  double& length;
+  double *low, *high, *change, *bend;
+  std::size_t count;
+};
+
+/// True if each number is within its band at both ends of a step. Then none has crossed. The branches are
+/// predicted well, and keep the loop from being vectorised: vectors would wait for numbers that were stored
+/// one by one just before.
+inline bool are_quiet(const double* before, const double* after, const CrossingPast& past) {
+  for (std::size_t i = 0; i < past.count; ++i) {
+    const double a = before[i], b = after[i], lower = a < b ? a : b, upper = a < b ? b : a;
+    if (!((past.low[i] <= lower) & (upper <= past.high[i]))) return false;
+  }
+  return true;
+}
+
+/// True if a number may have passed 0 twice within a step, with the same sign at both ends. The past then is
+/// that of the next step.
+///
+/// It may if at both ends it is nearer to 0 than half of its bend in this or the last step. A parabola with
+/// this bend dips below its ends by a quarter of that. Without a past the answer is true. In the step after
+/// that it is true for numbers without a band.
+///
+/// A number that changes by less than an eighth of itself gets a band of that width. Its bend is not known
+/// while it stays there, and is then estimated by the width.
+inline bool may_cross_twice(const double* before, const double* after, CrossingPast past, double length) {
+  constexpr double part = 0.125;
+  const bool known = past.length > 0.0;
+  const double ratio = known ? length / past.length : 1.0, scale = 2.0 * ratio / (1.0 + ratio);
+  bool may = !known;
+  for (std::size_t i = 0; i < past.count; ++i) {
+    const double change = after[i] - before[i], width = past.high[i] - past.low[i];
+    const bool banded = width >= 0.0;
+    const double bend = banded ? std::abs(change) + width : scale * std::abs(change - ratio * past.change[i]);
+    const double last = banded ? 2.0 * width : ratio * ratio * past.bend[i];
+    may |= std::min(std::abs(before[i]), std::abs(after[i])) < 0.5 * std::max(bend, last);
+    const double near = (1.0 - part) * after[i], far = (1.0 + part) * after[i];
+    const bool rests = before[i] == after[i] || std::abs(change) <= part * std::abs(after[i]);
+    past.low[i] = rests ? std::min(near, far) : 1.0;
+    past.high[i] = rests ? std::max(near, far) : -1.0;
+    past.change[i] = rests ? 0.0 : change;
+    past.bend[i] = rests ? 0.0 : known ? bend : std::numeric_limits<double>::infinity();
+  }
+  past.length = length;
   return may;
+}
+
+/// How a step is checked for events.
+struct EventCheck {
+  double length;      ///< Length of the step.
+  bool edge;          ///< True if a source has an edge within the step.
+  bool at_tick;       ///< True if the step ends at a tick.
+  bool looks;         ///< True if steps with numbers that may cross twice are examined.
+  bool looks_always;  ///< True if all steps are.
+};
+
+/// True if a step with numbers beyond their bands, or with an edge, must be repeated from event to event.
+[[gnu::noinline]] inline bool is_eventful_beyond_bands(const double* before, const double* after,
+                                                       CrossingPast past, const EventCheck& step) {
+  const bool may = may_cross_twice(before, after, past, step.length);
+  return step.edge || step.looks_always || (step.looks && may) || sign_changes(before, after, past.count) ||
+         (step.at_tick && almost_crosses(before, after, past.count));
+}
+
+/// True if the step must be repeated from event to event.
+inline bool is_eventful(const double* before, const double* after, CrossingPast past,
+                        const EventCheck& step) {
+  if (!step.edge && !step.looks_always && are_quiet(before, after, past)) [[likely]]
+    return false;
+  return is_eventful_beyond_bands(before, after, past, step);
 }
 
 }  // namespace stepwire::solve

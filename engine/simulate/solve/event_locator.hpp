@@ -121,6 +121,7 @@ class EventLocator {
     run_.begin();
     keep();
     go(end, end + little, little, high_);
+    past().forget();
     if (!run_.failed() && sign_changes(start_, high_, task_.crossing_count))
       locate(end, end + little, 1e-12 * length_);
     else
@@ -295,6 +296,10 @@ class EventLocator {
     return false;
   }
 
+  CrossingPast past() const {
+    return {values_ + task_.report + EventReport::count, task_.crossing_count};
+  }
+
   void keep() {
     std::copy_n(values_ + task_.states, task_.state_count, x_);
     std::copy_n(values_ + task_.derivatives, task_.state_count, slopes_);
@@ -302,6 +307,7 @@ class EventLocator {
 
   /// Runs the event iteration of the present instant. Returns false if the run ends there.
   bool act() {
+    past().forget();
     run_.before();
     run_.begin_event();
     return settle();

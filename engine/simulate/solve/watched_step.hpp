@@ -80,18 +80,13 @@ class WatchedStep {
 
   bool is_eventful(double at, bool at_tick = false) {
     const double length = at - open_;
-    double* const past = values_ + task_.report + EventReport::count;
     values_[task_.time] = task_.jumps ? left_of(at, length) : at;
     run_.follow();
     run_.crossings(after_);
-    const bool near = may_cross_twice(before_, after_, past, task_.crossing_count, false, length);
-    const bool looks = task_.looks_always || (task_.looks > 0 && near);
-    const bool crosses = sign_changes(before_, after_, task_.crossing_count) ||
-                         (at_tick && almost_crosses(before_, after_, task_.crossing_count));
-    if (edge_ < left_of(at, length) || looks || crosses) {
-      past[0] = look_closer;
+    const CrossingPast past(values_ + task_.report + EventReport::count, task_.crossing_count);
+    const bool edge = edge_ < left_of(at, length);
+    if (solve::is_eventful(before_, after_, past, {length, edge, at_tick, task_.looks > 0, task_.looks_always}))
       return true;
-    }
     std::copy_n(after_, task_.crossing_count, before_);
     open(at);
     return false;
