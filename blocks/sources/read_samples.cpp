@@ -13,7 +13,7 @@
 #include "engine/base/data_file/recent.hpp"
 #include "engine/base/data_file/table_cache.hpp"
 #include "engine/base/table/table_file.hpp"
-#include "engine/base/unit/unit.hpp"
+#include "engine/base/unit/meaning.hpp"
 #include "engine/base/yaml/near_file.hpp"
 #include "engine/model/block/configure.hpp"
 
@@ -41,7 +41,7 @@ std::optional<std::string> unit_of(const Record& record) {
   const auto& dimension = record.columns.front().dimension;
   for (const RecordColumn& column : record.columns)
     if (!column.dimension || column.dimension != dimension) return std::nullopt;
-  return unit::si_name(*dimension);
+  return unit::meaning_name(*dimension);
 }
 
 Samples samples_of(const Record& record) {

@@ -245,8 +245,41 @@ std::optional<query::Formula> read_of_run_with_unit(const yaml::Node& node, Clai
   return value;
 }
 
-std::optional<query::Formula> read_value(const yaml::Node& node, Claim& claim,
+/// Position in a text of a figure's quantity that is one number of each run, such as max(x).
+struct DrawnNumber {
+  std::size_t begin = 0;
+  const query::NamedFormula* formula = nullptr;  ///< nullptr: there is none
+};
+
+DrawnNumber drawn_number_in(const std::string& text, const query::SymbolTable& names) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::string name = query::name_at(text, i);
+    const auto found = std::ranges::find(names.drawn, name, &query::NamedFormula::name);
+    if (found != names.drawn.end() && !names.find(name) && has_reduction(found->text)) return {i, &*found};
+    i += std::max<std::size_t>(name.size(), 1);
+  }
+  return {};
+}
+
+/// Returns the value with the formulas of such quantities in place of their names.
+yaml::Node with_drawn_numbers(yaml::Node node, const query::SymbolTable& names) {
+  for (auto found = drawn_number_in(node.text, names); found.formula;
+       found = drawn_number_in(node.text, names))
+    node.text.replace(found.begin, found.formula->name.size(), "(" + found.formula->text + ")");
+  return node;
+}
+
+std::optional<query::Formula> read_value(const yaml::Node& written, Claim& claim,
                                          const query::NamesReading& read) {
+  const DrawnNumber number = written.is_scalar() ? drawn_number_in(written.text, read.names) : DrawnNumber{};
+  if (number.formula && !is_of_runs(claim.reduction)) {
+    read.fault(written.mark,
+               fmt::format("'{0}' is one number of each run, {1}; a claim on it is of the runs, as "
+                           "quantile_of_runs: {{share: 95 %, value: {0}}} or fraction_of_runs",
+                           number.formula->name, number.formula->text));
+    return std::nullopt;
+  }
+  const yaml::Node node = number.formula ? with_drawn_numbers(written, read.names) : written;
   if (is_of_runs(claim.reduction))
     return names_unit(node) ? read_of_run_with_unit(node, claim, read) : read_of_run(node, claim, read);
   return names_unit(node) ? read_with_unit(node, claim, read) : read.formula(node);

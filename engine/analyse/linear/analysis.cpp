@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/analyse/linear/delay_system.hpp"
 #include "engine/analyse/linear/gain_at_rest.hpp"
 
 namespace stepwire::linear {
@@ -28,6 +29,7 @@ Analysis analyse(Linearization linearization, std::optional<double> feedback) {
   analysis.modes = modes_of(system);
   analysis.zeros = zeros_of(system.connected());
   analysis.stable = is_stable(system);
+  analysis.knows_stability = analysis.stable || system.delays.empty() || count_unstable(system).has_value();
   analysis.controllable = controllability(system);
   analysis.observable = observability(system);
   for (std::size_t i = 0; i < system.inputs.size(); ++i)

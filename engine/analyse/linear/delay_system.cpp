@@ -368,8 +368,42 @@ double growth_in_lines(const Eigen::MatrixXd& direct, const std::vector<Eigen::I
   return largest;
 }
 
+double radius_at(const Eigen::MatrixXd& direct, const std::vector<double>& phases) {
+  Eigen::MatrixXcd turned = direct.cast<Complex>();
+  for (Eigen::Index k = 0; k < turned.rows(); ++k)
+    turned.row(k) *= std::polar(1.0, phases[static_cast<std::size_t>(k)]);
+  return turned.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+/// Returns the largest spectral radius of the direct gains over all phases of the delays, found by ascent
+/// along each phase. For two delays it is the maximum, since only one phase counts; for more it may be less.
+double radius_in_phase(const Eigen::MatrixXd& direct) {
+  constexpr int places = 180, rounds = 12;
+  constexpr std::size_t most_delays = 8;
+  std::vector<double> phases(static_cast<std::size_t>(direct.rows()), 0.0);
+  if (phases.size() > most_delays) return 0.0;
+  double best = radius_at(direct, phases), width = std::numbers::pi;
+  for (int round = 0; round < rounds; ++round, width *= round < 3 ? 1.0 : 0.25)
+    for (std::size_t k = 1; k < phases.size(); ++k) {
+      const double middle = phases[k];
+      for (int place = -places; place <= places; ++place) {
+        std::vector<double> tried = phases;
+        tried[k] = middle + width * place / places;
+        if (const double radius = radius_at(direct, tried); radius > best) {
+          best = radius;
+          phases = tried;
+        }
+      }
+    }
+  return best;
+}
+
 /// Returns whether what runs in the delays alone dies out: direct gains below 1 around each loop of them.
-/// Without a common step of the delays it does for any of their times, or this is not known.
+///
+/// Delays without a common step take all phases, one after the other and nearly (Kronecker). So it grows if
+/// the gains are above 1 for some phases, and dies out if they are below 1 for all (J. K. Hale, S. M. Verduyn
+/// Lunel, "Introduction to functional differential equations", 1993, chapter 9.6). In between, or where the
+/// phases of many delays are not searched, this is not known.
 std::optional<bool> echoes_die(const StateSpace& system) {
   constexpr double rounding = 1e-12;
   const auto delays = std::ssize(system.delays);
@@ -377,7 +411,11 @@ std::optional<bool> echoes_die(const StateSpace& system) {
   if (spectral_radius(direct.cwiseAbs()) < 1.0 - rounding) return true;
   const auto steps = common_steps(system.delays);
   if (!steps.empty()) return growth_in_lines(direct, steps) < 1.0 - rounding;
-  return delays == 1 ? std::optional(false) : std::nullopt;
+  if (delays == 1) return false;
+  constexpr double clearly = 0.01;  // beyond the phases that delays with a step of few parts leave out
+  const double radius = radius_in_phase(direct);
+  if (radius > 1.0 + clearly) return false;
+  return delays == 2 && radius < 1.0 - clearly ? std::optional(true) : std::nullopt;
 }
 
 /// Returns the number of poles of a system without delays that are not on the left.

@@ -29,6 +29,10 @@ std::optional<Value> without_delays(const Analysis& analysis, Value value) {
   return analysis.system.delays.empty() ? std::optional(std::move(value)) : std::nullopt;
 }
 
+std::optional<bool> stability_of(const Analysis& analysis) {
+  return analysis.knows_stability ? std::optional(analysis.stable) : std::nullopt;
+}
+
 Map<double> values_of(const std::vector<PointValue>& values) {
   Map<double> map;
   for (const PointValue& value : values) map.emplace_back(value.channel.name, value.value);
@@ -111,6 +115,7 @@ static void declare(Record<Rank>& is) {
   is.named("Rank", "Number of state directions that inputs control, or that outputs observe.");
   is.field("rank", &Rank::rank, "number of directions");
   is.field("singular_values", &Rank::singular_values, "singular values, the largest first");
+  is.field("certain", &Rank::certain, "false where rounding may hide or add a direction");
 }
 
 static void declare(Record<InnerDelay>& is) {
@@ -218,7 +223,7 @@ void declare(Record<Analysis>& is) {
       "zeros", [](const Analysis& of) { return without_delays(of, of.zeros); },
       "transmission zeros; null for a system with delays", "rad/s");
   is.field("modes", &Analysis::modes, "poles with frequency and damping");
-  is.field("stable", &Analysis::stable, "stability without feedback");
+  is.field("stable", stability_of, "stability without feedback; null if undetermined");
   is.field(
       "controllability", [](const Analysis& of) { return without_delays(of, of.controllable); },
       "states that the inputs control; null for a system with delays");

@@ -173,7 +173,8 @@ void judge_stability(const StateSpace& closed, Margins& margins) {
   if (!margins.knows_stability)
     margins.notes.push_back(
         "the growing modes of the closed loop could not be counted: a pole is on the border within rounding, "
-        "or the delays turn too often below the highest crossover");
+        "the delays turn too often below the highest crossover, or delays without a common step feed each "
+        "other with gains near 1; with whole multiples of one step in their place the last ones are counted");
 }
 
 /// Returns the first frequency beyond a grid at which a monotone function is negative; nan if `falls` but

@@ -2,7 +2,9 @@
 
 #include <Eigen/QR>
 #include <Eigen/SVD>
+#include <Eigen/SparseCore>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace stepwire::linear {
@@ -33,21 +35,74 @@ bool scale_one(Eigen::MatrixXd& A, Eigen::Index i, Eigen::VectorXd& scale) {
   return true;
 }
 
-constexpr double tolerance = 1e-10;  // for numbers with a largest of 1
-
 using Svd = Eigen::JacobiSVD<Eigen::MatrixXd>;
 
-/// Returns the dimension of the controllable subspace: the range of B, then step by step the states that it
-/// drives.
+constexpr double entry_error = 1e-13;  // of linearized entries, for numbers with a largest of 1
+constexpr double clear = 30.0;         // times the error, above which a singular value counts
+constexpr double lost = 1e-6;          // error at which no rank is certain
+
+/// Returns the power of two nearest to a size; 1 for 0.
+double near_power_of_two(double size) {
+  return size > 0.0 && std::isfinite(size) ? std::exp2(std::round(std::log2(size))) : 1.0;
+}
+
+/// Scales A to a largest number of 1, and each column of B to one near 1.
+void scale_time_and_channels(Eigen::MatrixXd& A, Eigen::MatrixXd& B) {
+  if (const double size = A.cwiseAbs().maxCoeff(); size > 0.0) A /= size;
+  for (Eigen::Index i = 0; i < B.cols(); ++i) B.col(i) /= near_power_of_two(B.col(i).cwiseAbs().maxCoeff());
+}
+
+/// Returns the largest numbers of the rows of |B|, |A| |B|, |A|^2 |B| and so on; 0 for a state that no input
+/// reaches.
+Eigen::VectorXd reach_of(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  const Eigen::SparseMatrix<double> steps = A.cwiseAbs().sparseView();
+  Eigen::MatrixXd next = B.cwiseAbs();
+  Eigen::VectorXd reach = next.rowwise().sum();
+  for (Eigen::Index k = 1; k < A.rows(); ++k) {
+    next = (steps * next).eval();
+    const Eigen::VectorXd wider = reach.cwiseMax(next.rowwise().sum());
+    if (wider == reach) break;
+    reach = wider;
+  }
+  return reach;
+}
+
+/// Takes away the states that no input reaches, and scales the others by powers of two to the same reach.
+///
+/// A change of units multiplies the rows of |A|^k |B| as it multiplies the states. So the scaled system, and
+/// with it the rank, is the same in all units. Norms of rows and columns of A alone, as in balancing(), do
+/// not see the sizes of B, and states without a way back keep their units.
+void scale_by_reach(Eigen::MatrixXd& A, Eigen::MatrixXd& B) {
+  constexpr int most_sweeps = 10;
+  for (int sweep = 0; sweep < most_sweeps && A.rows() > 0; ++sweep) {
+    scale_time_and_channels(A, B);
+    const Eigen::VectorXd reach = reach_of(A, B);
+    std::vector<Eigen::Index> reached;
+    for (Eigen::Index i = 0; i < reach.size(); ++i)
+      if (reach[i] > 0.0) reached.push_back(i);
+    const Eigen::VectorXd scale = reach(reached).unaryExpr(&near_power_of_two);
+    A = (scale.cwiseInverse().asDiagonal() * A(reached, reached) * scale.asDiagonal()).eval();
+    B = (scale.cwiseInverse().asDiagonal() * B(reached, Eigen::all)).eval();
+    if ((scale.array() == 1.0).all()) return;
+  }
+}
+
+/// Computes the dimension of the controllable subspace: the range of B, then step by step the states that it
+/// drives. A step divides the error of the numbers by the least singular value that counts.
 ///
 /// Each step turns A by as many reflections as B has columns, so that n steps cost n^3.
-Eigen::Index staircase(Eigen::MatrixXd A, Eigen::MatrixXd B) {
-  Eigen::Index reached = 0;
+void staircase(Eigen::MatrixXd A, Eigen::MatrixXd B, Rank& found) {
+  double error =
+      std::max(entry_error, static_cast<double>(A.rows()) * std::numeric_limits<double>::epsilon());
   while (A.rows() > 0 && B.cols() > 0) {
     const Svd svd(B, Eigen::ComputeThinV);
-    const Eigen::Index rank = (svd.singularValues().array() > tolerance).count();
-    reached += rank;
+    const Eigen::ArrayXd values = svd.singularValues().array();
+    const Eigen::Index rank = (values > clear * error).count();
+    const bool is_near = ((values > error) && (values < 10.0 * clear * error)).any();
+    found.certain = found.certain && !is_near && error < lost;
+    found.rank += rank;
     if (rank == 0 || rank == A.rows()) break;
+    error = std::max(error, error / values[rank - 1]);
     const Eigen::HouseholderQR<Eigen::MatrixXd> range(B * svd.matrixV().leftCols(rank));
     A.applyOnTheLeft(range.householderQ().adjoint());
     A.applyOnTheRight(range.householderQ());
@@ -55,28 +110,35 @@ Eigen::Index staircase(Eigen::MatrixXd A, Eigen::MatrixXd B) {
     B = A.bottomLeftCorner(rest, rank);
     A = A.bottomRightCorner(rest, rest).eval();
   }
-  return reached;
 }
 
-std::vector<double> singular_values(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
-  Eigen::MatrixXd all(A.rows(), A.rows() * B.cols()), next = B;
-  for (Eigen::Index k = 0; k < A.rows(); ++k, next = (A * next).eval())
-    all.middleCols(k * B.cols(), B.cols()) = next;
-  constexpr Eigen::Index many = 100;  // for which rotations of pairs of columns take seconds
-  const Eigen::VectorXd values =
-      A.rows() > many ? Eigen::BDCSVD<Eigen::MatrixXd>(all).singularValues() : Svd(all).singularValues();
-  return {values.begin(), values.end()};
+/// Returns the singular values of [B, A B, ...]; those of `states` - n further states are 0.
+std::vector<double> singular_values(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, Eigen::Index states) {
+  std::vector<double> values;
+  if (A.size() > 0) {
+    Eigen::MatrixXd all(A.rows(), A.rows() * B.cols()), next = B;
+    for (Eigen::Index k = 0; k < A.rows(); ++k, next = (A * next).eval())
+      all.middleCols(k * B.cols(), B.cols()) = next;
+    constexpr Eigen::Index many = 100;  // for which rotations of pairs of columns take seconds
+    const Eigen::VectorXd found =
+        A.rows() > many ? Eigen::BDCSVD<Eigen::MatrixXd>(all).singularValues() : Svd(all).singularValues();
+    values.assign(found.begin(), found.end());
+  }
+  values.resize(static_cast<std::size_t>(states), 0.0);
+  return values;
 }
 
-Rank rank_of(const Eigen::MatrixXd& plain_A, const Eigen::MatrixXd& plain_B) {
-  if (plain_A.size() == 0 || plain_B.size() == 0) return {};
-  const Eigen::VectorXd scale = balancing(plain_A);
-  Eigen::MatrixXd A = scale.cwiseInverse().asDiagonal() * plain_A * scale.asDiagonal();
-  Eigen::MatrixXd B = scale.cwiseInverse().asDiagonal() * plain_B;
-  if (const double size = A.cwiseAbs().maxCoeff(); size > 0.0) A /= size;
-  for (Eigen::Index i = 0; i < B.cols(); ++i)
-    if (const double size = B.col(i).cwiseAbs().maxCoeff(); size > 0.0) B.col(i) /= size;
-  return {staircase(A, B), singular_values(A, B)};
+Rank rank_of(Eigen::MatrixXd A, Eigen::MatrixXd B) {
+  if (A.size() == 0 || B.size() == 0) return {};
+  const Eigen::Index states = A.rows();
+  const Eigen::VectorXd scale = balancing(A);
+  A = (scale.cwiseInverse().asDiagonal() * A * scale.asDiagonal()).eval();
+  B = (scale.cwiseInverse().asDiagonal() * B).eval();
+  scale_by_reach(A, B);
+  Rank found;
+  staircase(A, B, found);
+  found.singular_values = singular_values(A, B, states);
+  return found;
 }
 
 /// Marks the states that depend on marked ones, by the non-zero elements of A.

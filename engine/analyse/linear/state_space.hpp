@@ -51,12 +51,15 @@ Eigen::VectorXd balancing(Eigen::MatrixXd A);
 /// Number of state directions that inputs control, or that outputs observe.
 struct Rank {
   Eigen::Index rank = 0;
-  /// Singular values of [B, A B, ..., A^(n-1) B], or of its dual, the largest first. States are balanced;
-  /// time and channels are scaled to a largest number of 1.
-  std::vector<double> singular_values;
+  /// Singular values of [B, A B, ..., A^(n-1) B], or of its dual, the largest first. States are scaled to the
+  /// same reach from the inputs; time and channels are scaled to a largest number of 1.
+  std::vector<double> singular_values{};
+  bool certain =
+      true;  ///< False where a decision of the staircase form is close to the error of the numbers.
 };
 
-/// Compute the rank by the staircase form, whose rank decisions do not depend on powers of A.
+/// Compute the rank by the staircase form, whose rank decisions do not depend on powers of A, nor on the
+/// units of states, inputs and outputs.
 Rank controllability(const StateSpace& system);
 Rank observability(const StateSpace& system);
 

@@ -239,9 +239,7 @@ std::string number_text(double value, const std::optional<unit::Dimension>& dime
                         const SymbolTable& names) {
   std::string number = fmt::format("{}", value);
   if (!dimension || *dimension == unit::Dimension{}) return number;
-  std::string unit = unit::si_name(*dimension);
-  if (unit::is_temperature(*dimension) && dimension->zeros)
-    unit = *dimension->zeros > 0.5 ? "temperature_K" : "delta_degC";
+  std::string unit = unit::meaning_name(*dimension);
   std::replace(unit.begin(), unit.end(), ' ', '.');
   const auto known = [&](std::string_view name) { return names.find(name) != nullptr; };
   return unit::unit_prefix(unit, known) == unit.size() ? number + " " + unit : number;

@@ -60,7 +60,7 @@ std::string compared_fault(const Formula& first, const Formula& second) {
   if (*one != *two)
     return fmt::format("'{}' is in {}, but '{}' is in {}", first.text, unit::si_name(*one), second.text,
                        unit::si_name(*two));
-  const std::string cure = unit::mixes_rates(*one / *two) ? "; " + unit::cure_of_rate(*two) : "";
+  const std::string cure = unit::mixes_rates(*one / *two) ? "; " + unit::cure_of_rate(*one, *two) : "";
   std::string other = unit::other_meaning(*one, *two);
   if (!other.empty()) return fmt::format("'{}' {}{}", first.text, other, cure);
   other = unit::other_meaning(*two, *one);

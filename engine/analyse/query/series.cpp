@@ -19,7 +19,7 @@ std::string drawn_fault(const unit::Dimension& given, const unit::Dimension& wan
   const bool scales =
       given.zeros && !unit::are_zeros(*given.zeros, 0.0) && !unit::are_zeros(*given.zeros, 1.0);
   if (other.empty() || (scales && unit::is_temperature(wanted))) return other;
-  return other + "; " + (unit::is_temperature(wanted) ? "draw it in K" : unit::cure_of_rate(wanted));
+  return other + "; " + (unit::is_temperature(wanted) ? "draw it in K" : unit::cure_of_rate(given, wanted));
 }
 
 /// Returns the dimension of a formula without a known unit whose columns are made of temperatures;

@@ -87,7 +87,9 @@ std::string modes_text(const linear::Analysis& analysis) {
     row[0] += times_text(times);
     table.rows.push_back(std::move(row));
   }
-  return text::text(table) + fmt::format("  {}\n", analysis.stable ? "stable" : "not stable");
+  return text::text(table) + fmt::format("  {}\n", analysis.stable            ? "stable"
+                                                   : analysis.knows_stability ? "not stable"
+                                                                              : "stability not determined");
 }
 
 double decibels(double factor) {
@@ -153,8 +155,9 @@ std::string rank_text(const char* what, const linear::Rank& rank, std::size_t st
   for (const double value : rank.singular_values)
     if (values.size() < most_singular_values) values.push_back(short_number(value, 3));
   const std::size_t others = rank.singular_values.size() - values.size();
-  return fmt::format("{} states of {} are {} (singular values {}{})\n", rank.rank, states, what,
-                     fmt::join(values, ", "), others == 0 ? "" : fmt::format(" and {} others", others));
+  return fmt::format("{} states of {} are {} (singular values {}{}){}\n", rank.rank, states, what,
+                     fmt::join(values, ", "), others == 0 ? "" : fmt::format(" and {} others", others),
+                     rank.certain ? "" : "; not certain: a direction is close to rounding");
 }
 
 void add_rows(const char* kind, const std::vector<linear::TrimmedValue>& values, text::TextTable& table) {

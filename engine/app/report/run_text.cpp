@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "engine/analyse/query/number.hpp"
 #include "engine/base/text/characters.hpp"
-#include "engine/base/unit/unit.hpp"
+#include "engine/base/unit/meaning.hpp"
+#include "engine/model/diagram/block_keys.hpp"
 #include "engine/model/diagram/output_names.hpp"
+#include "engine/model/diagram/parameters.hpp"
 #include "engine/model/plan/element_slot.hpp"
 
 namespace stepwire::report {
@@ -25,18 +28,52 @@ std::string verdict_line(const claim::Verdict& verdict) {
                          : fmt::format("; {}: {}", verdict.word(), text::visible(verdict.disagrees)));
 }
 
-/// Returns a line for each parameter that a call sets by a number without unit, which is taken in SI.
-std::string settings_text(const diagram::Diagram& diagram) {
+/// True for a number, a list or a formula without any unit: "2e-3", "[1, 2]", "3*2".
+bool is_bare(const std::string& setting) {
+  if (const auto quantity = unit::parse_quantity(setting)) return !quantity->dimension;
+  return setting.find_first_not_of("0123456789eE+-*/^.,[]() ") == std::string::npos;
+}
+
+/// Returns the line of a setting without unit, which is taken in SI; "" for other settings.
+std::string setting_line(const std::string& name, const std::string& setting,
+                         const std::optional<unit::Dimension>& dimension) {
+  if (!is_bare(setting) || !dimension || *dimension == unit::Dimension{}) return "";
+  const auto quantity = unit::parse_quantity(setting);
+  if (quantity && quantity->value == 0.0 && !unit::is_temperature(*dimension)) return "";
+  return fmt::format("  set  {} = {} {}\n", text::visible(name),
+                     quantity ? query::short_number(quantity->value) : text::visible(setting),
+                     unit::si_name(*dimension));
+}
+
+/// Returns the unit of a block's own value, "rig.spring.gain"; std::nullopt if it has none.
+std::optional<unit::Dimension> unit_of_value(const diagram::Diagram& diagram, const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string::npos) return std::nullopt;
+  const auto has_name = [&](const diagram::DiagramBlock& block) { return block.name == name.substr(0, dot); };
+  const auto block = std::ranges::find_if(diagram.blocks, has_name);
+  if (block == diagram.blocks.end()) return std::nullopt;
+  const BlockType& type = block->type();
+  const std::string key = name.substr(dot + 1);
+  if (const int state = diagram::state_of_key(type, key); state >= 0)
+    return diagram.state_dimensions[static_cast<std::size_t>(block - diagram.blocks.begin())]
+                                   [static_cast<std::size_t>(state)];
+  const ParameterSpec* parameter = type.parameter(key);
+  if (!parameter) return std::nullopt;
+  const auto& written =
+      block->parameter_dimensions[static_cast<std::size_t>(parameter - type.parameters.data())];
+  return written ? written : diagram::demanded_dimension(*parameter);
+}
+
+/// Returns a line for each value that a call sets by a number without unit. Later settings replace earlier
+/// ones of the same name.
+std::string settings_text(const session::LoadedModel& model) {
+  const diagram::Diagram& diagram = model.job.plan.diagram;
   std::string text;
-  for (const diagram::DiagramParameter& parameter : diagram.parameters) {
-    const double* number = std::get_if<double>(&parameter.value.content);
-    const auto quantity = unit::parse_quantity(parameter.text);
-    if (!parameter.set || !number || !parameter.dimension || *parameter.dimension == unit::Dimension{} ||
-        !quantity || quantity->dimension || *number == 0.0)
-      continue;
-    text += fmt::format("  set  {} = {} {}\n", parameter.name, query::short_number(*number),
-                        unit::si_name(*parameter.dimension));
-  }
+  for (const diagram::DiagramParameter& parameter : diagram.parameters)
+    if (parameter.set) text += setting_line(parameter.name, parameter.text, parameter.dimension);
+  std::map<std::string, std::string> of_blocks;
+  for (const diagram::Setting& setting : model.options.settings) of_blocks[setting.name] = setting.value;
+  for (const auto& [name, value] : of_blocks) text += setting_line(name, value, unit_of_value(diagram, name));
   return text;
 }
 
@@ -50,7 +87,7 @@ std::string outcome_text(const session::LoadedModel& model, const session::Outco
                   text::visible(diagram.title.empty() ? model.file : diagram.title),
                   text::visible(model.file), diagram.blocks.size(),
                   runs > 1 ? fmt::format("{} runs, ", runs) : "", outcome.result.ticks, outcome.seconds) +
-      settings_text(diagram);
+      settings_text(model);
   std::size_t held = 0;
   for (const claim::Verdict& verdict : outcome.verdicts) {
     if (verdict.kind == claim::Claim::Kind::invariant && verdict.holds)

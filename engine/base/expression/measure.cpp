@@ -16,7 +16,8 @@ struct Piece {
   Measure measure;
   bool bare = false;
   std::optional<double> number{};
-  bool has_offset = false;  ///< true for a number in degC or degF
+  bool has_offset = false;     ///< true for a number in degC or degF
+  bool is_difference = false;  ///< true for a number in delta_degC or delta_degF
 };
 
 const Piece truth{{unit::Dimension{}, true}};
@@ -59,7 +60,8 @@ class MakeMeasure {
 
   Piece number(const Program::Number& number) const {
     if (!number.dimension) return {{}, true, number.value};
-    return {{number.dimension, true}, false, {}, number.has_offset};
+    const bool is_difference = number.dimension->zeros && *number.dimension->zeros == 0.0;
+    return {{number.dimension, true}, false, {}, number.has_offset, is_difference};
   }
 
   Piece operation(const Operation& operation, const std::vector<Piece>& values, std::size_t place) const {
@@ -87,6 +89,7 @@ class MakeMeasure {
     if (operation.binding == Binding::prefix) return negative(a);
     if (operation.binding == Binding::product) {
       if (operation.name == "/") refuse_divisor(values[1], place);
+      refuse_factor(a, values[1], place);
       return product(operation.name, a, values[1]);
     }
     if (operation.binding == Binding::power) return to_the(a, values[1]);
@@ -122,13 +125,24 @@ class MakeMeasure {
           place);
   }
 
+  /// Refuses the product or quotient of a temperature and a factor of differences, such as 3 W/degC.
+  static void refuse_factor(const Piece& a, const Piece& b, std::size_t place) {
+    const auto &x = a.measure.dimension, &y = b.measure.dimension;
+    if (!x || !y) return;
+    const std::string left = unit::refused_product(x->zeros, *y);
+    const std::string refused = left.empty() ? unit::refused_product(y->zeros, *x) : left;
+    if (!refused.empty())
+      throw ExpressionError(
+          fmt::format("the value {} the sign {}", left.empty() ? "after" : "before", refused), place);
+  }
+
   static void refuse_meanings(const Piece& a, const Piece& b, std::string_view sign, std::size_t place) {
     if (a.bare || b.bare || !a.measure.sure || !b.measure.sure) return;
     const unit::Dimension &x = *a.measure.dimension, &y = *b.measure.dimension;
     std::string other = unit::other_meaning(y, x);
-    const unit::Dimension& wanted = other.empty() ? y : x;
+    const auto& [given, wanted] = other.empty() ? std::pair(x, y) : std::pair(y, x);
     if (other.empty()) other = unit::other_meaning(x, y);
-    const std::string cure = unit::mixes_rates(x / y) ? "; " + unit::cure_of_rate(wanted) : "";
+    const std::string cure = unit::mixes_rates(x / y) ? "; " + unit::cure_of_rate(given, wanted) : "";
     if (!other.empty())
       throw ExpressionError(fmt::format("a value beside '{}' {}{}", sign, other, cure), place);
   }
@@ -204,7 +218,10 @@ class MakeMeasure {
     };
     const auto x = one(a), y = one(b);
     if (!x || !y) return {};
-    const unit::Dimension unit = sign == "*" ? *x * *y : *x / *y;
+    unit::Dimension unit = sign == "*" ? *x * *y : *x / *y;
+    const bool of_difference = (a.is_difference && !zeros_of(b)) || (b.is_difference && !zeros_of(a));
+    if (unit.exponents[4] != 0.0 && !unit::is_temperature(unit) && of_difference) unit.per_difference = true;
+    if (unit::is_temperature(unit) && (x->per_difference || y->per_difference)) unit.zeros = 0.0;
     const bool sure = a.measure.sure && b.measure.sure;
     if (b.bare) return {{scaled(unit, zeros_of(a), b.number, sign == "/"), sure}};
     return {{a.bare ? scaled(unit, zeros_of(b), a.number, false) : unit, sure}};

@@ -4,9 +4,12 @@
 #include <cmath>
 
 #include "engine/base/unit/decimal.hpp"
+#include "engine/base/unit/meaning.hpp"
 
 namespace stepwire::unit {
 namespace {
+
+constexpr std::size_t kelvin = 4;
 
 template <class Combine>
 Dimension combine(const Dimension& a, const Dimension& b, Combine&& with) {
@@ -16,6 +19,8 @@ Dimension combine(const Dimension& a, const Dimension& b, Combine&& with) {
   }
   result.angle = with(a.angle, b.angle);
   result.cycles = with(a.cycles, b.cycles);
+  result.per_difference =
+      (a.per_difference || b.per_difference) && result.exponents[kelvin] != 0.0 && !is_temperature(result);
   return result;
 }
 

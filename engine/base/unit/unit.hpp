@@ -20,6 +20,10 @@ struct Dimension {
   /// std::nullopt if unknown and for products and powers.
   std::optional<double> zeros{};
 
+  /// True for a product or power with degC or delta_degC in it, such as W/degC. It is a factor of differences
+  /// of temperatures. Products and powers keep it unless the temperature cancels; K alone has none.
+  bool per_difference = false;
+
   bool operator==(const Dimension& other) const { return exponents == other.exponents; }
 };
 

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "engine/base/unit/decimal.hpp"
+#include "engine/base/unit/meaning.hpp"
 #include "engine/base/unit/unit.hpp"
 
 namespace stepwire::unit {
@@ -109,6 +110,13 @@ void add_meaning(std::string_view word, Unit& unit) {
   if (word.ends_with("Hz") || word.ends_with("hertz")) unit.dimension.cycles = 1.0;
 }
 
+/// Marks a product of units with degC or delta_degC in it.
+Dimension marked(Dimension product, const Dimension& a, const Dimension& b) {
+  const bool has_kelvin = product.exponents[4] != 0.0 && !is_temperature(product);
+  product.per_difference = product.per_difference || (has_kelvin && (a.zeros || b.zeros));
+  return product;
+}
+
 /// Cache of looked-up words. The database of udunits2 is read on first use; the mutex is needed because
 /// udunits2 is not thread-safe.
 class Words {
@@ -127,6 +135,9 @@ class Words {
     Unit unit;
     if (!parsed || visit(parsed.get(), unit) != UT_SUCCESS) return std::nullopt;
     add_meaning(word, unit);
+    const std::string letters = word.substr(0, word.find_last_not_of("0123456789") + 1);
+    if (letters.size() < word.size())  // "degC2"
+      if (const auto single = read(letters)) unit.dimension = marked(unit.dimension, single->dimension, {});
     return unit;
   }
 
@@ -162,7 +173,9 @@ bool starts_word(char c) {
 }
 
 Unit raised(const Unit& unit, double exponent) {
-  return {std::pow(unit.scale, static_cast<long double>(exponent)), 0.0L, power(unit.dimension, exponent)};
+  if (exponent == 1.0) return unit;
+  return {std::pow(unit.scale, static_cast<long double>(exponent)), 0.0L,
+          marked(power(unit.dimension, exponent), unit.dimension, {})};
 }
 
 bool usable(const Unit& unit) {
@@ -207,8 +220,9 @@ class Reader {
 
  private:
   static Unit joined(const Unit& a, char sign, const Unit& b) {
-    if (sign == '/') return {a.scale / b.scale, 0.0L, a.dimension / b.dimension};
-    return {a.scale * b.scale, 0.0L, a.dimension * b.dimension};
+    const Dimension product = sign == '/' ? a.dimension / b.dimension : a.dimension * b.dimension;
+    return {sign == '/' ? a.scale / b.scale : a.scale * b.scale, 0.0L,
+            marked(product, a.dimension, b.dimension)};
   }
 
   char peek(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }

@@ -147,6 +147,7 @@ class BlockFormulas {
 
 /// Base units of Dimension::exponents, and the angle.
 constexpr std::array<const char*, 8> base_units{"m", "kg", "s", "A", "K", "mol", "cd", "rad"};
+constexpr std::size_t kelvin = 4;
 
 }  // namespace
 
@@ -158,11 +159,9 @@ void check_formulas(Report& report) {
 
 std::string quantity_in_formula(double value, const unit::Dimension& dimension) {
   const std::string bare = value < 0 ? fmt::format("({})", value) : fmt::format("{}", value);
-  const std::string name = unit::si_name(dimension);
+  const std::string name = unit::meaning_name(dimension);
   if (name == "1") return bare;
-  if (unit::is_temperature(dimension) && dimension.zeros)
-    return fmt::format("({} {})", value, *dimension.zeros > 0.5 ? "temperature_K" : "delta_degC");
-  if (std::ranges::all_of(name, [](unsigned char letter) { return std::isalpha(letter); }))
+  if (std::ranges::all_of(name, [](unsigned char letter) { return std::isalpha(letter) || letter == '_'; }))
     return fmt::format("({} {})", value, name);
   std::array<double, 8> exponents{};
   std::ranges::copy(dimension.exponents, exponents.begin());
@@ -171,7 +170,8 @@ std::string quantity_in_formula(double value, const unit::Dimension& dimension) 
   for (std::size_t i = 0; i < exponents.size(); ++i) {
     if (std::floor(exponents[i]) != exponents[i]) return bare;
     for (double k = 0.0; k < std::abs(exponents[i]); ++k)
-      (exponents[i] > 0 ? above : below).push_back(base_units[i]);
+      (exponents[i] > 0 ? above : below)
+          .push_back(i == kelvin && dimension.per_difference ? "delta_degC" : base_units[i]);
   }
   if (above.empty()) {  // 1/s is m/m/s: the number needs a unit of its own
     above.emplace_back("m");

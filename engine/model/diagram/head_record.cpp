@@ -160,6 +160,8 @@ void read_entry(const yaml::Node& node, const Scope& scope, const Resolver& reso
     return read_signal(node, scope, resolver, request_for({}, false, scope.at(node.mark), requests), report);
   const yaml::Key& form = record_form().of.back();
   const HeadReading read("record", scope, report);
+  if (const yaml::Node* runs = node.find("runs"); runs)
+    return read.fault(runs->mark, "'runs' is a key of 'sweep.record': sweep: {..., record: {runs: 20}}");
   read.check(node, form);
   const yaml::Node *signals = node.find("signals"), *period = node.find("every"),
                    *both = node.find("instants");

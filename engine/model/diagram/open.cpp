@@ -239,13 +239,29 @@ void Opener::read_settings(Scope& scope, DiagramBlock& block, const std::string&
     const yaml::Node& node = setting->document.root;
     Scope at_setting;
     at_setting.index = setting->origin.scope;
-    if (parameter) {
-      read_parameter(scope, at_setting.index, node, block,
-                     static_cast<std::size_t>(parameter - type.parameters.data()));
-    } else {
-      read_initial(at_setting, node, block, state);
-    }
+    if (parameter)
+      set_parameter(scope, at_setting.index, node, block,
+                    static_cast<std::size_t>(parameter - type.parameters.data()));
+    else
+      set_initial(at_setting, node, block, state);
   }
+}
+
+void Opener::set_parameter(const Scope& scope, int reader_scope, const yaml::Node& text, DiagramBlock& block,
+                           std::size_t parameter) {
+  auto& dimension = block.parameter_dimensions[parameter];
+  const auto in_file = dimension;
+  read_parameter(scope, reader_scope, text, block, parameter);
+  if (!dimension) dimension = in_file;
+}
+
+void Opener::set_initial(const Scope& scope, const yaml::Node& text, DiagramBlock& block, int state) {
+  const auto of_state = [&](const InitialValue& value) { return value.state == state; };
+  const auto before = std::ranges::find_if(block.initial, of_state);
+  const auto in_file = before == block.initial.end() ? std::nullopt : before->dimension;
+  read_initial(scope, text, block, state);
+  const auto after = std::ranges::find_if(block.initial, of_state);
+  if (after != block.initial.end() && !after->dimension) after->dimension = in_file;
 }
 
 void Opener::read_parameter(const Scope& scope, int reader_scope, const yaml::Node& text, DiagramBlock& block,

@@ -71,6 +71,10 @@ class Opener {
   void read_parameter(const Scope& scope, int reader_scope, const yaml::Node& node, DiagramBlock& block,
                       std::size_t parameter);
   void read_initial(const Scope& scope, const yaml::Node& node, DiagramBlock& block, int state);
+  /// Reads a setting. A bare number, which is in SI, keeps the dimension of the file's value.
+  void set_parameter(const Scope& scope, int reader_scope, const yaml::Node& text, DiagramBlock& block,
+                     std::size_t parameter);
+  void set_initial(const Scope& scope, const yaml::Node& text, DiagramBlock& block, int state);
   int index_of(const DiagramBlock& block);
   /// Stores the text of a value that depends on parameters.
   void bind(const Target& target, ValueText text, ParameterUses uses);

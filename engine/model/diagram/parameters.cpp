@@ -119,10 +119,12 @@ std::vector<expression::Measure> measures_of(const std::vector<WrittenValue>& pa
 }
 
 /// Returns the dimension of a formula if it is sure. A sum or multiple of temperatures in degC keeps its own,
-/// so that the reader of the value refuses it.
+/// so that the reader of the value refuses it. So does a multiple of W/degC, since it takes no temperature.
 std::optional<unit::Dimension> dimension_of(const expression::Measure& measure) {
   const auto& dimension = measure.dimension;
-  const bool is_known = measure.sure || (dimension && !unit::other_meaning(*dimension, *dimension).empty());
+  const bool is_known =
+      measure.sure ||
+      (dimension && (dimension->per_difference || !unit::other_meaning(*dimension, *dimension).empty()));
   return is_known ? dimension : std::nullopt;
 }
 

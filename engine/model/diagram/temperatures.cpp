@@ -3,6 +3,9 @@
 // mean of temperatures has 1 again. Any other number at the end of a chain is meaningless: 20 degC plus 30
 // degC is 596 K.
 //
+// A factor with degC in its unit (W/degC) multiplies differences only; a product with one that is in kelvin
+// is a difference.
+//
 // Zeros spread forward from numbers written in degC or delta_degC. Within a block all ports with the same
 // declared unit have the same zeros.
 #include "engine/model/diagram/temperatures.hpp"
@@ -11,11 +14,13 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 
 #include "engine/base/unit/meaning.hpp"
 #include "engine/model/diagram/output_names.hpp"
 #include "engine/model/diagram/type_units.hpp"
+#include "engine/model/diagram/unit_expression.hpp"
 
 namespace stepwire::diagram {
 
@@ -123,6 +128,9 @@ class Temperatures {
                          block.type().parameters[i].name,
                          "the number",
                          *zeros});
+    for (const auto& [variable, dimension] : block.known_units)
+      if (variable == unit && dimension.zeros)
+        group.push_back({block.origin, "y", "what it reads", *dimension.zeros});
     for (const InitialValue& initial : block.initial)
       if (const Zeros zeros = zeros_of(initial.dimension);
           zeros && block.type().states[static_cast<std::size_t>(initial.state)].unit == unit)
@@ -142,6 +150,7 @@ class Temperatures {
   Zeros zeros_of_output(std::size_t index, const OutputSpec& output) const {
     const BlockType& type = block(index).type();
     if (output.unit.starts_with(difference_prefix)) return 0.0;
+    if (has_kelvin(index, output) && factor_of_differences(index, members_of(index, output))) return 0.0;
     if (!type.symbol.signs.empty()) return zeros_of_sum(index);
     if (const auto scaled = zeros_of_gain(index, output.unit)) return scaled;
     if (multiplies(type)) return zeros_of_product(index);
@@ -178,6 +187,71 @@ class Temperatures {
       }
     }
     return std::nullopt;
+  }
+
+  /// Variables of the unit of an output that is a product, by name; "*" for one of any unit.
+  using Members = std::set<std::string>;
+
+  Members members_of(std::size_t index, const OutputSpec& output) const {
+    if (multiplies(block(index).type())) return {block(index).type().inputs.front().unit.substr(1)};
+    const auto unit = parse_unit_expression(output.unit);
+    if (!unit || unit->any) return {"*"};
+    Members members;
+    if (unit->variables.size() > 1)
+      for (const auto& [name, exponent] : unit->variables) members.insert(name);
+    return members;
+  }
+
+  static bool is_member(const std::string& unit, const Members& members) {
+    const auto expression = parse_unit_expression(unit);
+    if (!expression || expression->any) return members.contains("*");
+    return std::ranges::any_of(expression->variables,
+                               [&](const auto& term) { return members.contains(term.first); });
+  }
+
+  std::optional<unit::Dimension> dimension_of_source(const Source& source) const {
+    if (source.block < 0) return source.dimension;
+    return diagram_
+        .output_dimensions[static_cast<std::size_t>(source.block)][static_cast<std::size_t>(source.output)];
+  }
+
+  /// Returns the unit of the first parameter or input with degC in its unit; std::nullopt without one.
+  std::optional<unit::Dimension> factor_of_differences(std::size_t index, const Members& members) const {
+    const DiagramBlock& block = this->block(index);
+    for (std::size_t p = 0; p < block.type().parameters.size(); ++p)
+      if (const auto& own = block.parameter_dimensions[p];
+          own && own->per_difference && is_member(block.type().parameters[p].unit, members))
+        return own;
+    for (std::size_t i = 0; !members.contains("*") && i < block.inputs.size(); ++i)
+      for (const Source& source : block.inputs[i])
+        if (const auto own = dimension_of_source(source);
+            own && own->per_difference && is_member(block.type().inputs[i].unit, members))
+          return own;
+    return std::nullopt;
+  }
+
+  bool has_kelvin(std::size_t index, const OutputSpec& output) const {
+    const auto o = static_cast<std::size_t>(&output - block(index).type().outputs.data());
+    const auto& own = diagram_.output_dimensions[index][o];
+    return own && unit::is_temperature(*own);
+  }
+
+  /// Refuses temperatures that a factor of differences multiplies.
+  void check_products(std::size_t index) {
+    const DiagramBlock& block = this->block(index);
+    for (const OutputSpec& output : block.type().outputs) {
+      const Members members = members_of(index, output);
+      const auto factor = factor_of_differences(index, members);
+      for (std::size_t i = 0; factor && i < block.inputs.size(); ++i) {
+        const InputSpec& spec = block.type().inputs[i];
+        if (!members.contains("*") && !is_member(spec.unit, members)) continue;
+        for (const Source& source : block.inputs[i])
+          if (const std::string refused = unit::refused_product(zeros_of_source(source), *factor);
+              !refused.empty())
+            report_.add(source.origin, block.name + "." + spec.name,
+                        fmt::format("{} {}", name_of(source), refused));
+      }
+    }
   }
 
   static bool multiplies(const BlockType& type) {
@@ -229,6 +303,7 @@ class Temperatures {
   void check(std::size_t index) {
     const BlockType& type = block(index).type();
     check_factors(index);
+    check_products(index);
     if (takes_any_zeros(index)) return check_initial(index);
     std::map<std::string, bool> units;
     for (const InputSpec& spec : type.inputs) units[spec.unit] = true;
@@ -328,8 +403,12 @@ class Temperatures {
 };
 
 bool has_zeros(const DiagramBlock& block) {
-  const auto known = [](const auto& dimension) { return zeros_of(dimension).has_value(); };
+  const auto known = [](const auto& dimension) {
+    return dimension && (dimension->zeros || dimension->per_difference);
+  };
   return std::ranges::any_of(block.parameter_dimensions, known) ||
+         std::ranges::any_of(block.known_units,
+                             [&](const auto& of) { return known(std::optional(of.second)); }) ||
          std::ranges::any_of(block.initial,
                              [&](const InitialValue& initial) { return known(initial.dimension); }) ||
          std::ranges::any_of(block.inputs, [&](const auto& sources) {

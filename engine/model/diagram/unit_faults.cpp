@@ -29,7 +29,7 @@ void UnitFaults::add(const UnitEquation& equation, const unit::Dimension& wrong,
             : fmt::format("{} does not fit: the units differ by {}", equation.what, unit::si_name(wrong));
   if (wrong == unit::Dimension{} && taken)
     message = fmt::format("{} {}; {} with a Gain", equation.what, unit::other_meaning(*taken / wrong, *taken),
-                          unit::cure_of_rate(*taken));
+                          unit::cure_of_rate(*taken / wrong, *taken));
   report_.add(equation.origin, subject, message);
 }
 

@@ -85,7 +85,8 @@ class Changing {
   void check_unit(const diagram::ChangedValue& value, const std::optional<unit::Dimension>& known,
                   const std::string& name) {
     const auto& given = value.value.dimension;
-    if (given && (given != known || (given->zeros && given->zeros != known->zeros)))
+    if (given && (given != known || (given->zeros && given->zeros != known->zeros) ||
+                  (given->per_difference && !known->per_difference)))
       refuse_structure(static_cast<std::size_t>(value.target.block), name,
                        "the value has another unit, or one where it had none");
   }

@@ -35,7 +35,7 @@ std::string other_meaning(const query::Series& series, const unit::Dimension& ou
       is_number ? unit::other_meaning_of_number(ours, theirs) : unit::other_meaning(ours, theirs);
   if (other.empty() || is_number) return other;
   return other + "; " +
-         (unit::is_temperature(theirs) ? "give it a panel of its own" : unit::cure_of_rate(theirs));
+         (unit::is_temperature(theirs) ? "give it a panel of its own" : unit::cure_of_rate(ours, theirs));
 }
 
 /// True for a series with a unit other than 1.

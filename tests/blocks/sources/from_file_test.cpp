@@ -187,6 +187,22 @@ TEST_CASE("a column is suggested for one that is not there") {
   REQUIRE_THAT(refused(file, "column: x, time: tim"), Catch::Contains("did you mean 'time'?"));
 }
 
+TEST_CASE("a column in degC is a temperature, and one in W/degC a factor of differences") {
+  const Folder folder;
+  std::filesystem::create_directories(folder.path);
+  const std::string file = folder.file("warm.csv", "time,room [degC],k [W/degC]\n0,20,2\n1,25,2\n");
+  const auto with = [&](const std::string& block) {
+    return error_of("step: 0.1 s\nstop: 0.3 s\nblocks:\n  room: {block: FromFile, file: '" + file +
+                    "', column: room}\n  k: {block: FromFile, file: '" + file + "', column: k}\n" + block +
+                    "record: [room, k]\n");
+  };
+  const std::string refused = "takes a difference of temperatures";
+  REQUIRE_THAT(with("  g: {block: Gain, u: room, gain: 2 W/degC}\n"), Catch::Contains(refused));
+  REQUIRE_THAT(with("  p: {block: Product, u: [room, k]}\n"), Catch::Contains(refused));
+  const std::string rise = "  rise: {block: Sum, signs: \"+-\", u: [room, 18 degC]}\n";
+  REQUIRE(with(rise + "  p: {block: Product, u: [rise, k]}\n").empty());
+}
+
 TEST_CASE("a column whose name says a unit that nothing else says is not taken for SI") {
   const Folder folder;
   const std::string file = folder.file("named.csv", "time,x_mm,F_N,u_in\n0,1,2,3\n0.4,5,6,7\n");

@@ -362,7 +362,7 @@ class Linear:
         self.sample_time = self.result.sample_time
 
     @property
-    def stable(self) -> bool:
+    def stable(self) -> bool | None:
         return self.result.stable
 
     def scipy(self) -> Any:

@@ -180,6 +180,31 @@ TEST_CASE("two echoes are judged by the roots of their polynomial") {
   CHECK(two(0.4, 0.5, 0.2, 0.1 * std::numbers::pi) == 0);
 }
 
+TEST_CASE("echoes without a common step are judged by their gains over all phases") {
+  const auto two = [](const Eigen::Matrix2d& gains) {
+    StateSpace system{Eigen::MatrixXd(0, 0),
+                      Eigen::MatrixXd(0, 3),
+                      Eigen::MatrixXd(3, 0),
+                      Eigen::MatrixXd::Ones(3, 3),
+                      {},
+                      {{"u", ""}},
+                      {{"y", ""}},
+                      0.0,
+                      {{1.0, {"d.u", ""}, {"d.y", ""}}, {std::numbers::sqrt2, {"e.u", ""}, {"e.y", ""}}}};
+    system.D.bottomRightCorner(2, 2) = gains;
+    return count_unstable(system);
+  };
+  const auto sum = [&](double a, double b) { return two(Eigen::Matrix2d{{a, b}, {a, b}}); };
+  // 1 = a exp(-s T1) + b exp(-s T2) has roots on the right for |a| + |b| > 1, and none below 1.
+  CHECK(sum(0.7, 0.7) == infinitely_many);
+  CHECK(sum(0.7, -0.5) == infinitely_many);
+  CHECK(sum(0.5, -0.4) == 0);
+  CHECK_FALSE(sum(0.5, 0.5).has_value());
+  // The eigenvalues of diag(1, exp(j p)) [0.6 0.6; -0.6 0.6] have the size sqrt(0.72) for each phase p.
+  CHECK(two(Eigen::Matrix2d{{0.6, 0.6}, {-0.6, 0.6}}) == 0);
+  CHECK(two(Eigen::Matrix2d{{0.8, 0.8}, {-0.8, 0.8}}) == infinitely_many);
+}
+
 TEST_CASE("a step comes out of an integrator with delayed feedback as the method of steps has it") {
   // x' = 1 - x(t - 1): t, then t - (t-1)^2/2, then + (t-2)^3/6.
   StateSpace loop{Eigen::MatrixXd::Zero(1, 1),

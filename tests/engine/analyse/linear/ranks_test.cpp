@@ -21,12 +21,24 @@ class RandomSystems {
     return 1 + static_cast<Eigen::Index>(generator_() % static_cast<std::uint64_t>(most));
   }
 
-  /// Of n states with `reached` ones, turned, and with states in units that are `decades` apart.
-  StateSpace system(Eigen::Index n, Eigen::Index reached, Eigen::Index inputs, int decades) {
+  enum class Kind { full, chain, modes };
+
+  /// Of n states with `reached` ones, turned or in any order, and with states in units that are `decades`
+  /// apart. A chain is driven at its first state only; modes are driven each by itself.
+  StateSpace system(Eigen::Index n, Eigen::Index reached, Eigen::Index inputs, int decades,
+                    Kind kind = Kind::full, bool turned = true) {
     Eigen::MatrixXd A = matrix(n, n), B = Eigen::MatrixXd::Zero(n, inputs);
     A.bottomLeftCorner(n - reached, reached).setZero();
     B.topRows(reached) = matrix(reached, inputs);
-    const Eigen::MatrixXd turn = Eigen::HouseholderQR<Eigen::MatrixXd>(matrix(n, n)).householderQ();
+    if (kind != Kind::full) A.topLeftCorner(reached, reached).setZero();
+    for (Eigen::Index i = 0; i < reached && kind != Kind::full; ++i)
+      A(i, i) = kind == Kind::modes ? -1.0 - static_cast<double>(i) : -1.0;
+    for (Eigen::Index i = 1; i < reached && kind == Kind::chain; ++i) {
+      A(i, i - 1) = 1.5;
+      B.row(i).setZero();
+    }
+    Eigen::MatrixXd turn = Eigen::HouseholderQR<Eigen::MatrixXd>(matrix(n, n)).householderQ();
+    if (!turned) turn = Eigen::MatrixXd::Identity(n, n).rowwise().reverse();
     A = turn * A * turn.transpose();
     B = turn * B;
     Eigen::VectorXd units(n);
@@ -67,6 +79,45 @@ TEST_CASE("ranks do not depend on the units of states") {
       CHECK(controllability(system).rank == reached);
       CHECK(observability(dual(system)).rank == reached);
     }
+}
+
+TEST_CASE("ranks are known or not certain where states of any structure have units 18 decades apart") {
+  using Kind = RandomSystems::Kind;
+  RandomSystems random;
+  int uncertain = 0;
+  for (const Kind kind : {Kind::full, Kind::chain, Kind::modes})
+    for (int k = 0; k < 200; ++k) {
+      const Eigen::Index n = random.from_one_to(12), reached = random.from_one_to(n),
+                         inputs = random.from_one_to(3);
+      const StateSpace system = random.system(n, reached, inputs, 18, kind, k % 2 == 0);
+      INFO(n << " states, " << reached << " of them, " << inputs << " inputs, kind " << static_cast<int>(kind)
+             << ", case " << k);
+      const Rank control = controllability(system), observe = observability(dual(system));
+      CHECK((control.rank == reached || !control.certain));
+      CHECK((observe.rank == reached || !observe.certain));
+      CHECK(control.singular_values.size() == static_cast<std::size_t>(n));
+      uncertain += control.certain ? 0 : 1;
+    }
+  CHECK(uncertain <= 30);
+}
+
+TEST_CASE("a direction within rounding is not certain") {
+  const auto with_coupling = [](double coupling) {
+    StateSpace system{Eigen::Matrix2d{{-1.0, 0.0}, {0.0, -1.0 - coupling}},
+                      Eigen::Vector2d::Ones(),
+                      Eigen::RowVector2d::Ones(),
+                      Eigen::MatrixXd::Zero(1, 1),
+                      {},
+                      {},
+                      {{"y", ""}},
+                      0.0};
+    system.states.resize(2);
+    system.inputs.resize(1);
+    return controllability(system);
+  };
+  CHECK((with_coupling(1e-3).rank == 2 && with_coupling(1e-3).certain));
+  CHECK((with_coupling(0.0).rank == 1 && with_coupling(0.0).certain));
+  CHECK_FALSE(with_coupling(1e-12).certain);
 }
 
 TEST_CASE("sampled states that are multiples of others are not counted twice") {

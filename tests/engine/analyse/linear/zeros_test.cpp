@@ -64,8 +64,8 @@ std::vector<Known> known_systems() {
 void check_same(std::vector<Complex> found, const std::vector<Complex>& expected, double tolerance) {
   REQUIRE(found.size() == expected.size());
   for (const Complex& zero : expected) {
-    const auto nearest = std::ranges::min_element(
-        found, {}, [&](const Complex& one) { return std::abs(one - zero); });
+    const auto nearest =
+        std::ranges::min_element(found, {}, [&](const Complex& one) { return std::abs(one - zero); });
     CHECK(std::abs(*nearest - zero) <= tolerance * (1e-6 + std::abs(zero)));
     found.erase(nearest);
   }

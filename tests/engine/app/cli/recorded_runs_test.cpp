@@ -36,6 +36,20 @@ void run_to(const Scratch& folder, const std::string& out, std::vector<std::stri
 
 }  // namespace
 
+TEST_CASE("runs to record are named where they belong: in the sweep") {
+  const Scratch folder;
+  for (const std::string entry : {"{signals: [lag], runs: 5}", "[lag, {runs: 5}]", "{runs: 5}"}) {
+    std::string text = sweep_of(keep);
+    const std::string signals = "[reference, lag]";
+    text.replace(text.find(signals), signals.size(), entry);
+    folder.file("sweep.yaml", text);
+    const Done done = run_program(folder, {"check", "sweep.yaml"});
+    CHECK(done.code == 2);
+    CHECK_THAT(done.err,
+               Contains("record: 'runs' is a key of 'sweep.record': sweep: {..., record: {runs: 20}}"));
+  }
+}
+
 TEST_CASE("a sweep that keeps numbers records some evenly chosen runs over time as well") {
   const Scratch folder;
   folder.file("sweep.yaml", sweep_of(keep));

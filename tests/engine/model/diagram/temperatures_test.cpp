@@ -127,6 +127,85 @@ TEST_CASE("a multiple of a parameter in degC is no temperature") {
   CHECK(relay("= tol - cold").empty());
 }
 
+TEST_CASE("a factor with degC in its unit takes differences of temperatures only") {
+  const auto is_refused = [](const std::string& block) {
+    const auto all = faults("  loss: {" + block + "}\n");
+    return all.size() == 1 &&
+           all[0].find("takes a difference of temperatures; subtract") != std::string::npos;
+  };
+  // 10 W/degC at 30 degC would be 3032 W, not 300 W.
+  CHECK(fault("  loss: {block: Gain, u: room, gain: 10 W/degC}\n") ==
+        "loss.u: room is a temperature, but a factor in W/K with degC takes a difference of temperatures; "
+        "subtract a reference temperature first, or write K in the factor of a temperature above absolute "
+        "zero");
+  for (const char* unit : {"W/degC", "W/degF", "W/delta_degC", "degC^-1.W", "W.degC-1", "J/(kg.degC)"}) {
+    INFO(unit);
+    const std::string gain = "block: Gain, gain: 10 " + std::string(unit) + ", u: ";
+    CHECK(is_refused(gain + "room"));
+    CHECK_FALSE(is_refused(gain + "gap"));
+    CHECK(faults("  loss: {" + gain + "gap}\n").empty());
+  }
+  CHECK(faults("  loss: {block: Gain, u: room, gain: 10 W/K}\n").empty());
+  CHECK(is_refused("block: Gain, u: room, gain: 10 J/degC2"));
+  CHECK(is_refused("block: PID, u: room, kp: 1 V/degC, ki: 1 V/degC/s"));
+  CHECK(is_refused("block: Lag, u: room, gain: 1 V/degC, tau: 1 s"));
+  CHECK(is_refused("block: TransferFunction, u: room, numerator: [1 V/degC], denominator: [1 s, 1]"));
+  CHECK(is_refused("block: DiscreteIntegrator, u: room, gain: 1 V/degC, every: 1 s"));
+  CHECK(is_refused("block: MatrixGain, u: room, gain: [[1 V/degC]]"));
+  CHECK(is_refused("block: Polynomial, u: room, coefficients: [1 V/degC, 0 V/degC]"));
+  CHECK(is_refused("block: Product, u: [room, 10 W/degC]"));
+  CHECK(is_refused("block: Divide, numerator: room, denominator: 2 degC/W"));
+  CHECK(is_refused("block: Gain, u: 30 degC, gain: 10 W/degC"));
+}
+
+TEST_CASE("a factor with degC in its unit keeps its meaning along wires, in parameters and in formulas") {
+  const std::string conductance = "  k: {block: Constant, value: 10 W/degC}\n";
+  CHECK(faults(conductance + "  loss: {block: Product, u: [room, k]}\n").size() == 1);
+  CHECK(faults(conductance + "  loss: {block: Product, u: [gap, k]}\n").empty());
+  CHECK(faults(conductance + "  late: {block: Lag, u: k, tau: 1 s}\n"
+                             "  loss: {block: Product, u: [room, late]}\n")
+            .size() == 1);
+  const auto gain = [&](const std::string& text) {
+    return faults_of("parameters: {k: 10 W/degC}\n" + rooms + "  hot: {block: Gain, u: room, gain: " + text +
+                     "}\n")
+        .size();
+  };
+  CHECK(gain("$k") == 1);
+  CHECK(gain("= 2*k") == 1);
+  CHECK(gain("= k/3") == 1);
+  const auto formula = [&](const std::string& text) {
+    return faults_of("parameters: {k: 10 W/degC}\n" + rooms + conductance +
+                     "  hot: {block: Gain, u: room, gain: $k}\n" +
+                     "  e: {block: Expression, u: [room, k], expression: \"" + text + "\"}\n")
+               .size() -
+           1;
+  };
+  CHECK(formula("u1*(10 W/degC)") == 1);
+  CHECK(formula("u1*u2") == 1);
+  CHECK(formula("u2*2*u1") == 1);
+  CHECK(formula("1 + (2 1/degC)*u1") == 1);
+  CHECK(formula("u1/(2 degC/W)") == 1);
+  CHECK(formula("(u1 - 20 degC)*u2") == 0);
+  CHECK(formula("u1*(10 W/K)") == 0);
+  CHECK(formula("u2*u2") == 0);
+}
+
+TEST_CASE("a product of a factor in degC/V is a difference of temperatures") {
+  const std::string sensor =
+      "  volts: {block: Constant, value: 0.25 V}\n  shown: {block: Gain, u: volts, gain: 100 degC/V}\n";
+  CHECK(faults(sensor + "  c: {block: Compare, u: shown, operator: greater, to: 22 degC}\n").size() == 1);
+  CHECK(faults(sensor + "units: {shown: degC}\n").size() == 1);
+  CHECK(faults(sensor + "units: {shown: K}\n").empty());
+  CHECK(faults(sensor + "  t: {block: Sum, u: [shown, 0 degC]}\n"
+                        "  c: {block: Compare, u: t, operator: greater, to: 22 degC}\n")
+            .empty());
+  // A rate limit and the integral of a rate take no product.
+  CHECK(faults("  r: {block: RateLimiter, u: room, rising: 1 degC/s, falling: -1 degC/s}\n"
+               "  i: {block: Integrator, u: 0.1 degC/s, initial: 20 degC}\n"
+               "  c: {block: Compare, u: i, operator: greater, to: 22 degC}\n")
+            .empty());
+}
+
 TEST_CASE("conditions hold a difference against a difference") {
   CHECK(faults_of("stop_when: gap > 10 degC\n" + rooms).size() == 1);
   CHECK(faults_of("stop_when: gap > 10 K\n" + rooms).empty());

@@ -78,6 +78,14 @@ TEST_CASE("a wrong unit is refused however far its ends are apart") {
              Catch::Contains("is in m") && Catch::Contains("is in N"));
 }
 
+TEST_CASE("a voltage per angular speed at a frequency is named by both units, with the factor between them") {
+  const std::string induced =
+      "  speed: {block: Constant, value: 50 Hz}\n  emf: {block: Gain, u: speed, gain: 20 mV s/rad}\n";
+  CHECK(fault_of(induced + "  c: {block: Compare, u: emf, operator: greater, to: 1 V}\n") ==
+        "test.yaml:6:54: c.to: the number is in V, but V period/rad is meant, and a period has 2*pi rad; "
+        "divide by 2*pi with a Gain");
+}
+
 TEST_CASE("the units that a part declares for its ports hold at its border") {
   const DiagramFolder folder;
   folder.write("part.yaml",

@@ -23,6 +23,16 @@ claim::Verdict verdict_on(const std::string& figures, const std::string& claim) 
   return claim::judge(claims.at(0), recordings);
 }
 
+/// The faults of a claim on what the figures of a text draw.
+std::string faults_on(const std::string& figures, const std::string& claim) {
+  query::SymbolTable names = sample_names();
+  names.drawn = drawn_quantities(figures_of(figures).figures, sample_names());
+  const yaml::Document document = yaml::parse_document("- {that: it, " + claim + "}", "d.yaml");
+  yaml::Faults faults;
+  claim::read_claims(document.root, claim::Claim::Kind::statement, names, faults);
+  return all_text(faults);
+}
+
 const std::string two_pictures = R"(
 - {plot: map, x: rig.x in mm, y: rig.v in mm/s, color: "2 * abs(push.force) in N", where: rig.x > 0}
 - panels:
@@ -83,6 +93,16 @@ TEST_CASE("An invariant is a claim of its own kind, which no source can disagree
       claim::read_claims(document.root, claim::Claim::Kind::invariant, sample_names(), faults);
   CHECK(claims.at(0).kind == claim::Claim::Kind::invariant);
   CHECK(all_text(faults).find("invariants.disagrees: an invariant always holds") != std::string::npos);
+}
+
+TEST_CASE("A claim on a figure's number of each run is one of the runs") {
+  // The force is 3 N in one run and 4 N in the other: its median after Hazen is 3.5 N.
+  const std::string figure = "{plot: lines, x: current, y: max(push.force)}";
+  CHECK_THAT(faults_on(figure, "max: figure.y, equals: 4 N"),
+             Catch::Contains("'figure.y' is one number of each run, max(push.force); a claim on it is of the "
+                             "runs, as quantile_of_runs: {share: 95 %, value: figure.y}"));
+  CHECK(verdict_on(figure, "quantile_of_runs: {share: 50 %, value: figure.y}, at_most: 9 N").value == 3.5);
+  CHECK(verdict_on(figure, "fraction_of_runs: 2*figure.y > 7 N, equals: 50 %, within: 1 %").holds);
 }
 
 }  // namespace stepwire::plot
