@@ -3,17 +3,46 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "engine/simulate/codegen/generated_code.hpp"
 #include "engine/simulate/run/code_trial.hpp"
+#include "engine/simulate/run/executor.hpp"
 #include "engine/simulate/run/step_probe.hpp"
 #include "engine/simulate/run/stop_condition.hpp"
 #include "engine/stepwire/content.hpp"
 #include "engine/stepwire/moment.hpp"
-#include "engine/stepwire/waiting_inputs.hpp"
 
 namespace stepwire {
+
+/// Numbers for inputs, stored until the tick from which on they apply.
+class WaitingInputs {
+ public:
+  explicit WaitingInputs(const std::vector<InputInfo>& inputs) {
+    for (const InputInfo& input : inputs) waiting_.push_back({std::vector<double>(input.size), false});
+  }
+  void put(std::size_t input, std::span<const double> values) {
+    std::ranges::copy(values, waiting_[input].values.begin());
+    waiting_[input].fresh = true;
+  }
+  void write_to(run::Executor& run) {
+    for (std::size_t i = 0; i < waiting_.size(); ++i)
+      if (std::exchange(waiting_[i].fresh, false)) run.write_input(i, waiting_[i].values.data());
+  }
+  void drop() {
+    for (Waiting& input : waiting_) input.fresh = false;
+  }
+
+ private:
+  struct Waiting {
+    std::vector<double> values;
+    bool fresh;
+  };
+  std::vector<Waiting> waiting_;
+};
 
 void check_plan(const Snapshot& snapshot, const plan::Plan& plan) {
   if (snapshot.content().plan != &plan) throw std::logic_error("a snapshot of another model is restored");

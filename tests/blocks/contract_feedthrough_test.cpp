@@ -10,9 +10,9 @@ using namespace stepwire;
 namespace {
 
 /// A moment of a run in which what feeds one input of the tested block can be put to another value.
-class Bench {
+class FeedthroughBench {
  public:
-  explicit Bench(const plan::Plan& plan) : plan_(plan), simulation_(plan) {
+  explicit FeedthroughBench(const plan::Plan& plan) : plan_(plan), simulation_(plan) {
     for (int tick = 0; tick < 7; ++tick) {
       simulation_.evaluate();
       simulation_.advance();
@@ -52,7 +52,7 @@ constexpr double moves[] = {0.3, -0.3, 2.0, -2.0, 1e-6};
 using Pairs = std::map<std::string, bool>;
 
 void look_at(const plan::Plan& plan, Pairs& declared) {
-  Bench bench(plan);
+  FeedthroughBench bench(plan);
   if (!bench.healthy()) return;
   const BlockType& type = plan.diagram.blocks[tested_in(plan)].type();
   for (std::size_t i = 0; i < type.inputs.size(); ++i) {

@@ -1,4 +1,5 @@
 #include <dlfcn.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -6,8 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <set>
 
 #include "engine/simulate/codegen/generated_code.hpp"
+#include "engine/simulate/codegen/library.hpp"
 #include "engine/simulate/run/code_trial.hpp"
 #include "tests/diagrams/diagram_files.hpp"
 #include "tests/support/allocations.hpp"
@@ -20,31 +23,101 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t ticks = 10'000;
 
-/// The loaded functions of a program, compiled from the same text as a generated source.
+/// The loaded functions of a diagram's program.
 struct Loaded {
   using Reset = void (*)(double*, const double*);
   Reset reset = nullptr;
   plan::StepFunctions step;
-  std::string problem;
+  std::string refused, problem;
 };
 
-Loaded load(const run::Job& job, const codegen::Compiler& compiler, const std::string& stem) {
-  Loaded loaded;
-  const plan::Plan& plan = job.plan;
-  const codegen::GeneratedProgram program = codegen::make_program(plan);
-  std::string source = codegen::library_source(program);
-  source += "extern \"C\" void stepwire_reset(double* w, const double* p) { reset(w, p); }\n";
-  std::ofstream(stem + ".cpp") << source;
+/// Programs that are compiled as one source with the same flags, by their places in the list of diagrams.
+struct Group {
+  std::vector<std::string> flags;
+  std::vector<std::size_t> members;
+  std::size_t size = 0;  ///< of their texts [bytes]
+};
+
+using Programs = std::vector<std::optional<codegen::GeneratedProgram>>;
+
+std::vector<std::string> flags_of(const run::Job& job, const codegen::GeneratedProgram& program) {
   std::vector<std::string> flags = codegen::flags_for_this_machine(program.headers);
   // Sweeps are compared as the compiler optimises them below. Of long programs it would take minutes.
-  if (!job.points.empty() || source.size() > 150'000) flags.push_back("-O0");
-  loaded.problem = compiler.compile(stem + ".cpp", stem + ".so", flags, {});
-  void* library = loaded.problem.empty() ? ::dlopen((stem + ".so").c_str(), RTLD_NOW | RTLD_LOCAL) : nullptr;
-  if (!library) return loaded;
-  loaded.reset = reinterpret_cast<Loaded::Reset>(::dlsym(library, "stepwire_reset"));
-  loaded.step.evaluate =
-      reinterpret_cast<decltype(loaded.step.evaluate)>(::dlsym(library, "stepwire_evaluate"));
-  loaded.step.advance = reinterpret_cast<decltype(loaded.step.advance)>(::dlsym(library, "stepwire_advance"));
+  if (!job.points.empty() || program.text.size() > 150'000) flags.push_back("-O0");
+  return flags;
+}
+
+/// Headers and their templates are compiled once for each group, which takes half of the time.
+std::vector<Group> groups_of(const std::vector<run::Job>& jobs, const Programs& programs) {
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (!programs[i]) continue;
+    const std::vector<std::string> flags = flags_of(jobs[i], *programs[i]);
+    const std::size_t most = flags.empty() ? 1 : 8;  // optimised code of Eigen has little in common
+    const auto open = std::ranges::find_if(groups, [&](const Group& group) {
+      return group.flags == flags && group.members.size() < most && group.size < 400'000;
+    });
+    Group& group = open != groups.end() ? *open : groups.emplace_back(Group{flags, {}});
+    group.members.push_back(i);
+    group.size += programs[i]->text.size();
+  }
+  return groups;
+}
+
+std::string source_of(const Group& group, const Programs& programs) {
+  std::set<std::string> headers;
+  for (const std::size_t i : group.members)
+    headers.insert(programs[i]->headers.begin(), programs[i]->headers.end());
+  std::string source = codegen::library_head({headers.begin(), headers.end()}, 1);
+  for (const std::size_t i : group.members) {
+    source += fmt::format("namespace of_{} {{\nnamespace {{\nusing namespace stepwire;\n{}\n}}\n}}\n", i,
+                          programs[i]->text);
+    source += fmt::format(
+        "extern \"C\" void reset_{0}(double* w, const double* p) {{ of_{0}::reset(w, p); }}\n", i);
+    for (const char* function : {"evaluate", "advance"})
+      source += fmt::format(
+          "extern \"C\" [[gnu::flatten]] void {0}_{1}(double* w, const double* p, std::int64_t tick) {{\n"
+          "  of_{1}::{0}(w, p, tick);\n}}\n",
+          function, i);
+  }
+  return source;
+}
+
+/// Compiles a group and finds the functions of its programs.
+void load(const Group& group, const Programs& programs, const codegen::Compiler& compiler,
+          const std::string& stem, std::vector<Loaded>& loaded) {
+  std::ofstream(stem + ".cpp") << source_of(group, programs);
+  const std::string problem = compiler.compile(stem + ".cpp", stem + ".so", group.flags, {});
+  void* library = problem.empty() ? ::dlopen((stem + ".so").c_str(), RTLD_NOW | RTLD_LOCAL) : nullptr;
+  for (const std::size_t i : group.members) {
+    loaded[i].problem = problem;
+    if (!library) continue;
+    const auto find = [&](auto& function, const char* name) {
+      function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
+          ::dlsym(library, fmt::format("{}_{}", name, i).c_str()));
+    };
+    find(loaded[i].reset, "reset");
+    find(loaded[i].step.evaluate, "evaluate");
+    find(loaded[i].step.advance, "advance");
+  }
+}
+
+/// Compiles the programs of all diagrams.
+std::vector<Loaded> load_all(const std::vector<run::Job>& jobs, const codegen::Compiler& compiler,
+                             const fs::path& folder) {
+  std::vector<Loaded> loaded(jobs.size());
+  Programs programs(jobs.size());
+  in_parallel(jobs.size(), [&](std::size_t i) {
+    try {
+      programs[i] = codegen::make_program(jobs[i].plan);
+    } catch (const yaml::Error& error) {
+      loaded[i].refused = error.what();
+    }
+  });
+  const std::vector<Group> groups = groups_of(jobs, programs);
+  in_parallel(groups.size(), [&](std::size_t g) {
+    load(groups[g], programs, compiler, (folder / std::to_string(g)).string(), loaded);
+  });
   return loaded;
 }
 
@@ -118,22 +191,15 @@ TEST_CASE("every diagram that can be generated gives the interpreter's bits and 
   const std::vector<run::Job> jobs = distinct_jobs();
   const fs::path folder = fs::temp_directory_path() / ("stepwire-generated-" + std::to_string(::getpid()));
   fs::create_directories(folder);
-  std::vector<Loaded> loaded(jobs.size());
-  std::vector<std::string> refused(jobs.size());
-  in_parallel(jobs.size(), [&](std::size_t i) {
-    try {
-      loaded[i] = load(jobs[i], compiler, (folder / std::to_string(i)).string());
-    } catch (const yaml::Error& error) {
-      refused[i] = error.what();
-    }
-  });
+  const std::vector<Loaded> loaded = load_all(jobs, compiler, folder);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     INFO(jobs[i].plan.diagram.file);
-    if (!refused[i].empty()) {
-      WARN("cannot be generated: " << refused[i]);
+    if (!loaded[i].refused.empty()) {
+      WARN("cannot be generated: " << loaded[i].refused);
       continue;
     }
     CHECK(loaded[i].problem == "");
+    CHECK(loaded[i].reset != nullptr);
     if (loaded[i].reset) CHECK(difference(jobs[i].plan, loaded[i]) == "");
   }
   fs::remove_all(folder);

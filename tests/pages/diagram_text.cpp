@@ -13,7 +13,7 @@ struct Section {
   std::string key, text;
 };
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> split_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
@@ -22,7 +22,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 std::vector<Section> sections_of(const std::string& yaml) {
   std::vector<Section> sections;
-  for (const std::string& line : lines_of(yaml)) {
+  for (const std::string& line : split_lines(yaml)) {
     if (!line.empty() && std::isalpha(static_cast<unsigned char>(line.front())))
       sections.push_back({line.substr(0, line.find(':')), ""});
     if (!sections.empty()) sections.back().text += line + "\n";
@@ -43,7 +43,7 @@ void put(std::vector<Section>& sections, const Section& added) {
 }
 
 std::vector<std::string> without_indentation(const std::string& text) {
-  std::vector<std::string> lines = lines_of(text);
+  std::vector<std::string> lines = split_lines(text);
   for (std::string& line : lines) line.erase(0, line.find_first_not_of(' '));
   return lines;
 }

@@ -1,5 +1,6 @@
 #include "engine/analyse/statistics/distributions.hpp"
 
+#include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/non_central_f.hpp>
@@ -99,6 +100,14 @@ double fisher_critical(double probability, double above, double below) {
 
 double chi_squared_tail(double value, double freedom) {
   return tail(boost::math::chi_squared(freedom), value);
+}
+
+double beta_quantile(double probability, double a, double b) {
+  return boost::math::quantile(boost::math::beta_distribution<double>(a, b), probability);
+}
+
+double beta_tail(double value, double a, double b) {
+  return boost::math::ibetac(a, b, value);
 }
 
 }  // namespace stepwire::statistics

@@ -28,4 +28,10 @@ double fisher_critical(double probability, double above, double below);
 /// Returns the probability that chi-squared is `value` or more, with the conventions of fisher_tail.
 double chi_squared_tail(double value, double freedom);
 
+/// Returns the quantile of the beta distribution; 0 < probability < 1, both shapes above 0.
+double beta_quantile(double probability, double a, double b);
+
+/// Returns the probability that a beta variable is `value` or more; 0 <= value <= 1.
+double beta_tail(double value, double a, double b);
+
 }  // namespace stepwire::statistics

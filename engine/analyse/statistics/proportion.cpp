@@ -1,23 +1,20 @@
 #include "engine/analyse/statistics/proportion.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/beta.hpp>
 #include <cmath>
+
+#include "engine/analyse/statistics/distributions.hpp"
 
 namespace stepwire::statistics {
 
 namespace {
-
-double beta_quantile(double a, double b, double share) {
-  return boost::math::quantile(boost::math::beta_distribution<double>(a, b), share);
-}
 
 /// Returns the probability that fewer than `rank` of the values are below the quantile of a share. It is that
 /// of a binomial distribution, computed by the incomplete beta function.
 double probability_of_fewer(std::size_t rank, std::size_t count, double share) {
   if (rank == 0) return 0.0;
   if (rank > count) return 1.0;
-  return boost::math::ibetac(static_cast<double>(rank), static_cast<double>(count - rank + 1), share);
+  return beta_tail(share, static_cast<double>(rank), static_cast<double>(count - rank + 1));
 }
 
 /// Returns the largest rank whose probability_of_fewer() is at most `probability`, by bisection.
@@ -35,8 +32,8 @@ std::size_t largest_rank(std::size_t count, double share, double probability) {
 ConfidenceInterval proportion_interval(std::size_t successes, std::size_t count, double confidence) {
   const double tail = 0.5 * (1.0 - confidence);
   const auto k = static_cast<double>(successes), n = static_cast<double>(count);
-  return {successes == 0 ? 0.0 : beta_quantile(k, n - k + 1.0, tail),
-          successes == count ? 1.0 : beta_quantile(k + 1.0, n - k, 1.0 - tail)};
+  return {successes == 0 ? 0.0 : beta_quantile(tail, k, n - k + 1.0),
+          successes == count ? 1.0 : beta_quantile(1.0 - tail, k + 1.0, n - k)};
 }
 
 RankInterval quantile_ranks(std::size_t count, double share, double confidence) {

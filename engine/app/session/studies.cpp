@@ -112,10 +112,11 @@ void draw_value(const study::Distribution& one, plot::FigureBuilder& figure) {
   if (p)
     for (double& value : values) value = std::log10(value);
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
-  plot::Panel panel{.title = "", .bins = bins};
+  plot::Panel panel;
+  panel.options<plot::HistogramOptions>().bins = bins;
   if (!std::isnan(one.published)) {
     panel.title = fmt::format("published: {:.3g}", one.published);
-    panel.lines = {p ? std::log10(one.published) : one.published};
+    panel.options<plot::HistogramOptions>().lines = {p ? std::log10(one.published) : one.published};
   }
   plot::PlotBuilder& plot = figure.add(panel);
   plot::name_axis(plot.spec.x, p ? "log10 of P, " + one.name.substr(2) : one.name, "1");

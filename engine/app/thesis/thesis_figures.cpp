@@ -28,7 +28,6 @@
 #include "engine/base/subprocess/scratch_folder.hpp"
 #include "engine/simulate/replay/replay_folder.hpp"
 #include "engine/view/gallery/gallery_picture.hpp"
-#include "engine/view/gallery/gallery_print.hpp"
 #include "engine/view/plot/plot_kind.hpp"
 #include "engine/view/render/pdf_outline.hpp"
 

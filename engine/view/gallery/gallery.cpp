@@ -4,10 +4,7 @@
 #include <tuple>
 
 #include "engine/view/gallery/gallery_assets.hpp"
-#include "engine/view/gallery/gallery_entry.hpp"
-#include "engine/view/gallery/gallery_html.hpp"
-#include "engine/view/gallery/gallery_source.hpp"
-#include "engine/view/gallery/gallery_tally.hpp"
+#include "engine/view/gallery/gallery_page.hpp"
 
 namespace stepwire::gallery {
 namespace {

@@ -1,15 +1,65 @@
-#include "engine/view/gallery/gallery_entry.hpp"
+#include "engine/view/gallery/gallery_page.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
-
-#include "engine/view/gallery/gallery_html.hpp"
-#include "engine/view/gallery/gallery_picture.hpp"
-#include "engine/view/gallery/gallery_tally.hpp"
 
 namespace stepwire::gallery {
 namespace {
+
+constexpr double page_width = 1400.0, page_height = 820.0;  // of a screen [px]
+constexpr double max_scale = 1.5;  // larger letters are too large to read comfortably
+
+/// Returns the largest scale that a page and a screen permit, at least 1.
+double scale_of(const GalleryPicture& picture) {
+  const double widest = page_width / std::max(1.0, picture.width);
+  const double fitting = std::min({widest, page_height / std::max(1.0, picture.height), max_scale});
+  return std::max(fitting, std::min(1.0, widest));
+}
+
+std::size_t pixels(double value) {
+  return static_cast<std::size_t>(std::lround(value));
+}
+
+Html image_of(const GalleryPicture& picture) {
+  const double scale = scale_of(picture);
+  return html("<img{} src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\" style=\"--wide: {}px\">",
+              html(picture.dark ? "" : " class=\"plain\""), Address{picture.file},
+              pixels(scale * picture.width), pixels(scale * picture.height), picture.alt,
+              pixels(scale * picture.width));
+}
+
+/// Returns the figure. Its enlargement is a state of the page that its address names, so it works without a
+/// script.
+Html figure_of(const GalleryPicture& picture, std::size_t number) {
+  Html words;
+  if (!picture.title.empty()) words += html("<strong>{}</strong> ", picture.title);
+  words += html("{}", picture.caption);
+  if (!picture.caption.empty() || !picture.title.empty())
+    words = html("<figcaption>{}</figcaption>\n", words);
+  return html(R"(<div class="place-of-picture" id="picture-{0}">
+<figure class="picture" id="large-{0}">
+<a class="reduce" href="#picture-{0}">Back to the width of the page</a>
+<div class="frame">{1}<a class="enlarge" href="#large-{0}"><span>Enlarge picture {0}</span></a></div>
+{2}</figure>
+</div>
+)",
+              number, image_of(picture), words);
+}
+
+/// Returns the pictures of an entry that the source has, or with `own` a section of those that it does not
+/// have.
+Html pictures_of(const GalleryEntry& entry, bool own) {
+  Html pictures;
+  for (std::size_t i = 0; i < entry.pictures.size(); ++i)
+    if (entry.pictures[i].own == own) pictures += figure_of(entry.pictures[i], i + 1);
+  if (!own || pictures.empty()) return pictures;
+  return html(
+      "<section id=\"own\">\n<h2>Of our own</h2>\n<p class=\"soft\">The thesis has no such "
+      "picture.</p>\n{}</section>\n",
+      pictures);
+}
 
 /// Files with an extension, also with .gz appended, and their name.
 struct DownloadKind {

@@ -1,8 +1,10 @@
 #include "engine/view/gallery/gallery_picture.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -14,9 +16,6 @@
 
 namespace stepwire::gallery {
 namespace {
-
-constexpr double page_width = 1400.0, page_height = 820.0;  // of a screen [px]
-constexpr double max_scale = 1.5;  // larger letters are too large to read comfortably
 
 /// Returns "force [N], current [A]", each once; the label of the axis if it has one.
 std::string labels_of(const plot::Panel& panel, const std::string& key) {
@@ -76,41 +75,56 @@ double attribute_of(const std::string& svg, const std::string& name) {
   return at == std::string::npos ? 0.0 : std::strtod(element.c_str() + at + name.size() + 3, nullptr);
 }
 
-/// Returns the largest scale that a page and a screen permit, at least 1.
-double scale_of(const GalleryPicture& picture) {
-  const double widest = page_width / std::max(1.0, picture.width);
-  const double fitting = std::min({widest, page_height / std::max(1.0, picture.height), max_scale});
-  return std::max(fitting, std::min(1.0, widest));
+// Sizes in pixels of the picture.
+constexpr double margin = 30.0, letter = 14.0, line_height = 20.0, narrowest = 560.0, widest_text = 760.0;
+/// Width of bold letters relative to regular ones.
+constexpr double bold = 1.12;
+
+std::string label_of(const GalleryEntry& entry, const GalleryPicture& picture) {
+  const std::string& name = entry.label.empty() ? entry.title : entry.label;
+  return picture.own ? name + ", not in the thesis." : name + ".";
 }
 
-std::size_t pixels(double value) {
-  return static_cast<std::size_t>(std::lround(value));
+std::string words_of(const GalleryEntry& entry, const GalleryPicture& picture) {
+  std::string words = picture.own ? picture.title : entry.source_caption;
+  if (words.empty() && picture.caption.empty() && !entry.label.empty()) words = entry.title;
+  if (!words.empty() && !picture.caption.empty()) words += words.ends_with('.') ? " " : ". ";
+  return words + picture.caption;
 }
 
-Html image_of(const GalleryPicture& picture) {
-  const double scale = scale_of(picture);
-  return html("<img{} src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\" style=\"--wide: {}px\">",
-              html(picture.dark ? "" : " class=\"plain\""), Address{picture.file},
-              pixels(scale * picture.width), pixels(scale * picture.height), picture.alt,
-              pixels(scale * picture.width));
+/// Breaks words into lines of a width in pixels; the first line begins after a label.
+std::vector<std::string> lines_of(const std::string& words, double label, double width) {
+  std::vector<std::string> lines{""};
+  std::istringstream stream(words);
+  for (std::string word; stream >> word;) {
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    const double room = width - (lines.size() == 1 ? label : 0.0);
+    const bool fits = letter * svg::text_width(longer) <= room;
+    if (fits || (lines.back().empty() && lines.size() > 1))
+      lines.back() = longer;
+    else
+      lines.push_back(word);
+  }
+  return lines;
 }
 
-/// Returns the figure. Its enlargement is a state of the page that its address names, so it works without a
-/// script.
-Html figure_of(const GalleryPicture& picture, std::size_t number) {
-  Html words;
-  if (!picture.title.empty()) words += html("<strong>{}</strong> ", picture.title);
-  words += html("{}", picture.caption);
-  if (!picture.caption.empty() || !picture.title.empty())
-    words = html("<figcaption>{}</figcaption>\n", words);
-  return html(R"(<div class="place-of-picture" id="picture-{0}">
-<figure class="picture" id="large-{0}">
-<a class="reduce" href="#picture-{0}">Back to the width of the page</a>
-<div class="frame">{1}<a class="enlarge" href="#large-{0}"><span>Enlarge picture {0}</span></a></div>
-{2}</figure>
-</div>
-)",
-              number, image_of(picture), words);
+std::string caption_svg(const std::string& label, const std::vector<std::string>& lines, double top) {
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string before =
+        i == 0 ? fmt::format("<tspan font-weight=\"bold\">{}</tspan> ", svg::markup_escaped(label)) : "";
+    text += fmt::format("<text x=\"{}\" y=\"{}\">{}{}</text>\n", margin,
+                        svg::svg_number(top + line_height * static_cast<double>(i)), before,
+                        svg::markup_escaped(lines[i]));
+  }
+  return fmt::format("<g font-size=\"{}\" fill=\"#111\">\n{}</g>\n", letter, text);
+}
+
+/// Returns the picture as a nested element of another one, at its position.
+std::string nested(const std::string& svg, double x) {
+  const std::size_t start = std::min(svg.find("<svg"), svg.size());
+  if (start == svg.size()) return {};
+  return fmt::format("<svg x=\"{}\" y=\"{}\" {}", svg::svg_number(x), margin, svg.substr(start + 4));
 }
 
 }  // namespace
@@ -137,15 +151,24 @@ std::string picture_script(const std::map<std::string, std::string>& pictures) {
   return "stepwirePictures(\"" + text::base64(mat::gzip_packed(texts.text(-1))) + "\");\n";
 }
 
-Html pictures_of(const GalleryEntry& entry, bool own) {
-  Html pictures;
-  for (std::size_t i = 0; i < entry.pictures.size(); ++i)
-    if (entry.pictures[i].own == own) pictures += figure_of(entry.pictures[i], i + 1);
-  if (!own || pictures.empty()) return pictures;
-  return html(
-      "<section id=\"own\">\n<h2>Of our own</h2>\n<p class=\"soft\">The thesis has no such "
-      "picture.</p>\n{}</section>\n",
-      pictures);
+std::string printed_page(const GalleryEntry& entry, const GalleryPicture& picture, const std::string& svg) {
+  const double inner = std::max(narrowest, picture.width), width = inner + 2.0 * margin;
+  const std::string label = label_of(entry, picture);
+  const double behind = letter * bold * svg::text_width(label + " ");
+  const auto lines = lines_of(words_of(entry, picture), behind, std::min(inner, widest_text));
+  const double top = margin + picture.height + margin;
+  const double height = top + line_height * static_cast<double>(lines.size());
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{0}\" "
+      "height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"Helvetica, Arial, sans-serif\">\n<rect "
+      "width=\"100%\" "
+      "height=\"100%\" fill=\"#fff\"/>\n{2}{3}</svg>\n",
+      svg::svg_number(width), svg::svg_number(height), nested(svg, margin + 0.5 * (inner - picture.width)),
+      caption_svg(label, lines, top));
+}
+
+std::string printed_name(const GalleryEntry& entry) {
+  return entry.label.empty() ? entry.title : entry.label + ": " + entry.title;
 }
 
 }  // namespace stepwire::gallery

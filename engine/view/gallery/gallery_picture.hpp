@@ -4,7 +4,6 @@
 #include <string>
 
 #include "engine/view/gallery/gallery.hpp"
-#include "engine/view/gallery/gallery_html.hpp"
 #include "engine/view/plot/figure.hpp"
 
 namespace stepwire::gallery {
@@ -20,8 +19,11 @@ void read_picture(GalleryPicture& picture, const std::string& svg);
 /// them in any other way. The script contains JSON, compressed by gzip, in base64.
 std::string picture_script(const std::map<std::string, std::string>& pictures);
 
-/// Returns the pictures of an entry that the source has, or with `own` a section of those that it does not
-/// have.
-Html pictures_of(const GalleryEntry& entry, bool own);
+/// Returns the page of one picture of an entry as SVG: the picture, and below it the number and the caption
+/// of the figure. `svg` is the text of the picture.
+std::string printed_page(const GalleryEntry& entry, const GalleryPicture& picture, const std::string& svg);
+
+/// Returns the name of an entry in a list of pages: "Figure 15: The force over a 1-D map".
+std::string printed_name(const GalleryEntry& entry);
 
 }  // namespace stepwire::gallery

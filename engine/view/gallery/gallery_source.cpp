@@ -1,4 +1,4 @@
-#include "engine/view/gallery/gallery_source.hpp"
+#include "engine/view/gallery/gallery_page.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -6,8 +6,6 @@
 #include <optional>
 #include <sstream>
 #include <string_view>
-
-#include "engine/view/gallery/gallery_tally.hpp"
 
 namespace stepwire::gallery {
 namespace {

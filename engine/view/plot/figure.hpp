@@ -1,5 +1,6 @@
 #pragma once
 
+#include <any>
 #include <array>
 #include <functional>
 #include <map>
@@ -65,9 +66,6 @@ struct AxisOptions {
   bool log = false;
 };
 
-enum class CurveStyle { line, dashes, dots };
-enum class ArrowPivot { tail, middle, tip };
-
 /// Panel with one pair of axes. Numbers are in the displayed units. Its keys are the rows of panel_keys() and
 /// of the options of its kind.
 struct Panel {
@@ -93,17 +91,23 @@ struct Panel {
   bool final_rows = false;                   ///< true if only the last row of each run is drawn
   PanelContent content{};                    ///< of a plot without axes
   bool reads_rows = true;                    ///< true if it reads rows of recordings
+  bool reads_all_rows = false;               ///< true if it reads each row of a run, also with `final_rows`
+  bool points_only = false;                  ///< true for rows in space, or of unordered runs, without lines
   std::vector<query::NamedFormula> shown{};  ///< quantities in it, by names below that of the panel
+  std::any own_options{};                    ///< struct of options that the source of its kind declares
 
-  // Options of single kinds; without a value the kind has a default.
-  std::optional<double> bins{}, cells{}, gap{}, scale{}, elevation{}, azimuth{};
-  std::vector<double> contour{}, lines{}, shade{}, shares{};  ///< ends of shaded ranges in pairs
-  std::vector<CurveStyle> styles{};                           ///< in the order of the legend
-  ArrowPivot pivot = ArrowPivot::middle;
-  bool points_only = false;                ///< true for rows in space, or of unordered runs, without lines
-  bool tukey_whiskers = false;             ///< true for Tukey whiskers, else they extend to the extremes
-  std::optional<std::size_t> reduction{};  ///< in claim::reduction_names(); std::nullopt: rows
-
+  /// Returns the options of its kind; those of a new struct if the file has none of them.
+  template <class Options>
+  const Options& options() const {
+    static const Options usual{};
+    const auto* own = std::any_cast<Options>(&own_options);
+    return own ? *own : usual;
+  }
+  template <class Options>
+  Options& options() {
+    if (!std::any_cast<Options>(&own_options)) own_options = Options{};
+    return *std::any_cast<Options>(&own_options);
+  }
   const query::Series* find(const std::string& key) const;
   /// Returns the options of the axis x, y, z or color; defaults for any other channel.
   const AxisOptions& axis(std::string_view name) const;

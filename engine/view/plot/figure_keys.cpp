@@ -144,20 +144,15 @@ PanelKey described_key(const yaml::Key& key) {
   return described;
 }
 
-PanelKey number_key(std::string name, std::string doc, std::optional<double> Panel::*member,
-                    std::string axis) {
-  return {std::move(name), std::move(doc), form::number(),
+PanelKey key_of_numbers(std::string name, std::string doc, bool several, std::string axis,
+                        std::function<void(Panel&, double)> take) {
+  return {std::move(name), std::move(doc), several ? form::one_or_list(form::number()) : form::number(),
           [=](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
-            if (const auto value = read_number(node, panel, axis, read)) panel.*member = *value;
-          }};
-}
-
-PanelKey numbers_key(std::string name, std::string doc, std::vector<double> Panel::*member,
-                     std::string axis) {
-  return {std::move(name), std::move(doc), form::one_or_list(form::number()),
-          [=](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
-            for (const yaml::Node& item : node.as_list())
-              if (const auto value = read_number(item, panel, axis, read)) (panel.*member).push_back(*value);
+            const auto add = [&](const yaml::Node& item) {
+              if (const auto value = read_number(item, panel, axis, read)) take(panel, *value);
+            };
+            if (!several) return add(node);
+            for (const yaml::Node& item : node.as_list()) add(item);
           }};
 }
 

@@ -45,7 +45,7 @@ RowsRead rows_read(const Panel& panel, std::size_t recordings) {
   const auto is_of_runs = [&](std::size_t recording) { return recording < recordings; };
   if (has_overlays(panel)) return RowsRead::all;
   if (std::ranges::none_of(panel.recordings, is_of_runs)) return RowsRead::none;
-  if (panel.reduction || !panel.numbers.empty()) return RowsRead::all;
+  if (panel.reads_all_rows || !panel.numbers.empty()) return RowsRead::all;
   return panel.final_rows || panel.kind->last_rows ? RowsRead::last : RowsRead::all;
 }
 

@@ -5,6 +5,10 @@
 namespace stepwire::plot {
 namespace {
 
+struct SpaceOptions {
+  double elevation = 62.0, azimuth = 35.0;  ///< of the view [deg]
+};
+
 constexpr double space_budget = 4000.0, mesh_budget = 2500.0;
 
 using Channels = std::vector<const query::Series*>;
@@ -84,7 +88,7 @@ void draw_space(const Panel& panel, std::span<const record::Recording> recording
   const geometry::Curves all = gather(panel, recording_of(panel, recordings), channels);
   const std::vector<geometry::Curve> curves = drawn_in_space(all, panel, color != nullptr, plot.share);
   set_axes(joined(all), channels, plot);
-  plot.spec.view = {panel.elevation.value_or(62.0), panel.azimuth.value_or(35.0)};
+  plot.spec.view = {panel.options<SpaceOptions>().elevation, panel.options<SpaceOptions>().azimuth};
   if (curves.empty()) return;
   if (panel.series.contains("sheets"))
     return draw_sheets(panel, recording_of(panel, recordings), channels, plot);
@@ -108,8 +112,9 @@ PlotKind space_plot() {
         false, true}},
       {{"style", "lines or points", yaml::form::word({"lines", "points"}), &Panel::points_only},
        number_key("elevation", "angle between the view and the upward axis in degrees (62)",
-                  &Panel::elevation),
-       number_key("azimuth", "turn of the view about the upward axis in degrees (35)", &Panel::azimuth)},
+                  &SpaceOptions::elevation),
+       number_key("azimuth", "turn of the view about the upward axis in degrees (35)",
+                  &SpaceOptions::azimuth)},
       false,
       draw_space};
   kind.bar_of_channel = true;

@@ -7,6 +7,10 @@
 namespace stepwire::plot {
 namespace {
 
+struct BandOptions {
+  std::vector<double> shares{};  ///< of the runs in the bands; empty: 50 % and 90 %
+};
+
 constexpr std::size_t band_places = 240;  // along x
 
 /// Interpolates between two rows of a curve with increasing x; NaN outside of it.
@@ -74,7 +78,8 @@ void draw_group(const Band& band, std::size_t entry, const std::string& legend, 
 void draw_bands(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   const query::Series &x = *panel.find("x"), &y = *panel.find("y");
   const geometry::Curves all = gather(panel, recording_of(panel, recordings), {&x, &y});
-  const std::vector<double> shares = panel.shares.empty() ? std::vector{0.5, 0.9} : panel.shares;
+  const auto& own = panel.options<BandOptions>().shares;
+  const std::vector<double> shares = own.empty() ? std::vector{0.5, 0.9} : own;
   plot.label("x", x);
   plot.label("y", y);
   for (std::size_t group = 0; group < all.groups.size(); ++group) {
@@ -89,7 +94,7 @@ void read_shares(Panel& panel, const yaml::Node& node, const query::NamesReading
   yaml::Key share = yaml::form::above_zero(yaml::form::number());
   share.most = 1.0;
   for (const yaml::Node& item : node.as_list())
-    if (const auto number = read.number(item, share)) panel.shares.push_back(*number);
+    if (const auto number = read.number(item, share)) panel.options<BandOptions>().shares.push_back(*number);
 }
 
 }  // namespace

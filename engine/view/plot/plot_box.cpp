@@ -4,6 +4,10 @@
 namespace stepwire::plot {
 namespace {
 
+struct BoxOptions {
+  bool tukey_whiskers = false;  ///< true for Tukey whiskers, else they extend to the extremes
+};
+
 /// Samples side by side above one label.
 struct Group {
   std::string label;
@@ -194,7 +198,10 @@ void draw_boxes(const Panel& panel, std::span<const record::Recording> recording
   plot.range("y", plot.y.padded(0.06));
   plot.spec.x.grid = false;
   name_groups(boxes.groups, plot.spec.x);
-  draw_kinds(boxes, panel.tukey_whiskers ? statistics::Whiskers::tukey : statistics::Whiskers::range, plot);
+  draw_kinds(
+      boxes,
+      panel.options<BoxOptions>().tukey_whiskers ? statistics::Whiskers::tukey : statistics::Whiskers::range,
+      plot);
   if (!references.curves.empty()) plot.add(std::move(references));
 }
 
@@ -209,10 +216,11 @@ PlotKind box_plot() {
        {"reference", "for each y a value to hold it against, drawn dashed across its box; not beside `by`",
         false, true},
        {"beside", "boxes for each value of this stand side by side, each in its colour"}},
-      {{"whiskers",
-        "range (over all values), or tukey: to the last value within 1.5 interquartile ranges of the "
-        "box; those beyond are drawn",
-        yaml::form::word({"range", "tukey"}), &Panel::tukey_whiskers}},
+      {option_key(
+          "whiskers",
+          "range (over all values), or tukey: to the last value within 1.5 interquartile ranges of the "
+          "box; those beyond are drawn",
+          yaml::form::word({"range", "tukey"}), &BoxOptions::tukey_whiskers)},
       false,
       draw_boxes};
   kind.lacks = {KeyNeeds::across, KeyNeeds::color_bar};

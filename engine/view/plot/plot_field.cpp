@@ -8,6 +8,13 @@
 namespace stepwire::plot {
 namespace {
 
+enum class ArrowPivot { tail, middle, tip };
+
+struct FieldOptions {
+  double cells = 24.0, scale = 1.0;
+  ArrowPivot pivot = ArrowPivot::middle;
+};
+
 /// Returns one row for each cell of a lattice of `cells` by `cells`: the one nearest to its centre.
 geometry::Curve one_for_each_cell(const geometry::Curve& points, double cells) {
   const geometry::Extent x = geometry::extent_of(points.columns[0]).padded(0.001),
@@ -82,15 +89,16 @@ void draw_field(const Panel& panel, std::span<const record::Recording> recording
   plot.label("y", y);
   const geometry::Curve points = joined(gather(panel, recording_of(panel, recordings), channels));
   if (points.columns.empty()) return;
-  const double cells = std::clamp(panel.cells.value_or(24.0), 1.0, 400.0);
+  const auto& options = panel.options<FieldOptions>();
+  const double cells = std::clamp(options.cells, 1.0, 400.0);
   geometry::Curve arrows = one_for_each_cell(points, cells);
   add_magnitude(arrows);
   plot.color_bar(color != nullptr ? *color : magnitude_series(u, v), geometry::extent_of(arrows.columns[4]));
   plot.cover({points});
   const double width = std::min(plot.x.width(), plot.y.width());
-  scale_arrows(arrows, panel.scale.value_or(1.0) * (width > 0.0 ? width : 1.0) / cells);
+  scale_arrows(arrows, options.scale * (width > 0.0 ? width : 1.0) / cells);
   plot.plane(0.06);
-  plot.add(mark_of(arrows, panel.pivot));
+  plot.add(mark_of(arrows, options.pivot));
 }
 
 }  // namespace
@@ -103,10 +111,10 @@ PlotKind field_plot() {
                  {"u", "horizontal part of the arrow", true},
                  {"v", "vertical part of the arrow", true},
                  {"color", "shown as colour instead of the length"}},
-                {number_key("cells", "arrows along an axis at most (24)", &Panel::cells),
-                 number_key("scale", "length of the longest arrow in cells (1)", &Panel::scale),
-                 {"pivot", "what of an arrow lies at its point", yaml::form::word({"tail", "middle", "tip"}),
-                  &Panel::pivot}},
+                {number_key("cells", "arrows along an axis at most (24)", &FieldOptions::cells),
+                 number_key("scale", "length of the longest arrow in cells (1)", &FieldOptions::scale),
+                 option_key("pivot", "what of an arrow lies at its point",
+                            yaml::form::word({"tail", "middle", "tip"}), &FieldOptions::pivot)},
                 true,
                 draw_field};
   kind.lacks = {KeyNeeds::legend};

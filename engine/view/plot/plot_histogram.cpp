@@ -37,7 +37,8 @@ void read_reduction(Panel& panel, const yaml::Node& node, const query::NamesRead
   const auto word = read.word(node, reduction_form());
   if (!word) return;
   const auto& names = claim::reduction_names();
-  panel.reduction =
+  panel.reads_all_rows = true;
+  panel.options<HistogramOptions>().reduction =
       static_cast<std::size_t>(std::ranges::find(names, reduction_form().words[*word].word) - names.begin());
 }
 
@@ -52,7 +53,8 @@ std::vector<double> reduced(const Panel& panel, const record::Recording& recordi
   for (std::size_t run = 0; run < rows.starts.size(); ++run) {
     const claim::Rows one = rows.of_run(run);
     if (std::ranges::find(one.selected, true) == one.selected.end()) continue;
-    values.push_back(claim::reduce(static_cast<claim::Reduction>(*panel.reduction), one));
+    values.push_back(
+        claim::reduce(static_cast<claim::Reduction>(*panel.options<HistogramOptions>().reduction), one));
   }
   std::erase_if(values, [](double value) { return !std::isfinite(value); });
   return values;
@@ -62,7 +64,7 @@ std::vector<double> reduced(const Panel& panel, const record::Recording& recordi
 void draw_reduced(const Panel& panel, const record::Recording& recording, const query::Series& x,
                   PlotBuilder& plot) {
   claim::Claim claim;
-  claim.reduction = static_cast<claim::Reduction>(*panel.reduction);
+  claim.reduction = static_cast<claim::Reduction>(*panel.options<HistogramOptions>().reduction);
   claim.values = {x.formula};
   const auto dimension = claim::reduced_dimension(claim);
   const bool as_x = dimension == x.formula.dimension;
@@ -72,14 +74,16 @@ void draw_reduced(const Panel& panel, const record::Recording& recording, const 
   const std::string own = dimension && *dimension != unit::Dimension{} ? unit::si_name(*dimension) : "";
   if (!as_x) plot.spec.x.unit = own.empty() ? "" : query::printed_unit(own);
   if (panel.x.label.empty())
-    plot.spec.x.label = claim::reduction_names()[*panel.reduction] + " of " + plot.spec.x.label;
+    plot.spec.x.label =
+        claim::reduction_names()[*panel.options<HistogramOptions>().reduction] + " of " + plot.spec.x.label;
   draw_histogram(values, plot);
   plot.spec.y.label = "runs";
 }
 
 void draw_bins(const Panel& panel, std::span<const record::Recording> recordings, PlotBuilder& plot) {
   const query::Series& x = *panel.find("x");
-  if (panel.reduction) return draw_reduced(panel, recording_of(panel, recordings), x, plot);
+  if (panel.options<HistogramOptions>().reduction)
+    return draw_reduced(panel, recording_of(panel, recordings), x, plot);
   const geometry::Curve all = joined(gather(panel, recording_of(panel, recordings), {&x}));
   plot.label("x", x);
   draw_histogram(all.columns.empty() ? std::vector<double>{} : all.columns[0], plot);
@@ -91,21 +95,20 @@ void draw_bins(const Panel& panel, std::span<const record::Recording> recordings
 }  // namespace
 
 void draw_histogram(const std::vector<double>& values, PlotBuilder& plot) {
-  const Panel& panel = plot.panel();
+  const auto& options = plot.panel().options<HistogramOptions>();
   plot.spec.y.label = "rows";
   plot.spec.x.grid = false;
   if (values.empty()) return;
   geometry::Extent extent = geometry::extent_of(values);
-  for (const double line : panel.lines) extent.add(line);
-  extent = extent.padded(panel.lines.empty() ? 0.0 : 0.02);
+  for (const double line : options.lines) extent.add(line);
+  extent = extent.padded(options.lines.empty() ? 0.0 : 0.02);
   RectanglesMark bins =
-      bins_of(values, extent,
-              static_cast<std::size_t>(std::clamp(std::floor(panel.bins.value_or(30.0)), 1.0, 1000.0)));
+      bins_of(values, extent, static_cast<std::size_t>(std::clamp(std::floor(options.bins), 1.0, 1000.0)));
   const double top = 1.05 * geometry::extent_of(bins.y_high).high;
   plot.range("x", extent);
   plot.range("y", {0.0, top});
   plot.add(std::move(bins));
-  for (const double line : panel.lines)
+  for (const double line : options.lines)
     plot.add(LineMark{{{{line, line}, {0.0, top}, {}, {}}}, {curve_color(1), 2.4}});
 }
 
@@ -114,10 +117,10 @@ PlotKind histogram_plot() {
       "histogram",
       "how many rows have which value",
       {{"x", "the value that is counted", true}},
-      {number_key("bins", "number of bins (30)", &Panel::bins),
+      {number_key("bins", "number of bins (30)", &HistogramOptions::bins),
        {"reduce", "one value for each run in place of each row: max, mean, overshoot, settling_time, ...",
         reduction_form(), read_reduction},
-       numbers_key("lines", "a value, or a list, at which a line is drawn", &Panel::lines, "x")},
+       numbers_key("lines", "a value, or a list, at which a line is drawn", &HistogramOptions::lines, "x")},
       false,
       draw_bins};
   kind.lacks = {KeyNeeds::legend, KeyNeeds::color_bar};

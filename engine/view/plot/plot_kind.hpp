@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/view/plot/figure.hpp"
@@ -53,14 +55,41 @@ struct Channel {
   std::string otherwise{};  ///< default if the file does not have it
 };
 
-/// Returns a key of a number along an axis, in its unit; without an axis a plain number.
-PanelKey number_key(std::string name, std::string doc, std::optional<double> Panel::*member,
-                    std::string axis = {});
-/// Returns a key of a number or a list of numbers along an axis.
-PanelKey numbers_key(std::string name, std::string doc, std::vector<double> Panel::*member, std::string axis);
+/// Returns a key of one number or, with `several`, of a list along an axis, in its unit; without an axis of
+/// plain numbers. `take` is called for each number.
+PanelKey key_of_numbers(std::string name, std::string doc, bool several, std::string axis,
+                        std::function<void(Panel&, double)> take);
 
-/// Kind of plot: its keys and its drawing function. A new kind is one file with such a value, a declaration
-/// here and a line in the list of plots.cpp.
+/// Returns a key that sets a number among the options of its kind.
+template <class Options, class Number>
+PanelKey number_key(std::string name, std::string doc, Number Options::*member, std::string axis = {}) {
+  return key_of_numbers(std::move(name), std::move(doc), false, std::move(axis),
+                        [=](Panel& panel, double value) { panel.options<Options>().*member = value; });
+}
+
+/// Returns a key that appends to a list of numbers among the options of its kind.
+template <class Options>
+PanelKey numbers_key(std::string name, std::string doc, std::vector<double> Options::*member,
+                     std::string axis) {
+  return key_of_numbers(
+      std::move(name), std::move(doc), true, std::move(axis),
+      [=](Panel& panel, double value) { (panel.options<Options>().*member).push_back(value); });
+}
+
+/// Returns a key that sets an option of its kind, whose type determines the reading.
+template <class Options, class Member>
+PanelKey option_key(std::string name, std::string doc, yaml::Key form, Member Options::*member) {
+  PanelKey key{std::move(name), std::move(doc), std::move(form)};
+  key.otherwise = yaml::default_text(key, Options{}.*member);
+  key.set = [member, row = static_cast<yaml::Key>(key)](Panel& panel, const yaml::Node& node,
+                                                        const query::NamesReading& read) {
+    read.take(node, row, panel.options<Options>().*member);
+  };
+  return key;
+}
+
+/// Kind of plot: its keys and its drawing function. A new kind is one file with such a value and a struct of
+/// its options, a declaration here and a line in the list of plots.cpp.
 struct PlotKind {
   std::string name;
   std::string doc;

@@ -17,15 +17,15 @@ const PanelKey style{"style", "how the curves are drawn, in the order of the leg
                      [](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
                        for (const yaml::Node& item : node.as_list())
                          if (const auto index = read.word(item, style.of.front()))
-                           panel.styles.push_back(static_cast<CurveStyle>(*index));
+                           panel.options<CurveOptions>().styles.push_back(static_cast<CurveStyle>(*index));
                      }};
 
 PanelKey shade_key() {
   PanelKey key = numbers_key("shade", "ends of a range of x that is shaded, or of several: [0 s, 2 s]",
-                             &Panel::shade, "x");
+                             &CurveOptions::shade, "x");
   key.set = [read_numbers = key.set](Panel& panel, const yaml::Node& node, const query::NamesReading& read) {
     read_numbers(panel, node, read);
-    if (panel.shade.size() % 2 != 0)
+    if (panel.options<CurveOptions>().shade.size() % 2 != 0)
       read.fault(node.mark, "needs two numbers for each range, its beginning and its end");
   };
   return key;
@@ -53,7 +53,7 @@ void draw_lines(const Panel& panel, std::span<const record::Recording> recording
   draw_curves(panel, recordings, plot);
   draw_references(panel, recordings, plot);
   draw_interval(panel, recordings, plot);
-  if (!plot.spec.marks.empty()) draw_spans(panel.shade, plot);
+  if (!plot.spec.marks.empty()) draw_spans(panel.options<CurveOptions>().shade, plot);
   if (panel.equal) return plot.plane(0.04);
   set_line_ranges(plot);
 }

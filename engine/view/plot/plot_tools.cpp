@@ -28,6 +28,10 @@ std::vector<geometry::Curve> points_of(const std::vector<geometry::Curve>& curve
   return points;
 }
 
+const std::vector<CurveStyle>& styles_of(const Panel& panel) {
+  return panel.options<CurveOptions>().styles;
+}
+
 /// True for a number of curves at which lines would hide each other. False with several y or a `by`, whose
 /// curves are distinguished by colour.
 bool are_many(const Panel& panel, const geometry::Curves& all) {
@@ -35,7 +39,7 @@ bool are_many(const Panel& panel, const geometry::Curves& all) {
   if (!panel.final_rows) return all.curves.size() > most_lines;
   std::size_t points = 0;
   for (const geometry::Curve& curve : all.curves) points += curve.size();
-  return points > most_points && panel.styles.empty();
+  return points > most_points && styles_of(panel).empty();
 }
 
 /// Draws the number of curves through each cell as a colour.
@@ -82,18 +86,17 @@ query::Series common_label(const std::vector<query::Series>& all) {
 /// Returns the style of a curve. Later curves are thinner, so that a curve behind them remains visible.
 LineStyle line_of(const Panel& panel, std::size_t entry, bool several) {
   LineStyle line{curve_color(entry), entry == 0 && several ? 2.4 : 1.6};
-  if (entry >= panel.styles.size()) return line;
-  line.width = panel.styles[entry] == CurveStyle::dots     ? 3.4
-               : panel.styles[entry] == CurveStyle::dashes ? 1.4
-                                                           : 1.6;
-  if (panel.styles[entry] == CurveStyle::dots) line.dash = {0.25, 1.75};
-  if (panel.styles[entry] == CurveStyle::dashes) line.dash = {4.0, 2.5};
+  if (entry >= styles_of(panel).size()) return line;
+  const CurveStyle style = styles_of(panel)[entry];
+  line.width = style == CurveStyle::dots ? 3.4 : style == CurveStyle::dashes ? 1.4 : 1.6;
+  if (style == CurveStyle::dots) line.dash = {0.25, 1.75};
+  if (style == CurveStyle::dashes) line.dash = {4.0, 2.5};
   return line;
 }
 
 /// Returns the size of dots. Final rows have dots if the file has no style.
 double dots_of(const Panel& panel, std::size_t entry) {
-  return panel.final_rows && entry >= panel.styles.size() ? 4.875 : 0.0;
+  return panel.final_rows && entry >= styles_of(panel).size() ? 4.875 : 0.0;
 }
 
 geometry::Curve with_group_value(geometry::Curve curve, const geometry::Curves& all) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iterator>
+#include <optional>
 #include <vector>
 
 #include "engine/view/geometry/thinning.hpp"
@@ -9,6 +10,21 @@
 #include "engine/view/plot/plot_kind.hpp"
 
 namespace stepwire::plot {
+
+enum class CurveStyle { line, dashes, dots };
+
+/// Options of plots with curves.
+struct CurveOptions {
+  std::vector<CurveStyle> styles{};  ///< in the order of the legend
+  std::vector<double> shade{};       ///< ends of shaded ranges of x, in pairs
+};
+
+/// Options of histograms.
+struct HistogramOptions {
+  double bins = 30.0;
+  std::vector<double> lines{};             ///< values at which a line is drawn
+  std::optional<std::size_t> reduction{};  ///< in claim::reduction_names(); std::nullopt: rows
+};
 
 /// Returns all rows of all curves as one curve.
 geometry::Curve joined(const geometry::Curves& all);
@@ -42,7 +58,7 @@ void draw_spans(const std::vector<double>& ends, PlotBuilder& plot);
 /// Sets the ranges of a plot over time or similar: x to the extent of the curves, y with a margin.
 void set_line_ranges(PlotBuilder& plot);
 
-/// Draws a histogram of values, with the bins and lines of the panel.
+/// Draws a histogram of values with the HistogramOptions of the panel.
 void draw_histogram(const std::vector<double>& values, PlotBuilder& plot);
 
 /// Returns the recording of the i-th y, or of the panel.

@@ -45,12 +45,12 @@ TEST_CASE("From rest the exact travel is the exponential of the closed form") {
 }
 
 TEST_CASE("The exact travel agrees with small steps of the differential equation") {
-  const auto [z, v0, v1] = GENERATE(table<double, double, double>({{0.0, 10.0, 10.0},
-                                                                   {-8.0, 10.0, 40.0},
-                                                                   {9.0, -60.0, -5.0},
-                                                                   {-10.2, 100.0, 100.0},
-                                                                   {2.0, 30.0, -50.0},
-                                                                   {-5.0, 20.0, -1.0}}));
+  const auto [z, v0, v1] = GENERATE(Catch::Generators::table<double, double, double>({{0.0, 10.0, 10.0},
+                                                                                      {-8.0, 10.0, 40.0},
+                                                                                      {9.0, -60.0, -5.0},
+                                                                                      {-10.2, 100.0, 100.0},
+                                                                                      {2.0, 30.0, -50.0},
+                                                                                      {-5.0, 20.0, -1.0}}));
   const BoucWenLaw::Travelled fine = integrate(printed, z, v0, v1, 0.01);
   const BoucWenLaw::Travelled exact = printed.over(z, v0, v1, 0.01);
   CHECK(exact.z == Approx(fine.z).epsilon(1e-8));
@@ -71,7 +71,7 @@ TEST_CASE("For n = 2 the travel from rest is a hyperbolic tangent, and from belo
 TEST_CASE("For other n the travel agrees with small steps of the differential equation") {
   const double n = GENERATE(1.2, 1.5, 2.0, 4.0);
   const BoucWenLaw law{36.2095, 10.6140 / std::pow(5.0, n), -7.0773 / std::pow(5.0, n), n};
-  const auto [z, v0, v1] = GENERATE(table<double, double, double>(
+  const auto [z, v0, v1] = GENERATE(Catch::Generators::table<double, double, double>(
       {{0.0, 10.0, 10.0}, {-4.0, 10.0, 40.0}, {5.0, -60.0, -5.0}, {2.0, 30.0, -50.0}, {12.0, 20.0, 60.0}}));
   CAPTURE(n, z, v0, v1);
   const BoucWenLaw::Travelled fine = integrate(law, z, v0, v1, 0.01), way = law.over(z, v0, v1, 0.01);

@@ -183,7 +183,7 @@ std::string over_elements(std::string text, const NistSet& set) {
   return text;
 }
 
-std::string table(const std::string& name, const std::vector<double>& values) {
+std::string table_block(const std::string& name, const std::vector<double>& values) {
   std::vector<std::size_t> rows(values.size());
   for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = k;
   return fmt::format("  {}: {{block: LookupTable, u: t, points: [{}], values: [{}]}}\n", name,
@@ -234,7 +234,7 @@ std::vector<NistSet> all_nist_sets() {
 std::string nist_diagram(const NistSet& set, std::size_t start, const std::string& more) {
   std::string parameters, sought, sources, tables;
   for (std::size_t k = 0; k < set.x.size(); ++k) {
-    tables += table(fmt::format("x{}", k + 1), set.x[k]);
+    tables += table_block(fmt::format("x{}", k + 1), set.x[k]);
     sources += fmt::format("{}x{}", k == 0 ? "" : ", ", k + 1);
   }
   for (std::size_t k = 0; k < set.certified.size(); ++k) {
@@ -246,7 +246,7 @@ std::string nist_diagram(const NistSet& set, std::size_t start, const std::strin
       "step: 1 s\nstop: {} s\nparameters:\n{}blocks:\n  t: {{block: Ramp, slope: 1}}\n{}{}"
       "  model: {{block: Expression, u: [{}], expression: \"{}\"}}\nrecord: [model, y]\n"
       "fit:\n  parameters: {{{}}}\n  compare: [{{model: model, measured: y}}]\n{}",
-      set.y.size() - 1, parameters, tables, table("y", set.y), sources,
+      set.y.size() - 1, parameters, tables, table_block("y", set.y), sources,
       over_elements(models.at(set.name), set), sought, more);
 }
 

@@ -4,7 +4,6 @@
 #include "tests/engine/app/cli/program.hpp"
 
 using Catch::Contains;
-using nlohmann::json;
 
 namespace {
 
@@ -21,7 +20,7 @@ void write_rig(const Scratch& folder) {
 }
 
 std::string hash_of(const Done& run) {
-  return json::parse(run.out)[0]["hash"];
+  return nlohmann::json::parse(run.out)[0]["hash"];
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include "tests/engine/app/cli/program.hpp"
 
 using Catch::Contains;
-using nlohmann::json;
 
 namespace {
 
@@ -31,8 +30,8 @@ Done loop(const Scratch& folder, const std::string& yaml, std::vector<std::strin
   return run_program(folder, options);
 }
 
-json report_in(const Scratch& folder) {
-  return json::parse(content_of(folder.path("out/loop.json")));
+nlohmann::json report_in(const Scratch& folder) {
+  return nlohmann::json::parse(content_of(folder.path("out/loop.json")));
 }
 
 }  // namespace
@@ -46,7 +45,7 @@ TEST_CASE("a loop serves all deadlines, leaves its files, and judges no claims")
   CHECK_THAT(done.out, Contains("of 300 deadlines") && Contains("wake-up latency") && Contains("missed ") &&
                            Contains("the file's stop of 0.1 s does not end a loop") &&
                            Contains("written to out"));
-  const json report = report_in(folder);
+  const nlohmann::json report = report_in(folder);
   CHECK(report["end"] == "done");
   CHECK(report["deadlines"]["passed"] == 300);
   CHECK(report["deadlines"]["missed"] ==
@@ -54,7 +53,7 @@ TEST_CASE("a loop serves all deadlines, leaves its files, and judges no claims")
   for (const char* each : {"wake_up", "response"}) {
     CHECK(report[each]["count"] == 300);
     int sum = 0;
-    for (const json& bin : report[each]["histogram"]) sum += bin[1].get<int>();
+    for (const nlohmann::json& bin : report[each]["histogram"]) sum += bin[1].get<int>();
     CHECK(sum == 300);
   }
   CHECK(report["step"]["count"] == report["steps"]);
@@ -88,7 +87,8 @@ TEST_CASE("what a loop leaves is verified bit by bit, inputs and dropped deadlin
   CHECK_THAT(done.out, Contains("1 signal in " + std::to_string(ticks) + " rows: all bits agree"));
 }
 
-TEST_CASE("a diagram whose events are located runs in a loop from tick to tick, which is reported and verified") {
+TEST_CASE(
+    "a diagram whose events are located runs in a loop from tick to tick, which is reported and verified") {
   const Scratch folder;
   const Done done = loop(folder, R"(stepwire: 1
 title: A lag that a sine resets
@@ -162,7 +162,7 @@ TEST_CASE("deadlines that cannot be met end a loop with 1 where it is to stop, a
   const Done done = loop(folder, slide_yaml, hopeless);
   INFO(done.err);
   CHECK(done.code == 0);
-  json report = report_in(folder);
+  nlohmann::json report = report_in(folder);
   CHECK(report["deadlines"]["passed"] == 10'000);
   CHECK(report["deadlines"]["missed"] > 0);
   CHECK(report["wake_up"]["count"] == 10'000);
@@ -196,7 +196,7 @@ TEST_CASE("an interrupted loop ends with 130, and what it has is reported and ke
   INFO(done.err);
   CHECK(done.code == 130);
   CHECK_THAT(done.out, Contains("interrupted: "));
-  const json report = report_in(folder);
+  const nlohmann::json report = report_in(folder);
   CHECK(report["end"] == "interrupted");
   CHECK(report["deadlines"]["passed"] < 60'000);
   CHECK(static_cast<int>(stepwire::table::read_csv(folder.path("out/signals.csv")).rows()) ==
@@ -284,7 +284,7 @@ TEST_CASE("a baseline of its own program stands beside the loop") {
   INFO(done.err);
   CHECK(done.code == 0);
   CHECK_THAT(done.out, Contains("cyclictest, by turns"));
-  const json baseline = report_in(folder)["cyclictest"];
+  const nlohmann::json baseline = report_in(folder)["cyclictest"];
   CHECK(baseline["p50_us"] == 7);
   CHECK(baseline["p99_us"] == 31);
   CHECK(baseline["count"] == 10);

@@ -5,7 +5,6 @@
 #include "tests/engine/app/cli/program.hpp"
 
 using Catch::Contains;
-using nlohmann::json;
 
 namespace {
 
@@ -53,13 +52,14 @@ TEST_CASE(
 TEST_CASE("with --json the profile is part of the result, and all of it") {
   const Scratch folder;
   folder.file("lag.yaml", lag_yaml);
-  const json result = json::parse(run_program(folder, {"run", "lag.yaml", "--profile", "--json"}).out)[0];
-  const json& profile = result["profile"];
+  const nlohmann::json result =
+      nlohmann::json::parse(run_program(folder, {"run", "lag.yaml", "--profile", "--json"}).out)[0];
+  const nlohmann::json& profile = result["profile"];
   CHECK(profile["ticks"] == result["ticks"]);
   CHECK(profile["blocks"].size() == result["blocks"]);
   double sum = profile["left"];
-  for (const json& block : profile["blocks"]) sum += block["self"].get<double>();
-  for (const json& other : profile["others"]) sum += other["seconds"].get<double>();
+  for (const nlohmann::json& block : profile["blocks"]) sum += block["self"].get<double>();
+  for (const nlohmann::json& other : profile["others"]) sum += other["seconds"].get<double>();
   CHECK(sum == Approx(profile["seconds"].get<double>()));
 }
 

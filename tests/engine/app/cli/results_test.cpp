@@ -10,7 +10,6 @@
 #include "tests/engine/app/cli/program.hpp"
 
 using Catch::Contains;
-using nlohmann::json;
 
 namespace {
 
@@ -21,7 +20,7 @@ std::set<std::string> names_in(const std::string& folder) {
   return names;
 }
 
-std::vector<std::string> keys_of(const json& object) {
+std::vector<std::string> keys_of(const nlohmann::json& object) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : object.items()) keys.push_back(key);
   return keys;
@@ -87,23 +86,46 @@ TEST_CASE("claims.json and run.json have the fields that scripts read") {
   REQUIRE(
       run_program(folder, {"run", "lag.yaml", "--out", "out", "--set", "tau=50ms", "--stop", "1s"}).code ==
       0);
-  const json claims = json::parse(content_of(folder.path("out/claims.json")));
+  const nlohmann::json claims = nlohmann::json::parse(content_of(folder.path("out/claims.json")));
   REQUIRE(claims.size() == 1);
   CHECK(keys_of(claims[0]) == std::vector<std::string>{"check", "figure", "file", "holds", "that", "value"});
   CHECK(claims[0]["figure"].is_null());
   CHECK(claims[0]["holds"] == true);
   CHECK(claims[0]["check"] == "final lag >= 0.9");
-  const json run = json::parse(content_of(folder.path("out/run.json")));
-  CHECK(keys_of(run) == std::vector<std::string>{"algebraic_loops", "block_folders", "blocks", "compiled_ticks", "compiler",
-                                                 "duration", "events", "faults", "file", "findings", "hash", "interrupted",
-                                                 "keep", "kept", "lanes", "notices", "parameters", "recorded_runs", "runs", "solver", "solver_steps", "step", "stop",
-                                                 "sweep", "ticks", "title", "version"});
+  const nlohmann::json run = nlohmann::json::parse(content_of(folder.path("out/run.json")));
+  CHECK(keys_of(run) == std::vector<std::string>{"algebraic_loops",
+                                                 "block_folders",
+                                                 "blocks",
+                                                 "compiled_ticks",
+                                                 "compiler",
+                                                 "duration",
+                                                 "events",
+                                                 "faults",
+                                                 "file",
+                                                 "findings",
+                                                 "hash",
+                                                 "interrupted",
+                                                 "keep",
+                                                 "kept",
+                                                 "lanes",
+                                                 "notices",
+                                                 "parameters",
+                                                 "recorded_runs",
+                                                 "runs",
+                                                 "solver",
+                                                 "solver_steps",
+                                                 "step",
+                                                 "stop",
+                                                 "sweep",
+                                                 "ticks",
+                                                 "title",
+                                                 "version"});
   CHECK(run["step"] == 0.001);
   CHECK(run["stop"] == 1.0);
   CHECK(run["solver"] == "rk4");
   CHECK(run["interrupted"] == false);
   CHECK(run["sweep"].is_null());
-  const json& tau = run["parameters"][0];
+  const nlohmann::json& tau = run["parameters"][0];
   CHECK(tau["name"] == "tau");
   CHECK(tau["value"] == 0.05);
   CHECK(tau["unit"] == "s");
@@ -116,7 +138,7 @@ TEST_CASE("the hash changes with a parameter and not with a comment") {
     folder.file("lag.yaml", yaml);
     std::vector<std::string> arguments{"run", "lag.yaml", "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const std::string hash = json::parse(run_program(folder, arguments).out)[0]["hash"];
+    const std::string hash = nlohmann::json::parse(run_program(folder, arguments).out)[0]["hash"];
     CHECK(hash.size() == 32);
     return hash;
   };
@@ -134,14 +156,14 @@ TEST_CASE("with --json standard output is JSON and nothing else, whatever else i
   for (const std::string verb : {"run", "check"}) {
     const Done done = run_program(folder, {verb, "lag.yaml", "bad.yaml", "--json", "--units"});
     CHECK(done.code == 2);
-    const json results = json::parse(done.out);
+    const nlohmann::json results = nlohmann::json::parse(done.out);
     REQUIRE(results.size() == 2);
     CHECK(results[0]["file"] == "lag.yaml");
     CHECK(results[1]["file"] == "bad.yaml");
     CHECK(results[1]["faults"][0]["line"] == 1);
   }
   const Done done = run_program(folder, {"run", "lag.yaml", "--json", "--out", "out"});
-  CHECK(json::parse(done.out)[0]["claims"][0]["holds"] == true);
+  CHECK(nlohmann::json::parse(done.out)[0]["claims"][0]["holds"] == true);
 }
 
 TEST_CASE("the option --units prints the unit of every wire") {
@@ -203,9 +225,9 @@ TEST_CASE("swept words stand as words in signals.csv and as their numbers in sig
   CHECK(lines[8] == "0.003,linear,1.003");
   CHECK(stepwire::mat::read_mat(folder.path("out/signals.mat")).find("way")->values ==
         std::vector<double>{0, 0, 0, 0, 1, 1, 1, 1});
-  const json run = json::parse(content_of(folder.path("out/run.json")));
+  const nlohmann::json run = nlohmann::json::parse(content_of(folder.path("out/run.json")));
   CHECK(run["sweep"][0]["parameter"] == "way");
-  CHECK(run["sweep"][0]["values"] == json({"hold", "linear"}));
+  CHECK(run["sweep"][0]["values"] == nlohmann::json({"hold", "linear"}));
 }
 
 TEST_CASE("the option --set reaches into parts and blocks, and the last one counts") {

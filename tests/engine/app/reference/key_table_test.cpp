@@ -8,7 +8,6 @@
 
 namespace stepwire::reference {
 using Catch::Contains;
-using nlohmann::json;
 
 namespace {
 
@@ -58,14 +57,15 @@ TEST_CASE("a row that is added to a table is read, described by the schema and s
   CHECK(lamp.power == 3.0);
   CHECK(lamp.on);
   CHECK(lamp.count == 4);
-  const json written = json::parse(key_schema(table.form).text());
-  CHECK(written.at("properties").at("color") ==
-        json{{"enum", {"white", "red"}}, {"description", "in which it shines"}, {"default", "white"}});
-  CHECK(written.at("properties").at("count") == json{{"type", "integer"},
-                                                     {"minimum", 1},
-                                                     {"maximum", 9},
-                                                     {"description", "how many there are"},
-                                                     {"default", 2}});
+  const nlohmann::json written = nlohmann::json::parse(key_schema(table.form).text());
+  CHECK(written.at("properties").at("color") == nlohmann::json{{"enum", {"white", "red"}},
+                                                               {"description", "in which it shines"},
+                                                               {"default", "white"}});
+  CHECK(written.at("properties").at("count") == nlohmann::json{{"type", "integer"},
+                                                               {"minimum", 1},
+                                                               {"maximum", 9},
+                                                               {"description", "how many there are"},
+                                                               {"default", 2}});
   const std::string page = format_page({"lamp", "", "a light", table.form, "lamp: {power: 3}"});
   CHECK_THAT(page, Contains("white | red") && Contains("in which it shines") && Contains("text on it"));
   CHECK_THAT(page, Contains("1 to 9") && Contains("above 0"));

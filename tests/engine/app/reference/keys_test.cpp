@@ -13,7 +13,6 @@
 
 namespace stepwire::reference {
 using Catch::Contains;
-using nlohmann::json;
 
 namespace {
 
@@ -22,8 +21,8 @@ const Registry& registry() {
   return all;
 }
 
-const json& schema() {
-  static const json parsed = json::parse(diagram_schema(registry()).text());
+const nlohmann::json& schema() {
+  static const nlohmann::json parsed = nlohmann::json::parse(diagram_schema(registry()).text());
   return parsed;
 }
 
@@ -36,18 +35,18 @@ const yaml::Key* map_in(const yaml::Key& form) {
 }
 
 /// The schema of a map, likewise.
-const json* map_in(const json& schema) {
+const nlohmann::json* map_in(const nlohmann::json& schema) {
   if (schema.contains("properties")) return &schema;
   for (const char* inner : {"items", "additionalProperties"})
     if (schema.contains(inner) && schema.at(inner).is_object())
-      if (const json* map = map_in(schema.at(inner))) return map;
+      if (const nlohmann::json* map = map_in(schema.at(inner))) return map;
   if (schema.contains("anyOf"))
-    for (const json& choice : schema.at("anyOf"))
-      if (const json* map = map_in(choice)) return map;
+    for (const nlohmann::json& choice : schema.at("anyOf"))
+      if (const nlohmann::json* map = map_in(choice)) return map;
   return nullptr;
 }
 
-const json& schema_of(const Section& section) {
+const nlohmann::json& schema_of(const Section& section) {
   const std::string& name = section.name;
   if (name == "head") return schema();
   if (name.starts_with("figure.")) return schema().at("$defs").at("plot." + name.substr(7));
@@ -55,10 +54,10 @@ const json& schema_of(const Section& section) {
 }
 
 /// Checks all maps of keys in a form against the schema of the same place.
-void compare(const yaml::Key& form, const json& written) {
+void compare(const yaml::Key& form, const nlohmann::json& written) {
   const yaml::Key* map = map_in(form);
   if (!map) return;
-  const json* described = map_in(written);
+  const nlohmann::json* described = map_in(written);
   REQUIRE(described);
   std::set<std::string> keys, properties;
   for (const yaml::Key& key : map->of) keys.insert(key.name);

@@ -136,29 +136,28 @@ TEST_CASE("a Markdown page has tables whose cells hold bars") {
 }
 
 TEST_CASE("the JSON of a block is complete, with numbers in SI") {
-  using nlohmann::json;
   const Registry all = registry();
-  const json block = json::parse(block_json(type_in(all)).text());
+  const nlohmann::json block = nlohmann::json::parse(block_json(type_in(all)).text());
   CHECK(block.at("name") == "OneOfAll2D");
   CHECK(block.at("timing") == "continuous");
   CHECK(block.at("not_real_time") == "it reads a book at every step");
   CHECK(block.at("parameters").at(0) ==
-        json::parse(R"({"name": "length", "kind": "number", "unit": "mm", "shape": "",
+        nlohmann::json::parse(R"({"name": "length", "kind": "number", "unit": "mm", "shape": "",
       "doc": "how long", "required": false, "default": 0.004, "above": 0.0, "at_most": 0.01})"));
   CHECK(block.at("parameters").at(1).at("default") == nullptr);
   CHECK(block.at("parameters").at(2).at("default") == "hard");
-  CHECK(block.at("parameters").at(2).at("words") == json({"soft", "hard"}));
+  CHECK(block.at("parameters").at(2).at("words") == nlohmann::json({"soft", "hard"}));
   CHECK(block.at("inputs").at(0).at("feedthrough") == false);
   CHECK(block.at("inputs").at(1).at("optional") == true);
   CHECK(block.at("outputs").at(0).at("state") == "level");
   CHECK(block.at("states").at(0).at("initial") == 3.0);
   CHECK(block.at("states").at(0).at("key") == "initial");
   CHECK(block.at("states").at(1).at("key") == nullptr);
-  CHECK(block.at("presets").at(0).at("values") == json::parse(R"({"length": 0.002})"));
+  CHECK(block.at("presets").at(0).at("values") == nlohmann::json::parse(R"({"length": 0.002})"));
   CHECK(block.at("notices").at(0).at("ends_run") == true);
-  CHECK(block.at("keys") == json({"length", "open", "law", "order", "signs", "file", "u", "more", "initial",
-                                  "preset", "enable", "trigger"}));
-  CHECK(json::parse(blocks_json(all).text()).size() == 1);
+  CHECK(block.at("keys") == nlohmann::json({"length", "open", "law", "order", "signs", "file", "u", "more",
+                                            "initial", "preset", "enable", "trigger"}));
+  CHECK(nlohmann::json::parse(blocks_json(all).text()).size() == 1);
 }
 
 TEST_CASE("the keys of a map stand once where a list of such maps may stand in its place") {

@@ -15,7 +15,6 @@
 #include "tests/support/json_schema.hpp"
 
 namespace stepwire::reference {
-using nlohmann::json;
 
 namespace {
 
@@ -24,8 +23,8 @@ const Registry& registry() {
   return all;
 }
 
-const json& schema() {
-  static const json parsed = json::parse(diagram_schema(registry()).text());
+const nlohmann::json& schema() {
+  static const nlohmann::json parsed = nlohmann::json::parse(diagram_schema(registry()).text());
   return parsed;
 }
 
@@ -68,16 +67,16 @@ TEST_CASE("a flattened diagram fits the schema, guards and all") {
 }
 
 TEST_CASE("every block is offered with its explanation and has all its keys") {
-  const json& definitions = schema().at("$defs");
-  const json& names = definitions.at("block").at("properties").at("block").at("anyOf");
+  const nlohmann::json& definitions = schema().at("$defs");
+  const nlohmann::json& names = definitions.at("block").at("properties").at("block").at("anyOf");
   std::vector<const BlockType*> types = registry().types();
   types.insert(types.end(), diagram::guard_types().begin(), diagram::guard_types().end());
   CHECK(names.size() == types.size());
   for (const BlockType* type : types) {
     INFO(type->name);
-    const json expected{{"const", type->name}, {"description", type->doc}};
+    const nlohmann::json expected{{"const", type->name}, {"description", type->doc}};
     CHECK(std::find(names.begin(), names.end(), expected) != names.end());
-    const json& properties = definitions.at("block." + type->name).at("properties");
+    const nlohmann::json& properties = definitions.at("block." + type->name).at("properties");
     CHECK(properties.size() == diagram::keys_of(*type).size() + 2);  // block, and guard of flattened files
     for (const std::string& key : diagram::keys_of(*type)) {
       INFO(key);
@@ -90,19 +89,19 @@ TEST_CASE("every block is offered with its explanation and has all its keys") {
 TEST_CASE("every plot is offered and has all its keys") {
   for (const yaml::Key& plot : plot::plot_forms(true)) {
     INFO(plot.name);
-    const json& properties = schema().at("$defs").at("plot." + plot.name).at("properties");
+    const nlohmann::json& properties = schema().at("$defs").at("plot." + plot.name).at("properties");
     for (const yaml::Key& key : plot.of) CHECK(properties.contains(key.name));
     CHECK(properties.contains("caption"));
     const std::set<std::string> pictures{"diagram", "rig", "scene", "table"};  // that are no panels of others
     const bool alone = pictures.contains(plot.name);
-    const json& definitions = schema().at("$defs");
+    const nlohmann::json& definitions = schema().at("$defs");
     REQUIRE(definitions.contains("panel." + plot.name) == !alone);
     if (!alone) CHECK_FALSE(definitions.at("panel." + plot.name).at("properties").contains("caption"));
   }
 }
 
 TEST_CASE("every solver is offered") {
-  const json& forms = schema().at("properties").at("solver").at("anyOf");  // a name, or a map
+  const nlohmann::json& forms = schema().at("properties").at("solver").at("anyOf");  // a name, or a map
   CHECK(forms.at(0).at("anyOf").size() == solve::solver_kinds().size());
   CHECK(forms.at(1).at("properties").contains("relative"));
 }

@@ -23,12 +23,16 @@ function graphOf(file, depth) {
 }
 
 const known = new Map();  // parts that have been laid out, of all files
+const closed = new Map();  // the graph of each file, as text
 
 for (const file of files)
   for (const depth of [0, 9])
     test(`${file.slice(root.length + 1)} is drawn well ${depth ? "with its parts opened" : "as it is"}`, async (context) => {
       const graph = graphOf(file, depth);
       if (!graph) return context.skip("its data are not here");
+      const text = JSON.stringify(graph);
+      if (closed.get(file) === text) return;  // without parts the same graph has the picture that is checked above
+      if (depth === 0) closed.set(file, text);
       const picture = await arrange(graph, elk, known);
       checkBlocks(picture);
       checkWires(picture);

@@ -6,7 +6,6 @@
 #include "tests/engine/base/table/scratch.hpp"
 
 namespace stepwire::drawing {
-using nlohmann::json;
 
 namespace {
 
@@ -26,33 +25,34 @@ void write_rig(const Scratch& folder) {
               "record: [body.position, mount.stretch]\n");
 }
 
-json graph(const std::string& file, const GraphOptions& options = {}) {
+nlohmann::json graph(const std::string& file, const GraphOptions& options = {}) {
   const Registry registry = blocks();
   diagram::Loader loader(registry);
-  return json::parse(DrawnFile(loader, file).view().graph(options).text());
+  return nlohmann::json::parse(DrawnFile(loader, file).view().graph(options).text());
 }
 
-std::vector<std::string> ids(const json& graph) {
+std::vector<std::string> ids(const nlohmann::json& graph) {
   std::vector<std::string> found;
-  for (const json& node : graph["nodes"]) found.push_back(node["id"]);
+  for (const nlohmann::json& node : graph["nodes"]) found.push_back(node["id"]);
   return found;
 }
 
-std::string text(const json& end) {
+std::string text(const nlohmann::json& end) {
   if (end.contains("constant")) return "'" + end["constant"].get<std::string>() + "'";
   const std::string node = end["node"], port = end["port"];
   return node + "." + port;
 }
 
-std::vector<std::string> wires(const json& graph) {
+std::vector<std::string> wires(const nlohmann::json& graph) {
   std::vector<std::string> found;
-  for (const json& wire : graph["wires"]) found.push_back(text(wire["from"]) + " > " + text(wire["to"]));
+  for (const nlohmann::json& wire : graph["wires"])
+    found.push_back(text(wire["from"]) + " > " + text(wire["to"]));
   return found;
 }
 
-std::vector<std::string> ports(const json& list, const std::string& key = "port") {
+std::vector<std::string> ports(const nlohmann::json& list, const std::string& key = "port") {
   std::vector<std::string> found;
-  for (const json& port : list) found.push_back(port.value(key, ""));
+  for (const nlohmann::json& port : list) found.push_back(port.value(key, ""));
   return found;
 }
 
@@ -63,7 +63,7 @@ using Names = std::vector<std::string>;
 TEST_CASE("a graph has every block and every wire of a file once, with ports in their order") {
   const Scratch folder;
   write_rig(folder);
-  const json rig = graph(folder.path("rig.yaml"));
+  const nlohmann::json rig = graph(folder.path("rig.yaml"));
   CHECK(rig["title"] == "a rig");
   CHECK(ids(rig) == Names{"mount", "net", "body", "drag"});
   CHECK(wires(rig) == Names{"body.position > mount.x", "'2 N' > net.u.1", "mount.force > net.u.2",
@@ -80,12 +80,12 @@ TEST_CASE("a graph has every block and every wire of a file once, with ports in 
 TEST_CASE("an opened part has a graph of its own, with its default where nothing feeds it") {
   const Scratch folder;
   write_rig(folder);
-  const json closed = graph(folder.path("rig.yaml"));
+  const nlohmann::json closed = graph(folder.path("rig.yaml"));
   CHECK_FALSE(closed["nodes"][0].contains("graph"));
   GraphOptions by_name, by_depth;
   by_name.open = {"mount"};
   by_depth.depth = 1;
-  const json inside = graph(folder.path("rig.yaml"), by_name)["nodes"][0]["graph"];
+  const nlohmann::json inside = graph(folder.path("rig.yaml"), by_name)["nodes"][0]["graph"];
   CHECK(ids(inside) == Names{"mount.net", "mount.gain"});
   CHECK(ports(inside["inputs"]) == Names{"x"});
   CHECK(ports(inside["outputs"]) == Names{"force", "stretch"});
@@ -102,7 +102,7 @@ TEST_CASE("what decides whether a part runs is an input of it, with a wire from 
               "  a: {block: Clock}\n  b: {block: Clock}\n"
               "  mount: {diagram: spring.yaml, x: 1 m, enable: a > 20 ms && b < 1 s}\n"
               "  seen: {block: Gain, u: mount.active, trigger: a}\nrecord: [mount.force, seen]\n");
-  const json drawn = graph(folder.path("on.yaml"));
+  const nlohmann::json drawn = graph(folder.path("on.yaml"));
   CHECK(ids(drawn) == Names{"a", "b", "mount", "seen"});
   CHECK(wires(drawn) == Names{"'1 m' > mount.x", "a.y > mount.enable.1", "b.y > mount.enable.2",
                               "mount.active > seen.u", "a.y > seen.trigger"});
@@ -114,7 +114,7 @@ TEST_CASE("what decides whether a part runs is an input of it, with a wire from 
 TEST_CASE("a part is drawn by itself with all of its ports, though it cannot run") {
   const Scratch folder;
   write_rig(folder);
-  const json part = graph(folder.path("spring.yaml"));
+  const nlohmann::json part = graph(folder.path("spring.yaml"));
   CHECK(part["title"] == "a spring");
   CHECK(ids(part) == Names{"net", "gain"});
   CHECK(ports(part["inputs"]) == Names{"x", "rest"});
@@ -127,7 +127,7 @@ TEST_CASE("wires carry units where they are wanted") {
   write_rig(folder);
   GraphOptions options;
   options.units = true;
-  const json rig = graph(folder.path("rig.yaml"), options);
+  const nlohmann::json rig = graph(folder.path("rig.yaml"), options);
   CHECK(rig["wires"][0]["unit"] == "m");
   CHECK(rig["wires"][2]["unit"] == "N");
   CHECK_FALSE(graph(folder.path("rig.yaml"))["wires"][0].contains("unit"));
@@ -145,7 +145,7 @@ TEST_CASE("a file's parts are known by their names") {
 namespace {
 
 /// The graph with options, from the rig of write_rig().
-json rig_with(const GraphOptions& options) {
+nlohmann::json rig_with(const GraphOptions& options) {
   const Scratch folder;
   write_rig(folder);
   return graph(folder.path("rig.yaml"), options);
@@ -173,7 +173,7 @@ TEST_CASE("a star in a pattern stands for any letters, also for none") {
 }
 
 TEST_CASE("what is hidden is left out with its wires and the ports at their ends") {
-  const json without = rig_with({.hide = {"drag"}});
+  const nlohmann::json without = rig_with({.hide = {"drag"}});
   CHECK(ids(without) == Names{"mount", "net", "body"});
   CHECK(wires(without) ==
         Names{"body.position > mount.x", "'2 N' > net.u.1", "mount.force > net.u.2", "net.y > body.force"});
@@ -182,16 +182,17 @@ TEST_CASE("what is hidden is left out with its wires and the ports at their ends
 }
 
 TEST_CASE("a hidden signal of a part has neither port nor wire, inside nor outside") {
-  const json closed = rig_with({.hide = {"mount.stretch"}});
+  const nlohmann::json closed = rig_with({.hide = {"mount.stretch"}});
   CHECK(ports(closed["nodes"][0]["outputs"]) == Names{"force"});
-  const json opened = rig_with({.open = {"mount"}, .hide = {"*.stretch", "mount.gain"}})["nodes"][0];
+  const nlohmann::json opened =
+      rig_with({.open = {"mount"}, .hide = {"*.stretch", "mount.gain"}})["nodes"][0];
   CHECK(ids(opened["graph"]) == Names{"mount.net"});
   CHECK(opened["graph"]["outputs"].empty());
   CHECK(opened["outputs"].empty());
 }
 
 TEST_CASE("an input of an opened part that feeds hidden blocks only is left out") {
-  const json rig = rig_with({.open = {"mount"}, .hide = {"mount.net"}});
+  const nlohmann::json rig = rig_with({.open = {"mount"}, .hide = {"mount.net"}});
   CHECK(ids(rig["nodes"][0]["graph"]) == Names{"mount.gain"});
   CHECK(rig["nodes"][0]["inputs"].empty());
   CHECK(wires(rig["nodes"][0]["graph"]) == Names{"mount.gain.y > .force"});
@@ -203,14 +204,14 @@ TEST_CASE("labels, names and groups are handed on to what draws") {
                        .labels = {{"net", "F"}, {"mount.force", "F_d"}, {"mount.net", "s"}}};
   options.names = {{"body", "mass"}, {"mount.gain", "spring"}};
   options.groups = {{"plant", {"body", "mount"}}};
-  const json rig = rig_with(options);
+  const nlohmann::json rig = rig_with(options);
   CHECK(ports(rig["nodes"][0]["outputs"], "mark") == Names{"F_d", ""});
   CHECK(ports(rig["nodes"][1]["outputs"], "mark") == Names{"F"});
   CHECK(ports(rig["nodes"][0]["graph"]["nodes"][0]["outputs"], "mark") == Names{"s"});
   CHECK(rig["nodes"][2]["id"] == "body");
   CHECK(rig["nodes"][2]["name"] == "mass");
   CHECK(rig["nodes"][0]["graph"]["nodes"][1]["name"] == "spring");
-  CHECK(rig["groups"] == json::parse(R"([{"name": "plant", "members": ["body", "mount"]}])"));
+  CHECK(rig["groups"] == nlohmann::json::parse(R"([{"name": "plant", "members": ["body", "mount"]}])"));
   CHECK(faults_with(options).empty());
 }
 
@@ -250,8 +251,8 @@ TEST_CASE("a block with a sample time of its own carries it as the file writes i
       "  b: {block: Gain, gain: 1, u: a, every: {period: 4 ms, offset: 1 ms}}\n"
       "  c: {block: Gain, gain: 1, u: b, every: $turn}\n  d: {block: Gain, gain: 1, u: c}\nrecord: d\n");
   std::map<std::string, std::string> times;
-  const json drawn = graph(folder.path("rig.yaml"));
-  for (const json& node : drawn["nodes"])
+  const nlohmann::json drawn = graph(folder.path("rig.yaml"));
+  for (const nlohmann::json& node : drawn["nodes"])
     if (node.contains("every")) times[node["id"]] = node["every"];
   CHECK(times == std::map<std::string, std::string>{{"a", "50 ms"}, {"b", "4 ms + 1 ms"}, {"c", "2 ms"}});
 }

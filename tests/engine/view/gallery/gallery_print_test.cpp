@@ -1,4 +1,4 @@
-#include "engine/view/gallery/gallery_print.hpp"
+#include "engine/view/gallery/gallery_picture.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "engine/view/gallery/gallery_source.hpp"
+#include "engine/view/gallery/gallery_page.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/engine/view/plot/samples.hpp"
@@ -46,12 +47,33 @@ TEST_CASE("on an axis with a unit a formula without one is refused") {
 }
 
 TEST_CASE("ranges and options become the unit of their axis") {
-  const Panel panel = panel_of(
-      "{plot: map, x: rig.x in mm, y: rig.x, color: push.force, x_range: [-5 mm, 0.01], gap: 2 mm, "
-      "contour: [1 N, 2 kN]}");
+  const Panel panel =
+      panel_of("{plot: map, x: rig.x in mm, y: rig.x, color: push.force, x_range: [-5 mm, 0.01]}");
   CHECK(panel.x.range == std::array{-5.0, 10.0});
-  CHECK(panel.gap == 2.0);
-  CHECK(panel.contour == std::vector<double>{1.0, 2000.0});
+  const auto unknown_cells = [](const std::string& gap) {
+    const PlotSpec plot =
+        spec_of("{plot: map, x: rig.x in mm, y: rig.v in mm/s, color: time, cells: 40, gap: " + gap + "}");
+    return std::ranges::count_if(mark<ImageMark>(plot, 0).values, [](double one) { return std::isnan(one); });
+  };
+  CHECK(unknown_cells("2 mm") == unknown_cells("0.002"));
+  CHECK(unknown_cells("2 mm") < unknown_cells("0.01 mm"));
+  // The force is 3 N + 10 N/A of the current, so 4.5 N are at 0.15 A.
+  const PlotSpec map = spec_of("{plot: map, x: time, y: current, color: push.force in kN, contour: 4.5 N}",
+                               {0.1, 0.2, 0.3}, 4);
+  const std::vector<double>& level = mark<LineMark>(map, 1).curves.at(0).y;
+  CHECK(std::ranges::all_of(level, [](double y) { return std::abs(y - 0.15) < 1e-12; }));
+}
+
+TEST_CASE("a panel has the options of its kind, and those of a new struct before any is set") {
+  struct Options {
+    double cells = 24.0;
+  };
+  Panel panel;
+  CHECK(std::as_const(panel).options<Options>().cells == 24.0);
+  panel.options<Options>().cells = 3.0;
+  const Panel copy = panel;
+  panel.options<Options>().cells = 4.0;
+  CHECK(copy.options<Options>().cells == 3.0);
 }
 
 TEST_CASE("the edges of a band and a reference are in the unit of their axis") {

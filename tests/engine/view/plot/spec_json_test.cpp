@@ -11,7 +11,6 @@
 namespace stepwire::plot {
 using namespace testing;
 using Catch::Contains;
-using testing::json;
 
 namespace {
 
@@ -64,15 +63,15 @@ TEST_CASE("what lies over a plot, panels and charts are drawn the same from thei
 }
 
 TEST_CASE("what stands at its default is left out, and numbers of columns have seven digits") {
-  const json figure =
-      json::parse(text_of(figure_spec_of("{plot: lines, x: time, y: rig.x in mm}", {0.0}, 3)));
-  const json& panel = figure.at("panels").at(0);
+  const nlohmann::json figure =
+      nlohmann::json::parse(text_of(figure_spec_of("{plot: lines, x: time, y: rig.x in mm}", {0.0}, 3)));
+  const nlohmann::json& panel = figure.at("panels").at(0);
   CHECK(panel.at("panel") == "plot");
   CHECK(panel.at("y").at("label") == "x of rig");
   CHECK(panel.at("y").at("unit") == "mm");
   CHECK_FALSE(panel.contains("equal"));
   CHECK_FALSE(panel.at("y").contains("log"));
-  const json& line = panel.at("marks").at(0);
+  const nlohmann::json& line = panel.at("marks").at(0);
   CHECK(line.at("mark") == "line");
   CHECK(line.at("curves").at(0).at("y").at(1) == 0.8660254);
   CHECK_FALSE(line.at("line").contains("dash"));
@@ -81,20 +80,21 @@ TEST_CASE("what stands at its default is left out, and numbers of columns have s
 TEST_CASE("cells of an image that were not measured are null") {
   ImageMark image{0.0, 0.0, 1.0, 1.0, 2, 1, {1.5, query::nothing}};
   const FigureSpec figure{"", 10.0, 10.0, false, {{0.0, 0.0, 10.0, 10.0, PlotSpec{.marks = {image}}}}};
-  const json values = json::parse(text_of(figure)).at("panels").at(0).at("marks").at(0).at("values");
-  CHECK(values == json::array({1.5, nullptr}));
+  const nlohmann::json values =
+      nlohmann::json::parse(text_of(figure)).at("panels").at(0).at("marks").at(0).at("values");
+  CHECK(values == nlohmann::json::array({1.5, nullptr}));
 }
 
 TEST_CASE("tables, diagrams and scenes are panels of their own") {
   const auto panel = [](auto content) {
-    return json::parse(text_of({"", 0.0, 0.0, false, {{0.0, 0.0, 0.0, 0.0, std::move(content)}}}))
+    return nlohmann::json::parse(text_of({"", 0.0, 0.0, false, {{0.0, 0.0, 0.0, 0.0, std::move(content)}}}))
         .at("panels")
         .at(0);
   };
-  const json table = panel(text::TextTable{"t", {"of", "found"}, {{"a", "1 mm"}}, {"a note"}});
+  const nlohmann::json table = panel(text::TextTable{"t", {"of", "found"}, {{"a", "1 mm"}}, {"a note"}});
   CHECK(table.at("panel") == "table");
-  CHECK(table.at("rows") == json::array({json::array({"a", "1 mm"})}));
-  const json graph =
+  CHECK(table.at("rows") == nlohmann::json::array({nlohmann::json::array({"a", "1 mm"})}));
+  const nlohmann::json graph =
       panel(DrawnGraph{DrawnGraph::Kind::rig, stepwire::json::Json::object().set("title", "r")});
   CHECK(graph.at("panel") == "rig");
   CHECK(graph.at("graph").at("title") == "r");
