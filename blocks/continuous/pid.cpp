@@ -89,7 +89,7 @@ void PID::configure(Configure& is) {
   if (by_hand) is.require<&PID::automatic>("a command by hand is wired");
   if (is.connected<&PID::automatic>()) is.require<&PID::manual>("it says when the command is given by hand");
   plain = !configure_reset(*this, is) && !by_hand;
-  is.skip_instants(plain && (!settled || all_are(kd, 0.0)));
+  is.skip_instants(plain);
   const bool has_limits = limits(lower, upper), of_integral = limits(integral_lower, integral_upper);
   if (plain && !has_limits && !of_integral) is.skip_crossings();
   if (!plain || of_integral) return;

@@ -102,14 +102,16 @@ struct PID : Resettable {
     return now > upper[i] ? 1.0 : now < lower[i] ? -1.0 : 0.0;
   }
   bool by_hand() const { return !plain && manual.connected() && !(automatic > 0.0); }
-  Parts here(Index i) const { return {integral[i], filter[i]}; }
-  /// Returns the states after the first instant or a reset: the derivative part is 0, unless its filter
-  /// starts at 0.
+  /// Returns the states; before the first update the derivative part is 0, unless its filter starts at 0.
+  Parts here(Index i) const {
+    return {integral[i], settled && begun == 0.0 ? weighted(weight_d, i) : filter[i]};
+  }
+  /// Returns the states at an instant: after a reset the derivative part is 0, unless its filter starts at 0.
   Parts at_instant(Index i) const {
     const bool back = !plain && resetting();
     if (hand > 0.0 && !by_hand() && !back) return handed_over(i);
-    if (!back && !(settled && begun == 0.0)) return here(i);
-    return {back ? target(i) : integral[i], settled ? weighted(weight_d, i) : back ? 0.0 : filter[i]};
+    if (!back) return here(i);
+    return {target(i), settled ? weighted(weight_d, i) : 0.0};
   }
   /// Returns the states with which the controller begins at the output of the hand.
   Parts handed_over(Index i) const {
