@@ -58,7 +58,8 @@ struct Draft {
   bool depends(std::size_t block, std::size_t input, std::size_t output) const;
   /// True where a block has states that may change.
   bool remembers(std::size_t block) const {
-    return !type(block).states.empty() && !blocks[block].says.remembers_nothing;
+    const BlockType& of = type(block);
+    return of.has_continuous_state() || (!of.states.empty() && !blocks[block].says.remembers_nothing);
   }
   /// True where its outputs are constant between located events.
   bool is_steady(std::size_t block) const {

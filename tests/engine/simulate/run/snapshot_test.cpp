@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "tests/support/plan_text.hpp"
 
@@ -80,6 +81,31 @@ record: all
     const Workspace kept = first.workspace();
     const auto rest = rest_of(first);
     CHECK(rest.front() == in_one_go[tick]);
+    first.restore(kept);
+    first.evaluate();
+    CHECK(first.workspace().values == in_one_go[tick]);
+    first.advance();
+  }
+}
+
+TEST_CASE("a controller whose only memory is its integral shows it after a return, too") {
+  const plan::Plan plan = plan_text(R"(step: 1 ms
+stop: 44 ms
+solver: heun
+blocks:
+  c: {block: PID, u: 0.5, ki: 1.603, anti_windup: none, settled: false}
+record: [c]
+)");
+  Executor whole(plan), first(plan);
+  const auto in_one_go = rest_of(whole);
+  for (const double time : {0.0, 0.02, 0.044}) {
+    const auto tick = static_cast<std::size_t>(std::lround(1000.0 * time));
+    CHECK(in_one_go[tick][plan.slot({0, 0, -1}).offset] == Approx(0.5 + 0.5 * 1.603 * time));
+  }
+  for (std::size_t tick = 0; tick < 44; ++tick) {
+    INFO("kept at tick " << tick);
+    const Workspace kept = first.workspace();
+    rest_of(first);
     first.restore(kept);
     first.evaluate();
     CHECK(first.workspace().values == in_one_go[tick]);
