@@ -236,6 +236,7 @@ class Collector {
   void add_recorded() {
     for (const diagram::RecordRequest& request : plan_.diagram.records)
       for (const diagram::RecordedSignal& recorded : request.signals) {
+        if (plan_.slot(recorded.signal).size == 0) continue;  // FMI has no empty arrays
         Variable variable =
             signal(Kind::output, recorded.name, "", recorded.signal, plan_.slot(recorded.signal));
         variable.place = member_place("recorded", codegen::recorded_member(recorded));

@@ -66,6 +66,20 @@ TEST_CASE("texts of a diagram stay texts in the description and on the page", "[
   }
 }
 
+TEST_CASE("recorded signals without elements are no variables", "[full]") {
+  if (!there_is_a_compiler()) return;
+  const Scratch folder;
+  const std::string text = unit_files(folder, "a",
+                                      head +
+                                          "blocks: {d: {block: Demux, u: 0.5, sizes: [1, 1, 2]}}\n"
+                                          "record: all\n",
+                                      3)
+                               .at("modelDescription.xml");
+  CHECK_THAT(text, Contains("\"d.y3\""));
+  CHECK_THAT(text, !Contains("\"d.y4\""));
+  CHECK_THAT(text, !Contains("start=\"0\"/>"));  // of a dimension
+}
+
 TEST_CASE("a parameter makes room for a signal of its name, and two signals of one name are refused",
           "[full]") {
   if (!there_is_a_compiler()) return;
