@@ -1,4 +1,4 @@
-// Which steps are examined for crossings. The right answer is that of sines with known turns.
+// Rule for steps that are examined for crossings. The right answers are those of sines with known turns.
 #include "engine/simulate/solve/crossing_signs.hpp"
 
 #include <catch2/catch.hpp>
