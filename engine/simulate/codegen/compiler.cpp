@@ -68,8 +68,7 @@ bool Compiler::is_gcc() const {
 std::vector<std::string> Compiler::command(const std::vector<std::string>& more) const {
   std::vector<std::string> command{path_};
   for (const std::string& flag : flags()) command.push_back(flag);
-  // These passes find little in straight-line code, and the time of the first one grows quadratically.
-  if (is_gcc()) command.insert(command.end(), {"-fno-tree-pta", "-fno-tree-slp-vectorize"});
+  if (is_gcc()) command.insert(command.end(), std::begin(gcc_flags), std::end(gcc_flags));
   command.insert(command.end(), more.begin(), more.end());
   command.insert(command.end(), {"-fPIC", "-w"});
   return command;

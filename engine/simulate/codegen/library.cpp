@@ -85,6 +85,7 @@ std::string key(const std::string& source, const GeneratedProgram& program, cons
   hash.add(source);
   for (const std::string& header : with_included(program.headers).all) hash.add(header_text(header));
   for (const std::string& flag : Compiler::flags()) hash.add(flag);
+  for (const char* flag : Compiler::gcc_flags) hash.add(flag);
   for (const std::string& flag : flags_of(program)) hash.add(flag).add(processor());
   return hash.add(compiler.version()).text() + ".so";
 }

@@ -1,6 +1,7 @@
 #include "engine/simulate/codegen/program_files.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -426,8 +427,8 @@ constexpr char cmake_form[] =
     "# of the library, none computed by the compiler). Another -O or -march may be taken, never "
     "-ffast-math.\n"
     "target_compile_options({0} PRIVATE{2})\n"
-    "if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # passes that find little in straight-line code\n"
-    "  target_compile_options({0} PRIVATE -fno-tree-pta -fno-tree-slp-vectorize)\n"
+    "if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # passes that cost time or speed here\n"
+    "  target_compile_options({0} PRIVATE {8})\n"
     "endif()\n{5}\n"
     "# The program that writes what the diagram records; in another project built on demand only.\n"
     "add_executable({0}_main {3})\n"
@@ -450,7 +451,7 @@ std::string cmake_text(const ProgramNames& names, const std::vector<std::string>
       cmake_form, names.space, names.stem, flags, names.main,
       uses_eigen ? fmt::format(eigen_search, names.space) : "",
       uses_eigen ? fmt::format("target_link_libraries({} PRIVATE Eigen3::Eigen)\n", names.space) : "",
-      c_interface ? " " + names.c_source : "", more);
+      c_interface ? " " + names.c_source : "", more, fmt::join(Compiler::gcc_flags, " "));
 }
 
 /// Returns the size of the longest list that a block receives again as parameters change. Lists up to this
