@@ -73,9 +73,9 @@ std::string meaning_name(const Dimension& dimension) {
 std::string refused_product(const std::optional<double>& zeros, const Dimension& factor) {
   if (!factor.per_difference || !zeros || are_zeros(*zeros, 0.0)) return "";
   return fmt::format(
-      "is a temperature, but a factor in {} with degC takes a difference of temperatures; subtract a "
+      "is a temperature, but a factor in {} takes a difference of temperatures; subtract a "
       "reference temperature first, or write K in the factor of a temperature above absolute zero",
-      si_name(factor));
+      meaning_name(factor));
 }
 
 bool are_zeros(double zeros, double wanted) {

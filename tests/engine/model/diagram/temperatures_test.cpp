@@ -135,7 +135,7 @@ TEST_CASE("a factor with degC in its unit takes differences of temperatures only
   };
   // 10 W/degC at 30 degC would be 3032 W, not 300 W.
   CHECK(fault("  loss: {block: Gain, u: room, gain: 10 W/degC}\n") ==
-        "loss.u: room is a temperature, but a factor in W/K with degC takes a difference of temperatures; "
+        "loss.u: room is a temperature, but a factor in W/delta_degC takes a difference of temperatures; "
         "subtract a reference temperature first, or write K in the factor of a temperature above absolute "
         "zero");
   for (const char* unit : {"W/degC", "W/degF", "W/delta_degC", "degC^-1.W", "W.degC-1", "J/(kg.degC)"}) {
