@@ -71,9 +71,9 @@ struct TransportDelay {
   void crossings(Crossings& zero) const {
     Index row = newest_edge > passed ? first_after(passed) : known();
     while (row < known() && !(edges[place(row)] > 0.0)) ++row;
-    const double from = t - length();
-    zero.add(row < known() ? from - times[place(row)] : -1.0);
-    zero.add(passed >= 0.0 ? from - passed + 1e-9 * period : 1.0);
+    const double T = length();
+    zero.add(row < known() ? time_since(times[place(row)] + T, t) : -1.0);
+    zero.add(passed >= 0.0 ? t - T - passed + 1e-9 * period : 1.0);
   }
 
   void start() {

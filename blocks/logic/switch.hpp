@@ -13,20 +13,29 @@ struct Switch {
   Input<1> control{};
   Input<> then{}, else_{};
   Output<> y{};
+  DiscreteState<1> branch{};  // of the last instant
 
-  void outputs() {
-    if (holds()) {
+  bool holds_branch = false;  // Between instants y follows the branch.
+
+  void outputs() { pass(holds_branch ? branch > 0.0 : holds()); }
+  void outputs_at_instant() {
+    branch = holds() ? 1.0 : 0.0;
+    pass(branch > 0.0);
+  }
+
+  void crossings(Crossings& zero) const { zero.add(control - threshold); }
+
+  void configure(Configure& is);
+  static void declare(Declare<Switch>& is);
+
+ private:
+  void pass(bool on) {
+    if (on) {
       y = then;
     } else {
       y = else_;
     }
   }
-
-  void crossings(Crossings& zero) const { zero.add(control - threshold); }
-
-  static void declare(Declare<Switch>& is);
-
- private:
   bool holds() const {
     switch (criterion) {
       case Criterion::greater:

@@ -6,10 +6,15 @@
 
 namespace stepwire {
 
-/// True where `now` is at or after `instant`, within rounding. Ticks are products such as 3 * 0.1 s and
-/// instants are literals; both are rounded, and a step must not be a tick late for the last bit.
+/// Returns the time since an instant, which is moved back by rounding. Ticks are products such as 3 * 0.1 s
+/// and instants are literals; both are rounded, and a step must not be a tick late for the last bit.
+inline double time_since(double instant, double now) {
+  return now - (instant - 8.0 * std::numeric_limits<double>::epsilon() * std::abs(instant));
+}
+
+/// True where `now` is at or after `instant`, within rounding.
 inline bool reached(double now, double instant) {
-  return now >= instant - 8.0 * std::numeric_limits<double>::epsilon() * std::abs(instant);
+  return time_since(instant, now) >= 0.0;
 }
 
 /// Returns the earlier of two instants that are still ahead of `now`; infinity where both are reached.

@@ -46,13 +46,14 @@ class Configure {
  public:
   Configure(std::set<std::string> connected, double period, std::map<std::string, Eigen::Index> counts = {},
             std::string name = "", std::map<std::string, double> constants = {},
-            std::set<std::string> initial = {})
+            std::set<std::string> initial = {}, bool located = false)
       : connected_(std::move(connected)),
         period_(period),
         counts_(std::move(counts)),
         name_(std::move(name)),
         constants_(std::move(constants)),
-        initial_(std::move(initial)) {}
+        initial_(std::move(initial)),
+        located_(located) {}
 
   /// Returns the block's name in the diagram, "rig.wheel"; for messages only.
   const std::string& name() const { return name_; }
@@ -83,6 +84,15 @@ class Configure {
   }
   /// Returns the time between two updates of this block [s].
   double period() const { return period_; }
+  /// Sets `holds` for a block whose outputs() reads a mode that outputs_at_instant() stores: true where this
+  /// instance acts at located events. Elsewhere the mode follows the inputs in the solver's stages, and
+  /// nothing is remembered.
+  void hold_mode(bool& holds) {
+    holds = located_;
+    if (located_) return;
+    skip_instants();
+    remember_nothing();
+  }
 
   /// Sets a size that no port or parameter determines, by its letter in the declared shapes.
   void size(const std::string& symbol, Eigen::Index elements) { answers_.sizes[symbol] = elements; }
@@ -146,6 +156,7 @@ class Configure {
   std::string name_;
   std::map<std::string, double> constants_;
   std::set<std::string> initial_;  ///< states with an initial value in the file
+  bool located_;
   Configuration answers_;
 };
 

@@ -31,7 +31,8 @@ Configure what_is_known(const Plan& plan, std::size_t index, std::map<std::strin
   for (const diagram::InitialValue& value : block.initial)
     initial.insert(block.type().states[static_cast<std::size_t>(value.state)].name);
   return Configure(std::move(connected), period_of(plan, index), std::move(counts), block.name,
-                   std::move(constants), std::move(initial));
+                   std::move(constants), std::move(initial),
+                   plan.diagram.events.locate && plan.blocks[index].rate.kind == Rate::Kind::continuous);
 }
 
 yaml::Fault fault_of(const Plan& plan, std::size_t index, const ParameterRefused& refused) {

@@ -20,11 +20,12 @@ namespace {
 /// Placeholders in order. Task: states, crossings, first signal, count of numbers, report, jumps of sources,
 /// limits of events and iterations. Then: step of the solver, update of time signals, report of the solver
 /// and its size, derivatives, calls before guards. At last: numbers that guards keep, stop condition, inner
-/// points of the task, updates before an instant, whether loops are solved, and numbers of the error control.
+/// points of the task, updates before an instant, whether loops are solved, numbers of the error control, and
+/// whether values before an instant are read.
 constexpr char locate_form[] =
     "  const solve::EventTask task{{at::time, states, first_derivative, {0}, {1}, {2}, {3}, {4}, {5}, {17}, "
     "{6}, "
-    "{7}, {16}, {19}, {21}, {22}, {23}, scratch}};\n"
+    "{7}, {16}, {19}, {21}, {24}, {22}, {23}, scratch}};\n"
     "  struct Between {{\n    double* w;\n    [[maybe_unused]] const double* numbers;\n    std::int64_t "
     "tick;\n"
     "    void advance([[maybe_unused]] double now, [[maybe_unused]] double end, "
@@ -37,7 +38,7 @@ constexpr char locate_form[] =
     "    void follow() const {{\n{9}    follow_crossings(w, numbers, tick);\n    }}\n"
     "    void crossings(double* z) const {{ look(w, numbers, tick, z); }}\n"
     "    double edge() const {{ return next_edge(w, numbers, tick); }}\n"
-    "    void before() const {{\n{20}{9}    }}\n"
+    "    void before(double) const {{\n{20}{9}    }}\n"
     "    void begin_event() const {{\n{13}{14}    }}\n"
     "    bool round() const {{\n    event_outputs(w, numbers, tick);\n    const bool stops = {15};\n"
     "    event_updates(w, numbers, tick);\n{14}    return stops;\n    }}\n"
@@ -124,7 +125,8 @@ std::string between_text(const plan::Plan& plan, const PlaceNames& names) {
                     : "",
       events.looks_always(),
       plan.left_updates.empty() ? "" : "    before_instant(w, numbers, tick, w[at::time]);\n",
-      !plan.loops.empty(), layout.report + solve::ControlReport::next, control_count(plan));
+      !plan.loops.empty(), layout.report + solve::ControlReport::next, control_count(plan),
+      !plan.left_updates.empty());
 }
 
 }  // namespace

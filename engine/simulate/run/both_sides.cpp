@@ -13,13 +13,13 @@ BothSides::BothSides(BoundBlocks& blocks, Participants& who, Stepper& stepper)
       outputs_(plan_.sides, blocks, who),
       kept_(plan_.layout.size) {}
 
-void BothSides::before(double time) {
+void BothSides::before(double time, double instant) {
   if (!observer) return;
   std::copy_n(values_, kept_.size(), kept_.begin());
   values_[plan::Layout::time] = left_limit(plan_, time, plan_.diagram.step);
   stepper_.follow_time();
   outputs_.run();
-  values_[plan::Layout::time] = time;
+  values_[plan::Layout::time] = instant;
   observer->before_instant(values_);
   std::ranges::copy(kept_, values_);
 }

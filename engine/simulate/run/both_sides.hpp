@@ -27,8 +27,8 @@ class BothSides {
   SideObserver* observer = nullptr;
 
   /// Computes the time-dependent and continuous signals from the present states and discrete signals, as the
-  /// limit at `time` from the left. Passes them to the observer.
-  void before(double time);
+  /// limit at `time` from the left. Passes them to the observer as those before an instant.
+  void before(double time, double instant);
   void after_event() const {
     if (observer) observer->after_event(values_);
   }

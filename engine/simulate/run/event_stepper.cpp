@@ -44,9 +44,9 @@ struct EventStepper::BetweenTicks {
   }
   void crossings(double* numbers) const { of.looks_.find(numbers); }
   double edge() const { return of.looks_.next_edge(); }
-  void before() const {
+  void before(double at) const {
     const double now = of.values_[plan::Layout::time];
-    if (of.sides_) of.sides_->before(now);
+    if (of.sides_) of.sides_->before(now, at);
     of.left_.update(now);
     of.stepper_.follow_time();
   }
@@ -133,7 +133,7 @@ bool EventStepper::is_eventful(const solve::TimeStep& step, double edge) const {
   const diagram::Events& events = plan_.diagram.events;
   const double end = plan_.jumps ? step.end : solve::left_of(step.end, step.length);
   return solve::is_eventful(before_.data(), after_.data(), past,
-                            {step.length, edge < end, true, events.looks > 0, events.looks_always()});
+                            {step.length, edge<end, true, events.looks> 0, events.looks_always()});
 }
 
 void EventStepper::keep_states() {
@@ -206,6 +206,7 @@ solve::EventTask EventStepper::task() {
           events.looks,
           events.looks_always(),
           !plan_.loops.empty(),
+          sides_ || !plan_.left_updates.empty(),
           layout.report + solve::ControlReport::next,
           control_count(plan_),
           scratch};

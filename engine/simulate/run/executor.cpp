@@ -138,7 +138,10 @@ void Executor::advance() {
     else
       take_step();
     health_.look_at_step();
-    if (sides_ && healthy() && !has_stopped()) sides_->before(plan_.time_of(workspace_.tick + 1));
+    if (sides_ && healthy() && !has_stopped()) {
+      const double end = plan_.time_of(workspace_.tick + 1);
+      sides_->before(end, end);
+    }
   }
   ++workspace_.tick;
 }

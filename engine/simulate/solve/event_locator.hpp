@@ -20,6 +20,9 @@ inline bool have_changed(const double* numbers, const double* copy, std::size_t 
   return std::memcmp(numbers, copy, count * sizeof *numbers) != 0;
 }
 
+/// End of an interval: a tick, the edge of a source, or a time between them.
+enum class Reach { tick, edge, inside };
+
 /// Repeats a step of the solver from event to event. An event is an edge that a source has declared, or a
 /// crossing: an instant at which a number changes its sign. 0 is a sign of its own. A crossing is bracketed
 /// between two times, each the end of a solver step from the last event. The Illinois method (Dowell and
@@ -30,9 +33,10 @@ inline bool have_changed(const double* numbers, const double* copy, std::size_t 
 /// derivatives. Function follow() computes all that crossings depend on, crossings(numbers) the crossing
 /// functions. Function edge() returns the time of the next edge, and begin() computes stage outputs and
 /// derivatives and calls follow(). Function failed() is true after a failed step; forget_fault() resets it.
-/// At an event, before() takes the values just before it, begin_event() computes what guards
-/// read. Function round() computes outputs and updates, and returns true if the run ends there by these
-/// outputs. Function after() does the same as begin() and returns true if the run ends there.
+/// At an event, before(at) takes the values at the present time as those just before the instant `at`, and
+/// begin_event() computes what guards read. Function round() computes outputs and updates, and returns true
+/// if the run ends there by these outputs. Function after() does the same as begin() and returns true if the
+/// run ends there.
 template <class Run>
 class EventLocator {
  public:
@@ -54,9 +58,10 @@ class EventLocator {
         looks_(nearest_ + task.crossing_count),
         control_(looks_ + task.crossing_count) {}
 
-  /// Integrates from `start` to `end` over `length`, event by event. The end is a tick if `to_tick` is set.
-  void advance(double start, double end, double length, bool to_tick = true) {
+  /// Integrates from `start` to `end` over `length`, event by event.
+  void advance(double start, double end, double length, Reach reach = Reach::tick) {
     length_ = length;
+    reach_ = reach;
     ever_faster_.begin(task_.crossing_count);
     std::copy_n(x_, task_.state_count, values_ + task_.states);
     values_[task_.time] = start;
@@ -65,7 +70,7 @@ class EventLocator {
     std::int64_t crossed = 0;
     double at = start;
     while (at < end && go_on(at, start, end, crossed)) continue;
-    if (at == end && to_tick) look_beyond(end);
+    if (at == end && reach == Reach::tick) look_beyond(end);
     if (at == end) values_[task_.time] = end;
     double* report = values_ + task_.report;
     report[EventReport::events] += static_cast<double>(crossed);
@@ -85,7 +90,7 @@ class EventLocator {
   /// Integrates from `at` to the next event or to the end. Returns false if the run ends there.
   bool go_on(double& at, double start, double end, std::int64_t& crossed) {
     const double from = at, edge = run_.edge();
-    const bool at_edge = edge > from && edge < left_of(end, length_);
+    const bool at_edge = edge > from && (reach_ == Reach::edge ? edge <= end : edge < left_of(end, length_));
     at = at_edge ? edge : end;
     length_of_ = from == start && !at_edge ? length_ : at - from;
     go_back();
@@ -97,7 +102,7 @@ class EventLocator {
       crosses = close_in(from, at);
     else if (crosses)
       at = locate(from, at, 1e-12 * length_).high;
-    if (at == end) return true;
+    if (at == end && !at_edge) return true;
     if (run_.failed()) return false;
     if (!crosses && at != stretch) {
       std::copy_n(high_, task_.crossing_count, trial_);
@@ -106,7 +111,7 @@ class EventLocator {
     }
     values_[task_.time] = at;
     if (crosses && !may_cross(crossed++, at)) return false;
-    return act() && (!crosses || turn_back(at, end));
+    return act(crosses && task_.lefts && task_.branches) && (!crosses || turn_back(at, end));
   }
 
   /// Moves the states at a tick beyond a crossing that follows at once, since it is one at the tick that
@@ -296,21 +301,36 @@ class EventLocator {
     return false;
   }
 
-  CrossingPast past() const {
-    return {values_ + task_.report + EventReport::count, task_.crossing_count};
-  }
+  CrossingPast past() const { return {values_ + task_.report + EventReport::count, task_.crossing_count}; }
 
   void keep() {
     std::copy_n(values_ + task_.states, task_.state_count, x_);
     std::copy_n(values_ + task_.derivatives, task_.state_count, slopes_);
   }
 
-  /// Runs the event iteration of the present instant. Returns false if the run ends there.
-  bool act() {
+  /// Runs the event iteration of the present instant. The values just before it are those on the near side of
+  /// the crossing if `near` is set, else the present ones. Returns false if the run ends there.
+  bool act(bool near = false) {
     past().forget();
-    run_.before();
+    near ? take_near_side() : run_.before(values_[task_.time]);
     run_.begin_event();
     return settle();
+  }
+  /// Takes the values just before a located crossing. Beyond it a block that branches without a mode has the
+  /// branch of the far side, so the states for these values are those at the near end of the bracket.
+  void take_near_side() {
+    const double at = values_[task_.time];
+    std::copy_n(values_ + task_.states, task_.state_count, end_);
+    std::copy_n(values_ + task_.control, task_.control_count, control_);
+    go_back();
+    if (near_.high > near_.low) run_.advance(near_.low, near_.high, near_.high - near_.low);
+    run_.forget_fault();
+    values_[task_.time] = near_.high;
+    run_.before(at);
+    values_[task_.time] = at;
+    std::copy_n(end_, task_.state_count, values_ + task_.states);
+    std::copy_n(control_, task_.control_count, values_ + task_.control);
+    run_.follow();
   }
   bool settle() {
     const double* const place = values_ + task_.first;
@@ -444,6 +464,7 @@ class EventLocator {
     run_.forget_fault();
     go_back();
     go(from, high, high - from, high_);
+    near_ = {from, low};
     return {low, high};
   }
 
@@ -469,6 +490,8 @@ class EventLocator {
   double *nearest_, *looks_;               ///< Numbers nearest to 0, and their looks.
   double* control_;                        ///< Numbers of the error control before a search.
   double length_ = 0.0, length_of_ = 0.0;  ///< length of the step, and of the interval up to the next event
+  Reach reach_ = Reach::tick;
+  Bracket near_{};  ///< The way from the last event to just before a crossing.
   static constexpr int most_turns = 10;
   int turns_ = 0;  ///< Repetitions of turn_back() at one crossing.
 };

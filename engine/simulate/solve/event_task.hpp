@@ -33,6 +33,7 @@ struct EventTask {
   std::int64_t looks;          ///< Inner points that are checked for double crossings.
   bool looks_always;           ///< True if they are always checked.
   bool loops;                  ///< True if algebraic loops are solved, so crossing functions have noise.
+  bool lefts;                  ///< True if values just before an instant are read.
   std::size_t control, control_count;  ///< Range of the numbers of a solver's error control.
   double* scratch;                     ///< Memory for scratch_size() numbers.
 

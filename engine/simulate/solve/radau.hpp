@@ -53,7 +53,8 @@ class Radau {
                const Evaluate& evaluate) {
     start_ = x;
     slope_ = dot;
-    if (time != tried_) begin_step(time);
+    is_again_ = time == tried_;
+    if (!is_again_) begin_step(time);
     if (!is_here_ && !is_good_) differentiate(x, dot, now, time, step, evaluate);
     is_solved_ = iterate(x, dot, now, time, end, step, evaluate);
     if (!is_solved_ && !is_here_) {
@@ -206,7 +207,9 @@ class Radau {
   }
 
   /// Estimates the error by the difference to a method of order 3. A too large estimate is filtered with the
-  /// derivative at the corrected point, which removes infinitely fast components.
+  /// derivative at the corrected point, which removes infinitely fast components. That is done in the first
+  /// step and after a rejection alone: a fast component that follows a slow input has an error of order 3,
+  /// which the filter hides (Prothero and Robinson 1974).
   template <class X, class Dot, class Evaluate>
   void estimate(X& x, const Dot& dot, double* now, double time, double step, const Evaluate& evaluate) {
     const auto solve = [&](const auto& slope) {
@@ -215,7 +218,7 @@ class Radau {
       error_ = factors_.solve(right_);
     };
     solve(slope_);
-    if (!(norm() < 1.0)) {
+    if (!(norm() < 1.0) && (is_again_ || !has_past_)) {
       x = start_ + error_;
       *now = time;
       evaluate();
@@ -234,6 +237,7 @@ class Radau {
   double scale_ = 1.0, goal_ = 0.0;  ///< tolerance factors: estimate, last correction
   bool is_here_ = false;             ///< true if the Jacobian is of this start
   bool is_good_ = false;             ///< true if the Jacobian is reusable
+  bool is_again_ = false;            ///< true if the last attempt began here, too
   bool is_solved_ = false;           ///< true if the last attempt was solved
   bool has_past_ = false;
   double rate_ = 0.0;  ///< contraction rate of the corrections

@@ -12,9 +12,9 @@ namespace stepwire::solve {
 
 /// Integrates from one tick to the next with a solver with error control, and locates events.
 ///
-/// The crossing functions are checked after each of the solver's own steps. Only a step that may contain a
-/// crossing or an edge of a source is repeated from event to event. Without events the steps are the same as
-/// in a run without event location.
+/// The solver integrates to the next edge of a source, which is known beforehand, and begins anew there. The
+/// crossing functions are checked after each of its own steps. Only a step that may contain a crossing is
+/// repeated from event to event. Without events the steps are the same as in a run without event location.
 ///
 /// Beside the functions of a `Run` of EventLocator, `Run` has advance_watched(from, to, length, stops). It is
 /// advance() with a predicate that is called after each step but the last one and may end the integration.
@@ -33,12 +33,15 @@ class WatchedStep {
     bool pending = false;  // true if something has crossed at the very end of the last interval
     while (from < end) {
       begin(from, pending);
-      double reached = end;
+      const bool to_edge = left_of(edge_, length) > from && edge_ < left_of(end, length);
+      const double target = to_edge ? edge_ : end;
+      double reached = target;
       const Here here(*this, reached);
-      run_.advance_watched(from, task_.jumps ? left_of(end, length) : end,
-                           from == start ? length : end - from, here);
+      run_.advance_watched(from, task_.jumps ? left_of(target, length) : target,
+                           from == start && !to_edge ? length : target - from, here);
       if (reached == end && !is_eventful(end, true)) return;
-      EventLocator(task_, values_, run_).advance(open_, reached, reached - open_, reached == end);
+      const Reach reach = reached == end ? Reach::tick : reached == target ? Reach::edge : Reach::inside;
+      EventLocator(task_, values_, run_).advance(open_, reached, reached - open_, reach);
       if (has_ended()) return;
       from = reached;
       run_.follow();
@@ -85,7 +88,8 @@ class WatchedStep {
     run_.crossings(after_);
     const CrossingPast past(values_ + task_.report + EventReport::count, task_.crossing_count);
     const bool edge = edge_ < left_of(at, length);
-    if (solve::is_eventful(before_, after_, past, {length, edge, at_tick, task_.looks > 0, task_.looks_always}))
+    if (solve::is_eventful(before_, after_, past,
+                           {length, edge, at_tick, task_.looks > 0, task_.looks_always}))
       return true;
     std::copy_n(after_, task_.crossing_count, before_);
     open(at);
