@@ -1,0 +1,72 @@
+#include "engine/app/difference/revision.hpp"
+
+#include <filesystem>
+
+#include "engine/base/io/file.hpp"
+#include "engine/base/subprocess/process.hpp"
+#include "engine/base/subprocess/scratch_folder.hpp"
+#include "engine/base/yaml/error.hpp"
+
+namespace stepwire::difference {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& file, const std::string& problem) {
+  throw yaml::Error(yaml::Fault{{file, {}}, "", problem, {}});
+}
+
+std::string without_line_end(std::string text) {
+  while (text.ends_with('\n')) text.pop_back();
+  return text;
+}
+
+std::string folder_of(const std::string& file) {
+  const fs::path absolute = fs::absolute(file);
+  return (fs::is_directory(absolute) ? absolute : absolute.parent_path()).string();
+}
+
+}  // namespace
+
+std::string git_output(const std::string& folder, const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{"git", "-C", folder};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  const subprocess::ProcessResult result = subprocess::run_process({.command = command});
+  if (!result.succeeded()) refuse(folder, result.problem("git"));
+  return without_line_end(result.output);
+}
+
+Revision::Revision(const std::string& file, const std::string& revision)
+    : revision_(revision), folder_(std::make_unique<subprocess::ScratchFolder>()) {
+  const std::string top = git_output(folder_of(file), {"rev-parse", "--show-toplevel"});
+  const std::string inside = fs::relative(fs::weakly_canonical(file), fs::weakly_canonical(top)).string();
+  const std::string commit =
+      git_output(top, {"rev-parse", "--verify", "--end-of-options", revision + "^{commit}"});
+  const std::string archive = folder_->path() + "/all.tar", tree = folder_->path() + "/tree";
+  git_output(top, {"archive", "--format=tar", "-o", archive, commit});
+  io::require_folder(tree);
+  subprocess::run_helper("tar", {.command = {"tar", "-xf", archive, "-C", tree}});
+  file_ = (fs::path(tree) / inside).lexically_normal().string();
+  if (!fs::exists(file_)) refuse(file, "is not in revision " + revision);
+}
+
+Revision::~Revision() = default;
+
+std::string Revision::shown(const std::string& path) const {
+  const std::string start = folder_->path() + "/tree/";
+  return path.starts_with(start) ? revision_ + ":" + path.substr(start.size()) : path;
+}
+
+std::string line_difference(const std::string& path, const std::string& before, const std::string& after) {
+  const subprocess::ScratchFolder folder;
+  const std::string name = fs::path(path).filename().string();
+  const std::string from = "before/" + name, to = "after/" + name;
+  io::write_file(folder.path() + "/" + from, before);
+  io::write_file(folder.path() + "/" + to, after);
+  const subprocess::ProcessResult result =
+      subprocess::run_process({.command = {"git", "-C", folder.path(), "diff", "--no-index", "--no-ext-diff",
+                                           "--no-textconv", from, to}});
+  return result.output;
+}
+
+}  // namespace stepwire::difference
