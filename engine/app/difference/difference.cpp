@@ -7,31 +7,13 @@
 #include <filesystem>
 #include <set>
 
+#include "engine/app/difference/matching.hpp"
 #include "engine/app/difference/renames.hpp"
 
 namespace stepwire::difference {
 namespace {
 
 using Kind = Change::Kind;
-
-constexpr double least_shared = 0.5;  // of two claims or figures that count as one
-
-/// Returns a name for an item of a set: its sentence or title, or its text.
-std::string label_of(const Fact& item) {
-  for (const char* key : {"that", "title", "name", "plot"})
-    if (const Fact* named = item.find(key)) return named->written;
-  return item.written;
-}
-
-double similarity(const Fact& a, const Fact& b) {
-  if (a.parts.empty() || b.parts.empty()) return 0.0;
-  const auto shared = std::ranges::count_if(a.parts, [&](const Fact& part) {
-    return std::ranges::any_of(b.parts, [&](const Fact& other) {
-      return part.key == other.key && part.canonical == other.canonical;
-    });
-  });
-  return static_cast<double>(shared) / static_cast<double>(std::max(a.parts.size(), b.parts.size()));
-}
 
 /// Returns new number over old number where both are plain numbers of one unit.
 std::optional<double> ratio_of(const Fact& from, const Fact& to) {
@@ -46,32 +28,6 @@ std::optional<double> ratio_of(const Fact& from, const Fact& to) {
 
 std::string joined(const std::string& path, const std::string& key) {
   return path.empty() ? key : key.empty() ? path : path + "." + key;
-}
-
-/// Items of two sets, matched.
-struct Matches {
-  std::vector<std::pair<const Fact*, const Fact*>> pairs;
-  std::vector<const Fact*> removed, added;
-};
-
-/// Matches the items of two sets: equal ones, then those with one label, then similar ones.
-Matches matches_of(const Fact& before, const Fact& after) {
-  Matches found;
-  for (const Fact& one : before.parts) found.removed.push_back(&one);
-  for (const Fact& one : after.parts) found.added.push_back(&one);
-  const auto match = [&](auto&& is_same) {
-    std::erase_if(found.removed, [&](const Fact* one) {
-      const auto other = std::ranges::find_if(found.added, [&](const Fact* b) { return is_same(*one, *b); });
-      if (other == found.added.end()) return false;
-      found.pairs.emplace_back(one, *other);
-      found.added.erase(other);
-      return true;
-    });
-  };
-  match([](const Fact& a, const Fact& b) { return a.canonical == b.canonical; });
-  match([](const Fact& a, const Fact& b) { return a.is_map() && b.is_map() && label_of(a) == label_of(b); });
-  match([](const Fact& a, const Fact& b) { return similarity(a, b) >= least_shared; });
-  return found;
 }
 
 }  // namespace
@@ -103,6 +59,7 @@ class Comparer::OfFiles {
     if (to) change.to = to->written, change.after = to->mark;
     if (from && to) change.ratio = ratio_of(*from, *to);
     if (from && to && change.from == change.to) name_other_meaning(change, *from, *to);
+    if (section == "values") name_default(change, from ? *from : *to);
     changes_.push_back(std::move(change));
   }
 
@@ -110,6 +67,14 @@ class Comparer::OfFiles {
   static void name_other_meaning(Change& change, const Fact& from, const Fact& to) {
     change.from = unmarked(from.canonical);
     change.to = unmarked(to.canonical);
+  }
+
+  /// Shows the default in the place of a value that one file leaves out.
+  static void name_default(Change& change, const Fact& fact) {
+    if (change.kind != Kind::added && change.kind != Kind::removed) return;
+    if (fact.otherwise.empty()) return;
+    (change.kind == Kind::added ? change.from : change.to) = fact.otherwise + " (default)";
+    change.kind = Kind::changed;
   }
 
   void renames(NameKind kind, const char* section) {
@@ -204,6 +169,7 @@ class Comparer::OfFiles {
   void same_block(const Fact& before, const Fact& after) {
     const std::string name = unmarked(after.key);
     note_part(before, after);
+    is_other_type_ = type_of(before) != type_of(after);
     for (const Fact& key : after.parts) {
       const Fact* old_key = before.find(unmarked(key.key));
       key_of_block(name, key.key, old_key, &key);
@@ -216,6 +182,7 @@ class Comparer::OfFiles {
     if (from && to && from->canonical == to->canonical) return;
     const bool is_type = key == "block" || key == "diagram";
     if (is_type && from && to && has_equal_parts_) return;
+    if (is_other_type_ && from && to && from->written == to->written) return;
     const bool is_wire = (from && from->is_wire) || (to && to->is_wire);
     const std::string section = is_type ? "blocks" : is_wire ? "wires" : "values";
     difference(section, is_type ? block : joined(block, unmarked(key)), from, to);
@@ -267,8 +234,13 @@ class Comparer::OfFiles {
   }
 
   void maps(const std::string& section, const std::string& name, const Fact& from, const Fact& to) {
-    for (const Fact& part : to.parts)
-      difference(section, inner_name(section, name, part), from.find(unmarked(part.key)), &part);
+    const Fact *old_plot = from.find("plot"), *new_plot = to.find("plot");
+    const bool is_other_plot = old_plot && new_plot && old_plot->canonical != new_plot->canonical;
+    for (const Fact& part : to.parts) {
+      const Fact* old_part = from.find(unmarked(part.key));
+      if (is_other_plot && old_part && old_part->written == part.written) continue;  // read in another form
+      difference(section, inner_name(section, name, part), old_part, &part);
+    }
     for (const Fact& part : from.parts)
       if (!to.find(unmarked(part.key))) difference(section, inner_name(section, name, part), &part, nullptr);
   }
@@ -286,7 +258,7 @@ class Comparer::OfFiles {
     for (const Fact* one : found.added) add(Kind::added, section, joined(name, label_of(*one)), nullptr, one);
     for (const Fact* one : found.removed)
       add(Kind::removed, section, joined(name, label_of(*one)), one, nullptr);
-    for (const auto& [a, b] : found.pairs) difference(section, joined(name, label_of(*a)), a, b);
+    for (const auto& [a, b] : found.pairs) difference(section, joined(name, "'" + label_of(*a) + "'"), a, b);
   }
 
   void sequences(const std::string& section, const std::string& name, const Fact& from, const Fact& to) {
@@ -300,6 +272,7 @@ class Comparer::OfFiles {
   NewNames names_;
   std::vector<Change> changes_;
   std::vector<std::pair<std::string, std::string>> parts_;
+  bool is_other_type_ = false;    ///< the present block has another type
   bool has_equal_parts_ = false;  ///< the parts of the present block have equal facts
 };
 

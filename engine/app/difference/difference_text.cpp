@@ -67,7 +67,7 @@ void append_facts(std::vector<std::string>& lines, const Fact& fact, const std::
   if (fact.kind == Fact::Kind::value || fact.kind == Fact::Kind::sequence || fact.parts.empty())
     return lines.push_back(path + ": " + fact.written);
   for (const Fact& part : fact.parts) {
-    const std::string key = unmarked(part.key);
+    const std::string key = fact.kind == Fact::Kind::set ? "'" + label_of(part) + "'" : unmarked(part.key);
     append_facts(lines, part, path.empty() ? key : key.empty() ? path : path + "." + key);
   }
 }

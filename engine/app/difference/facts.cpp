@@ -303,6 +303,12 @@ void rename(Fact& fact, const NewNames& names) {
     join_parts(fact);
 }
 
+std::string label_of(const Fact& item) {
+  for (const char* key : {"that", "title", "name", "plot"})
+    if (const Fact* named = item.find(key)) return named->node ? named->node->text : named->written;
+  return item.written;
+}
+
 std::string type_of(const Fact& block) {
   if (const Fact* type = block.find("block")) return type->canonical;
   const Fact* part = block.find("diagram");

@@ -63,6 +63,8 @@ class FactReader {
 void rename(Fact& fact, const NewNames& names);
 /// Computes the canonical text of a group from those of its parts.
 void join_parts(Fact& fact);
+/// Returns a name for an item of a set: its sentence or title, or its text.
+std::string label_of(const Fact& item);
 /// Returns the type of a block, the file of a part, or "bus".
 std::string type_of(const Fact& block);
 

@@ -71,7 +71,11 @@ const yaml::Key* one_or_list(const FormList& forms) {
 }
 
 bool is_set(const yaml::Key& list) {
-  return list.form == Form::list && list.of.front().form == Form::section;
+  if (list.form != Form::list) return false;
+  const yaml::Key& item = list.of.front();
+  const bool is_signal = item.form == Form::either && item.of.front().names == yaml::Key::Names::signal &&
+                         item.of.front().form == Form::text;
+  return item.form == Form::section || is_signal;
 }
 
 std::optional<ShortSection> short_section(const FormList& forms) {

@@ -13,7 +13,7 @@ namespace stepwire::difference {
 /// Returns the list form where a value may be an item or a list of such items; nullptr otherwise.
 const yaml::Key* one_or_list(const language::FormList& forms);
 
-/// True for a list of sections (claims, figures), whose order has no meaning.
+/// True for a list of sections (claims, figures) or recorded signals, whose order has no meaning.
 bool is_set(const yaml::Key& list);
 
 /// Section that may be written as the value of its only required key: `mass: 2 kg` for {value: 2 kg}.

@@ -5,6 +5,7 @@
 #include "engine/base/io/file.hpp"
 #include "engine/base/subprocess/process.hpp"
 #include "engine/base/subprocess/scratch_folder.hpp"
+#include "engine/base/yaml/document.hpp"
 #include "engine/base/yaml/error.hpp"
 
 namespace stepwire::difference {
@@ -67,6 +68,27 @@ std::string line_difference(const std::string& path, const std::string& before, 
       subprocess::run_process({.command = {"git", "-C", folder.path(), "diff", "--no-index", "--no-ext-diff",
                                            "--no-textconv", from, to}});
   return result.output;
+}
+
+bool is_diagram(const std::string& path, const std::string& text) {
+  try {
+    return yaml::parse_document(text, path).root.find("stepwire") != nullptr;
+  } catch (const yaml::Error&) {
+    return text.starts_with("stepwire:") || text.find("\nstepwire:") != std::string::npos;
+  }
+}
+
+MergedLines merged_lines(const std::string& base, const std::string& ours, const std::string& theirs) {
+  const subprocess::ScratchFolder folder;
+  const std::string names[] = {folder.path() + "/ours", folder.path() + "/base", folder.path() + "/theirs"};
+  io::write_file(names[0], ours);
+  io::write_file(names[1], base);
+  io::write_file(names[2], theirs);
+  const subprocess::ProcessResult result =
+      subprocess::run_process({.command = {"git", "merge-file", "-p", names[0], names[1], names[2]}});
+  if (result.end != subprocess::ProcessResult::End::exited || result.status > 127)
+    refuse("git merge-file", result.problem("git"));
+  return {result.output, result.status == 0};
 }
 
 }  // namespace stepwire::difference

@@ -33,6 +33,17 @@ class Revision {
 /// Returns the difference of two texts in lines, as git writes it.
 std::string line_difference(const std::string& path, const std::string& before, const std::string& after);
 
+/// True for the text of a diagram file: a map with the key `stepwire`. Text that is no YAML counts if it has
+/// a line that begins so.
+bool is_diagram(const std::string& path, const std::string& text);
+
+/// Text that is merged by lines, with the marks of git where both sides differ.
+struct MergedLines {
+  std::string text;
+  bool is_clean = true;
+};
+MergedLines merged_lines(const std::string& base, const std::string& ours, const std::string& theirs);
+
 /// Runs git in a folder. Returns its output without the last line end. Throws yaml::Error with git's message.
 std::string git_output(const std::string& folder, const std::vector<std::string>& arguments);
 

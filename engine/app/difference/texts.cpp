@@ -9,14 +9,14 @@ namespace stepwire::difference {
 
 void Texts::give(const std::string& path, std::string text) {
   yaml::Document document = yaml::parse_document(text, path);
-  texts_[path] = std::make_unique<const DiagramText>(DiagramText{std::move(text), std::move(document)});
+  texts_[path] = std::make_shared<const DiagramText>(DiagramText{std::move(text), std::move(document)});
 }
 
 const DiagramText& Texts::read(const std::string& path) {
   if (const auto found = texts_.find(path); found != texts_.end()) return *found->second;
   yaml::Document document = yaml::read_document(path);
   auto& made = texts_[path];
-  made = std::make_unique<const DiagramText>(DiagramText{io::read_file(path), std::move(document)});
+  made = std::make_shared<const DiagramText>(DiagramText{io::read_file(path), std::move(document)});
   return *made;
 }
 
@@ -26,6 +26,12 @@ const DiagramText* Texts::find(const std::string& path) {
   } catch (const yaml::Error&) {
     return nullptr;
   }
+}
+
+Texts Texts::with(const std::string& path, std::string text) const {
+  Texts other = *this;
+  other.give(path, std::move(text));
+  return other;
 }
 
 std::string Texts::part_path(const std::string& user, const std::string& part) const {

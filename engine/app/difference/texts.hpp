@@ -23,11 +23,13 @@ class Texts {
   const DiagramText& read(const std::string& path);
   /// Returns nullptr where read() would throw.
   const DiagramText* find(const std::string& path);
+  /// Returns these texts with another text of one file.
+  Texts with(const std::string& path, std::string text) const;
   /// Returns the path of a part that a file names.
   std::string part_path(const std::string& user, const std::string& part) const;
 
  private:
-  std::map<std::string, std::unique_ptr<const DiagramText>> texts_;
+  std::map<std::string, std::shared_ptr<const DiagramText>> texts_;
 };
 
 }  // namespace stepwire::difference
