@@ -4,11 +4,14 @@
 
 #include "engine/app/cli/console.hpp"
 #include "engine/app/cli/exit_code.hpp"
+#include "engine/app/cli/kept_inputs.hpp"
 #include "engine/app/cli/verb.hpp"
+#include "engine/app/difference/difference_picture.hpp"
 #include "engine/app/difference/difference_text.hpp"
 #include "engine/app/difference/revision.hpp"
 #include "engine/app/session/fault_json.hpp"
 #include "engine/base/io/file.hpp"
+#include "engine/view/render/picture_kind.hpp"
 
 namespace stepwire::cli {
 
@@ -29,12 +32,26 @@ constexpr std::size_t git_arguments = 7, git_arguments_of_rename = 9;
 struct DiffCall {
   std::vector<std::string> files;
   std::string revision;  ///< "HEAD~1" or "v1..v2"; empty without one
+  std::string out;       ///< picture to write; empty: none
   bool json = false;
   bool facts = false;  ///< print the facts of one file
 };
 
 yaml::Error wrong_call(const std::string& text) {
   return yaml::Error(yaml::Fault{{"diff", {}}, "", text, {}});
+}
+
+/// Draws two files as one, into SVG or by the ending of the name into PNG or PDF.
+void draw(const DiffCall& call, const Registry& registry, const std::string& from, const std::string& to,
+          const Difference& found) {
+  if (call.out.empty()) return;
+  if (fs::is_directory(from) || fs::is_directory(to)) throw wrong_call("draws two files, not folders");
+  const std::string ending = fs::path(call.out).extension().string();
+  const auto kind =
+      render::picture_kind(ending.empty() ? "" : ending.substr(1)).value_or(render::PictureKind::svg);
+  keep_inputs(call.out, std::vector{from, to});
+  const std::string picture = difference::difference_picture(registry, from, to, found);
+  io::write_file(call.out, render::converted(picture, kind));
 }
 
 ExitCode print(const DiffCall& call, const Difference& found) {
@@ -95,7 +112,9 @@ ExitCode diff_revisions(const DiffCall& call, const Registry& registry) {
     if (after) path = after->shown(path);
   };
   try {
-    Difference found = difference_of(registry, before.file(), after ? after->file() : file);
+    const std::string to = after ? after->file() : file;
+    Difference found = difference_of(registry, before.file(), to);
+    draw(call, registry, before.file(), to, found);
     for (difference::FileDifference& one : found.files) rename(one.before), rename(one.after);
     return print(call, found);
   } catch (const yaml::Error& error) {
@@ -146,7 +165,9 @@ ExitCode diff(const DiffCall& call, const Registry& registry) {
   if (count == 1) return diff_revisions(call, registry);
   if (count != 2) throw wrong_call(fmt::format("takes one or two files, not {}", count));
   if (!call.revision.empty()) throw wrong_call("takes one file with --rev");
-  return print(call, difference_of(registry, call.files[0], call.files[1]));
+  const Difference found = difference_of(registry, call.files[0], call.files[1]);
+  draw(call, registry, call.files[0], call.files[1], found);
+  return print(call, found);
 }
 
 Action declare_diff(CLI::App& verb) {
@@ -155,6 +176,7 @@ Action declare_diff(CLI::App& verb) {
                   "two diagram files or folders; one file is compared with its last commit")
       ->required();
   verb.add_option("--rev", call->revision, "revision of git to compare with, HEAD~1, or two, v1..v2");
+  verb.add_option("-o", call->out, "one drawing of both to write: SVG, or PNG or PDF by its ending");
   verb.add_flag("--json", call->json, "print the differences as JSON");
   verb.add_flag("--text", call->facts, "print the meaning of one file in sorted lines, for git log -p");
   return [call](const Registry& registry) {

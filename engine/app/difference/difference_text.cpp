@@ -25,23 +25,6 @@ std::string named_value(const std::string& name, const std::string& value) {
   return name == value || name.empty() ? shortened(value) : fmt::format("{}: {}", name, shortened(value));
 }
 
-std::string line_of(const Change& change) {
-  switch (change.kind) {
-    case Kind::added:
-      return "+ " + named_value(change.name, change.to);
-    case Kind::removed:
-      return "- " + named_value(change.name, change.from);
-    case Kind::renamed:
-      return fmt::format("> {} is now {}", change.from, change.to);
-    case Kind::moved:
-      return fmt::format("> {} moved to {}", change.from, change.to);
-    case Kind::changed:
-      break;
-  }
-  const std::string ratio = change.ratio ? fmt::format(" ({:.4g} times)", *change.ratio) : "";
-  return fmt::format("~ {}: {} -> {}{}", change.name, shortened(change.from), shortened(change.to), ratio);
-}
-
 std::string place_of(const Change& change) {
   const bool is_gone = change.after.line == 0;
   const yaml::Mark& mark = is_gone ? change.before : change.after;
@@ -67,12 +50,30 @@ void append_facts(std::vector<std::string>& lines, const Fact& fact, const std::
   if (fact.kind == Fact::Kind::value || fact.kind == Fact::Kind::sequence || fact.parts.empty())
     return lines.push_back(path + ": " + fact.written);
   for (const Fact& part : fact.parts) {
-    const std::string key = fact.kind == Fact::Kind::set ? "'" + label_of(part) + "'" : unmarked(part.key);
+    const bool is_named = fact.kind == Fact::Kind::set && part.parts.size() > 1;
+    const std::string key = is_named ? "'" + label_of(part) + "'" : unmarked(part.key);
     append_facts(lines, part, path.empty() ? key : key.empty() ? path : path + "." + key);
   }
 }
 
 }  // namespace
+
+std::string line_of(const Change& change) {
+  switch (change.kind) {
+    case Kind::added:
+      return "+ " + named_value(change.name, change.to);
+    case Kind::removed:
+      return "- " + named_value(change.name, change.from);
+    case Kind::renamed:
+      return fmt::format("> {} is now {}", change.from, change.to);
+    case Kind::moved:
+      return fmt::format("> {} moved to {}", change.from, change.to);
+    case Kind::changed:
+      break;
+  }
+  const std::string ratio = change.ratio ? fmt::format(" ({:.4g} times)", *change.ratio) : "";
+  return fmt::format("~ {}: {} -> {}{}", change.name, shortened(change.from), shortened(change.to), ratio);
+}
 
 std::string text_of(const Difference& difference) {
   std::string text;

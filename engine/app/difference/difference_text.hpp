@@ -10,6 +10,9 @@ namespace stepwire::difference {
 /// is empty without differences.
 std::string text_of(const Difference& difference);
 
+/// Returns a change in one line: "~ spring.gain: 1 N/m -> 2 N/m (2 times)".
+std::string line_of(const Change& change);
+
 /// Returns the facts of a file, one in a line, in the order of their names. Files with one meaning have one
 /// text.
 std::string facts_text(const Fact& root);

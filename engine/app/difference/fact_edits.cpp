@@ -21,36 +21,57 @@ std::string FactEdits::written(const Fact& fact) const {
   return yaml::yaml_line(*fact.node);
 }
 
+template <class Edit>
+void FactEdits::attempt(Edit edit) {
+  if (!refusal_.empty()) return;
+  try {
+    edit();
+  } catch (const EditRefused& refused) {
+    refusal_ = refused.what();
+  }
+}
+
 void FactEdits::replace(const Fact& fact, const Fact& by) {
-  if (!fact.node) throw EditRefused("a value has no text of its own");
-  edits_.replace(*fact.node, written(by));
+  attempt([&] {
+    if (!fact.node) throw EditRefused("a value has no text of its own");
+    edits_.replace(*fact.node, written(by));
+  });
 }
 
 void FactEdits::add(const Fact& map, const Fact& part) {
-  const std::string key = unmarked(part.key);
-  if (!is_map(map))
-    throw EditRefused("'" + key + "' cannot be added to a short form; write it as a map first");
-  if (const yaml::Node* there = map.node->find(key)) return edits_.replace(*there, written(part));
-  edits_.add(*map.node, key, written(part));
+  attempt([&] {
+    const std::string key = unmarked(part.key);
+    if (!is_map(map))
+      throw EditRefused("'" + key + "' cannot be added to a short form; write it as a map first");
+    if (const yaml::Node* there = map.node->find(key)) return edits_.replace(*there, written(part));
+    edits_.add(*map.node, key, written(part));
+  });
 }
 
 void FactEdits::add_item(const Fact& list, const Fact& item) {
-  if (is_list(list)) return edits_.add_item(*list.node, written(item));
-  if (!list.entry || !list.node) throw EditRefused("a list has no text of its own");
-  edits_.replace(*list.node, "[" + yaml::yaml_line(*list.node) + ", " + written(item) + "]");
+  attempt([&] {
+    if (is_list(list)) return edits_.add_item(*list.node, written(item));
+    if (!list.node) throw EditRefused("a list has no text of its own");
+    edits_.replace(*list.node, "[" + yaml::yaml_line(*list.node) + ", " + written(item) + "]");
+  });
 }
 
 void FactEdits::remove(const Fact& map, const Fact& part) {
-  if (!is_map(map) || !part.entry) throw EditRefused("a value has no text of its own");
-  edits_.remove(*map.node, *part.entry);
+  attempt([&] {
+    if (!is_map(map) || !part.entry) throw EditRefused("a value has no text of its own");
+    edits_.remove(*map.node, *part.entry);
+  });
 }
 
 void FactEdits::remove_item(const Fact& list, const Fact& item) {
-  if (!is_list(list) || !item.node) throw EditRefused("an item has no text of its own");
-  edits_.remove_item(*list.node, *item.node);
+  attempt([&] {
+    if (!is_list(list) || !item.node) throw EditRefused("an item has no text of its own");
+    edits_.remove_item(*list.node, *item.node);
+  });
 }
 
 std::string FactEdits::text() const {
+  if (!refusal_.empty()) throw EditRefused(refusal_);
   std::string text = language::spliced(into_.text, edits_.checked());
   if (!text.empty() && text.back() != '\n') text += '\n';
   return text;

@@ -7,8 +7,8 @@
 
 namespace stepwire::difference {
 
-/// Edits of a text by facts of another text. All functions throw EditRefused where the text cannot take the
-/// value.
+/// Edits of a text by facts of another text. A text that cannot take a value is refused at the end, by
+/// text().
 class FactEdits {
  public:
   /// Edits the text `into`; values come from the text `from`. Both must outlive the object.
@@ -24,16 +24,19 @@ class FactEdits {
   void remove(const Fact& map, const Fact& part);
   void remove_item(const Fact& list, const Fact& item);
 
-  /// Returns the edited text with a line end.
+  /// Returns the edited text with a line end. Throws EditRefused with the reason of the first refusal.
   std::string text() const;
 
  private:
+  template <class Edit>
+  void attempt(Edit edit);
   std::string written(const Fact& fact) const;
 
   const DiagramText& into_;
   const DiagramText& from_;
   language::TextPlaces from_places_;
   language::TreeEdits edits_;
+  std::string refusal_;  ///< empty while the text takes all values
 };
 
 }  // namespace stepwire::difference

@@ -14,6 +14,7 @@
 #include "engine/app/difference/fact_edits.hpp"
 #include "engine/app/difference/matching.hpp"
 #include "engine/app/difference/renames.hpp"
+#include "engine/app/difference/revision.hpp"
 #include "engine/app/difference/text_renames.hpp"
 #include "engine/app/language/analysis.hpp"
 #include "engine/app/language/tree_edits.hpp"
@@ -192,8 +193,11 @@ class Merge {
     equalise_names();
     Merged merged;
     merged.conflicts = conflicts_;
-    Fact wanted = merge_facts(merged);
+    FactEdits edits(*ours_.facts.source, *theirs_.facts.source);
+    const Fact wanted = merged_facts(edits, merged.conflicts);
     note_missing(wanted, merged.conflicts);
+    const auto by_lines = merged.conflicts.empty() ? text_by_lines(wanted, base, ours, theirs) : std::nullopt;
+    merged.text = by_lines ? *by_lines : edits.text();
     require_meaning(wanted, merged.text);
     if (merged.conflicts.empty())
       merged.faults = new_faults(merged.text, ours, theirs);
@@ -250,13 +254,25 @@ class Merge {
     side.facts = FactReader(registry_, side.texts).read(path_);
   }
 
-  Fact merge_facts(Merged& merged) {
-    const DiagramText& source = *ours_.facts.source;
-    FactEdits edits(source, *theirs_.facts.source);
-    FactMerge merge(edits, merged.conflicts);
-    Fact wanted = merge.map({&base_.facts.root, &ours_.facts.root, &theirs_.facts.root}, "");
-    merged.text = edits.text();
-    return wanted;
+  Fact merged_facts(FactEdits& edits, std::vector<Conflict>& conflicts) const {
+    return FactMerge(edits, conflicts).map({&base_.facts.root, &ours_.facts.root, &theirs_.facts.root}, "");
+  }
+
+  /// Returns the merge of lines, with the comments of both sides, where it means the merged facts.
+  std::optional<std::string> text_by_lines(const Fact& wanted, const std::string& base,
+                                           const std::string& ours, const std::string& theirs) const {
+    const MergedLines lines = merged_lines(base, ours, theirs);
+    const bool is_right = lines.is_clean && means(wanted, lines.text);
+    return is_right ? std::optional(lines.text) : std::nullopt;
+  }
+
+  bool means(const Fact& wanted, const std::string& text) const {
+    try {
+      Texts after = ours_.texts.with(path_, text);
+      return meaning_of(FactReader(registry_, after).read(path_).root) == meaning_of(wanted);
+    } catch (const yaml::Error&) {
+      return false;
+    }
   }
 
   /// Adds a conflict for each name that is used and that one side has removed.
@@ -282,9 +298,7 @@ class Merge {
   }
 
   void require_meaning(const Fact& wanted, const std::string& text) {
-    Texts after = ours_.texts.with(path_, text);
-    const Fact found = FactReader(registry_, after).read(path_).root;
-    if (meaning_of(found) != meaning_of(wanted))
+    if (!means(wanted, text))
       throw language::EditRefused("the merged text would not mean what both versions say; merge it by hand");
   }
 

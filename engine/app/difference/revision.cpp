@@ -37,12 +37,20 @@ std::string git_output(const std::string& folder, const std::vector<std::string>
   return without_line_end(result.output);
 }
 
+/// Returns the hash of a revision. Throws yaml::Error for an unknown one.
+static std::string commit_of(const std::string& top, const std::string& file, const std::string& revision) {
+  try {
+    return git_output(top, {"rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"});
+  } catch (const yaml::Error&) {
+    refuse(file, "its repository has no revision '" + revision + "'; git log lists them");
+  }
+}
+
 Revision::Revision(const std::string& file, const std::string& revision)
     : revision_(revision), folder_(std::make_unique<subprocess::ScratchFolder>()) {
   const std::string top = git_output(folder_of(file), {"rev-parse", "--show-toplevel"});
   const std::string inside = fs::relative(fs::weakly_canonical(file), fs::weakly_canonical(top)).string();
-  const std::string commit =
-      git_output(top, {"rev-parse", "--verify", "--end-of-options", revision + "^{commit}"});
+  const std::string commit = commit_of(top, file, revision);
   const std::string archive = folder_->path() + "/all.tar", tree = folder_->path() + "/tree";
   git_output(top, {"archive", "--format=tar", "-o", archive, commit});
   io::require_folder(tree);
