@@ -3,6 +3,7 @@
 import {arrange} from "./picture.mjs";
 import {group, ink, n, page, path, text} from "./pen.mjs";
 import {piecesOf} from "./svg.mjs";
+import {lies, segmentsOf} from "./wires.mjs";
 
 /** Colours that differ for every kind of colour vision (M. Okabe, K. Ito, Color Universal Design, 2008). */
 export const looks = {
@@ -97,13 +98,16 @@ function badge(block) {
   return `<circle cx="${n(x)}" cy="${n(y)}" r="7.5" fill="${look.color}"/>` + text(x, y, look.sign, {size: 13, fill: "#fff", style: ` font-weight="bold"`});
 }
 
-/** A sign beside the first long piece of a wire. */
-function signOfWire({change, points}) {
+const middleOf = ([[ax, ay], [bx, by]]) => [(ax + bx) / 2, (ay + by) / 2];
+const lengthOf = ([[ax, ay], [bx, by]]) => Math.abs(ax - bx) + Math.abs(ay - by);
+
+/** A sign on the longest piece of a wire that it does not share with one that stayed. */
+function signOfWire({change, points}, stayed) {
   const look = looks[change];
   if (!look) return "";
-  const lengths = points.slice(1).map(([x, y], i) => Math.abs(x - points[i][0]) + Math.abs(y - points[i][1]));
-  const at = lengths.indexOf(Math.max(...lengths)), [a, b] = [points[at], points[at + 1]];
-  const x = (a[0] + b[0]) / 2, y = (a[1] + b[1]) / 2;
+  const all = segmentsOf(points), own = all.filter((piece) => !stayed.some((other) => lies(middleOf(piece), other)));
+  const longest = (own.length ? own : all).reduce((best, one) => (lengthOf(one) > lengthOf(best) ? one : best));
+  const [x, y] = middleOf(longest);
   return `<circle cx="${n(x)}" cy="${n(y)}" r="6" fill="#fff" stroke="${look.color}"/>` + text(x, y, look.sign, {size: 11, fill: look.color, style: ` font-weight="bold"`});
 }
 
@@ -128,7 +132,7 @@ function listed(lines, top) {
 export async function drawCompared(compared, elk) {
   const picture = await arrange(united(compared), elk);
   picture.wires.sort((a, b) => Number(Boolean(a.change)) - Number(Boolean(b.change)));  // what stayed is drawn whole
-  const pieces = piecesOf(picture);
+  const pieces = piecesOf(picture), stayed = picture.wires.filter(({change}) => !change).flatMap(({points}) => segmentsOf(points));
   const lines = compared.lines ?? [], left = Math.max(0, (leastWidth - picture.width) / 2);
   const below = picture.height + 24, height = below + 30 + Math.min(lines.length, mostLines + 1) * stepOfLine;
   const size = {width: Math.max(picture.width + 16, leastWidth, ...lines.map((line) => 40 + 6.4 * Math.min(line.length, longestLine))), height};
@@ -138,7 +142,7 @@ export async function drawCompared(compared, elk) {
     ...pieces.wires.filter(({wire}) => wire.change).map(({wire, svg}) => inColor(svg, wire.change)),
     pieces.forks,
     ...pieces.blocks.map(({block, svg}) => inColor(svg, block.change)),
-    ...pieces.wires.map(({wire}) => signOfWire(wire)),
+    ...picture.wires.map((wire) => signOfWire(wire, stayed)),
     ...picture.blocks.map(badge),
   ]);
   return page(size, compared.after.title, [drawn, legend(below), ...listed(lines, below + 30)]);
