@@ -58,11 +58,11 @@ std::string canonical_number(const unit::Quantity& quantity, const std::optional
 struct TextReading {
   const FileNames& names;
   std::optional<unit::Dimension> demanded{};
-  bool shorten = false;    ///< leaves out the only output of a block
-  bool literal = false;    ///< the text has no names except after '$'
-  bool formula = false;    ///< names in it are those of parameters
-  bool in_unit = false;    ///< may end in " in mm"
-  bool is_signal = false;  ///< a single name is that of a signal
+  bool shorten = false;    ///< Leaves out the only output of a block.
+  bool literal = false;    ///< The text has no names except after '$'.
+  bool formula = false;    ///< Names in it are those of parameters.
+  bool in_unit = false;    ///< The text may end in " in mm".
+  bool is_signal = false;  ///< A single name is that of a signal.
 };
 
 /// Returns a text that is the same for all notations of a number, formula or name.

@@ -13,13 +13,13 @@ namespace stepwire::difference {
 struct Change {
   enum class Kind { added, removed, renamed, moved, changed };
   Kind kind = Kind::changed;
-  std::string section;            ///< blocks, wires, values, head, or a section of the file
-  std::string name;               ///< "spring.gain"; of a claim its sentence
-  std::string from{};             ///< as written in the old file; empty for an added one
-  std::string to{};               ///< as written in the new file; empty for a removed one
-  std::optional<double> ratio{};  ///< new number over old number of the same unit
-  yaml::Mark before{};            ///< place in the old file; line 0 without one
-  yaml::Mark after{};             ///< place in the new file; line 0 without one
+  std::string section;            ///< Blocks, wires, values, head, or a section of the file.
+  std::string name;               ///< "spring.gain"; of a claim its sentence.
+  std::string from{};             ///< As written in the old file; empty for an added one.
+  std::string to{};               ///< As written in the new file; empty for a removed one.
+  std::optional<double> ratio{};  ///< New number over old number of the same unit.
+  yaml::Mark before{};            ///< Place in the old file; line 0 without one.
+  yaml::Mark after{};             ///< Place in the new file; line 0 without one.
 
   bool operator==(const Change&) const;
 };

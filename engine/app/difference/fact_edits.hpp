@@ -36,7 +36,7 @@ class FactEdits {
   const DiagramText& from_;
   language::TextPlaces from_places_;
   language::TreeEdits edits_;
-  std::string refusal_;  ///< empty while the text takes all values
+  std::string refusal_;  ///< reason of the first refused edit; empty without one
 };
 
 }  // namespace stepwire::difference

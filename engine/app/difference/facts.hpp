@@ -20,16 +20,16 @@ struct Fact {
     set        ///< Items whose order does not count: claims, figures.
   };
   Kind kind = Kind::value;
-  std::string key{};               ///< canonical key in its map; empty for an item
-  std::string canonical{};         ///< text of the whole fact, the same for equal facts
-  std::string written{};           ///< text as in the file, in one line
-  std::string otherwise{};         ///< value that holds where the file has none; may be empty
-  bool is_wire = false;            ///< source of an input
-  std::optional<double> number{};  ///< of a plain number, in SI
-  yaml::Mark mark{};               ///< of the key, or of an item
+  std::string key{};               ///< Canonical key in its map; empty for an item.
+  std::string canonical{};         ///< Text of the whole fact, the same for equal facts.
+  std::string written{};           ///< Text as in the file, in one line.
+  std::string otherwise{};         ///< Default; may be empty.
+  bool is_wire = false;            ///< Source of an input.
+  std::optional<double> number{};  ///< Of a plain number, in SI.
+  yaml::Mark mark{};               ///< Of the key, or of an item.
   std::vector<Fact> parts{};
-  const yaml::Node* node = nullptr;    ///< value in the file; nullptr for a default
-  const yaml::Entry* entry = nullptr;  ///< its key; nullptr for an item
+  const yaml::Node* node = nullptr;    ///< Value in the file; nullptr for a default.
+  const yaml::Entry* entry = nullptr;  ///< Its key; nullptr for an item.
 
   const Fact* find(std::string_view name) const;
   bool is_map() const { return kind == Kind::map; }
@@ -42,8 +42,8 @@ struct FileFacts {
   Fact root;
 };
 
-/// Reads the facts of files. What may be omitted, reordered or written in another unit follows from the key
-/// tables of the reader and the declarations of the blocks.
+/// Reads the facts of files. Defaults, order without meaning and units follow from the key tables of the
+/// reader and the declarations of the blocks.
 class FactReader {
  public:
   FactReader(const Registry& registry, Texts& texts) : registry_(registry), texts_(texts), forms_(registry) {}

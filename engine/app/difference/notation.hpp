@@ -18,8 +18,8 @@ bool is_set(const yaml::Key& list);
 
 /// Section that may be written as the value of its only required key: `mass: 2 kg` for {value: 2 kg}.
 struct ShortSection {
-  const yaml::Key* required = nullptr;  ///< nullptr where the short notation is no value at all
-  const yaml::Key* value = nullptr;     ///< form of the short value, if that of the key says less
+  const yaml::Key* required = nullptr;  ///< Nullptr for `name:` without a value.
+  const yaml::Key* value = nullptr;     ///< Form of the short value, if the key has none.
 };
 std::optional<ShortSection> short_section(const language::FormList& forms);
 
