@@ -133,6 +133,10 @@ ExitCode diff_of_git(const DiffCall& call, const Registry& registry) {
   const std::string& path = call.files[0];
   const std::string after_path = call.files.size() == git_arguments_of_rename ? call.files[7] : path;
   const std::string old_text = text_of_side(call.files[1]), new_text = text_of_side(call.files[4]);
+  if (!difference::is_diagram(path, old_text) && !difference::is_diagram(after_path, new_text)) {
+    put_data(difference::line_difference(path, old_text, new_text));
+    return ExitCode::done;
+  }
   try {
     Texts before, after;
     before.give(path, old_text);
@@ -149,6 +153,7 @@ ExitCode diff_of_git(const DiffCall& call, const Registry& registry) {
 
 ExitCode print_facts(const std::string& file, const Registry& registry) {
   try {
+    if (!difference::is_diagram(file, io::read_file(file))) throw wrong_call("is no diagram");
     Texts texts;
     FactReader reader(registry, texts);
     put_data(difference::facts_text(reader.read(file).root));

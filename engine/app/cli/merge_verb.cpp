@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 
 #include "engine/app/cli/console.hpp"
@@ -28,10 +29,16 @@ void report(const std::string& path, const difference::Merged& merged) {
   if (!merged.faults.empty()) complain("{}: the merged diagram has these faults; mend them by hand\n", path);
 }
 
+/// Returns the text of a file. Throws yaml::Error for a missing one.
+std::string text_of(const std::string& file) {
+  if (!std::filesystem::is_regular_file(file))
+    throw yaml::Error(yaml::Fault{{file, {}}, "", "is no file", {}});
+  return io::read_file(file);
+}
+
 ExitCode merge(const MergeCall& call, const Registry& registry) {
   const std::string path = call.path.empty() ? call.ours : call.path;
-  const std::string base = io::read_file(call.base), ours = io::read_file(call.ours),
-                    theirs = io::read_file(call.theirs);
+  const std::string base = text_of(call.base), ours = text_of(call.ours), theirs = text_of(call.theirs);
   const std::string& out = call.out.empty() ? call.ours : call.out;
   if (!difference::is_diagram(path, ours) && !difference::is_diagram(path, theirs)) {
     const auto [text, is_clean] = difference::merged_lines(base, ours, theirs);

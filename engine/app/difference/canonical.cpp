@@ -13,7 +13,7 @@ namespace {
 
 // Marks around a name; a file that is read has no such characters in a name.
 constexpr char name_begin = '\x01', name_end = '\x02';
-constexpr std::string_view kind_letters = "bpi";
+constexpr std::string_view kind_letters = "bpio";
 
 std::map<std::string, const yaml::Entry*, std::less<>> entries_of(const yaml::Document& document,
                                                                   const char* section) {

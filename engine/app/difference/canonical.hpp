@@ -36,7 +36,7 @@ class FileNames {
 };
 
 /// Kinds of names that a rename can change.
-enum class NameKind { block, parameter, input };
+enum class NameKind { block, parameter, input, output };
 
 /// New names by kind and old name.
 using NewNames = std::map<std::pair<NameKind, std::string>, std::string>;

@@ -41,6 +41,7 @@ class Comparer::OfFiles {
   std::vector<Change> changes() {
     names_ = find_renames(before_.root, after_.root);
     rename(old_, names_);
+    follow_parts();
     blocks();
     for (const Fact& part : after_.root.parts)
       if (part.key != "blocks") section(part.key);
@@ -75,6 +76,20 @@ class Comparer::OfFiles {
     if (fact.otherwise.empty()) return;
     (change.kind == Kind::added ? change.from : change.to) = fact.otherwise + " (default)";
     change.kind = Kind::changed;
+  }
+
+  /// Applies the renames within parts to the file that uses them: keys of their blocks, and "rig.x".
+  void follow_parts() {
+    const Fact *before = old_.find("blocks"), *after = after_.root.find("blocks");
+    for (std::size_t i = 0; before && after && i < after->parts.size(); ++i) {
+      const Fact& block = after->parts[i];
+      const Fact* old_block = before->find(unmarked(block.key));
+      const auto files = old_block ? files_of_part(*old_block, block) : std::nullopt;
+      if (!files) continue;
+      const NewNames names =
+          find_renames(comparer_.before_.read(files->first).root, comparer_.after_.read(files->second).root);
+      if (!names.empty()) rename_inside(old_, block.key, names);
+    }
   }
 
   void renames(NameKind kind, const char* section) {
@@ -190,21 +205,32 @@ class Comparer::OfFiles {
 
   void note_part(const Fact& before, const Fact& after) {
     has_equal_parts_ = false;
-    const Fact *old_path = before.find("diagram"), *new_path = after.find("diagram");
-    if (!old_path || !new_path || before.find("block") || after.find("block")) return;
-    const std::string from = comparer_.before_texts_.part_path(before_.file, old_path->canonical);
-    const std::string to = comparer_.after_texts_.part_path(after_.file, new_path->canonical);
-    if (!comparer_.before_texts_.find(from) || !comparer_.after_texts_.find(to)) return;
+    const auto files = files_of_part(before, after);
+    if (!files) return;
+    const auto& [from, to] = *files;
     if (comparer_.before_.read(from).root.canonical == comparer_.after_.read(to).root.canonical)
       has_equal_parts_ = true;
     else
       parts_.emplace_back(from, to);
   }
 
+  /// Returns the two files of a part; std::nullopt where one of the blocks is none, or its file is
+  /// unreadable.
+  std::optional<std::pair<std::string, std::string>> files_of_part(const Fact& before,
+                                                                   const Fact& after) const {
+    const Fact *old_path = before.find("diagram"), *new_path = after.find("diagram");
+    if (!old_path || !new_path || before.find("block") || after.find("block")) return std::nullopt;
+    const std::string from = comparer_.before_texts_.part_path(before_.file, old_path->canonical);
+    const std::string to = comparer_.after_texts_.part_path(after_.file, new_path->canonical);
+    if (!comparer_.before_texts_.find(from) || !comparer_.after_texts_.find(to)) return std::nullopt;
+    return std::pair(from, to);
+  }
+
   void section(const std::string& key) {
     const Fact *from = old_.find(key), *to = after_.root.find(key);
     if (key == "parameters") renames(NameKind::parameter, "parameters");
     if (key == "inputs") renames(NameKind::input, "inputs");
+    if (key == "outputs") renames(NameKind::output, "outputs");
     if (from && to && from->canonical == to->canonical) return;
     const bool is_scalar = (from ? from : to)->kind == Fact::Kind::value;
     difference(is_scalar ? "head" : key, is_scalar ? key : "", from, to);
@@ -285,11 +311,6 @@ void Comparer::compare(const std::string& before, const std::string& after, bool
   if (!changes.empty()) result_.files.push_back({before, after, std::move(changes)});
   if (parts)
     for (const auto& [from, to] : std::vector(files.parts())) compare(from, to, true);
-}
-
-bool Change::operator==(const Change& other) const {
-  return kind == other.kind && section == other.section && name == other.name && from == other.from &&
-         to == other.to;
 }
 
 const char* word_of(Change::Kind kind) {

@@ -20,8 +20,6 @@ struct Change {
   std::optional<double> ratio{};  ///< New number over old number of the same unit.
   yaml::Mark before{};            ///< Place in the old file; line 0 without one.
   yaml::Mark after{};             ///< Place in the new file; line 0 without one.
-
-  bool operator==(const Change&) const;
 };
 
 /// Differences of one file, in the order of its sections.

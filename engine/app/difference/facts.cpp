@@ -132,15 +132,21 @@ class FactReader::Reading {
     made.node = &entry.value;
     made.entry = &entry;
     made.mark = entry.mark;
-    made.key = names_a_signal(forms_.maps(forms, map), entry.key) ? names_.any(entry.key)
-               : std::ranges::any_of(below, [](auto* f) { return language::is_block_form(*f); })
-                   ? marked(NameKind::block, entry.key)
-               : defines(below, "parameter") ? marked(NameKind::parameter, entry.key)
-               : defines(below, "input")     ? marked(NameKind::input, entry.key)
-                                             : entry.key;
+    made.key = key_of(forms_.maps(forms, map), below, entry.key);
     if (below.size() == 1) made.otherwise = below.front()->otherwise;
     if (is_default(made, below)) return;
     fact.parts.push_back(std::move(made));
+  }
+
+  /// Returns a key with a mark if it is a name of the file.
+  std::string key_of(const FormList& maps, const FormList& below, const std::string& key) const {
+    if (names_a_signal(maps, key)) return names_.any(key);
+    const bool is_block =
+        std::ranges::any_of(below, [](auto* form) { return language::is_block_form(*form); });
+    if (is_block) return marked(NameKind::block, key);
+    if (defines(below, "parameter")) return marked(NameKind::parameter, key);
+    if (defines(below, "input")) return marked(NameKind::input, key);
+    return defines(below, "output") ? marked(NameKind::output, key) : key;
   }
 
   /// True where the fact states the default of its key. Defaults of parts are compared by drop_defaults().
@@ -299,6 +305,34 @@ void rename(Fact& fact, const NewNames& names) {
   for (Fact& part : fact.parts) rename(part, names);
   if (fact.kind == Fact::Kind::value)
     fact.canonical = renamed(fact.canonical, names);
+  else
+    join_parts(fact);
+}
+
+/// Returns a canonical text with new names behind those of a block: "rig.pull" for "rig.push".
+static std::string renamed_behind(std::string text, const std::string& block, const NewNames& names) {
+  for (const auto& [name, to] : names) {
+    const std::string old_name = block + "." + name.second;
+    for (std::size_t at = 0; (at = text.find(old_name, at)) != std::string::npos; ++at) {
+      const std::size_t end = at + old_name.size();
+      if (end < text.size() && language::is_name_character(text[end])) continue;
+      text.replace(at + block.size() + 1, name.second.size(), to);
+    }
+  }
+  return text;
+}
+
+void rename_inside(Fact& fact, const std::string& block, const NewNames& names) {
+  const bool is_user = fact.key == block && fact.find("diagram");
+  fact.key = renamed_behind(fact.key, block, names);
+  for (Fact& part : fact.parts) {
+    for (const NameKind kind : {NameKind::input, NameKind::parameter})
+      if (const auto found = names.find({kind, part.key}); is_user && found != names.end())
+        part.key = found->second;
+    rename_inside(part, block, names);
+  }
+  if (fact.kind == Fact::Kind::value)
+    fact.canonical = renamed_behind(fact.canonical, block, names);
   else
     join_parts(fact);
 }

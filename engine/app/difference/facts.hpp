@@ -61,6 +61,8 @@ class FactReader {
 
 /// Replaces names in a fact and all its parts.
 void rename(Fact& fact, const NewNames& names);
+/// Replaces names of a part, used by the block of this canonical key, in the file that uses it.
+void rename_inside(Fact& fact, const std::string& block, const NewNames& names);
 /// Computes the canonical text of a group from those of its parts.
 void join_parts(Fact& fact);
 /// Returns a name for an item of a set: its sentence or title, or its text.

@@ -261,9 +261,13 @@ class Merge {
   /// Returns the merge of lines, with the comments of both sides, where it means the merged facts.
   std::optional<std::string> text_by_lines(const Fact& wanted, const std::string& base,
                                            const std::string& ours, const std::string& theirs) const {
-    const MergedLines lines = merged_lines(base, ours, theirs);
-    const bool is_right = lines.is_clean && means(wanted, lines.text);
-    return is_right ? std::optional(lines.text) : std::nullopt;
+    try {
+      const MergedLines lines = merged_lines(base, ours, theirs);
+      const bool is_right = lines.is_clean && means(wanted, lines.text);
+      return is_right ? std::optional(lines.text) : std::nullopt;
+    } catch (const yaml::Error&) {  // git is missing
+      return std::nullopt;
+    }
   }
 
   bool means(const Fact& wanted, const std::string& text) const {

@@ -19,8 +19,10 @@ constexpr double weight_of_unknown = 0.5;  // of a feature with a name that has 
 using Name = std::pair<NameKind, std::string>;
 using Features = std::map<std::string, int>;
 
-constexpr std::array<std::pair<NameKind, const char*>, 3> sections{
-    {{NameKind::block, "blocks"}, {NameKind::parameter, "parameters"}, {NameKind::input, "inputs"}}};
+constexpr std::array<std::pair<NameKind, const char*>, 4> sections{{{NameKind::block, "blocks"},
+                                                                    {NameKind::parameter, "parameters"},
+                                                                    {NameKind::input, "inputs"},
+                                                                    {NameKind::output, "outputs"}}};
 
 /// Returns the definitions of a file in their order.
 std::vector<std::pair<Name, const Fact*>> definitions(const Fact& root) {

@@ -11,6 +11,7 @@ std::optional<NameKind> kind_of(Meaning::Kind kind) {
   if (kind == Meaning::Kind::block) return NameKind::block;
   if (kind == Meaning::Kind::parameter) return NameKind::parameter;
   if (kind == Meaning::Kind::input) return NameKind::input;
+  if (kind == Meaning::Kind::output) return NameKind::output;
   return std::nullopt;
 }
 

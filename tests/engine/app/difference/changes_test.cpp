@@ -106,6 +106,21 @@ TEST_CASE("a part that both use is compared, with its own name") {
   CHECK(lines(found) == Lines{"~ spring.gain: = -k -> = -2*k"});
 }
 
+TEST_CASE("a port or parameter of a part with another name is one line, and its users follow") {
+  std::string renamed = with(with(part_yaml, "{k:", "{rate:"), "= -k", "= -rate");
+  renamed = with(with(renamed, "{x:", "{place:"), "u: x", "u: place");
+  const std::string user =
+      with(user_text(), "x: body.position, k: $stiffness", "place: body.position, rate: $stiffness");
+  const Lines found =
+      lines(compared(user_text(), user, {{"leaf.yaml", part_yaml}}, {{"leaf.yaml", renamed}}));
+  CHECK(found == Lines{"> k is now rate", "> x is now place"});
+  const std::string shown = with(user_text(), "record: [", "record: [spring.force, ");
+  const Lines output =
+      lines(compared(shown, with(shown, "spring.force", "spring.pull"), {{"leaf.yaml", part_yaml}},
+                     {{"leaf.yaml", with(part_yaml, "{force:", "{pull:")}}));
+  CHECK(output == Lines{"> force is now pull"});
+}
+
 TEST_CASE("a part under another name of its file is no difference where its content is the same") {
   const std::string other = with(user_text(), "leaf.yaml", "blade.yaml");
   CHECK(lines(compared(user_text(), other, {{"leaf.yaml", part_yaml}}, {{"blade.yaml", part_yaml}})) ==
