@@ -14,6 +14,7 @@ namespace stepwire::difference {
 namespace {
 
 constexpr double least_similarity = 0.5;
+constexpr std::size_t many_names = 100;    // from which on several pairs are taken at once
 constexpr double weight_of_unknown = 0.5;  // of a feature with a name that has no partner yet
 
 using Name = std::pair<NameKind, std::string>;
@@ -94,27 +95,59 @@ double total(const Features& features) {
   return sum;
 }
 
-double similarity(const Features& a, const Features& b) {
-  double shared = 0.0;
-  for (const auto& [feature, count] : a)
-    if (const auto found = b.find(feature); found != b.end())
-      shared += weight_of(feature) * std::min(count, found->second);
-  const double all = std::max(total(a), total(b));
-  return all > 0.0 ? shared / all : 0.0;
-}
-
-/// Returns the most similar pair; std::nullopt if no pair is similar enough.
-std::optional<std::pair<Name, Name>> best_pair(const Unmatched& before, const Unmatched& after) {
-  std::optional<std::pair<Name, Name>> best;
-  double most = least_similarity;
-  for (const Name& old_name : before.names())
-    for (const Name& new_name : after.names()) {
-      if (old_name.first != new_name.first || before.type(old_name) != after.type(new_name)) continue;
-      const double similar = similarity(before.features(old_name), after.features(new_name));
-      if (similar < most || (best && similar == most)) continue;
-      most = similar;
-      best = {old_name, new_name};
+/// Similarity of each name of one file with each name of the other.
+class Similarities {
+ public:
+  Similarities(const Unmatched& before, const Unmatched& after) : before_(before), after_(after) {
+    for (std::size_t i = 0; i < after.names().size(); ++i) {
+      totals_.push_back(total(after.features(after.names()[i])));
+      for (const auto& [feature, count] : after.features(after.names()[i]))
+        users_[feature].emplace_back(i, count);
     }
+  }
+
+  /// Returns the similarities of one name with all names of the other file.
+  std::vector<double> of(const Name& name) const {
+    std::vector<double> similar(totals_.size(), 0.0);
+    for (const auto& [feature, count] : before_.features(name))
+      if (const auto users = users_.find(feature); users != users_.end())
+        for (const auto& [other, other_count] : users->second)
+          similar[other] += weight_of(feature) * std::min(count, other_count);
+    const double own = total(before_.features(name));
+    for (std::size_t i = 0; i < similar.size(); ++i) {
+      const Name& other = after_.names()[i];
+      const bool fits = name.first == other.first && before_.type(name) == after_.type(other);
+      const double all = std::max(own, totals_[i]);
+      similar[i] = fits && all > 0.0 ? similar[i] / all : 0.0;
+    }
+    return similar;
+  }
+
+ private:
+  const Unmatched &before_, &after_;
+  std::vector<double> totals_;
+  std::map<std::string, std::vector<std::pair<std::size_t, int>>> users_;
+};
+
+/// Returns the most similar pair. Of many names all pairs of the greatest similarity are returned. The list
+/// is empty if no pair is similar enough.
+NewNames best_pairs(const Unmatched& before, const Unmatched& after) {
+  const Similarities similarities(before, after);
+  NewNames best;
+  std::set<std::size_t> taken;
+  double most = least_similarity;
+  for (const Name& name : before.names()) {
+    const std::vector<double> similar = similarities.of(name);
+    for (std::size_t i = 0; i < similar.size(); ++i) {
+      if (similar[i] < most || (similar[i] == most && taken.contains(i))) continue;
+      const bool is_further = !best.empty() && similar[i] == most;
+      if (is_further && (before.names().size() < many_names || best.contains(name))) continue;
+      if (!is_further) best.clear(), taken.clear();
+      most = similar[i];
+      best[name] = after.names()[i].second;
+      taken.insert(i);
+    }
+  }
   return best;
 }
 
@@ -123,9 +156,11 @@ std::optional<std::pair<Name, Name>> best_pair(const Unmatched& before, const Un
 NewNames find_renames(const Fact& before, const Fact& after) {
   NewNames found;
   Fact now = before;
-  while (const auto pair = best_pair(Unmatched(now, after), Unmatched(after, now))) {
-    found[pair->first] = pair->second.second;
-    rename(now, {{pair->first, pair->second.second}});
+  for (;;) {
+    const NewNames pairs = best_pairs(Unmatched(now, after), Unmatched(after, now));
+    if (pairs.empty()) break;
+    for (const auto& [name, to] : pairs) found[name] = to;
+    rename(now, pairs);
   }
   return found;
 }

@@ -69,12 +69,12 @@ std::string Revision::shown(const std::string& path) const {
 std::string line_difference(const std::string& path, const std::string& before, const std::string& after) {
   const subprocess::ScratchFolder folder;
   const std::string name = fs::path(path).filename().string();
-  const std::string from = "before/" + name, to = "after/" + name;
+  const std::string from = "a/" + name, to = "b/" + name;
   io::write_file(folder.path() + "/" + from, before);
   io::write_file(folder.path() + "/" + to, after);
   const subprocess::ProcessResult result =
       subprocess::run_process({.command = {"git", "-C", folder.path(), "diff", "--no-index", "--no-ext-diff",
-                                           "--no-textconv", from, to}});
+                                           "--no-textconv", "--no-prefix", from, to}});
   return result.output;
 }
 

@@ -94,7 +94,7 @@ TEST_CASE("one changed number is one difference, in every diagram") {
   }
 }
 
-TEST_CASE("one renamed block is one difference, in every diagram") {
+TEST_CASE("one renamed block is one difference, in every diagram", "[full]") {
   std::uint64_t seed = 100, renamed = 0, count = 0;
   for (const std::string& file : all_diagrams()) {
     const EditedDiagram diagram(file, ++seed);
@@ -109,7 +109,7 @@ TEST_CASE("one renamed block is one difference, in every diagram") {
   CHECK(renamed > 9 * count / 10);
 }
 
-TEST_CASE("a changed number and a renamed block merge in every diagram to what both say") {
+TEST_CASE("a changed number and a renamed block merge in every diagram to what both say", "[full]") {
   std::uint64_t seed = 200;
   for (const std::string& file : all_diagrams()) {
     const EditedDiagram diagram(file, ++seed);
