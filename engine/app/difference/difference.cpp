@@ -60,7 +60,7 @@ class Comparer::OfFiles {
     if (to) change.to = to->written, change.after = to->mark;
     if (from && to) change.ratio = ratio_of(*from, *to);
     if (from && to && change.from == change.to) name_other_meaning(change, *from, *to);
-    if (section == "values") name_default(change, from ? *from : *to);
+    if (section == "values" && !is_other_type_) name_default(change, from ? *from : *to);
     changes_.push_back(std::move(change));
   }
 
@@ -185,6 +185,7 @@ class Comparer::OfFiles {
     const std::string name = unmarked(after.key);
     note_part(before, after);
     is_other_type_ = type_of(before) != type_of(after);
+    if (is_part(before) != is_part(after)) other_kind(before, after);
     for (const Fact& key : after.parts) {
       const Fact* old_key = before.find(unmarked(key.key));
       key_of_block(name, key.key, old_key, &key);
@@ -193,9 +194,22 @@ class Comparer::OfFiles {
       if (!after.find(unmarked(key.key))) key_of_block(name, key.key, &key, nullptr);
   }
 
+  static bool is_part(const Fact& block) { return !block.find("block"); }
+
+  /// Adds the change of a block into a part or bus, or the other way round.
+  void other_kind(const Fact& before, const Fact& after) {
+    Change change{.kind = Kind::changed, .section = "blocks", .name = unmarked(after.key)};
+    change.from = type_of(before);
+    change.to = type_of(after);
+    change.before = before.mark;
+    change.after = after.mark;
+    changes_.push_back(std::move(change));
+  }
+
   void key_of_block(const std::string& block, const std::string& key, const Fact* from, const Fact* to) {
     if (from && to && from->canonical == to->canonical) return;
     const bool is_type = key == "block" || key == "diagram";
+    if (is_type && !(from && to)) return;  // a part in the place of a block, see other_kind()
     if (is_type && from && to && has_equal_parts_) return;
     if (is_other_type_ && from && to && from->written == to->written) return;
     const bool is_wire = (from && from->is_wire) || (to && to->is_wire);
