@@ -127,7 +127,7 @@ const std::vector<std::string>& verbs() {
     std::vector<std::string> found;
     const std::string help = printed_by_program("--help");
     const std::string list = help.substr(help.find("Subcommands:"));
-    const std::regex verb(R"(\n  ([a-z]+) )");
+    const std::regex verb(R"(\n  ([a-z][a-z-]*) )");
     for (std::sregex_iterator at(list.begin(), list.end(), verb), none; at != none; ++at)
       found.push_back(at->str(1));
     return found;

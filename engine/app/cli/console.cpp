@@ -24,8 +24,14 @@ constexpr std::string_view plain = "\x1b[0m", bold = "\x1b[1m", red = "\x1b[1;31
 struct Beginning {
   std::string_view before, word, color;
 };
-constexpr std::array<Beginning, 4> beginnings{
-    {{"  ", "FAIL ", red}, {"  ", "ok   ", green}, {"  ", "note ", yellow}, {"", "note: ", yellow}}};
+constexpr std::array<Beginning, 8> beginnings{{{"  ", "FAIL ", red},
+                                               {"  ", "ok   ", green},
+                                               {"  ", "note ", yellow},
+                                               {"", "note: ", yellow},
+                                               {"    ", "+ ", green},
+                                               {"    ", "- ", red},
+                                               {"    ", "~ ", yellow},
+                                               {"    ", "> ", yellow}}};
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';

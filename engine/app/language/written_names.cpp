@@ -377,11 +377,11 @@ const yaml::Key& Forms::any_block() {
   if (made) return *made;
   std::vector<yaml::Key::Word> types;
   for (const BlockType* type : registry_.types()) types.push_back({type->name, type->doc});
-  yaml::Key keys = form::keys(
-      "a block", "",
-      {yaml::key("block", "kind of block", form::words(std::move(types))),
-       yaml::key("diagram", "file of a part", form::string()),
-       yaml::key("fields", "of a bus, signals under names: {force: f, torque: t}", form::of(Form::tree))});
+  yaml::Key keys = form::keys("a block", "",
+                              {yaml::key("block", "kind of block", form::words(std::move(types))),
+                               yaml::key("diagram", "file of a part", form::string()),
+                               yaml::key("fields", "of a bus, signals under names: {force: f, torque: t}",
+                                         form::naming(yaml::Key::Names::signal, form::of(Form::tree)))});
   // Without a type, any key can be an input.
   keys.rest = {form::naming(yaml::Key::Names::signal, form::of(Form::source))};
   made = std::make_unique<const yaml::Key>(std::move(keys));

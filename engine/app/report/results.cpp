@@ -4,6 +4,7 @@
 #include "engine/analyse/linear/analysis.hpp"
 #include "engine/analyse/linear/trim.hpp"
 #include "engine/analyse/tuning/tune.hpp"
+#include "engine/app/difference/difference.hpp"
 #include "engine/app/report/profile_report.hpp"
 #include "engine/app/session/loop_run.hpp"
 #include "engine/app/session/run_result.hpp"
@@ -49,7 +50,8 @@ const std::vector<JobResult>& job_results() {
                                           {"fit", result::record_type<estimation::FitResult>()},
                                           {"tune", result::record_type<tuning::TuneResult>()},
                                           {"linearize", result::record_type<linear::Analysis>()},
-                                          {"trim", result::record_type<linear::TrimResult>()}};
+                                          {"trim", result::record_type<linear::TrimResult>()},
+                                          {"diff", result::record_type<difference::Difference>()}};
   return all;
 }
 

@@ -39,6 +39,24 @@ void read_row(const yaml::KeyRow<Diagram, HeadReading>& row, const Scope& scope,
   row.set(report.diagram(), *node, HeadReading(row.name, scope, report, origin));
 }
 
+/// Adds a fault for each conflict that a merge has left in the file.
+void refuse_conflicts(const Scope& scope, Report& report) {
+  const yaml::Node* conflicts = scope.document->root.find("conflicts");
+  if (!conflicts) return;
+  const auto text_of = [](const yaml::Node& item, const char* key) {
+    const yaml::Node* value = item.find(key);
+    return value && value->is_scalar() ? value->text : std::string("unknown");
+  };
+  if (!conflicts->is_list() || conflicts->items.empty())
+    report.add(scope.at(conflicts->mark), "conflicts", "has no conflict; remove the section");
+  for (const yaml::Node& item : conflicts->items)
+    report.add(
+        scope.at(item.mark), text_of(item, "at"),
+        yaml::fault_text("ours is {}, theirs is {}, before it was {}; write the right value there and remove "
+                         "this item of 'conflicts'",
+                         text_of(item, "ours"), text_of(item, "theirs"), text_of(item, "base")));
+}
+
 }  // namespace
 
 void check_head_keys(const Scope& scope, Report& report) {
@@ -48,6 +66,7 @@ void check_head_keys(const Scope& scope, Report& report) {
                       "this is no diagram; a diagram is a map with stepwire, title, step, stop, blocks");
   read_version(scope, report);
   HeadReading("", scope, report).check_unknown(root, head_form());
+  refuse_conflicts(scope, report);
 }
 
 void read_head(const Scope& scope, Settings& settings, Report& report) {

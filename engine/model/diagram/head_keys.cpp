@@ -129,10 +129,22 @@ const EventsTable& events_table() {
        {"rounds", "how often blocks may change each other at one instant before the run ends", form::whole(1),
         &Events::rounds},
        {"looks",
-        "how often a step is examined for what crosses twice in it: up to 4 where a number turns near 0, above "
+        "how often a step is examined for what crosses twice in it: up to 4 where a number turns near 0, "
+        "above "
         "4 every step",
         form::whole(0), &Events::looks}});
   return table;
+}
+
+/// Returns the row of what a merge has left open. Every file with such a section is refused.
+HeadRow conflicts_row() {
+  static const yaml::Key form = form::list(form::keys(
+      "a conflict", "{at: spring.gain, base: 1, ours: 2, theirs: 3}",
+      {yaml::needed(yaml::key("at", "the name that has two new values")),
+       yaml::key("base", "its value before both changes"), yaml::key("ours", "its value on one side"),
+       yaml::key("theirs", "its value on the other side")}));
+  return {"conflicts",
+          "what `stepwire merge` has left open: the file is refused until the section is removed", form};
 }
 
 /// Returns the form of `events`: a word, or the options of their location.
@@ -214,7 +226,8 @@ std::vector<HeadRow> run_rows() {
       {"study",
        "runs the file once for each person and condition, and scores and analyses these trials; beside a "
        "sweep, all of that at each of its points",
-       form::section("study")}};
+       form::section("study")},
+      conflicts_row()};
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
-// Draws the graph or mechanism on the standard input to the standard output. Exit status 3: elkjs is missing.
+// Draws the graph, the mechanism or the two versions of a graph on the standard input to the standard output. Exit status 3: elkjs is missing.
 
 import {readFileSync} from "node:fs";
 import {createRequire} from "node:module";
 import {fileURLToPath} from "node:url";
 import {setFlagsFromString} from "node:v8";
 
-import {draw, drawRig} from "./draw.mjs";
+import {draw, drawCompared, drawRig} from "./draw.mjs";
 
 /**
  * A picture takes seconds, in which most of elk runs too seldom to be worth optimizing: with an interrupt budget 30 times as
@@ -32,7 +32,7 @@ function newElk() {
 
 try {
   const drawn = JSON.parse(readFileSync(0, "utf8"));
-  process.stdout.write(drawn.elements ? drawRig(drawn) : await draw(drawn, newElk()));
+  process.stdout.write(drawn.elements ? drawRig(drawn) : drawn.compared ? await drawCompared(drawn.compared, newElk()) : await draw(drawn, newElk()));
 } catch (error) {
   fail(1, `the diagram cannot be drawn: ${error.message ?? error}`);
 }

@@ -1,0 +1,335 @@
+#include "engine/app/difference/difference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "engine/app/difference/matching.hpp"
+#include "engine/app/difference/renames.hpp"
+
+namespace stepwire::difference {
+namespace {
+
+using Kind = Change::Kind;
+
+/// Returns new number over old number where both are plain numbers of one unit.
+std::optional<double> ratio_of(const Fact& from, const Fact& to) {
+  const auto unit_of = [](const Fact& fact) {
+    const std::size_t at = fact.canonical.find('[');
+    return at == std::string::npos ? "" : fact.canonical.substr(at);
+  };
+  if (!from.number || !to.number || *from.number == 0.0 || unit_of(from) != unit_of(to)) return std::nullopt;
+  const double ratio = *to.number / *from.number;
+  return std::isfinite(ratio) ? std::optional(ratio) : std::nullopt;
+}
+
+std::string joined(const std::string& path, const std::string& key) {
+  return path.empty() ? key : key.empty() ? path : path + "." + key;
+}
+
+}  // namespace
+
+/// Comparison of one pair of files.
+class Comparer::OfFiles {
+ public:
+  OfFiles(Comparer& comparer, const FileFacts& before, const FileFacts& after)
+      : comparer_(comparer), before_(before), after_(after), old_(before.root) {}
+
+  std::vector<Change> changes() {
+    names_ = find_renames(before_.root, after_.root);
+    rename(old_, names_);
+    follow_parts();
+    blocks();
+    for (const Fact& part : after_.root.parts)
+      if (part.key != "blocks") section(part.key);
+    for (const Fact& part : old_.parts)
+      if (part.key != "blocks" && !after_.root.find(part.key)) section(part.key);
+    return std::move(changes_);
+  }
+
+  /// Returns the files of parts that both use in one block.
+  const std::vector<std::pair<std::string, std::string>>& parts() const { return parts_; }
+
+ private:
+  void add(Kind kind, const std::string& section, const std::string& name, const Fact* from, const Fact* to) {
+    Change change{.kind = kind, .section = section, .name = unmarked(name)};
+    if (from) change.from = from->written, change.before = from->mark;
+    if (to) change.to = to->written, change.after = to->mark;
+    if (from && to) change.ratio = ratio_of(*from, *to);
+    if (from && to && change.from == change.to) name_other_meaning(change, *from, *to);
+    if (section == "values" && !is_other_type_) name_default(change, from ? *from : *to);
+    changes_.push_back(std::move(change));
+  }
+
+  /// Shows canonical texts where two files write a value alike and mean different things.
+  static void name_other_meaning(Change& change, const Fact& from, const Fact& to) {
+    change.from = unmarked(from.canonical);
+    change.to = unmarked(to.canonical);
+  }
+
+  /// Shows the default in the place of a value that one file leaves out.
+  static void name_default(Change& change, const Fact& fact) {
+    if (change.kind != Kind::added && change.kind != Kind::removed) return;
+    if (fact.otherwise.empty()) return;
+    (change.kind == Kind::added ? change.from : change.to) = fact.otherwise + " (default)";
+    change.kind = Kind::changed;
+  }
+
+  /// Applies the renames within parts to the file that uses them: keys of their blocks, and "rig.x".
+  void follow_parts() {
+    const Fact *before = old_.find("blocks"), *after = after_.root.find("blocks");
+    for (std::size_t i = 0; before && after && i < after->parts.size(); ++i) {
+      const Fact& block = after->parts[i];
+      const Fact* old_block = before->find(unmarked(block.key));
+      const auto files = old_block ? files_of_part(*old_block, block) : std::nullopt;
+      if (!files) continue;
+      const NewNames names =
+          find_renames(comparer_.before_.read(files->first).root, comparer_.after_.read(files->second).root);
+      if (!names.empty()) rename_inside(old_, block.key, names);
+    }
+  }
+
+  void renames(NameKind kind, const char* section) {
+    for (const auto& [old_name, new_name] : names_) {
+      if (old_name.first != kind) continue;
+      Change change{.kind = Kind::renamed, .section = section, .name = old_name.second};
+      change.from = old_name.second;
+      change.to = new_name;
+      if (const Fact* map = before_.root.find(section))
+        if (const Fact* fact = map->find(old_name.second)) change.before = fact->mark;
+      if (const Fact* map = after_.root.find(section))
+        if (const Fact* fact = map->find(new_name)) change.after = fact->mark;
+      changes_.push_back(std::move(change));
+    }
+  }
+
+  void blocks() {
+    static const Fact none{.kind = Fact::Kind::map};
+    const Fact* old_blocks = old_.find("blocks");
+    const Fact* new_blocks = after_.root.find("blocks");
+    const Fact &before = old_blocks ? *old_blocks : none, &after = new_blocks ? *new_blocks : none;
+    for (const Fact& block : after.parts)
+      if (!before.find(unmarked(block.key))) new_block(block, before);
+    for (const Fact& block : before.parts)
+      if (!after.find(unmarked(block.key))) gone_block(block, after);
+    renames(NameKind::block, "blocks");
+    for (const Fact& block : after.parts)
+      if (const Fact* old_block = before.find(unmarked(block.key))) same_block(*old_block, block);
+  }
+
+  void new_block(const Fact& block, const Fact& old_blocks) {
+    if (const auto home =
+            home_in_part(block, old_blocks, comparer_.before_texts_, comparer_.before_, before_.file))
+      return moved(block, *home, unmarked(block.key), nullptr, &block);
+    add(Kind::added, "blocks", block.key, nullptr, &block);
+  }
+
+  void gone_block(const Fact& block, const Fact& new_blocks) {
+    if (const auto home =
+            home_in_part(block, new_blocks, comparer_.after_texts_, comparer_.after_, after_.file))
+      return moved(block, unmarked(block.key), *home, &block, nullptr);
+    add(Kind::removed, "blocks", block.key, &block, nullptr);
+  }
+
+  void moved(const Fact& block, const std::string& from, const std::string& to, const Fact* before,
+             const Fact* after) {
+    Change change{.kind = Kind::moved, .section = "blocks", .name = unmarked(block.key)};
+    change.from = from;
+    change.to = to;
+    if (before) change.before = before->mark;
+    if (after) change.after = after->mark;
+    changes_.push_back(std::move(change));
+  }
+
+  /// Returns the name of a block in a part that only the other side uses: "rig.spring". The block there has
+  /// the same type and the same values.
+  std::optional<std::string> home_in_part(const Fact& block, const Fact& others, Texts& texts,
+                                          FactReader& reader, const std::string& file) {
+    const bool is_old = &texts == &comparer_.after_texts_;
+    for (const Fact& user : others.parts) {
+      const Fact* path = user.find("diagram");
+      if (!path || user.find("block") || is_known_part(user, is_old)) continue;
+      const std::string part = texts.part_path(file, path->canonical);
+      if (!texts.find(part)) continue;
+      const FileFacts inside = reader.read(part);
+      const Fact* blocks = inside.root.find("blocks");
+      for (std::size_t i = 0; blocks && i < blocks->parts.size(); ++i)
+        if (const Fact& one = blocks->parts[i]; is_moved(block, one))
+          return unmarked(user.key) + "." + unmarked(one.key);
+    }
+    return std::nullopt;
+  }
+
+  /// True for a part that the file of the block uses as well.
+  bool is_known_part(const Fact& user, bool is_old) const {
+    const Fact* blocks = is_old ? old_.find("blocks") : after_.root.find("blocks");
+    const Fact* same = blocks ? blocks->find(unmarked(user.key)) : nullptr;
+    return same && type_of(*same) == type_of(user);
+  }
+
+  static bool is_moved(const Fact& block, const Fact& inside) {
+    if (type_of(block) != type_of(inside)) return false;
+    const auto values_of = [](const Fact& fact) {
+      std::set<std::string> values;
+      for (const Fact& part : fact.parts)
+        if (!part.is_wire) values.insert(part.key + ": " + unmarked(part.canonical));
+      return values;
+    };
+    return values_of(block) == values_of(inside);
+  }
+
+  void same_block(const Fact& before, const Fact& after) {
+    const std::string name = unmarked(after.key);
+    note_part(before, after);
+    is_other_type_ = type_of(before) != type_of(after);
+    if (is_part(before) != is_part(after)) other_kind(before, after);
+    for (const Fact& key : after.parts) {
+      const Fact* old_key = before.find(unmarked(key.key));
+      key_of_block(name, key.key, old_key, &key);
+    }
+    for (const Fact& key : before.parts)
+      if (!after.find(unmarked(key.key))) key_of_block(name, key.key, &key, nullptr);
+  }
+
+  static bool is_part(const Fact& block) { return !block.find("block"); }
+
+  /// Adds the change of a block into a part or bus, or the other way round.
+  void other_kind(const Fact& before, const Fact& after) {
+    Change change{.kind = Kind::changed, .section = "blocks", .name = unmarked(after.key)};
+    change.from = type_of(before);
+    change.to = type_of(after);
+    change.before = before.mark;
+    change.after = after.mark;
+    changes_.push_back(std::move(change));
+  }
+
+  void key_of_block(const std::string& block, const std::string& key, const Fact* from, const Fact* to) {
+    if (from && to && from->canonical == to->canonical) return;
+    const bool is_type = key == "block" || key == "diagram";
+    if (is_type && !(from && to)) return;  // a part in the place of a block, see other_kind()
+    if (is_type && from && to && has_equal_parts_) return;
+    if (is_other_type_ && from && to && from->written == to->written) return;
+    const bool is_wire = (from && from->is_wire) || (to && to->is_wire);
+    const std::string section = is_type ? "blocks" : is_wire ? "wires" : "values";
+    difference(section, is_type ? block : joined(block, unmarked(key)), from, to);
+  }
+
+  void note_part(const Fact& before, const Fact& after) {
+    has_equal_parts_ = false;
+    const auto files = files_of_part(before, after);
+    if (!files) return;
+    const auto& [from, to] = *files;
+    if (comparer_.before_.read(from).root.canonical == comparer_.after_.read(to).root.canonical)
+      has_equal_parts_ = true;
+    else
+      parts_.emplace_back(from, to);
+  }
+
+  /// Returns the two files of a part; std::nullopt where one of the blocks is none, or its file is
+  /// unreadable.
+  std::optional<std::pair<std::string, std::string>> files_of_part(const Fact& before,
+                                                                   const Fact& after) const {
+    const Fact *old_path = before.find("diagram"), *new_path = after.find("diagram");
+    if (!old_path || !new_path || before.find("block") || after.find("block")) return std::nullopt;
+    const std::string from = comparer_.before_texts_.part_path(before_.file, old_path->canonical);
+    const std::string to = comparer_.after_texts_.part_path(after_.file, new_path->canonical);
+    if (!comparer_.before_texts_.find(from) || !comparer_.after_texts_.find(to)) return std::nullopt;
+    return std::pair(from, to);
+  }
+
+  void section(const std::string& key) {
+    const Fact *from = old_.find(key), *to = after_.root.find(key);
+    if (key == "parameters") renames(NameKind::parameter, "parameters");
+    if (key == "inputs") renames(NameKind::input, "inputs");
+    if (key == "outputs") renames(NameKind::output, "outputs");
+    if (from && to && from->canonical == to->canonical) return;
+    const bool is_scalar = (from ? from : to)->kind == Fact::Kind::value;
+    difference(is_scalar ? "head" : key, is_scalar ? key : "", from, to);
+  }
+
+  void difference(const std::string& section, const std::string& name, const Fact* from, const Fact* to) {
+    if (from && to && from->canonical == to->canonical) return;
+    if (from && to && from->kind == to->kind) {
+      if (to->kind == Fact::Kind::map) return maps(section, name, *from, *to);
+      if (to->kind == Fact::Kind::set) return sets(section, name, *from, *to);
+      const bool is_same_length = to->parts.size() == from->parts.size() && to->parts.size() > 1;
+      if (to->kind == Fact::Kind::sequence && is_same_length) return sequences(section, name, *from, *to);
+    }
+    if (!from || !to) {
+      const Fact& one = from ? *from : *to;
+      if (name.empty() && one.kind != Fact::Kind::value) return items(section, from, to);
+    }
+    add(!from ? Kind::added : !to ? Kind::removed : Kind::changed, section, name, from, to);
+  }
+
+  /// Adds each item of a section that only one file has.
+  void items(const std::string& section, const Fact* from, const Fact* to) {
+    const Fact& one = from ? *from : *to;
+    for (const Fact& part : one.parts)
+      add(from ? Kind::removed : Kind::added, section, part.key.empty() ? label_of(part) : part.key,
+          from ? &part : nullptr, from ? nullptr : &part);
+  }
+
+  void maps(const std::string& section, const std::string& name, const Fact& from, const Fact& to) {
+    const Fact *old_plot = from.find("plot"), *new_plot = to.find("plot");
+    const bool is_other_plot = old_plot && new_plot && old_plot->canonical != new_plot->canonical;
+    for (const Fact& part : to.parts) {
+      const Fact* old_part = from.find(unmarked(part.key));
+      if (is_other_plot && old_part && old_part->written == part.written) continue;  // read in another form
+      difference(section, inner_name(section, name, part), old_part, &part);
+    }
+    for (const Fact& part : from.parts)
+      if (!to.find(unmarked(part.key))) difference(section, inner_name(section, name, part), &part, nullptr);
+  }
+
+  /// Leaves out the key of the value itself: "mass" for "mass.value".
+  static std::string inner_name(const std::string& section, const std::string& name, const Fact& part) {
+    const bool is_value = (section == "parameters" && part.key == "value") ||
+                          (section == "outputs" && part.key == "signal") ||
+                          (section == "record" && part.key == "signals");
+    return is_value && !name.empty() ? name : joined(name, unmarked(part.key));
+  }
+
+  void sets(const std::string& section, const std::string& name, const Fact& from, const Fact& to) {
+    const Matches found = matches_of(from, to);
+    for (const Fact* one : found.added) add(Kind::added, section, joined(name, label_of(*one)), nullptr, one);
+    for (const Fact* one : found.removed)
+      add(Kind::removed, section, joined(name, label_of(*one)), one, nullptr);
+    for (const auto& [a, b] : found.pairs) difference(section, joined(name, "'" + label_of(*a) + "'"), a, b);
+  }
+
+  void sequences(const std::string& section, const std::string& name, const Fact& from, const Fact& to) {
+    for (std::size_t i = 0; i < to.parts.size(); ++i)
+      difference(section, joined(name, fmt::format("{}", i + 1)), &from.parts[i], &to.parts[i]);
+  }
+
+  Comparer& comparer_;
+  const FileFacts &before_, &after_;
+  Fact old_;  ///< facts of the old file with the new names
+  NewNames names_;
+  std::vector<Change> changes_;
+  std::vector<std::pair<std::string, std::string>> parts_;
+  bool is_other_type_ = false;    ///< the present block has another type
+  bool has_equal_parts_ = false;  ///< the parts of the present block have equal facts
+};
+
+void Comparer::compare(const std::string& before, const std::string& after, bool parts) {
+  if (std::ranges::count(done_, std::pair(before, after))) return;
+  done_.emplace_back(before, after);
+  const FileFacts old_facts = before_.read(before), new_facts = after_.read(after);
+  OfFiles files(*this, old_facts, new_facts);
+  std::vector<Change> changes = files.changes();
+  if (!changes.empty()) result_.files.push_back({before, after, std::move(changes)});
+  if (parts)
+    for (const auto& [from, to] : std::vector(files.parts())) compare(from, to, true);
+}
+
+const char* word_of(Change::Kind kind) {
+  static constexpr const char* words[] = {"added", "removed", "renamed", "moved", "changed"};
+  return words[static_cast<std::size_t>(kind)];
+}
+
+}  // namespace stepwire::difference

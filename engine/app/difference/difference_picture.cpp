@@ -1,0 +1,71 @@
+#include "engine/app/difference/difference_picture.hpp"
+
+#include <algorithm>
+
+#include "engine/app/difference/difference_text.hpp"
+#include "engine/view/drawing/draw.hpp"
+
+namespace stepwire::difference {
+namespace {
+
+using json::Json;
+
+Json graph_of(const Registry& registry, const std::string& file) {
+  diagram::Loader loader(registry);
+  return drawing::DrawnFile(loader, file).view().graph({});
+}
+
+/// Returns the differences of the files themselves; nullptr if only parts differ.
+const FileDifference* own_changes(const Difference& difference, const std::string& after) {
+  const auto found = std::ranges::find(difference.files, after, &FileDifference::after);
+  return found == difference.files.end() ? nullptr : &*found;
+}
+
+/// Returns the names of the parts of a file whose own files differ.
+std::vector<std::string> changed_parts(const Difference& difference, const std::string& file) {
+  Texts texts;
+  std::vector<std::string> names;
+  const yaml::Node* blocks = texts.read(file).document.root.find("blocks");
+  for (std::size_t i = 0; blocks && i < blocks->entries.size(); ++i) {
+    const yaml::Entry& block = blocks->entries[i];
+    const yaml::Node* path = block.value.is_map() ? block.value.find("diagram") : nullptr;
+    if (path && own_changes(difference, texts.part_path(file, path->text))) names.push_back(block.key);
+  }
+  return names;
+}
+
+/// Returns a line for each change. Those that the drawing does not show begin with their section.
+std::vector<std::string> lines_of(const Difference& difference) {
+  std::vector<std::string> lines;
+  for (const FileDifference& file : difference.files)
+    for (const Change& change : file.changes) {
+      const bool is_drawn =
+          change.section == "blocks" || change.section == "wires" || change.section == "values";
+      std::string line = line_of(change);
+      if (!is_drawn) line.insert(2, change.section + " ");
+      lines.push_back(std::move(line));
+    }
+  return lines;
+}
+
+}  // namespace
+
+std::string difference_picture(const Registry& registry, const std::string& before, const std::string& after,
+                               const Difference& difference) {
+  Json names = Json::object();
+  std::vector<std::string> changed = changed_parts(difference, after);
+  const FileDifference* own = own_changes(difference, after);
+  for (std::size_t i = 0; own && i < own->changes.size(); ++i) {
+    const Change& change = own->changes[i];
+    const bool is_block = change.section == "blocks" || change.section == "values";
+    if (is_block && change.kind == Change::Kind::renamed) names.set(change.from, change.to);
+    if (is_block && change.kind == Change::Kind::changed) changed.push_back(change.name);
+  }
+  Json compared = Json::object();
+  compared.set("before", graph_of(registry, before)).set("after", graph_of(registry, after));
+  compared.set("names", std::move(names)).set("changed", Json::list_of(changed));
+  compared.set("lines", Json::list_of(lines_of(difference)));
+  return drawing::draw_picture(Json::object().set("compared", std::move(compared)));
+}
+
+}  // namespace stepwire::difference

@@ -1,0 +1,359 @@
+// Merge of three versions of a diagram. Problem: a merge of lines puts together what does not fit, and
+// refuses what does. Idea: the versions are read as facts. Names are made equal first: a rename of one side
+// is applied to the other two, in the facts and in the texts. Then each fact is merged by itself: where only
+// `theirs` differs from `base`, the text of `ours` gets the value of `theirs` by an edit of its syntax tree.
+// Where both differ in different ways, the fact is a conflict. The merged text is read again, and has to mean
+// exactly the merged facts. Cost: a few walks through the files.
+#include "engine/app/difference/merge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "engine/app/difference/fact_edits.hpp"
+#include "engine/app/difference/matching.hpp"
+#include "engine/app/difference/renames.hpp"
+#include "engine/app/difference/revision.hpp"
+#include "engine/app/difference/text_renames.hpp"
+#include "engine/app/language/analysis.hpp"
+#include "engine/app/language/tree_edits.hpp"
+#include "engine/base/yaml/yaml_text.hpp"
+
+namespace stepwire::difference {
+namespace {
+
+constexpr const char* section_of_conflicts = "conflicts";
+
+const Fact& no_fact() {
+  static const Fact none{.kind = Fact::Kind::map, .canonical = "{}"};
+  return none;
+}
+
+std::string canonical_of(const Fact* fact) {
+  return fact ? fact->canonical : "";
+}
+
+std::string joined_path(const std::string& path, const std::string& name) {
+  const bool is_section = path == "blocks" || path == "parameters" || path.empty();
+  return is_section ? name : name.empty() ? path : path + "." + name;
+}
+
+/// Three versions of one fact; nullptr where a version has none.
+struct Versions {
+  const Fact *base, *ours, *theirs;
+
+  bool all_are(Fact::Kind kind) const {
+    return ours && theirs && ours->kind == kind && theirs->kind == kind && (!base || base->kind == kind);
+  }
+};
+
+/// Merge of the facts of three versions into the text of one.
+class FactMerge {
+ public:
+  FactMerge(FactEdits& edits, std::vector<Conflict>& conflicts) : edits_(edits), conflicts_(conflicts) {}
+
+  /// Merges a map, and returns the merged facts.
+  Fact map(const Versions& of, const std::string& path) {
+    const Fact& base = of.base ? *of.base : no_fact();
+    Fact merged = *of.ours;
+    merged.parts.clear();
+    for (const Fact& part : of.ours->parts)
+      keep(merged,
+           one({base.find(unmarked(part.key)), &part, of.theirs->find(unmarked(part.key))}, *of.ours, path));
+    for (const Fact& part : of.theirs->parts)
+      if (!of.ours->find(unmarked(part.key)))
+        keep(merged, one({base.find(unmarked(part.key)), nullptr, &part}, *of.ours, path));
+    join_parts(merged);
+    return merged;
+  }
+
+ private:
+  static void keep(Fact& merged, std::optional<Fact> part) {
+    if (part) merged.parts.push_back(std::move(*part));
+  }
+
+  /// Merges one key of a map. Returns std::nullopt where the merged map has no such key.
+  std::optional<Fact> one(const Versions& of, const Fact& owner, const std::string& path) {
+    const Fact& named = of.ours ? *of.ours : *of.theirs;
+    const std::string name = joined_path(path, unmarked(named.key));
+    const std::string base = canonical_of(of.base), ours = canonical_of(of.ours),
+                      theirs = canonical_of(of.theirs);
+    if (theirs == base || theirs == ours) return of.ours ? std::optional(*of.ours) : std::nullopt;
+    if (ours != base && has_two_types(of)) return conflict(of, name);
+    if (of.all_are(Fact::Kind::map) && edits_.is_map(*of.ours)) return map(of, name);
+    if (of.all_are(Fact::Kind::set)) return set(of, name);
+    const bool is_same_length = of.ours && of.theirs && of.base &&
+                                of.ours->parts.size() == of.theirs->parts.size() &&
+                                of.ours->parts.size() == of.base->parts.size();
+    if (of.all_are(Fact::Kind::sequence) && is_same_length && edits_.is_list(*of.ours))
+      return sequence(of, name);
+    if (ours == base) return taken(of, owner);
+    return conflict(of, name);
+  }
+
+  /// True for a block that is of another type in each version.
+  static bool has_two_types(const Versions& of) {
+    if (!of.ours || !of.theirs || names_in(of.ours->key, NameKind::block).empty()) return false;
+    return of.ours->is_map() && of.theirs->is_map() && type_of(*of.ours) != type_of(*of.theirs);
+  }
+
+  /// Takes the version of theirs.
+  std::optional<Fact> taken(const Versions& of, const Fact& owner) {
+    if (!of.theirs) {
+      edits_.remove(owner, *of.ours);
+      return std::nullopt;
+    }
+    if (of.ours)
+      edits_.replace(*of.ours, *of.theirs);
+    else
+      edits_.add(owner, *of.theirs);
+    return *of.theirs;
+  }
+
+  std::optional<Fact> conflict(const Versions& of, const std::string& name) {
+    const auto written = [&](const Fact* fact) {
+      return fact ? fact->written : of.base ? "removed" : "absent";
+    };
+    conflicts_.push_back({name, of.base ? of.base->written : "absent", written(of.ours), written(of.theirs)});
+    return of.ours ? std::optional(*of.ours) : std::nullopt;
+  }
+
+  Fact sequence(const Versions& of, const std::string& path) {
+    Fact merged = *of.ours;
+    for (std::size_t i = 0; i < merged.parts.size(); ++i) {
+      const Versions item{&of.base->parts[i], &of.ours->parts[i], &of.theirs->parts[i]};
+      if (auto part = one(item, *of.ours, fmt::format("{}.{}", path, i + 1)))
+        merged.parts[i] = std::move(*part);
+    }
+    join_parts(merged);
+    return merged;
+  }
+
+  static const Fact* partner_of(const Matches& matches, const Fact* item) {
+    for (const auto& [a, b] : matches.pairs)
+      if (a == item) return b;
+    return nullptr;
+  }
+
+  Fact set(const Versions& of, const std::string& path) {
+    Fact none{.kind = Fact::Kind::set};
+    const Fact& base = of.base ? *of.base : none;
+    const Matches ours = matches_of(base, *of.ours), theirs = matches_of(base, *of.theirs);
+    Fact merged = *of.ours;
+    merged.parts.clear();
+    for (const Fact* item : ours.added) merged.parts.push_back(*item);
+    for (const Fact& item : base.parts)
+      keep(merged, item_of_set({&item, partner_of(ours, &item), partner_of(theirs, &item)}, *of.ours, path));
+    for (const Fact* item : theirs.added) {
+      const bool is_there = std::ranges::any_of(
+          ours.added, [&](const Fact* other) { return other->canonical == item->canonical; });
+      if (is_there) continue;
+      edits_.add_item(*of.ours, *item);
+      merged.parts.push_back(*item);
+    }
+    join_parts(merged);
+    return merged;
+  }
+
+  std::optional<Fact> item_of_set(const Versions& of, const Fact& owner, const std::string& path) {
+    const std::string name = path + " '" + label_of(*of.base) + "'";
+    const std::string base = canonical_of(of.base), ours = canonical_of(of.ours),
+                      theirs = canonical_of(of.theirs);
+    if (theirs == base || theirs == ours) return of.ours ? std::optional(*of.ours) : std::nullopt;
+    if (of.all_are(Fact::Kind::map) && edits_.is_map(*of.ours)) return map(of, name);
+    if (ours != base) return conflict(of, name);
+    if (of.theirs) {
+      edits_.replace(*of.ours, *of.theirs);
+      return *of.theirs;
+    }
+    edits_.remove_item(owner, *of.ours);
+    return std::nullopt;
+  }
+
+  FactEdits& edits_;
+  std::vector<Conflict>& conflicts_;
+};
+
+/// One side of a merge.
+struct Side {
+  Texts texts;
+  FileFacts facts;
+};
+
+/// Merge of three texts of one file.
+class Merge {
+ public:
+  Merge(const Registry& registry, const std::string& path) : registry_(registry), path_(path) {}
+
+  Merged run(const std::string& base, const std::string& ours, const std::string& theirs) {
+    read(base_, base);
+    read(ours_, ours);
+    read(theirs_, theirs);
+    equalise_names();
+    Merged merged;
+    merged.conflicts = conflicts_;
+    FactEdits edits(*ours_.facts.source, *theirs_.facts.source);
+    const Fact wanted = merged_facts(edits, merged.conflicts);
+    note_missing(wanted, merged.conflicts);
+    const auto by_lines = merged.conflicts.empty() ? text_by_lines(wanted, base, ours, theirs) : std::nullopt;
+    merged.text = by_lines ? *by_lines : edits.text();
+    require_meaning(wanted, merged.text);
+    if (merged.conflicts.empty())
+      merged.faults = new_faults(merged.text, ours, theirs);
+    else
+      merged.text += conflicts_text(merged.conflicts);
+    return merged;
+  }
+
+ private:
+  void read(Side& side, const std::string& text) {
+    side.texts.give(path_, text);
+    side.facts = FactReader(registry_, side.texts).read(path_);
+    if (const Fact* open = side.facts.root.find(section_of_conflicts))
+      throw yaml::Error(yaml::Fault{{path_, open->mark},
+                                    section_of_conflicts,
+                                    "has conflicts of an earlier merge; resolve them first",
+                                    {}});
+  }
+
+  /// Applies the renames of each side to the two other versions.
+  void equalise_names() {
+    NewNames by_ours = find_renames(base_.facts.root, ours_.facts.root);
+    NewNames by_theirs = find_renames(base_.facts.root, theirs_.facts.root);
+    NewNames for_base = by_theirs, for_ours, for_theirs;
+    for (const auto& [name, to] : by_ours) for_base[name] = to;
+    for (const auto& [name, to] : by_theirs)
+      if (!by_ours.contains(name)) for_ours[name] = to;
+    for (const auto& [name, to] : by_ours) {
+      const auto other = by_theirs.find(name);
+      if (other == by_theirs.end()) {
+        for_theirs[name] = to;
+      } else if (other->second != to) {
+        for_theirs[{name.first, other->second}] = to;
+        conflicts_.push_back({"name of " + name.second, name.second, to, other->second});
+      }
+    }
+    apply(base_, for_base);
+    apply(ours_, for_ours);
+    apply(theirs_, for_theirs);
+  }
+
+  void apply(Side& side, const NewNames& names) {
+    if (names.empty()) return;
+    const auto text = with_new_names(registry_, side.texts, path_, names);
+    if (!text)
+      throw yaml::Error(
+          yaml::Fault{{path_, {}},
+                      names.begin()->first.second,
+                      fmt::format("cannot be renamed to '{}' in all versions; rename it by hand in one "
+                                  "of them before the merge",
+                                  names.begin()->second),
+                      {}});
+    side.texts = side.texts.with(path_, *text);
+    side.facts = FactReader(registry_, side.texts).read(path_);
+  }
+
+  Fact merged_facts(FactEdits& edits, std::vector<Conflict>& conflicts) const {
+    return FactMerge(edits, conflicts).map({&base_.facts.root, &ours_.facts.root, &theirs_.facts.root}, "");
+  }
+
+  /// Returns the merge of lines, with the comments of both sides, where it means the merged facts.
+  std::optional<std::string> text_by_lines(const Fact& wanted, const std::string& base,
+                                           const std::string& ours, const std::string& theirs) const {
+    try {
+      const MergedLines lines = merged_lines(base, ours, theirs);
+      const bool is_right = lines.is_clean && means(wanted, lines.text);
+      return is_right ? std::optional(lines.text) : std::nullopt;
+    } catch (const yaml::Error&) {  // git is missing
+      return std::nullopt;
+    }
+  }
+
+  bool means(const Fact& wanted, const std::string& text) const {
+    try {
+      Texts after = ours_.texts.with(path_, text);
+      return meaning_of(FactReader(registry_, after).read(path_).root) == meaning_of(wanted);
+    } catch (const yaml::Error&) {
+      return false;
+    }
+  }
+
+  /// Adds a conflict for each name that is used and that one side has removed.
+  void note_missing(const Fact& wanted, std::vector<Conflict>& conflicts) const {
+    for (const auto& [kind, section] : {std::pair{NameKind::block, "blocks"},
+                                        {NameKind::parameter, "parameters"},
+                                        {NameKind::input, "inputs"}}) {
+      const Fact* defined = wanted.find(section);
+      std::set<std::string> missing;
+      for (const std::string& name : names_in(wanted.canonical, kind))
+        if (!defined || !defined->find(name)) missing.insert(name);
+      for (const std::string& name : missing) conflicts.push_back(conflict_of(section, name));
+    }
+  }
+
+  Conflict conflict_of(const std::string& section, const std::string& name) const {
+    const auto written = [&](const Side& side) -> std::string {
+      const Fact* map = side.facts.root.find(section);
+      const Fact* fact = map ? map->find(name) : nullptr;
+      return fact ? fact->written : "removed";
+    };
+    return {name, written(base_), written(ours_), written(theirs_)};
+  }
+
+  void require_meaning(const Fact& wanted, const std::string& text) {
+    if (!means(wanted, text))
+      throw language::EditRefused("the merged text would not mean what both versions say; merge it by hand");
+  }
+
+  std::vector<yaml::Fault> faults_of(const std::string& text) const {
+    language::DiagramFiles files(registry_);
+    files.texts().open(path_, text);
+    return language::analyse(files, path_).faults;
+  }
+
+  /// Returns the faults that neither version has.
+  std::vector<yaml::Fault> new_faults(const std::string& text, const std::string& ours,
+                                      const std::string& theirs) const {
+    std::vector<yaml::Fault> faults = faults_of(text);
+    if (faults.empty()) return faults;
+    std::set<std::string> known;
+    for (const std::string* version : {&ours, &theirs})
+      for (const yaml::Fault& fault : faults_of(*version)) known.insert(fault.subject + fault.message.text());
+    std::erase_if(faults, [&](const yaml::Fault& fault) {
+      return known.contains(fault.subject + fault.message.text());
+    });
+    return faults;
+  }
+
+  static std::string conflicts_text(const std::vector<Conflict>& conflicts) {
+    std::string text = std::string(section_of_conflicts) + ":\n";
+    for (const Conflict& one : conflicts) {
+      yaml::Node node;
+      node.kind = yaml::Node::Kind::map;
+      for (const auto& [key, value] :
+           {std::pair{"at", &one.at}, {"base", &one.base}, {"ours", &one.ours}, {"theirs", &one.theirs}}) {
+        yaml::Node text_node;
+        text_node.kind = yaml::Node::Kind::scalar;
+        text_node.text = *value;
+        node.entries.push_back({key, {}, std::move(text_node)});
+      }
+      text += "  - " + yaml::yaml_line(node) + "\n";
+    }
+    return text;
+  }
+
+  const Registry& registry_;
+  const std::string& path_;
+  Side base_, ours_, theirs_;
+  std::vector<Conflict> conflicts_;
+};
+
+}  // namespace
+
+Merged merge(const Registry& registry, const std::string& path, const std::string& base,
+             const std::string& ours, const std::string& theirs) {
+  return Merge(registry, path).run(base, ours, theirs);
+}
+
+}  // namespace stepwire::difference

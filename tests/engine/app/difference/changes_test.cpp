@@ -1,0 +1,172 @@
+#include <catch2/catch.hpp>
+
+#include "tests/engine/app/difference/comparing.hpp"
+
+namespace stepwire::difference {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+Lines changed(const std::string& from, const std::string& to) {
+  return lines(loop_yaml, with(loop_yaml, from, to));
+}
+
+std::string renamed_everywhere(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a parameter has its old and new value, and their ratio where both have one unit") {
+  CHECK(changed("400 N/m", "600 N/m") == Lines{"~ stiffness: 400 N/m -> 600 N/m (1.5 times)"});
+  CHECK(changed("400 N/m", "0.2 N/mm") == Lines{"~ stiffness: 400 N/m -> 0.2 N/mm (0.5 times)"});
+  CHECK(changed("amplitude: 3 N", "amplitude: 4 kg") == Lines{"~ push.amplitude: 3 N -> 4 kg"});
+  CHECK(changed("frequency: 2 Hz", "frequency: 3 Hz") == Lines{"~ push.frequency: 2 Hz -> 3 Hz (1.5 times)"});
+  CHECK(changed("2 Hz}", "2 Hz, phase: 1 rad}") == Lines{"~ push.phase: 0 rad (default) -> 1 rad"});
+  CHECK(changed("  weight: 2 kg\n", "  weight: 2 kg\n  drag: 1 N s/m\n") == Lines{"+ drag: 1 N s/m"});
+}
+
+TEST_CASE("a wire has its old and new source") {
+  CHECK(changed("u: body.position", "u: body.velocity") ==
+        Lines{"~ spring.u: body.position -> body.velocity"});
+  CHECK(changed("[push, spring]", "[push, body.velocity]") == Lines{"~ sum.u.2: spring -> body.velocity"});
+  CHECK(changed("[push, spring]", "[push]") == Lines{"~ sum.u: [push, spring] -> [push]"});
+}
+
+TEST_CASE("a block is added or removed with what it is") {
+  const std::string damper = "  damper: {block: Gain, u: body.velocity, gain: -1 N s/m}\n";
+  const std::string more = with(loop_yaml, "  sum:  ", damper + "  sum:  ");
+  CHECK(lines(loop_yaml, more) == Lines{"+ damper: {block: Gain, u: body.velocity, gain: -1 N s/m}"});
+  CHECK(lines(more, loop_yaml) == Lines{"- damper: {block: Gain, u: body.velocity, gain: -1 N s/m}"});
+  CHECK(changed("block: Sine", "block: Square") == Lines{"~ push: Sine -> Square"});
+}
+
+TEST_CASE("a rename is one line, and what follows it is none") {
+  CHECK(lines(loop_yaml, renamed_everywhere(loop_yaml, "spring", "leaf")).front() == "> spring is now leaf");
+  CHECK(lines(loop_yaml, renamed_everywhere(loop_yaml, "body", "cart")) == Lines{"> body is now cart"});
+  CHECK(lines(loop_yaml, renamed_everywhere(loop_yaml, "stiffness", "k")) == Lines{"> stiffness is now k"});
+  CHECK(lines(loop_yaml, renamed_everywhere(loop_yaml, "weight", "m")) == Lines{"> weight is now m"});
+}
+
+TEST_CASE("a renamed block may have another value as well, and all blocks of a chain another name") {
+  const std::string both = with(renamed_everywhere(loop_yaml, "push", "hand"), "3 N", "4 N");
+  CHECK(lines(loop_yaml, both) == Lines{"> push is now hand", "~ hand.amplitude: 3 N -> 4 N (1.333 times)"});
+  std::string chain = loop_yaml;
+  for (const auto& [from, to] : {std::pair{"push", "hand"},
+                                 {"spring:", "leaf:"},
+                                 {"spring]", "leaf]"},
+                                 {"sum", "all"},
+                                 {"body", "cart"}})
+    chain = renamed_everywhere(chain, from, to);
+  CHECK(lines(loop_yaml, chain) ==
+        Lines{"> body is now cart", "> push is now hand", "> spring is now leaf", "> sum is now all"});
+}
+
+TEST_CASE("names that are exchanged between blocks of one type are a change of both") {
+  const std::string two =
+      with(loop_yaml, "  sum:  ", "  other: {block: Gain, u: body.velocity, gain: 5}\n  sum:  ");
+  const std::string exchanged =
+      with(with(with(two, "spring: {", "third: {"), "other: {", "spring: {"), "third: {", "other: {");
+  CHECK(lines(two, exchanged).size() == 4);
+}
+
+TEST_CASE("records, claims, figures and the head have lines of their own") {
+  CHECK(changed("[body.position, spring]", "[body.position, sum]") == Lines{"+ sum", "- spring"});
+  CHECK(changed("at_most: 0.5 m", "at_most: 1 m") ==
+        Lines{"~ 'it stays near'.at_most: 0.5 m -> 1 m (2 times)"});
+  CHECK(changed("that: it moves", "that: it swings") == Lines{"~ 'it moves'.that: it moves -> it swings"});
+  CHECK(changed("plot: lines", "plot: xy") == Lines{"~ 'lines'.plot: lines -> xy"});
+  CHECK(changed("stop: 1 s", "stop: 2 s") == Lines{"~ stop: 1 s -> 2 s (2 times)"});
+  CHECK(changed("solver: rk4\n", "solver: rk4\nsweep: {weight: [1 kg, 2 kg]}\n") ==
+        Lines{"+ weight: [1 kg, 2 kg]"});
+}
+
+namespace {
+
+const std::string part_yaml =
+    "stepwire: 1\ntitle: a spring\nparameters: {k: 400 N/m}\ninputs: {x: {unit: m}}\noutputs: {force: "
+    "spring}\n"
+    "blocks:\n  spring: {block: Gain, u: x, gain: = -k}\n";
+
+/// Returns the loop with the spring in a part.
+std::string user_text() {
+  return with(loop_yaml, "spring: {block: Gain, u: body.position, gain: = -stiffness}",
+              "spring: {diagram: leaf.yaml, x: body.position, k: $stiffness}");
+}
+
+}  // namespace
+
+TEST_CASE("a part that both use is compared, with its own name") {
+  const Difference found = compared(user_text(), user_text(), {{"leaf.yaml", part_yaml}},
+                                    {{"leaf.yaml", with(part_yaml, "gain: = -k", "gain: = -2*k")}});
+  REQUIRE(found.files.size() == 1);
+  CHECK(found.files.front().after == "leaf.yaml");
+  CHECK(lines(found) == Lines{"~ spring.gain: = -k -> = -2*k"});
+}
+
+TEST_CASE("a port or parameter of a part with another name is one line, and its users follow") {
+  std::string renamed = with(with(part_yaml, "{k:", "{rate:"), "= -k", "= -rate");
+  renamed = with(with(renamed, "{x:", "{place:"), "u: x", "u: place");
+  const std::string user =
+      with(user_text(), "x: body.position, k: $stiffness", "place: body.position, rate: $stiffness");
+  const Lines found =
+      lines(compared(user_text(), user, {{"leaf.yaml", part_yaml}}, {{"leaf.yaml", renamed}}));
+  CHECK(found == Lines{"> k is now rate", "> x is now place"});
+  const std::string shown = with(user_text(), "record: [", "record: [spring.force, ");
+  const Lines output =
+      lines(compared(shown, with(shown, "spring.force", "spring.pull"), {{"leaf.yaml", part_yaml}},
+                     {{"leaf.yaml", with(part_yaml, "{force:", "{pull:")}}));
+  CHECK(output == Lines{"> force is now pull"});
+}
+
+TEST_CASE("a part under another name of its file is no difference where its content is the same") {
+  const std::string other = with(user_text(), "leaf.yaml", "blade.yaml");
+  CHECK(lines(compared(user_text(), other, {{"leaf.yaml", part_yaml}}, {{"blade.yaml", part_yaml}})) ==
+        Lines{});
+  CHECK(lines(compared(user_text(), other, {{"leaf.yaml", part_yaml}},
+                       {{"blade.yaml", with(part_yaml, "400", "500")}}))
+            .front() == "~ spring: leaf.yaml -> blade.yaml");
+}
+
+TEST_CASE("an argument of a part that repeats its default is no difference") {
+  const std::string plain = with(user_text(), ", k: $stiffness", "");
+  const GivenFiles parts{{"leaf.yaml", part_yaml}};
+  CHECK(lines(compared(plain, with(plain, "x: body.position", "x: body.position, k: 0.4 N/mm"), parts,
+                       parts)) == Lines{});
+  CHECK(lines(compared(plain, with(plain, "x: body.position", "x: body.position, k: 0.5 N/mm"), parts, parts))
+            .size() == 1);
+}
+
+TEST_CASE("a block that moved into a part or out of it has one line") {
+  const std::string inside = with(part_yaml, "  spring: {block: Gain, u: x, gain: = -k}\n",
+                                  "  spring: {block: Gain, u: x, gain: = -k}\n");
+  const std::string gain = "  leaf: {block: Gain, u: body.position, gain: = -k}\n";
+  std::string flat = with(loop_yaml, "stiffness: {", "k: {");
+  flat = with(flat, "  spring: {block: Gain, u: body.position, gain: = -stiffness}\n", gain);
+  flat = with(with(flat, "[push, spring]", "[push, leaf]"), "position, spring]", "position, leaf]");
+  std::string nested = with(flat, gain, "  holder: {diagram: leaf.yaml, x: body.position, k: $k}\n");
+  nested = with(with(nested, "[push, leaf]", "[push, holder]"), "position, leaf]", "position, holder]");
+  const GivenFiles parts{{"leaf.yaml", inside}};
+  const Lines into = lines(compared(flat, nested, parts, parts));
+  CHECK(std::ranges::count(into, "> leaf moved to holder.spring") == 1);
+  const Lines out = lines(compared(nested, flat, parts, parts));
+  CHECK(std::ranges::count(out, "> holder.spring moved to leaf") == 1);
+}
+
+TEST_CASE("the result has sections, values and places as data") {
+  const Difference found = compared(loop_yaml, with(loop_yaml, "400 N/m", "600 N/m"));
+  REQUIRE(found.files.size() == 1);
+  const Change& change = found.files.front().changes.front();
+  CHECK(change.section == "parameters");
+  CHECK(change.ratio == 1.5);
+  CHECK(change.before.line == 7);
+  CHECK(result::json_of(found).text().find("\"ratio\"") != std::string::npos);
+}
+
+TEST_CASE("a file that cannot be read is refused") {
+  CHECK_THROWS_AS(compared("stepwire: [", loop_yaml), yaml::Error);
+}
+
+}  // namespace stepwire::difference

@@ -1,0 +1,130 @@
+#include "engine/app/difference/merge.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "engine/model/diagram/load.hpp"
+#include "tests/engine/app/difference/comparing.hpp"
+
+namespace stepwire::difference {
+namespace {
+
+using Catch::Contains;
+using Lines = std::vector<std::string>;
+
+Merged merged(const std::string& ours, const std::string& theirs, const std::string& base = loop_yaml) {
+  return merge(every_block(), "model.yaml", base, ours, theirs);
+}
+
+std::string everywhere(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// Merges two edits of the loop that do not meet, and compares with both in sequence.
+void check_both(const std::pair<std::string, std::string>& one,
+                const std::pair<std::string, std::string>& other) {
+  INFO(one.second << " and " << other.second);
+  const std::string ours = with(loop_yaml, one.first, one.second),
+                    theirs = with(loop_yaml, other.first, other.second);
+  const Merged result = merged(ours, theirs);
+  CHECK(result.conflicts.empty());
+  CHECK(lines(result.text, with(ours, other.first, other.second)) == Lines{});
+}
+
+}  // namespace
+
+TEST_CASE("edits of two sides that do not meet give the same as both in sequence") {
+  const std::vector<std::pair<std::string, std::string>> edits{
+      {"400 N/m", "600 N/m"},
+      {"amplitude: 3 N", "amplitude: 4 N"},
+      {"2 Hz}", "2 Hz, phase: 1 rad}"},
+      {"u: body.position", "u: body.velocity"},
+      {"  sum: ", "  damper: {block: Gain, u: body.velocity, gain: -1 N s/m}\n  sum: "},
+      {"record: [body.position, spring]", "record: [body.position, spring, sum]"},
+      {"at_most: 0.5 m", "at_most: 1 m"},
+      {"claims:\n", "claims:\n  - {that: it turns, min: body.velocity, at_most: -1 mm/s}\n"},
+      {"title: A mass on a spring", "title: A mass that swings"},
+      {"solver: rk4\n", "solver: rk4\nsweep: {weight: [1 kg, 2 kg]}\n"},
+      {"stop: 1 s", "stop: 2 s"}};
+  for (std::size_t i = 0; i < edits.size(); ++i)
+    for (std::size_t k = 0; k < edits.size(); ++k)
+      if (i != k) check_both(edits[i], edits[k]);
+}
+
+TEST_CASE("comments and layout of ours stay") {
+  const std::string ours = with(loop_yaml, "  push:   {", "  # the hand\n  push:   {");
+  const Merged result = merged(ours, with(loop_yaml, "400 N/m", "600 N/m"));
+  CHECK(result.text == with(ours, "400 N/m", "600 N/m"));
+}
+
+TEST_CASE("the same edit of both sides is no conflict, in another notation either") {
+  const std::string ours = with(loop_yaml, "400 N/m", "600 N/m"),
+                    theirs = with(loop_yaml, "400 N/m", "0.6 N/mm");
+  CHECK(merged(ours, theirs).text == ours);
+}
+
+TEST_CASE("a rename on one side and a use on the other merge") {
+  const std::string renamed = everywhere(loop_yaml, "body", "cart");
+  const std::string used =
+      with(loop_yaml, "  sum: ", "  damper: {block: Gain, u: body.velocity, gain: -1 N s/m}\n  sum: ");
+  const Merged one = merged(renamed, used), other = merged(used, renamed);
+  CHECK(one.is_clean());
+  CHECK_THAT(one.text, Contains("damper: {block: Gain, u: cart.velocity, gain: -1 N s/m}"));
+  CHECK(other.is_clean());
+  CHECK(lines(one.text, other.text) == Lines{});
+  CHECK(lines(other.text, everywhere(used, "body", "cart")) == Lines{});
+}
+
+TEST_CASE("one value with two new values is a conflict, which the file names with both") {
+  const Merged result = merged(with(loop_yaml, "400 N/m", "600 N/m"), with(loop_yaml, "400 N/m", "500 N/m"));
+  REQUIRE(result.conflicts.size() == 1);
+  CHECK(result.conflicts.front().at == "stiffness.value");
+  CHECK(result.conflicts.front().base == "400 N/m");
+  CHECK(result.conflicts.front().ours == "600 N/m");
+  CHECK(result.conflicts.front().theirs == "500 N/m");
+  const yaml::Document document = yaml::parse_document(result.text, "model.yaml");
+  REQUIRE(document.root.find("conflicts"));
+  CHECK(document.root.find("conflicts")->items.front().find("theirs")->text == "500 N/m");
+  diagram::Loader loader(every_block());
+  CHECK_THROWS_WITH(
+      loader.load_text(result.text, "model.yaml"),
+      Contains("stiffness.value") && Contains("600 N/m") && Contains("500 N/m") && Contains("remove"));
+}
+
+TEST_CASE("a merge does not begin on unresolved conflicts") {
+  const Merged result = merged(with(loop_yaml, "400 N/m", "600 N/m"), with(loop_yaml, "400 N/m", "500 N/m"));
+  CHECK_THROWS_WITH(merged(result.text, loop_yaml), Contains("resolve them first"));
+}
+
+TEST_CASE("a block that one side removed and the other uses or changed is a conflict") {
+  const std::string more =
+      with(loop_yaml, "  sum: ", "  drag: {block: Gain, u: body.velocity, gain: -1 N s/m}\n  sum: ");
+  const std::string used = with(more, "[push, spring]", "[push, spring, drag]");
+  const Merged result = merged(loop_yaml, used, more);
+  REQUIRE(result.conflicts.size() == 1);
+  CHECK(result.conflicts.front().at == "drag");
+  CHECK(result.conflicts.front().ours == "removed");
+  const Merged changed = merged(loop_yaml, with(more, "-1 N s/m", "-2 N s/m"), more);
+  REQUIRE(changed.conflicts.size() == 1);
+  CHECK(changed.conflicts.front().at == "drag");
+}
+
+TEST_CASE("one name for two things, and two names for one, are conflicts") {
+  CHECK(merged(everywhere(loop_yaml, "body", "cart"), everywhere(loop_yaml, "body", "block_of_mass"))
+            .conflicts.size() == 1);
+  const std::string gain = "  drag: {block: Gain, u: body.velocity, gain: -1 N s/m}\n  sum: ";
+  const std::string sine = "  drag: {block: Sine, amplitude: 1 N, frequency: 5 Hz}\n  sum: ";
+  CHECK(!merged(with(loop_yaml, "  sum: ", gain), with(loop_yaml, "  sum: ", sine)).conflicts.empty());
+}
+
+TEST_CASE("a merged model with a fault that neither side has is refused") {
+  const std::string ours =
+      with(loop_yaml, "record: [body.position, spring]", "record: [body.position, spring]\nunits: {push: N}");
+  const std::string theirs = with(loop_yaml, "amplitude: 3 N", "amplitude: 3 kg");
+  const Merged result = merged(ours, theirs);
+  CHECK(result.conflicts.empty());
+  CHECK(!result.is_clean());
+}
+
+}  // namespace stepwire::difference

@@ -1,0 +1,61 @@
+// How two versions of a graph are drawn as one.
+
+import assert from "node:assert/strict";
+import {join} from "node:path";
+import {test} from "node:test";
+
+import {drawing, elk} from "./picture_checks.mjs";
+const {drawCompared} = await import(join(drawing, "draw.mjs"));
+const {looks, united} = await import(join(drawing, "compared.mjs"));
+
+const block = (id, inputs = ["u"]) => ({
+  id, name: id, type: "Gain", outline: "box", lines: [id], inputs: inputs.map((port) => ({port})), outputs: [{port: "y"}],
+});
+const wire = (from, to) => ({from: {node: from, port: "y"}, to: {node: to, port: "u"}});
+const graph = (ids, wires) => ({inputs: [], outputs: [], title: "t", nodes: ids.map((id) => block(id)), wires: wires.map(([from, to]) => wire(from, to))});
+const changes = (list) => list.filter(({change}) => change).map(({id, from, to, change}) => [id ?? `${from.node} ${to.node}`, change]);
+
+const chain = graph(["a", "b", "c"], [["a", "b"], ["b", "c"]]);
+
+test("two equal graphs have no change", () => {
+  const {nodes, wires} = united({before: chain, after: chain});
+  assert.deepEqual([...changes(nodes), ...changes(wires)], []);
+});
+
+test("a gone block is behind its old neighbour, with its old wires", () => {
+  const after = graph(["a", "c"], [["a", "c"]]), {nodes, wires} = united({before: chain, after});
+  assert.deepEqual(nodes.map(({id}) => id), ["a", "b", "c"]);
+  assert.deepEqual(changes(nodes), [["b", "removed"]]);
+  assert.deepEqual(changes(wires).sort(), [["a b", "removed"], ["a c", "added"], ["b c", "removed"]].sort());
+});
+
+test("a renamed block has both names, and its wires stay", () => {
+  const after = graph(["a", "x", "c"], [["a", "x"], ["x", "c"]]), {nodes, wires} = united({before: chain, after, names: {b: "x"}});
+  assert.deepEqual(changes(nodes), [["x", "changed"]]);
+  assert.equal(nodes[1].name, "x (was b)");
+  assert.deepEqual(changes(wires), []);
+});
+
+test("a wire that an input had before ends beside the one that it has now", () => {
+  const before = graph(["a", "b", "c"], [["a", "c"]]), after = graph(["a", "b", "c"], [["b", "c"]]);
+  const {nodes, wires} = united({before, after});
+  assert.deepEqual(nodes[2].inputs.map(({port}) => port), ["u", "u before"]);
+  assert.equal(wires.find(({change}) => change === "removed").to.port, "u before");
+});
+
+test("the picture has each change in its colour and with its sign, a legend, and the lines", async () => {
+  const after = graph(["a", "n", "c"], [["a", "n"], ["n", "c"]]), lines = ["+ n: a gain", "- b: <a gain>"];
+  const svg = await drawCompared({before: chain, after, changed: ["c.gain"], lines}, elk);
+  for (const {color, sign, word} of Object.values(looks)) {
+    assert.ok(svg.includes(color));
+    assert.ok(svg.split(`>${sign}</text>`).length > 2, `${sign} is in the legend and in the drawing`);
+    assert.ok(svg.includes(`>${word}</text>`));
+  }
+  assert.ok(svg.includes("- b: &lt;a gain&gt;"));
+  assert.ok(svg.includes("stroke-dasharray"));
+});
+
+test("a diagram that is new as a whole is drawn", async () => {
+  const svg = await drawCompared({before: graph([], []), after: chain}, elk);
+  assert.ok(!svg.includes(`stroke="${looks.removed.color}" stroke-width="1.6"`));
+});
