@@ -1,5 +1,6 @@
 #include "engine/app/report/results.hpp"
 
+#include "engine/analyse/comparison/compare.hpp"
 #include "engine/analyse/estimation/fit.hpp"
 #include "engine/analyse/linear/analysis.hpp"
 #include "engine/analyse/linear/trim.hpp"
@@ -41,15 +42,17 @@ class Record:
 }  // namespace
 
 const std::vector<JobResult>& job_results() {
-  static const std::vector<JobResult> all{{"run", result::record_type<session::RunReport>()},
-                                          {"loop", result::record_type<session::LoopOutcome>()},
-                                          {"study", result::record_type<session::StudyReport>()},
-                                          {"claims", result::record_type<session::JudgedClaim>()},
-                                          {"profile", result::record_type<ProfileReport>()},
-                                          {"fit", result::record_type<estimation::FitResult>()},
-                                          {"tune", result::record_type<tuning::TuneResult>()},
-                                          {"linearize", result::record_type<linear::Analysis>()},
-                                          {"trim", result::record_type<linear::TrimResult>()}};
+  static const std::vector<JobResult> all{
+      {"run", result::record_type<session::RunReport>()},
+      {"loop", result::record_type<session::LoopOutcome>()},
+      {"study", result::record_type<session::StudyReport>()},
+      {"claims", result::record_type<session::JudgedClaim>()},
+      {"profile", result::record_type<ProfileReport>()},
+      {"fit", result::record_type<estimation::FitResult>()},
+      {"tune", result::record_type<tuning::TuneResult>()},
+      {"linearize", result::record_type<linear::Analysis>()},
+      {"trim", result::record_type<linear::TrimResult>()},
+      {"compare", result::record_type<comparison::RecordingDifference>()}};
   return all;
 }
 
