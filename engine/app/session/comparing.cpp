@@ -55,7 +55,7 @@ void check_problems(const std::vector<table::RecordTable>& tables, const std::st
         faults.add({{file, {}}, "", problem + "; --only names the signals that are compared", {}});
 }
 
-/// Adds the columns whose numbers stand for other words in the two recordings.
+/// Adds the columns whose numbers are codes of other words in the two recordings.
 void check_words(const ComparedRuns& runs, yaml::Faults& faults) {
   for (const table::RecordTable& a : runs.a)
     for (const auto& [name, words] : a.words)

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/base/yaml/choices.hpp"
 #include "engine/base/yaml/message.hpp"
 
 namespace stepwire::yaml {
@@ -134,7 +135,7 @@ bool SectionReading::check_unknown(const Node& map, const Key& keys) const {
 void SectionReading::check_choices(const Node& map, const Key& keys, bool missing_counts) const {
   std::map<std::string, std::vector<std::string>> choices;
   for (const Key& key : keys.of)
-    if (!key.choice.empty()) choices[key.choice].push_back(key.name);
+    for (const std::string& choice : choice_groups(key)) choices[choice].push_back(key.name);
   for (const auto& [choice, names] : choices) {
     const Entry* found = nullptr;
     for (const Entry& entry : map.entries) {
