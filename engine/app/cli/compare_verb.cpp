@@ -6,6 +6,7 @@
 #include "engine/app/cli/exit_code.hpp"
 #include "engine/app/cli/verb.hpp"
 #include "engine/app/report/comparison_text.hpp"
+#include "engine/app/report/junit_suites.hpp"
 #include "engine/app/session/comparing.hpp"
 #include "engine/app/session/fault_json.hpp"
 #include "engine/base/io/file.hpp"
@@ -17,6 +18,7 @@ namespace {
 struct CompareWords {
   session::CompareCall runs;
   std::string picture;  ///< File of the overlay; empty: none.
+  std::string junit;    ///< File for the signals as test cases; empty: none.
   bool json = false;
 };
 
@@ -35,6 +37,7 @@ ExitCode compare(const CompareWords& words) {
   else
     put_report(report::comparison_text(runs.difference), !runs.difference.agrees);
   if (!words.picture.empty()) write_picture(words.picture, runs);
+  if (!words.junit.empty()) report::write_junit(words.junit, {report::suite_of(runs.difference)});
   return runs.difference.agrees ? ExitCode::done : ExitCode::fails;
 }
 
@@ -54,6 +57,8 @@ Action declare_compare(CLI::App& verb) {
   verb.add_option("--within", call.within, "YAML file with tolerances by signal, and with a baseline")
       ->option_text("FILE");
   verb.add_option("-o", words->picture, "picture of both runs and their differences, SVG, PNG or PDF");
+  verb.add_option("--junit", words->junit, "file for the signals as test cases, in the XML that servers read")
+      ->type_name("FILE");
   verb.add_flag("--json", words->json, "print the result as JSON");
   return [words](const Registry&) {
     json::Json faults;
