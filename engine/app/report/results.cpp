@@ -1,12 +1,14 @@
 #include "engine/app/report/results.hpp"
 
 #include "engine/analyse/comparison/compare.hpp"
+#include "engine/analyse/coverage/coverage.hpp"
 #include "engine/analyse/estimation/fit.hpp"
 #include "engine/analyse/linear/analysis.hpp"
 #include "engine/analyse/linear/trim.hpp"
 #include "engine/analyse/tuning/tune.hpp"
 #include "engine/app/report/profile_report.hpp"
 #include "engine/app/session/loop_run.hpp"
+#include "engine/app/session/mutating.hpp"
 #include "engine/app/session/run_result.hpp"
 #include "engine/app/session/studies.hpp"
 
@@ -52,6 +54,8 @@ const std::vector<JobResult>& job_results() {
       {"tune", result::record_type<tuning::TuneResult>()},
       {"linearize", result::record_type<linear::Analysis>()},
       {"trim", result::record_type<linear::TrimResult>()},
+      {"coverage", result::record_type<coverage::Coverage>()},
+      {"mutate", result::record_type<session::MutationResult>()},
       {"compare", result::record_type<comparison::RecordingDifference>()}};
   return all;
 }
