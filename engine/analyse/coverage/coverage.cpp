@@ -216,7 +216,7 @@ class CoverageObserver::OfRun {
     one.state = state;
   }
 
-  /// Counts the transitions between two states. Several with the same ends cannot be told apart.
+  /// Counts the transitions between two states. Those with the same ends are counted together.
   void count_arrows(const Machine& one, std::size_t from, std::size_t to) {
     for (std::size_t a = 0; a < one.chart.arrows.size(); ++a) {
       const ChartArrow& arrow = one.chart.arrows[a];

@@ -56,7 +56,7 @@ struct GalleryFrame {
   Html navigation{};       ///< before the content
   Html links{};            ///< links of the head
   std::string look = "";   ///< CSS class of the body
-  bool contained = false;  ///< True for a page that has its style inside and refers to no other file.
+  bool contained = false;  ///< true for a page with its style inside, without other files
 };
 
 /// Returns the whole page.
