@@ -16,6 +16,7 @@
 #include "engine/app/cli/kept_inputs.hpp"
 #include "engine/app/cli/monitoring.hpp"
 #include "engine/app/cli/run_call.hpp"
+#include "engine/app/report/coverage_picture.hpp"
 #include "engine/app/report/fit_text.hpp"
 #include "engine/app/report/junit_suites.hpp"
 #include "engine/app/report/profile_report.hpp"
@@ -325,12 +326,24 @@ class FileRun {
     return observers;
   }
 
+  /// Writes the branches as JSON and as a drawing, which a missing program leaves out.
+  void write_coverage(const std::string& folder, const session::LoadedModel& model,
+                      const coverage::Coverage& coverage) const {
+    io::write_file(folder + "/coverage.json", result::json_of(coverage).text() + "\n");
+    try {
+      io::write_file(folder + "/coverage.svg",
+                     report::coverage_picture(session_.registry(), model.file, coverage));
+    } catch (const io::EnvironmentError& error) {
+      complain("{}: there is no coverage.svg: {}\n", folder, error.what());
+    }
+  }
+
   /// Adds the branches that the runs took to the result, the report and the folder.
   void put_coverage(const session::LoadedModel& model, const std::string& folder, Json* result) {
     if (!coverage_) return;
     coverage::Coverage coverage = coverage_->coverage();
     coverage.file = model.file;
-    if (!folder.empty()) io::write_file(folder + "/coverage.json", result::json_of(coverage).text() + "\n");
+    if (!folder.empty()) write_coverage(folder, model, coverage);
     if (result)
       result->set("coverage", result::json_of(coverage));
     else

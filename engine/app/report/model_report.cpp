@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "engine/analyse/coverage/coverage.hpp"
+#include "engine/app/report/coverage_picture.hpp"
 #include "engine/app/session/version.hpp"
 #include "engine/base/io/environment_error.hpp"
 #include "engine/base/io/file.hpp"
@@ -69,7 +70,9 @@ gallery::ReportTable sources_table(const diagram::Diagram& diagram) {
 
 gallery::ReportTable coverage_table(const coverage::Coverage& coverage) {
   gallery::ReportTable table{"Coverage", {"Block", "Type", "Condition", "Never"}, {}};
-  table.note = fmt::format("The runs took {} of {} branches.", coverage.covered(), coverage.branches());
+  table.note = coverage.branches() == 0
+                   ? "No block has a condition."
+                   : fmt::format("The runs took {} of {} branches.", coverage.covered(), coverage.branches());
   for (const coverage::Condition& condition : coverage.conditions)
     for (const coverage::Branch& branch : condition.branches)
       if (branch.ticks == 0)
@@ -90,7 +93,8 @@ gallery::ReportTable version_table(const session::LoadedModel& model) {
 }
 
 /// Adds the drawing of a file, and one with all parts opened.
-void add_drawings(const Registry& registry, const session::LoadedModel& model, gallery::Report& report) {
+void add_drawings(const Registry& registry, const session::LoadedModel& model,
+                  const coverage::Coverage& coverage, gallery::Report& report) {
   try {
     diagram::Loader loader(registry);
     const drawing::DrawnFile file(loader, model.file);
@@ -98,10 +102,13 @@ void add_drawings(const Registry& registry, const session::LoadedModel& model, g
     options.units = true;
     report.drawings.push_back(
         {"Blocks and wires", "", "the block diagram", drawing::draw_picture(file.view().graph(options))});
-    if (file.view().parts().empty()) return;
+    options.names = names_with_coverage(coverage);
+    if (file.view().parts().empty() && options.names.empty()) return;
     options.depth = 32;
-    report.drawings.push_back({"All parts opened", "", "the block diagram with all parts opened",
-                               drawing::draw_picture(file.view().graph(options))});
+    report.drawings.push_back(
+        {"All parts opened",
+         options.names.empty() ? "" : "Blocks with branches that no run takes have their numbers.",
+         "the block diagram with all parts opened", drawing::draw_picture(file.view().graph(options))});
   } catch (const io::EnvironmentError& error) {
     report.tables.push_back({"Drawing", {}, {}, std::string("There is no drawing: ") + error.what()});
   }
@@ -140,7 +147,7 @@ void fill_report(const Registry& registry, const session::LoadOptions& options,
       model.study ? session::study_outcome(model, *session.study(model)) : session.run(model);
   report.entry.verdicts = outcome.verdicts;
   if (!outcome.result.faults.empty()) report.entry.error = outcome.result.faults.front().fault.text();
-  add_drawings(registry, model, report);
+  add_drawings(registry, model, observer.coverage(), report);
   if (!outcome.early()) add_figures(model, outcome, report);
   report.tables.push_back(parameters_table(diagram));
   report.tables.push_back(records_table(model.job.plan));

@@ -39,7 +39,8 @@ Address address_from(const std::string& page, const std::string& target) {
 /// Returns the elements of the head for the style of a page and its script, which a contained page does
 /// without.
 static Html look_and_script(const GalleryFrame& frame) {
-  if (frame.contained) return {fmt::format("<style>\n{}</style>\n", gallery_style)};
+  if (frame.contained)
+    return {fmt::format("<style>\n{}td, th {{ overflow-wrap: break-word; }}\n</style>\n", gallery_style)};
   return html("<link rel=\"stylesheet\" href=\"{}\">\n<script src=\"{}\" defer></script>\n",
               address_from(frame.page, "gallery.css"), address_from(frame.page, "gallery.js"));
 }

@@ -38,6 +38,7 @@ TEST_CASE("compare takes tolerances and jitter by signal, and its exit code is t
       0);
   CHECK(run_program(folder, {"compare", "a.csv", "b.csv", "--jitter", "1 ms", "--relative", "f=4 %"}).code ==
         1);
+  CHECK(run_program(folder, {"compare", "--only", "gate", "--jitter", "1 ms", "a.csv", "b.csv"}).code == 0);
   const Done unknown = run_program(folder, {"compare", "a.csv", "b.csv", "--jitter", "1 mm"});
   CHECK(unknown.code == 2);
   CHECK_THAT(unknown.err, Contains("no time"));
