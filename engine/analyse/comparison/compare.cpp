@@ -31,7 +31,8 @@ double largest_of(const Trace& trace) {
 
 /// True for whole numbers throughout, such as states, counts and truths.
 bool is_whole(const Trace& trace) {
-  return std::ranges::all_of(trace.values, [](double value) { return value == std::floor(value); });
+  return std::ranges::all_of(trace.values,
+                             [](double value) { return std::isnan(value) || value == std::floor(value); });
 }
 
 /// Difference of two numbers; of a missing one infinite, of two 0.
@@ -149,18 +150,20 @@ class RunComparison {
   }
 
   void compare_ends() {
-    const double step_a = last_step(a_), step_b = last_step(b_);
-    const bool same_rate = std::abs(step_a - step_b) <= 1e-6 * std::max(step_a, step_b);
-    const double allowed = same_ + limits_.jitter + (same_rate ? 0.0 : std::max(step_a, step_b));
-    compare_end("begins", a_.time.front(), b_.time.front(), allowed);
-    compare_end("ends", a_.time.back(), b_.time.back(), allowed);
+    const double a = a_.time.front(), b = b_.time.front();
+    compare_end("begins", a, b, a > b ? a_ : b_);
+    compare_end("ends", a_.time.back(), b_.time.back(), a_.time.back() < b_.time.back() ? a_ : b_);
     if (found_.rows > 0) return;
     found_.notes.push_back("A and B have no time in common");
     found_.agrees = false;
   }
 
-  void compare_end(const char* verb, double a, double b, double allowed) {
-    if (std::abs(a - b) <= allowed) return;
+  /// Compares two ends. At another rate the shorter trace may lack less than one of its steps.
+  void compare_end(const char* verb, double a, double b, const Trace& shorter) {
+    const double step_a = last_step(a_), step_b = last_step(b_);
+    const bool same_rate = std::abs(step_a - step_b) <= 1e-6 * std::max(step_a, step_b);
+    const double gap = std::abs(a - b) - same_ - limits_.jitter;
+    if (gap <= 0.0 || (!same_rate && gap < last_step(shorter) - same_)) return;
     found_.notes.push_back(fmt::format("{} at {:.6g} s in A and at {:.6g} s in B", verb, a, b));
     found_.agrees = false;
   }

@@ -101,7 +101,11 @@ ExitCode run_each(const RunCall& call, const Registry& registry, MpiRun* mpi = n
   session::Session session(registry);
   return each_model(call.models, registry, [&](session::LoadedModel& model, Json& results) {
     if (!call.models.json) print_notes(model);
-    return run_file(call, session, model, results, mpi);
+    const std::size_t suites = call.suites ? call.suites->size() : 0;
+    const ExitCode code = run_file(call, session, model, results, mpi);
+    if (call.suites && call.suites->size() == suites)  // a fit failed, or a share was run
+      call.suites->push_back(report::suite_of_fault(model.file, "no whole run was made"));
+    return code;
   });
 }
 

@@ -86,6 +86,13 @@ void require_shares(const RunCall& call, const session::LoadedModel& model) {
   if (call.out.empty() || call.archive) refuse("needs --out DIR, in which what is done is kept");
 }
 
+/// Refuses --coverage for runs that other processes make, and for a study, whose trials are not observed.
+void require_observable(const RunCall& call, const session::LoadedModel& model) {
+  if (call.coverage && (call.part || call.mpi || model.study))
+    throw yaml::Error(yaml::Fault{
+        {model.file, {}}, "--coverage", "is of the runs of one process, without a study; leave it out", {}});
+}
+
 /// Refuses a missing folder before the run rather than after it.
 void require_place(const std::string& file) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
@@ -98,6 +105,7 @@ void require_fitting(const RunCall& call, const session::LoadedModel& model) {
   require_section(call, model);
   require_one_table(call, model);
   require_shares(call, model);
+  require_observable(call, model);
   require_place(call.csv);
 }
 
@@ -312,12 +320,6 @@ class FileRun {
     return code_of(outcome);
   }
 
-  /// Refuses --coverage for runs that other processes make.
-  void require_own_runs() const {
-    if (call_.coverage && (call_.part || call_.mpi))
-      throw yaml::Error(yaml::Fault{{"--coverage", {}}, "", "is of the runs of one process", {}});
-  }
-
   /// Returns the observers of the runs: that of the branches, and that of the rows.
   std::vector<run::RunObserver*> observers_of(session::PartialSignals* partial) {
     std::vector<run::RunObserver*> observers;
@@ -352,7 +354,6 @@ class FileRun {
 
   session::Outcome written_run(const session::LoadedModel& model, const std::string& folder) {
     const auto partial = partial_signals(folder, model);
-    require_own_runs();
     if (call_.coverage) coverage_.emplace();
     std::optional<KeptRun> kept;
     if (!folder.empty() && !model.job.points.empty()) kept.emplace(model, use_);

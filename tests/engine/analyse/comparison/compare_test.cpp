@@ -167,6 +167,15 @@ TEST_CASE("a run that ends early or has other signals differs, and only the comm
   CHECK_FALSE(one_more.agrees);
 }
 
+TEST_CASE("at another rate the shorter run may lack less than one of its steps, and no more") {
+  const auto fine = sampled(1e-3, 1.0, [](double t) { return t; });
+  const auto coarse = sampled(3e-3, 0.999, [](double t) { return t; });
+  CHECK(of_signal(fine, coarse).agrees);
+  CHECK(of_signal(coarse, fine).agrees);
+  CHECK_FALSE(of_signal(fine, sampled(3e-3, 0.996, [](double t) { return t; })).agrees);
+  CHECK_FALSE(of_signal(fine, sampled(1e-3, 0.999, [](double t) { return t; })).agrees);
+}
+
 TEST_CASE("runs of a sweep are compared one by one") {
   const auto a = table_of({0, 1, 0, 1}, {1, 2, 3, 4}), b = table_of({0, 1, 0, 1}, {1, 2, 3, 4.5});
   const SignalDifference found = of_signal(a, b);
