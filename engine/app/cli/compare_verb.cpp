@@ -57,10 +57,10 @@ Action declare_compare(CLI::App& verb) {
       ->option_text("[SIGNAL=]TIME");
   verb.add_option("--hold", call.hold, "signals that keep each value up to the next row: 'gear*'")
       ->allow_extra_args(false)
-      ->option_text(\"SIGNAL\");
+      ->option_text("SIGNAL");
   verb.add_option("--only", call.only, "signals that are compared: 'rig.*'; without it all are")
       ->allow_extra_args(false)
-      ->option_text(\"SIGNAL\");
+      ->option_text("SIGNAL");
   verb.add_option("--within", call.within, "YAML file with tolerances by signal, and with a baseline")
       ->option_text("FILE");
   verb.add_option("-o", words->picture, "picture of both runs and their differences, SVG, PNG or PDF");
