@@ -41,28 +41,27 @@ ExitCode compare(const CompareWords& words) {
   return runs.difference.agrees ? ExitCode::done : ExitCode::fails;
 }
 
+void add_tolerances(CLI::App& verb, session::CompareCall& call) {
+  const auto add = [&](const char* name, std::vector<std::string>& words, const char* about,
+                       const char* form) {
+    verb.add_option(name, words, about)->allow_extra_args(false)->option_text(form);
+  };
+  add("--absolute", call.absolute, "accepted difference: 'force=0.1 N', or '0.1 N' of all", "[SIGNAL=]VALUE");
+  add("--relative", call.relative, "accepted share of the largest absolute value in A: '1 %'",
+      "[SIGNAL=]SHARE");
+  add("--jitter", call.jitter, "time by which an edge may be earlier or later: '2 ms'", "[SIGNAL=]TIME");
+  add("--hold", call.hold, "signals that keep each value up to the next row: 'gear*'", "SIGNAL");
+  add("--only", call.only, "signals that are compared: 'rig.*'; without it all are", "SIGNAL");
+  verb.add_option("--within", call.within, "YAML file with tolerances by signal, and with a baseline")
+      ->option_text("FILE");
+}
+
 Action declare_compare(CLI::App& verb) {
   const auto words = std::make_shared<CompareWords>();
   session::CompareCall& call = words->runs;
   verb.add_option("RUN_A", call.a, "a folder of run --out, or a CSV, MAT or HDF5 file")->required();
   verb.add_option("RUN_B", call.b, "the other one; without it the file of --within names the baseline");
-  verb.add_option("--absolute", call.absolute, "accepted difference: 'force=0.1 N', or '0.1 N' of all")
-      ->allow_extra_args(false)
-      ->option_text("[SIGNAL=]VALUE");
-  verb.add_option("--relative", call.relative, "accepted share of the largest absolute value in A: '1 %'")
-      ->allow_extra_args(false)
-      ->option_text("[SIGNAL=]SHARE");
-  verb.add_option("--jitter", call.jitter, "time by which an edge may be earlier or later: '2 ms'")
-      ->allow_extra_args(false)
-      ->option_text("[SIGNAL=]TIME");
-  verb.add_option("--hold", call.hold, "signals that keep each value up to the next row: 'gear*'")
-      ->allow_extra_args(false)
-      ->option_text("SIGNAL");
-  verb.add_option("--only", call.only, "signals that are compared: 'rig.*'; without it all are")
-      ->allow_extra_args(false)
-      ->option_text("SIGNAL");
-  verb.add_option("--within", call.within, "YAML file with tolerances by signal, and with a baseline")
-      ->option_text("FILE");
+  add_tolerances(verb, call);
   verb.add_option("-o", words->picture, "picture of both runs and their differences, SVG, PNG or PDF");
   verb.add_option("--junit", words->junit, "file for the signals as test cases, in the XML that servers read")
       ->type_name("FILE");

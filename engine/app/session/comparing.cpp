@@ -85,26 +85,35 @@ std::vector<const table::Table*> tables_of(const std::vector<table::RecordTable>
   return pointers;
 }
 
-ComparedRuns compare_runs(const CompareCall& call) {
-  comparison::Acceptance acceptance;
-  if (!call.within.empty()) acceptance = comparison::read_acceptance(call.within);
+/// Adds the columns that cannot be compared, and removes those that are left out.
+static void check_columns(ComparedRuns& runs, yaml::Faults& faults) {
+  check_problems(runs.a, runs.difference.a, runs.tolerances, faults);
+  check_problems(runs.b, runs.difference.b, runs.tolerances, faults);
+  check_words(runs, faults);
+  drop_unreadable(runs.a);
+  drop_unreadable(runs.b);
+}
+
+/// Refuses a call with no second run, or with two.
+static void require_baseline(const CompareCall& call, const comparison::Acceptance& acceptance) {
   if (call.b.empty() && acceptance.baseline.empty())
     refuse_call(call.a, "is compared with nothing; give a second run, or --within FILE with a 'baseline'");
   if (!call.b.empty() && !acceptance.baseline.empty())
     refuse_call(call.within, fmt::format("names the baseline {}, and the call a second run; give one of them",
                                          acceptance.baseline));
+}
+
+ComparedRuns compare_runs(const CompareCall& call) {
+  comparison::Acceptance acceptance;
+  if (!call.within.empty()) acceptance = comparison::read_acceptance(call.within);
+  require_baseline(call, acceptance);
   const std::string a = call.b.empty() ? acceptance.baseline : call.a, b = call.b.empty() ? call.a : call.b;
   ComparedRuns runs{data_file::read_recorded_run(a),
                     data_file::read_recorded_run(b),
                     tolerances_of(call, std::move(acceptance.tolerances)),
-                    {}};
-  runs.difference.a = a;
+                    {a, b}};
   yaml::Faults faults;
-  check_problems(runs.a, a, runs.tolerances, faults);
-  check_problems(runs.b, b, runs.tolerances, faults);
-  check_words(runs, faults);
-  drop_unreadable(runs.a);
-  drop_unreadable(runs.b);
+  check_columns(runs, faults);
   runs.difference = comparison::compare(tables_of(runs.a), tables_of(runs.b), runs.tolerances);
   runs.difference.a = a;
   runs.difference.b = b;

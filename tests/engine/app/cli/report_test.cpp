@@ -10,7 +10,7 @@ namespace {
 const std::string limited_lag =
     "stepwire: 1\ntitle: A lag <follows> a step\nstep: 10 ms\nstop: 1 s\nparameters:\n"
     "  level: {value: 2 N, above: 0 N, at_most: 5 N, doc: of the step}\nblocks:\n"
-    "  lag: {block: Lag, u: $level, time_constant: 0.1 s}\nrecord: [lag]\n"
+    "  lag: {block: Lag, u: $level, tau: 0.1 s}\nrecord: [lag]\n"
     "claims:\n  - {that: it arrives, final: lag, equals: 2 N, within: 1 %}\n";
 
 }  // namespace
