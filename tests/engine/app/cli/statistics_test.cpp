@@ -53,9 +53,7 @@ TEST_CASE("statistics refuses a column that is not there, with those that are") 
   folder.file("stools.csv", stools());
   const Done done = run_program(folder, {"statistics", "stools.csv", "--score", "efort"});
   CHECK(done.code == 2);
-  CHECK_THAT(
-      done.err,
-      Contains("no column 'efort' for --score; did you mean 'effort'? There are: person, stool, effort"));
+  CHECK_THAT(done.err, Contains("no column 'efort' for --score; did you mean 'effort'? There are: person, stool, effort"));
   CHECK(run_program(folder, {"statistics", "gone.csv"}).code == 3);
 }
 

@@ -14,19 +14,19 @@ namespace {
 /// A lag for half a second, to which a swept time constant belongs, with claims of each kind.
 std::string claimed_yaml() {
   return lag_yaml.substr(0, lag_yaml.find("figure:")) +
-         "sweep: {tau: {from: 10 ms, to: 120 ms, count: 12}}\n"
-         "figure: {plot: xy, x: tau in ms, y: lag, rows: final}\n"
-         "claims:\n"
-         "  - {that: a, final: lag, at_least: 0.9}\n"
-         "  - {that: b, max: lag, at_most: 1}\n"
-         "  - {that: c, mean: lag, between: [0, 1]}\n"
-         "  - {that: d, rms: lag, where: tau > 50 ms, between: [0, 1]}\n"
-         "  - {that: e, spread: lag, equals: 1, within: 0.1}\n"
-         "  - {that: f, fraction: lag > 0.5, at_least: 0.5}\n"
-         "  - {that: g, count: lag > 0.5, equals: 12}\n"
-         "  - {that: h, at: {time: 100 ms, value: lag}, at_least: 0.1}\n"
-         "  - {that: i, fraction_of_runs: rise_time(lag) < 100 ms, at_least: 0.1}\n"
-         "  - {that: j, quantile_of_runs: {share: 50 %, value: final(lag)*tau}, at_least: 0}\n";
+    "sweep: {tau: {from: 10 ms, to: 120 ms, count: 12}}\n"
+    "figure: {plot: xy, x: tau in ms, y: lag, rows: final}\n"
+    "claims:\n"
+    "  - {that: a, final: lag, at_least: 0.9}\n"
+    "  - {that: b, max: lag, at_most: 1}\n"
+    "  - {that: c, mean: lag, between: [0, 1]}\n"
+    "  - {that: d, rms: lag, where: tau > 50 ms, between: [0, 1]}\n"
+    "  - {that: e, spread: lag, equals: 1, within: 0.1}\n"
+    "  - {that: f, fraction: lag > 0.5, at_least: 0.5}\n"
+    "  - {that: g, count: lag > 0.5, equals: 12}\n"
+    "  - {that: h, at: {time: 100 ms, value: lag}, at_least: 0.1}\n"
+    "  - {that: i, fraction_of_runs: rise_time(lag) < 100 ms, at_least: 0.1}\n"
+    "  - {that: j, quantile_of_runs: {share: 50 %, value: final(lag)*tau}, at_least: 0}\n";
 }
 
 void check_same(const Scratch& folder, const std::string& file, const std::string& a, const std::string& b) {
@@ -46,8 +46,7 @@ std::string large_yaml(const std::string& more) {
 
 /// Runs the program with a data segment of at most `megabytes` (ulimit -d).
 stepwire::subprocess::ProcessResult run_within(int megabytes, const std::vector<std::string>& arguments) {
-  std::vector<std::string> command{"sh", "-c",
-                                   "ulimit -d " + std::to_string(megabytes * 1024) + " && exec \"$0\" \"$@\"",
+  std::vector<std::string> command{"sh", "-c", "ulimit -d " + std::to_string(megabytes * 1024) + " && exec \"$0\" \"$@\"",
                                    STEPWIRE_PROGRAM};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return stepwire::subprocess::run_process({.command = command});
@@ -55,8 +54,7 @@ stepwire::subprocess::ProcessResult run_within(int megabytes, const std::vector<
 
 }  // namespace
 
-TEST_CASE(
-    "rows that are written run by run, claims and figures are those of a sweep that is held in memory") {
+TEST_CASE("rows that are written run by run, claims and figures are those of a sweep that is held in memory") {
   const Scratch folder;
   folder.file("sweep.yaml", claimed_yaml());
   const Done held = run_program(folder, {"run", "sweep.yaml", "--out", "held", "--files", "csv,h5,mcap"});
@@ -107,48 +105,44 @@ TEST_CASE("a sweep whose rows are more than memory writes them, and judges its r
   const Scratch folder;
   folder.file("large.yaml", large_yaml("claims:\n  - {that: a, final: lag, equals: 1, within: 1e-6}\n"
                                        "  - {that: b, fraction_of_runs: max(lag) <= 1, equals: 1}\n"));
-  const auto done = run_within(100, {"run", folder.path("large.yaml"), "--engine", "interpreted", "--threads",
-                                     "1", "--out", folder.path("out"), "--files", "h5"});
+  const auto done = run_within(100, {"run", folder.path("large.yaml"), "--engine", "interpreted", "--threads", "1",
+                                     "--out", folder.path("out"), "--files", "h5"});
   INFO(done.errors << done.output);
   REQUIRE(done.succeeded());
   CHECK(std::filesystem::file_size(folder.path("out/signals.h5")) > 64'000'000);
   CHECK_FALSE(std::filesystem::exists(folder.path("out/points.journal")));
 }
 
-TEST_CASE(
-    "what needs all rows at once is refused before the run where they are more than memory, at its line") {
+TEST_CASE("what needs all rows at once is refused before the run where they are more than memory, at its line") {
   const Scratch folder;
-  folder.file("large.yaml", large_yaml("figure: {plot: lines, x: time, y: lag}\nclaims:\n"
-                                       "  - {that: a, final: lag, equals: 1, within: 1e-6}\n"
-                                       "  - {that: b, quantile: {share: 50 %, value: lag}, at_least: 0}\n"));
+  folder.file("large.yaml",
+              large_yaml("figure: {plot: lines, x: time, y: lag}\nclaims:\n"
+                         "  - {that: a, final: lag, equals: 1, within: 1e-6}\n"
+                         "  - {that: b, quantile: {share: 50 %, value: lag}, at_least: 0}\n"));
   const auto run = [&](const std::string& files) {
     return run_within(100, {"run", folder.path("large.yaml"), "--out", folder.path("out"), "--files", files});
   };
   const auto done = run("csv");
   INFO(done.errors);
   CHECK_FALSE(done.succeeded());
-  CHECK_THAT(done.errors, Contains("large.yaml:10:") &&
-                              Contains("figure: the picture needs the rows of all runs at once"));
+  CHECK_THAT(done.errors, Contains("large.yaml:10:") && Contains("figure: the picture needs the rows of all runs at once"));
   CHECK_THAT(done.errors, Contains("large.yaml:13:") && Contains("claims: ") && Contains("'each_run: true'"));
-  CHECK_THAT(done.errors,
-             Contains("--files: a table of kind csv or mat needs") && Contains("give --files h5"));
+  CHECK_THAT(done.errors, Contains("--files: a table of kind csv or mat needs") && Contains("give --files h5"));
   CHECK_THAT(done.errors, Contains("4e+06 rows with 1.2e+07 numbers take about 0.192 GB"));
   CHECK_FALSE(std::filesystem::exists(folder.path("out")));
 }
 
 TEST_CASE("csv is refused above its size before the run, and h5 is what a large run leaves") {
   const Scratch folder;
-  folder.file("large.yaml",
-              "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 3 s\nblocks:\n"
-              "  lag: {block: Constant, value: 1}\nrecord: [lag]\n"
-              "sweep: {lag.value: {from: 0, to: 1, count: 10000}}\n");
+  folder.file("large.yaml", "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 3 s\nblocks:\n"
+                            "  lag: {block: Constant, value: 1}\nrecord: [lag]\n"
+                            "sweep: {lag.value: {from: 0, to: 1, count: 10000}}\n");
   const std::vector<std::string> share{"run", "large.yaml", "--part", "1/10000", "--out", "out"};
   auto named = share;
   named.insert(named.end(), {"--files", "csv,h5"});
   const Done refused = run_program(folder, named);
   CHECK(refused.code == 2);
-  CHECK_THAT(refused.err,
-             Contains("--files: csv takes 50 million numbers, and 90 million are recorded; name h5"));
+  CHECK_THAT(refused.err, Contains("--files: csv takes 50 million numbers, and 90 million are recorded; name h5"));
   const Done done = run_program(folder, share);
   INFO(done.err);
   CHECK(done.code == 0);
@@ -157,13 +151,12 @@ TEST_CASE("csv is refused above its size before the run, and h5 is what a large 
 
 TEST_CASE("numbers that are kept of runs are verified in their folder alone") {
   const Scratch folder;
-  folder.file(
-      "kept.yaml",
-      "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 0.5 s\nsolver: rk4\nparameters: {tau: 10 ms, share: 0.9, "
-      "slow: 2}\nblocks:\n"
-      "  one: {block: Constant, value: 1}\n  lag: {block: Lag, tau: $tau, u: one}\nrecord: [lag]\n"
-      "sweep: {tau: [10 ms, 20 ms, 40 ms], lag.gain: [1, 2], keep: {rise: rise_time(lag), end: "
-      "final(lag)*$share, late: max(lag where time > $slow*tau)/lag.gain}}\n");
+  folder.file("kept.yaml",
+              "stepwire: 1\ntitle: t\nstep: 1 ms\nstop: 0.5 s\nsolver: rk4\nparameters: {tau: 10 ms, share: 0.9, "
+              "slow: 2}\nblocks:\n"
+              "  one: {block: Constant, value: 1}\n  lag: {block: Lag, tau: $tau, u: one}\nrecord: [lag]\n"
+              "sweep: {tau: [10 ms, 20 ms, 40 ms], lag.gain: [1, 2], keep: {rise: rise_time(lag), end: "
+              "final(lag)*$share, late: max(lag where time > $slow*tau)/lag.gain}}\n");
   REQUIRE(run_program(folder, {"run", "kept.yaml", "--out", "out"}).code == 0);
   folder.file("kept.yaml", "another file\n");
   const Done done = run_program(folder, {"verify", "out"});
@@ -176,6 +169,5 @@ TEST_CASE("numbers that are kept of runs are verified in their folder alone") {
   std::ofstream(folder.path("out/signals.csv")) << text;
   const Done differs = run_program(folder, {"verify", "out"});
   CHECK(differs.code == 1);
-  CHECK_THAT(differs.out,
-             Contains("out/signals.csv:7: late at 0.5 s is ") && Contains(" when it is replayed"));
+  CHECK_THAT(differs.out, Contains("out/signals.csv:7: late at 0.5 s is ") && Contains(" when it is replayed"));
 }
