@@ -171,11 +171,23 @@ gallery::Report model_report(const Registry& registry, const std::string& file,
   return report;
 }
 
+/// True for a file that is used in others and has no run of its own. A file that cannot be read is none, so
+/// that its fault is shown.
+static bool is_part_file(const std::string& file) {
+  try {
+    const yaml::Document document = yaml::read_document(file);
+    return !document.root.find("step") && (document.root.find("inputs") || document.root.find("outputs"));
+  } catch (const yaml::Error&) {
+    return false;
+  }
+}
+
 std::vector<std::string> diagram_files(const std::string& path) {
   if (!fs::is_directory(path)) return {path};
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(path))
-    if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
+    if (entry.path().extension() == ".yaml" && !is_part_file(entry.path().string()))
+      files.push_back(entry.path().string());
   if (files.empty()) throw yaml::Error(yaml::Fault{{path, {}}, "", "has no diagram file, NAME.yaml", {}});
   std::ranges::sort(files);
   return files;

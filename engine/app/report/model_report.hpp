@@ -15,8 +15,8 @@ namespace stepwire::report {
 gallery::Report model_report(const Registry& registry, const std::string& file,
                              const session::LoadOptions& options, const session::Monitor& monitor);
 
-/// Returns the diagram files of a path: itself, or those of a folder, sorted. Throws Error for a folder
-/// without one.
+/// Returns the diagram files of a path: itself, or those of a folder, sorted, without parts. Throws Error for
+/// a folder without one.
 std::vector<std::string> diagram_files(const std::string& path);
 
 /// Prints a page by Chromium. Throws EnvironmentError if it is missing or fails.

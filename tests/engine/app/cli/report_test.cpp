@@ -33,6 +33,9 @@ TEST_CASE("report of a folder has all of its diagrams, and the exit code of the 
   std::filesystem::create_directories(folder.path("models"));
   folder.file("models/a.yaml", limited_lag);
   folder.file("models/b.yaml", limited_lag + "  - {that: it is above, final: lag, at_least: 3 N}\n");
+  folder.file("models/part.yaml",
+              "stepwire: 1\ninputs: {x: {unit: N}}\noutputs: {y: gain}\nblocks:\n"
+              "  gain: {block: Gain, u: x, gain: 2}\n");
   const Done done = run_program(folder, {"report", "models", "-o", "all.html"});
   INFO(done.out << done.err);
   CHECK(done.code == 1);
