@@ -27,7 +27,7 @@ const std::string chart_yaml =
 
 /// A lag with a claim on its end and none on its course.
 const std::string judged_yaml =
-    "stepwire: 1\nstep: 10 ms\nstop: 10 s\nparameters:\n  level: 2\n  tau: 0.1 s\nblocks:\n"
+    "stepwire: 1\nstep: 10 ms\nstop: 10 s\nsolver: rk4\nparameters:\n  level: 2\n  tau: 0.1 s\nblocks:\n"
     "  command: {block: Constant, value: $level}\n  other: {block: Constant, value: 5}\n"
     "  lag: {block: Lag, u: command, tau: $tau}\n"
     "record: [lag, other]\nclaims:\n  - {that: it arrives, final: lag, equals: 2, within: 1 %}\n";
