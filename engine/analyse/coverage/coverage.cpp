@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "engine/analyse/coverage/chart_states.hpp"
+#include "engine/base/expression/margin.hpp"
 #include "engine/model/plan/active.hpp"
 
 namespace stepwire::coverage {
@@ -51,15 +52,32 @@ std::vector<std::string> docs_of(const plan::PlannedBlock& block, const BlockTyp
   return docs;
 }
 
-/// Names the crossing functions of a block. They follow each other element by element.
+/// Returns the number of branch points of a block's formula, beyond which its functions are constant;
+/// std::nullopt for a block without a formula.
+std::optional<std::size_t> branches_of_formula(const diagram::DiagramBlock& block) {
+  const ParameterSpec* formula = block.type().parameter("expression");
+  if (!formula) return std::nullopt;
+  const Value text = formula->get(block.block.get());
+  if (!text.text()) return std::nullopt;
+  try {
+    const expression::Expression parsed(*text.text(), [](std::string_view) { return true; });
+    return expression::branches_of(parsed).margins.size();
+  } catch (const expression::ExpressionError&) {
+    return std::nullopt;
+  }
+}
+
+/// Names the crossing functions of a block. The order of several declarations with several elements each is
+/// that of the block, so a name then has the number of the function and all of them.
 std::vector<std::string> names_of(const std::vector<std::string>& docs, std::size_t count) {
   std::vector<std::string> names;
-  const std::size_t each = docs.empty() ? 1 : docs.size();
   for (std::size_t k = 0; k < count; ++k) {
-    const bool even = !docs.empty() && count % each == 0;
-    std::string name = even ? docs[k % each] : docs.empty() ? "crossing" : docs.front();
-    if (count > each) name += fmt::format(" ({})", even ? k / each + 1 : k + 1);
-    names.push_back(std::move(name));
+    if (docs.size() == count)
+      names.push_back(docs[k]);
+    else if (docs.size() == 1)
+      names.push_back(fmt::format("{} ({})", docs.front(), k + 1));
+    else
+      names.push_back(fmt::format("crossing {} of {}: {}", k + 1, count, fmt::join(docs, ", or ")));
   }
   return names;
 }
@@ -80,12 +98,21 @@ class CoverageObserver::OfRun {
     for (Machine& one : machines_) count_machine(one, values);
   }
 
-  /// Returns the conditions. A function that is never negative has its other branch at zero.
+  /// Returns the conditions. A function that is never negative has its other branch at zero. One that is
+  /// infinite at each tick, as of a limit that is left out, is no condition.
   Coverage finished() {
+    std::vector<bool> absent(coverage_.conditions.size(), false);
     for (const Crossings& one : crossings_)
-      for (std::size_t k = 0; k < one.zeros.size(); ++k)
-        if (Branch& below = branch(one.condition + k, 1); below.ticks == 0) below.ticks = one.zeros[k];
-    return coverage_;
+      for (std::size_t k = 0; k < one.zeros.size(); ++k) {
+        Branch& below = branch(one.condition + k, 1);
+        if (below.ticks == 0) below.ticks = one.zeros[k];
+        absent[one.condition + k] =
+            one.infinite[k] > 0 && below.ticks + branch(one.condition + k, 0).ticks == 0;
+      }
+    Coverage found;
+    for (std::size_t i = 0; i < absent.size(); ++i)
+      if (!absent[i]) found.conditions.push_back(coverage_.conditions[i]);
+    return found;
   }
 
  private:
@@ -96,7 +123,7 @@ class CoverageObserver::OfRun {
     std::size_t owner;          ///< Index of the block.
     std::size_t condition = 0;  ///< Index of its first condition, once counted.
     std::vector<double> numbers{};
-    std::vector<std::int64_t> zeros{};
+    std::vector<std::int64_t> zeros{}, infinite{};  ///< Ticks at which a function is 0 or has no bound.
     bool counted = false;  ///< The number of functions is known, from the first tick.
   };
   struct Guard {
@@ -181,9 +208,14 @@ class CoverageObserver::OfRun {
     one.numbers.resize(count);
     one.zeros.assign(count, 0);
     one.condition = coverage_.conditions.size();
-    for (const std::string& name :
-         names_of(docs_of(plan_.blocks[one.owner], plan_.diagram.blocks[one.owner].type()), count))
-      add(one.owner, name, {"above", "below"});
+    const diagram::DiagramBlock& block = plan_.diagram.blocks[one.owner];
+    std::vector<std::string> docs = docs_of(plan_.blocks[one.owner], block.type());
+    if (const auto branches = branches_of_formula(block); branches && *branches < docs.size()) {
+      one.zeros.resize(count / docs.size() * *branches);  // declaration by declaration, the first ones
+      docs.resize(*branches);
+    }
+    one.infinite.assign(one.zeros.size(), 0);
+    for (const std::string& name : names_of(docs, one.zeros.size())) add(one.owner, name, {"above", "below"});
     one.counted = true;
   }
 
@@ -192,10 +224,13 @@ class CoverageObserver::OfRun {
     one.type->run_crossings(one.block, one.numbers.data());
     if (!one.counted) count_functions(one);
     if (is_off(one.active, values)) return;
-    for (std::size_t k = 0; k < one.numbers.size(); ++k) {
-      if (one.numbers[k] == 0.0) ++one.zeros[k];
-      if (one.numbers[k] > 0.0) ++branch(one.condition + k, 0).ticks;
-      if (one.numbers[k] < 0.0) ++branch(one.condition + k, 1).ticks;
+    for (std::size_t k = 0; k < one.zeros.size(); ++k) {
+      const double number = one.numbers[k];
+      if (number == 0.0) ++one.zeros[k];
+      if (std::isinf(number))
+        ++one.infinite[k];
+      else if (number != 0.0 && !std::isnan(number))
+        ++branch(one.condition + k, number > 0.0 ? 0 : 1).ticks;
     }
   }
 

@@ -49,6 +49,23 @@ TEST_CASE("run --coverage names the limit that is not reached and the comparison
   CHECK(result["covered"] == 5);
 }
 
+TEST_CASE("run --coverage counts the conditions that a formula has, and elements one by one") {
+  const Scratch folder;
+  folder.file("formula.yaml",
+              "stepwire: 1\nstep: 10 ms\nstop: 1 s\nblocks:\n"
+              "  wave: {block: Sine, amplitude: [1, 3], frequency: 1 Hz}\n"
+              "  one: {block: Sine, amplitude: 1, frequency: 1 Hz}\n"
+              "  bent: {block: Expression, u: one, expression: \"abs(u)\"}\n"
+              "  limited: {block: Saturation, u: wave, upper: 2}\nrecord: [bent, limited]\n");
+  const Done done = run_program(folder, {"run", "formula.yaml", "--coverage"});
+  INFO(done.out << done.err);
+  CHECK(done.code == 0);
+  // abs has one condition of two branches. The upper limits of two elements have four, of which the first
+  // element does not reach its own; there are no lower limits.
+  CHECK_THAT(done.out, Contains("coverage: 5 of 6 branches") && Contains("crossing 2 of 4"));
+  CHECK_THAT(done.out, !Contains("Expression"));
+}
+
 TEST_CASE("run --coverage lists states and transitions of a chart") {
   const Scratch folder;
   folder.file("chart.yaml", chart_yaml);
