@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "engine/base/data_file/recorded_run.hpp"
+#include "engine/base/csv/read_record.hpp"
 #include "engine/base/table/table_file.hpp"
 #include "engine/base/yaml/near_file.hpp"
 
@@ -59,6 +59,22 @@ void take_signals(Likeness& likeness, const yaml::Node& node, const query::Names
   if (faults.empty() && index.names().empty()) read.fault(node.mark, node.text + " has no signal");
 }
 
+/// Reads the file of a baseline. Adds a fault and returns false for an unreadable one.
+bool take_table(const std::string& path, Likeness& likeness, const yaml::Node& node,
+                const query::NamesReading& read) {
+  try {
+    table::RecordTable table = csv::read_record(path);
+    std::erase_if(table.columns,
+                  [&](const table::Column& column) { return table.problems.contains(column.name); });
+    for (const auto& [name, problem] : table.problems) read.fault(node.mark, problem);
+    likeness.tables.push_back(std::move(table));
+    return true;
+  } catch (const std::exception& error) {
+    read.fault(node.mark, error.what());
+    return false;
+  }
+}
+
 bool is_infinite(const comparison::SignalDifference& signal) {
   return !signal.agrees && signal.excess <= 1.0;  // other lengths
 }
@@ -75,17 +91,12 @@ std::shared_ptr<Likeness> read_baseline(const yaml::Node& node, const query::Nam
     read.fault(node.mark, "there is no file " + path + yaml::near_file(path).text());
     return nullptr;
   }
-  try {
-    for (table::RecordTable& table : data_file::read_recorded_run(path)) {
-      std::erase_if(table.columns,
-                    [&](const table::Column& column) { return table.problems.contains(column.name); });
-      for (const auto& [name, problem] : table.problems) read.fault(node.mark, problem);
-      likeness->tables.push_back(std::move(table));
-    }
-  } catch (const std::exception& error) {
-    read.fault(node.mark, error.what());
+  if (fs::path(path).extension() != ".csv") {
+    read.fault(node.mark,
+               fmt::format("'{}' is no CSV file, as 'run --csv' writes it: baseline.csv", likeness->file));
     return nullptr;
   }
+  if (!take_table(path, *likeness, node, read)) return nullptr;
   take_signals(*likeness, node, read);
   return likeness;
 }

@@ -110,6 +110,8 @@ TEST_CASE("a baseline that is missing, of other signals or units, and other keys
   folder.file("force.csv", "time [s],rig.x [N]\n0,0\n1,1\n");
   folder.file("runs.csv", "time [s],rig.x [m]\n0,0\n1,1\n0,0\n1,1\n");
   CHECK_THAT(read_in(folder, "like: ramb.csv").faults, Contains("there is no file") && Contains("ramp.csv"));
+  folder.file("ramp.h5", "");
+  CHECK_THAT(read_in(folder, "like: ramp.h5").faults, Contains("no CSV file"));
   CHECK_THAT(read_in(folder, "like: other.csv").faults, Contains("'rig.y' of other.csv is not recorded"));
   CHECK_THAT(read_in(folder, "like: force.csv").faults, Contains("cannot be converted"));
   CHECK_THAT(read_in(folder, "like: runs.csv").faults, Contains("has 2 runs"));
