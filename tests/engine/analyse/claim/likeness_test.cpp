@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "engine/analyse/tuning/constraint.hpp"
 #include "tests/engine/base/table/scratch.hpp"
 #include "tests/engine/view/plot/samples.hpp"
 
@@ -121,6 +122,17 @@ TEST_CASE("a baseline that is missing, of other signals or units, and other keys
   CHECK_THAT(read_in(folder, "like: ramp.csv, signals: rig.z").faults, Contains("has no 'rig.z'"));
   CHECK_THAT(read_in(folder, "final: rig.x, at_most: 1 m, jitter: 1 ms").faults, Contains("jitter"));
   CHECK(read_in(folder, "like: ramp.csv, signals: [rig.x], within: 1 %").faults.empty());
+}
+
+TEST_CASE("a search has no baseline among its constraints") {
+  const Scratch folder;
+  folder.file("ramp.csv", ramp_csv);
+  yaml::Faults faults;
+  const auto names = names_in(folder);
+  const yaml::Document document =
+      yaml::parse_document("- {that: a, like: ramp.csv, within: 1 %}", folder.path("d.yaml"));
+  tuning::read_constraints(document.root, {}, {"tune.constraints", names, faults});
+  CHECK_THAT(all_text(faults), Contains("which no search follows"));
 }
 
 }  // namespace stepwire::claim

@@ -76,6 +76,24 @@ TEST_CASE("run --coverage lists states and transitions of a chart") {
                            Contains("the transition drain to alarm: never taken"));
 }
 
+TEST_CASE("run --coverage adds the runs of a sweep, and has both states of a guard") {
+  const Scratch folder;
+  const std::string text =
+      "stepwire: 1\nstep: 10 ms\nstop: 1 s\nparameters:\n  size: 1\nblocks:\n"
+      "  wave: {block: Sine, amplitude: $size, frequency: 1 Hz}\n"
+      "  limited: {block: Saturation, u: wave, upper: 2}\n"
+      "  on: {block: Step, time: 0.5 s, before: 1, after: 1}\n"
+      "  twice: {block: Gain, u: wave, gain: 2, enable: on}\nrecord: [limited, twice]\n";
+  folder.file("one.yaml", text);
+  folder.file("two.yaml", text + "sweep: {size: {values: [1, 3]}}\n");
+  const Done one = run_program(folder, {"run", "one.yaml", "--coverage"});
+  INFO(one.out << one.err);
+  CHECK_THAT(one.out, Contains("coverage: 2 of 4 branches") && Contains("the part or block: never inactive"));
+  const Done two = run_program(folder, {"run", "two.yaml", "--coverage", "--threads", "2"});
+  INFO(two.out << two.err);
+  CHECK_THAT(two.out, Contains("coverage: 3 of 4 branches") && !Contains("upper limit"));
+}
+
 TEST_CASE("mutate lists the time constant that no claim judges, and not the level") {
   const Scratch folder;
   folder.file("judged.yaml", judged_yaml);
